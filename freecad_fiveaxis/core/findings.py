@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a result says about itself.
+
+finding   one poor spot of a result: what, how bad, where, and what helps. Findings never stop the output.
+severity  ordered by consequence: NOTE changes nothing on the part, WARNING may show on the part,
+          ERROR will spoil the part or the machine if nobody looks (the command line then exits with 1).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+
+class Severity(IntEnum):
+    """Consequence for the part, least first."""
+
+    NOTE = 0
+    WARNING = 1
+    ERROR = 2
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One poor spot. ``code`` is a stable kebab-case word, ``text`` a full sentence with its remedy.
+
+    ``value`` and ``limit`` are in ``unit`` (``mm``, ``deg``, ``mm2``, ``1`` ...); ``block`` is a row of the
+    Program, ``line`` a line of the NC file (counted from 1), ``place`` a point in the work frame, mm.
+    """
+
+    severity: Severity
+    code: str
+    text: str
+    value: float | None = None
+    limit: float | None = None
+    unit: str = ""
+    block: int | None = None
+    line: int | None = None
+    place: tuple[float, float, float] | None = None

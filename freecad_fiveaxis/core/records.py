@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Frozen dataclasses of arrays: one row a point, checked for shape and set read-only when made.
+
+A long ``(n, 3)`` array is best kept in Fortran order (``np.empty((3, n)).T``): its columns are then contiguous, and
+elementwise work on ``p[:, 0]`` runs at memory speed. Nothing depends on the order but speed.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+Bytes = NDArray[np.int8]
+
+_KINDS: dict[str, Any] = {"f": np.float64, "i": np.int64, "b": np.bool_, "m": np.int8}
+
+
+def freeze(record: object, rows: int | None, **columns: str) -> None:
+    """Check and lock the columns of a frozen dataclass, from its ``__post_init__``.
+
+    Each keyword is a field and its form: a kind (f float64, i int64, b bool, m int8) and the width of a row, as in
+    ``point="f3"``, ``pass_="i"``. ``rows`` is the number of rows that all must have (None: that of the first).
+    Raises ValueError with the field's name, its shape and the shape that is needed.
+    """
+    for name, form in columns.items():
+        given = getattr(record, name)
+        array = np.asarray(given, dtype=_KINDS[form[0]])
+        rows = array.shape[0] if rows is None and array.ndim else rows
+        need = (rows, int(form[1:])) if form[1:] else (rows,)
+        if array.shape != need:
+            raise ValueError(f"{type(record).__name__}.{name} has shape {array.shape}, needs {need}")
+        if array.flags.writeable:
+            array = array.view()
+            array.flags.writeable = False
+        object.__setattr__(record, name, array)
