@@ -109,7 +109,7 @@ def inverse(links: Chain, tip: Floats, axis: Floats) -> tuple[Floats, Floats]:
     words = np.empty((2, len(axis), 5))
     for branch in range(2):
         words[branch, :, 3:] = angles[branch]
-        words[branch, :, :3] = _linear_words(links, tip, angles[branch])
+        words[branch, :, :3] = linear_words(links, tip, angles[branch])
     return words, sine
 
 
@@ -156,7 +156,8 @@ def _fold(angle: Floats) -> Floats:
     return angle - 2.0 * np.pi * np.ceil((angle - np.pi) / (2.0 * np.pi))
 
 
-def _linear_words(links: Chain, tip: Floats, angles: Floats) -> Floats:
+def linear_words(links: Chain, tip: Floats, angles: Floats) -> Floats:
+    """The linear words X Y Z (n, 3) mm that put the tip (n, 3) mm, work frame, in place at rotary words (n, 2) rad."""
     at_zero = np.concatenate([np.zeros((len(angles), 3)), angles], axis=1)
     rest = tip - forward(links, at_zero)[0]
     columns = np.empty((len(angles), 3, 3))
@@ -174,3 +175,17 @@ def branch_of(links: Chain, second: Floats) -> Bytes:
     near = np.cross(a2, np.cross(a1, a2))
     best = np.arctan2(np.cross(a2, (0.0, 0.0, 1.0)) @ near, near[2])
     return np.asarray(_fold(second - best) < 0.0, np.int8)
+
+
+def q_to_words(q: Floats) -> Floats:
+    """Words (n, 5) in mm and degrees from q (n, 5) in mm and rad."""
+    words = np.array(q, float)
+    words[..., 3:] = np.rad2deg(words[..., 3:])
+    return words
+
+
+def words_to_q(words: Floats) -> Floats:
+    """q (n, 5) in mm and rad from words (n, 5) in mm and degrees."""
+    q = np.array(words, float)
+    q[..., 3:] = np.deg2rad(q[..., 3:])
+    return q

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD runs this at start-up, with and without a window. Nothing to do yet: the core needs no FreeCAD."""

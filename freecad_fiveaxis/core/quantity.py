@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Quantities as people write them, turned once, at the border, into the core's units.
+
+length    mm inside; ``12``, ``12mm``, ``1.2cm``, ``0.5in``, ``0.5"``.    angle   rad inside; ``30``, ``30deg``, ``0.5rad``.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+
+from .errors import SettingsError
+
+LENGTHS = {"": 1.0, "mm": 1.0, "um": 1e-3, "cm": 10.0, "m": 1000.0, "in": 25.4, "inch": 25.4, '"': 25.4}
+ANGLES = {"": math.pi / 180.0, "deg": math.pi / 180.0, "°": math.pi / 180.0, "rad": 1.0}
+FEEDS = {"": 1.0, "mm/min": 1.0, "m/min": 1000.0, "mm/s": 60.0, "in/min": 25.4, "ipm": 25.4}
+NUMBERS = {"": 1.0}
+
+_QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\d]*)\s*")
+
+
+def parse(text: str | float, units: dict[str, float], what: str) -> float:
+    """The number of ``text`` in the core's unit. Raises SettingsError that names the text and the units known."""
+    match = _QUANTITY.fullmatch(str(text))
+    if not match or match.group(2).lower() not in units or not math.isfinite(float(match.group(1))):
+        known = ", ".join(unit for unit in units if unit)
+        raise SettingsError(f"{what} {text!r} is not a number{' with one of the units ' + known if known else ''}", text)
+    return float(match.group(1)) * units[match.group(2).lower()]
+
+
+def parse_length(text: str | float, what: str = "length") -> float:
+    """Millimetres."""
+    return parse(text, LENGTHS, what)
+
+
+def parse_angle(text: str | float, what: str = "angle") -> float:
+    """Radians; a bare number is in degrees."""
+    return parse(text, ANGLES, what)
+
+
+def parse_feed(text: str | float, what: str = "feed") -> float:
+    """Millimetres a minute."""
+    return parse(text, FEEDS, what)
+
+
+def parse_triple(text: str | list[float] | tuple[float, ...], units: dict[str, float], what: str) -> tuple[float, float, float]:
+    """Three quantities, as ``X,Y,Z``."""
+    parts = text.split(",") if isinstance(text, str) else list(text)
+    if len(parts) != 3:
+        raise SettingsError(f"{what} {text!r} needs three numbers, as 0,0,50", text)
+    x, y, z = (parse(part, units, what) for part in parts)
+    return x, y, z

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is said about a finished program: text for the terminal, JSON for scripts, markers for the 3D view.
+
+The numbers come from ``figures`` (which defines the words), the judgement from ``block_findings``, the text from
+``report_text``; the HTML page is made by ``report_html``, the CSV by ``block_table``.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import PurePath
+from typing import Any
+
+import numpy as np
+
+from .block_findings import OVER, SINGULAR, judge
+from .figures import Figures, summary, travel, worst_first, worst_table
+from .findings import Finding
+from .machine import Vector
+from .records import Bools, Floats, Ints
+from .report_text import as_text, verdict
+
+__all__ = ["Figures", "Marker", "as_json", "as_text", "judge", "markers", "summary", "verdict"]
+
+VERSION = 1
+"""Of the JSON report: raised when a key changes its meaning."""
+MARKERS = 500
+"""At most so many markers of a kind: more hide the part and slow the view down."""
+
+
+@dataclass(frozen=True)
+class Marker:
+    """Something to show on the part: ``place`` mm in the work frame, ``kind`` a code, ``label`` a few words."""
+
+    place: Vector
+    kind: str
+    label: str
+    finding: Finding | None = None
+
+
+def as_json(figures: Figures) -> str:
+    """The report for scripts; infinite and missing numbers are null, severities lower-case words.
+
+    Keys: version, summary (see :func:`~freecad_fiveaxis.core.figures.summary`), worst_blocks, findings, inputs.
+    """
+    report = {
+        "version": VERSION,
+        "summary": summary(figures),
+        "worst_blocks": worst_table(figures),
+        "findings": figures.findings,
+        "inputs": figures.inputs,
+    }
+    return json.dumps(plain(report), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def plain(value: object) -> Any:
+    """The same in JSON's own kinds: dict, list, str, int, float, bool and None. Other objects become their text."""
+    if isinstance(value, np.generic | np.ndarray):
+        value = value.tolist()
+    if isinstance(value, Enum):
+        return value.name.lower()
+    if value is None or isinstance(value, str | bool | int):
+        return value
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if dataclasses.is_dataclass(value):
+        return {one.name: plain(getattr(value, one.name)) for one in dataclasses.fields(value)}
+    if isinstance(value, Mapping):
+        return {str(key): plain(one) for key, one in value.items()}
+    if isinstance(value, Iterable) and not isinstance(value, bytes | PurePath):
+        return [plain(one) for one in value]
+    return str(value)
+
+
+def markers(figures: Figures) -> tuple[Marker, ...]:
+    """What the 3D view shows: places over tolerance, near the pole, and those of the other findings.
+
+    A run of neighbouring blocks has one marker, at its worst block; the first marker is the largest deviation of all.
+    """
+    program, deviation = figures.program, figures.deviation
+    over, near = np.zeros(len(program.words), bool), np.zeros(len(program.words), bool)
+    over[figures.feeds] = ~(deviation.segment[figures.feeds] <= figures.tolerance)
+    near[figures.feeds] = figures.singularity.singular[figures.feeds]
+    turned = np.abs(travel(program)[:, 3:]).max(axis=1, initial=0.0)
+    return (
+        *_marked(figures, "largest-deviation", figures.worst[:1], deviation.segment, "{:.4g} mm"),
+        *_marked(figures, OVER, _run_peaks(over, deviation.segment), deviation.segment, "{:.4g} mm"),
+        *_marked(figures, SINGULAR, _run_peaks(near, turned), turned, "turns {:.4g} deg"),
+        *_placed(figures.findings),
+    )
+
+
+def _run_peaks(chosen: Bools, values: Floats) -> Ints:
+    """The row of the largest value in each run of ``chosen`` rows (m,), the worst first, at most MARKERS."""
+    rows = np.flatnonzero(chosen)
+    run = np.cumsum(np.diff(rows, prepend=rows[:1]) > 1)
+    worst = worst_first(rows, values)
+    _, first = np.unique(run[np.searchsorted(rows, worst)], return_index=True)
+    return worst[np.sort(first)][:MARKERS]
+
+
+def _marked(figures: Figures, kind: str, rows: Ints, values: Floats, label: str) -> list[Marker]:
+    code = SINGULAR if kind == SINGULAR else OVER
+    told = {one.block: one for one in reversed(figures.findings) if one.code == code}
+    made = []
+    for row in rows.tolist():
+        x, y, z = figures.deviation.place[row].tolist()
+        made.append(Marker((x, y, z), kind, f"{label.format(values[row])}, line {figures.program.line[row]}", told.get(row)))
+    return made
+
+
+def _placed(findings: Sequence[Finding]) -> list[Marker]:
+    others = [one for one in findings if one.place is not None and one.code not in (OVER, SINGULAR)]
+    return [Marker(one.place, one.code, one.code.replace("-", " "), one) for one in others[:MARKERS] if one.place]

@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every input of a job, as one tree of frozen dataclasses.
+
+The tree is the only place where a setting is listed: the command line, job files, reports and the workbench's properties
+are made from its fields. A field knows its quantity (and so its unit), its range, its help and the tasks that use it.
+
+task      ``mill``: from an STL to a program; ``post``: from a CL file to a program; ``audit``: a finished program.
+option    the flat name of a field: ``least_interval`` in job files, ``--least-interval`` on the command line.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any, Literal
+
+from . import quantity
+from .cutter import Cutter, parse_cutter
+from .errors import SettingsError
+from .machine import Vector
+
+MILL, POST, AUDIT = "mill", "post", "audit"
+TASKS = (MILL, POST, AUDIT)
+
+
+def option(
+    default: Any,
+    kind: str,
+    text: str,
+    tasks: tuple[str, ...] = (MILL,),
+    *,
+    choices: tuple[str, ...] = (),
+    least: float = -math.inf,
+    most: float = math.inf,
+    above: float = -math.inf,
+) -> Any:
+    """A field of a settings dataclass. ``kind`` is one of the keys of ``READERS``; the range is in the core's units."""
+    metadata = {"kind": kind, "text": text, "tasks": tasks, "choices": choices, "least": least, "most": most, "above": above}
+    return field(default=default, metadata=metadata)
+
+
+def group(cls: type) -> Any:
+    """A field that is a settings dataclass of its own."""
+    return field(default_factory=cls, metadata={"group": cls})
+
+
+@dataclass(frozen=True)
+class PassSettings:
+    """Where the planes lie (Lin & Ye, II.B and C)."""
+
+    direction: float = option(0.0, "angle", "travel direction of the passes, counter-clockwise from X")
+    scallop: float | None = option(None, "length", "largest scallop left between passes [0.01 where no stepover is given]", above=0)
+    stepover: float | None = option(None, "length", "constant distance of the planes, instead of a scallop", above=0)
+    least_interval: float = option(0.05, "length", "planes never come closer than this (steep walls)", above=0)
+    max_axis_angle: float = option(
+        math.pi / 2, "angle", "facets steeper than this are left out", above=0, most=math.pi / 2 + 1e-9
+    )
+
+
+@dataclass(frozen=True)
+class CutterSettings:
+    """The cutter and how co-edges are closed."""
+
+    cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in")
+    coedge_tolerance: float = option(0.01, "length", "largest R - r at a convex co-edge before an arc is used", above=0)
+
+
+@dataclass(frozen=True)
+class ToolAxisSettings:
+    """How the tool stands at each contact."""
+
+    tool_axis: str = option("facet_mean", "strategy", "tool-axis strategy (see `strategies`)")
+    axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of the strategy `fixed`, tip to holder")
+    lead: float = option(0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 3, most=math.pi / 3)
+    tilt: float = option(0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 3, most=math.pi / 3)
+
+
+@dataclass(frozen=True)
+class LinkSettings:
+    """What happens between passes."""
+
+    order: Literal["zigzag", "one_way"] = option(
+        "zigzag", "choice", "passes run to and fro, or all in one direction", choices=("zigzag", "one_way")
+    )
+    clearance: float = option(5.0, "length", "rapids stay this far off the part's bounding box", above=0)
+
+
+@dataclass(frozen=True)
+class FeedSettings:
+    """Feeds of the tip over the part."""
+
+    feed: float = option(1000.0, "feed", "feed of the tip over the part, mm/min", (MILL, POST), above=0)
+    plunge_feed: float = option(300.0, "feed", "feed of the approach, mm/min", above=0)
+    feed_mode: Literal["g93", "g94"] = option(
+        "g93", "choice", "inverse time, or units a minute", (MILL, POST), choices=("g93", "g94")
+    )
+
+
+@dataclass(frozen=True)
+class MachineSettings:
+    """The machine and where the part stands on it."""
+
+    machine: str = option("", "text", "a shipped machine's name or a path to a .fcm", TASKS)
+    controller: str = option("linuxcnc", "controller", "the dialect of the NC file (see `controllers`)", TASKS)
+    origin: Vector | None = option(None, "point", "X,Y,Z of the work zero in the machine frame [the machine's]", TASKS)
+    tool_length: float | None = option(
+        None, "length", "gauge point to tip; machines with a rotary head need it", TASKS, least=0
+    )
+    control_point: Literal["tip", "centre"] = option(
+        "tip", "choice", "the point of the tool that the words drive", choices=("tip", "centre")
+    )
+    linearize: Literal["off"] = option("off", "choice", "blocks are posted as they are", choices=("off",))
+
+
+@dataclass(frozen=True)
+class ProofSettings:
+    """What is proven of every block."""
+
+    tolerance: float = option(0.01, "length", "largest deviation of the tip from the commanded segment", TASKS, above=0)
+    method: Literal["exact", "so2008"] = option(
+        "exact", "choice", "line deviation: exact, or the model of So et al. 2008", TASKS, choices=("exact", "so2008")
+    )
+
+
+@dataclass(frozen=True)
+class OutputSettings:
+    """Files to write."""
+
+    output: str | None = option(None, "path", "the NC file", (MILL, POST))
+    cl: str | None = option(None, "path", "the CL path as an APT file", (MILL,))
+    report: tuple[str, ...] = option((), "paths", "report; the ending .json, .html or .txt says which; may be repeated", TASKS)
+    blocks: str | None = option(None, "path", "CSV with one row a block", TASKS)
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Every input of a job. ``source``: the STL, CL or NC file that the task reads."""
+
+    task: str = MILL
+    source: str = ""
+    machine: MachineSettings = group(MachineSettings)
+    cutter: CutterSettings = group(CutterSettings)
+    passes: PassSettings = group(PassSettings)
+    tool_axis: ToolAxisSettings = group(ToolAxisSettings)
+    links: LinkSettings = group(LinkSettings)
+    feeds: FeedSettings = group(FeedSettings)
+    proof: ProofSettings = group(ProofSettings)
+    output: OutputSettings = group(OutputSettings)
+
+
+def option_fields(task: str | None = None) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
+    """Every option with the group that it belongs to, in order; of one task, or of all."""
+    for top in fields(Settings):
+        if "group" in top.metadata:
+            for leaf in fields(top.metadata["group"]):
+                if task is None or task in leaf.metadata["tasks"]:
+                    yield top.metadata["group"], leaf
+
+
+def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settings:
+    """Settings from flat options as people write them (job files, command line).
+
+    Raises SettingsError for an unknown option, a value out of range, or a contradiction.
+    """
+    known = {leaf.name for _, leaf in option_fields(task)}
+    for name in options:
+        if name not in known:
+            close = difflib.get_close_matches(name, known, 1)
+            raise SettingsError(f"unknown option {name!r} for {task}" + (f"; do you mean {close[0]!r}?" if close else ""), name)
+    groups = {top.name: _build(top.metadata["group"], options) for top in fields(Settings) if "group" in top.metadata}
+    settings = Settings(task=task, source=source, **groups)
+    _check_together(settings)
+    return settings
+
+
+def _build(cls: type, options: Mapping[str, Any]) -> Any:
+    return cls(**{leaf.name: read_option(leaf, options[leaf.name]) for leaf in fields(cls) if options.get(leaf.name) is not None})
+
+
+def _check_together(settings: Settings) -> None:
+    if settings.task not in TASKS:
+        raise SettingsError(f"unknown task {settings.task!r}; known: {', '.join(TASKS)}", settings.task)
+    if not settings.machine.machine:
+        raise SettingsError("no machine given; name one with --machine (see `machines`)", "")
+    if settings.passes.scallop is not None and settings.passes.stepover is not None:
+        raise SettingsError("scallop and stepover exclude each other; give one of them", settings.passes.stepover)
+
+
+def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
+    """One value from its text (or JSON value), checked against its choices and range."""
+    name, rules = leaf.name.replace("_", "-"), leaf.metadata
+    if rules["choices"] and given not in rules["choices"]:
+        raise SettingsError(f"{name} {given!r} is not one of {', '.join(rules['choices'])}", given)
+    try:
+        value = READERS[rules["kind"]](given, name)
+    except TypeError as error:
+        raise SettingsError(f"{name} {given!r} is not of the right kind", given) from error
+    if isinstance(value, float) and not (rules["least"] <= value <= rules["most"] and value > rules["above"]):
+        raise SettingsError(f"{name} {given} is out of range; {_range_text(rules)}", given)
+    return value
+
+
+def _range_text(rules: Mapping[str, Any]) -> str:
+    unit = (180 / math.pi, " deg") if rules["kind"] == "angle" else (1.0, " mm" if rules["kind"] == "length" else "")
+    parts = [(rules["above"], "above"), (rules["least"], "at least"), (rules["most"], "at most")]
+    return "it must be " + " and ".join(f"{word} {bound * unit[0]:g}{unit[1]}" for bound, word in parts if math.isfinite(bound))
+
+
+def _text(given: Any, name: str) -> str:
+    if not isinstance(given, str) or not given:
+        raise SettingsError(f"{name} {given!r} is not a text", given)
+    return given
+
+
+def _paths(given: Any, name: str) -> tuple[str, ...]:
+    return tuple(_text(item, name) for item in ([given] if isinstance(given, str) else given))
+
+
+READERS: dict[str, Any] = {
+    "length": quantity.parse_length,
+    "angle": quantity.parse_angle,
+    "feed": quantity.parse_feed,
+    "point": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),
+    "vector": lambda given, name: quantity.parse_triple(given, quantity.NUMBERS, name),
+    "cutter": lambda given, name: given if isinstance(given, Cutter) else parse_cutter(given),
+    "text": _text,
+    "choice": _text,
+    "strategy": _text,
+    "controller": _text,
+    "path": _text,
+    "paths": _paths,
+}
+
+
+def flat_options(settings: Settings) -> dict[str, Any]:
+    """The options that the task uses, as a job file would hold them (degrees, mm), defaults included."""
+    values = {}
+    for cls, leaf in option_fields(settings.task):
+        holder = next(getattr(settings, top.name) for top in fields(Settings) if top.metadata.get("group") is cls)
+        values[leaf.name] = _written(leaf, getattr(holder, leaf.name))
+    return {"task": settings.task, "source": settings.source, **values}
+
+
+def _written(leaf: dataclasses.Field[Any], value: Any) -> Any:
+    if isinstance(value, Cutter):
+        return f"ball:{value.diameter!r}:{value.length!r}"
+    if leaf.metadata["kind"] == "angle" and value is not None:
+        return round(math.degrees(value), 12)
+    return list(value) if isinstance(value, tuple) else value

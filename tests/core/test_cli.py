@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The public face: exit codes, messages, files. Small parts; the numbers are proven in the modules' own tests."""
+
+import csv
+import json
+import os
+import struct
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from freecad_fiveaxis.core import cli, job
+from freecad_fiveaxis.core.errors import Cancelled
+from freecad_fiveaxis.core.machine_file import shipped_machines
+from freecad_fiveaxis.core.mesh import from_triangles
+from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.stl import write_stl
+
+TABLE_2 = "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
+
+
+@pytest.fixture
+def roof(tmp_path):
+    """A gable roof on a block, 40 x 30 mm: two slopes that meet in one convex co-edge."""
+    low = [(0, 0, 0), (40, 0, 0), (40, 30, 0), (0, 30, 0)]
+    high = [(0, 0, 10), (40, 0, 10), (40, 30, 10), (0, 30, 10), (20, 0, 18), (20, 30, 18)]
+    v = np.array(low + high, float) - (20, 15, 0)
+    faces = [(0, 2, 1), (0, 3, 2), (0, 1, 5), (0, 5, 8), (0, 8, 4), (1, 2, 6), (1, 6, 5), (2, 3, 7), (2, 7, 9), (2, 9, 6),
+             (3, 0, 4), (3, 4, 7), (5, 6, 9), (5, 9, 8), (4, 8, 9), (4, 9, 7)]  # fmt: skip
+    path = tmp_path / "roof.stl"
+    write_stl(from_triangles(v[np.array(faces)]), path)
+    return path
+
+
+def run(*words):
+    return cli.main([str(word) for word in words])
+
+
+def test_mill_writes_every_file_that_is_asked_for(roof, tmp_path, capsys):
+    out = {name: tmp_path / name for name in ("a.ngc", "a.apt", "a.csv", "a.json", "a.html", "a.txt")}
+    code = run("mill", roof, "--machine", "trunnion_ac", "--stepover", "5", "--tolerance", "100", "-o", out["a.ngc"], "--cl", out["a.apt"],
+               "--blocks", out["a.csv"], "--report", out["a.json"], "--report", out["a.html"], "--report", out["a.txt"])  # fmt: skip
+    assert code == cli.DONE
+    assert all(path.stat().st_size > 100 for path in out.values())
+    assert sorted(os.listdir(tmp_path)) == sorted([*out, "roof.stl"])
+    data = json.loads(out["a.json"].read_text())
+    rows = list(csv.DictReader(out["a.csv"].open()))
+    assert data["version"] == 1 and data["summary"]["blocks"] == len(rows)
+    lines = out["a.ngc"].read_text().splitlines()
+    for row in rows[:: max(1, len(rows) // 20)]:
+        assert f"X{float(row['X']):.4f}" in lines[int(row["line"]) - 1] or "X" not in lines[int(row["line"]) - 1]
+    assert "wrote" in capsys.readouterr().out
+
+
+def test_the_inputs_of_a_report_are_a_job_file_that_makes_the_same_bytes(roof, tmp_path):
+    first, second, report = tmp_path / "1.ngc", tmp_path / "2.ngc", tmp_path / "1.json"
+    words = ("--machine", "trunnion_bc", "--scallop", "0.5", "--direction", "20", "--tolerance", "100", "--quiet")
+    assert run("mill", roof, *words, "-o", first, "--report", report) == 0
+    inputs = json.loads(report.read_text())["inputs"]
+    (tmp_path / "job.json").write_text(json.dumps(inputs | {"output": str(second), "report": []}))
+    assert run("run", tmp_path / "job.json", "--quiet") == 0
+    assert first.read_bytes() == second.read_bytes()
+
+
+def test_paths_in_a_job_file_are_relative_to_it(roof, tmp_path, monkeypatch):
+    (tmp_path / "sub").mkdir()
+    monkeypatch.chdir(tmp_path / "sub")
+    job_file = {"task": "mill", "source": "roof.stl", "machine": "trunnion_ac", "stepover": 10, "tolerance": 100, "output": "roof.ngc"}
+    (tmp_path / "job.json").write_text(json.dumps(job_file))
+    assert run("run", "../job.json", "--quiet") == 0
+    assert (tmp_path / "roof.ngc").exists()
+
+
+def test_table_2_of_so_is_audited(tmp_path):
+    (tmp_path / "t2.ngc").write_text(TABLE_2)
+    code = run("audit", tmp_path / "t2.ngc", "--machine", "mikron_ucp710", "--report", tmp_path / "t2.json", "--blocks", tmp_path / "t2.csv",
+               "--quiet")  # fmt: skip
+    assert code == cli.DONE_WITH_ERRORS
+    summary = json.loads((tmp_path / "t2.json").read_text())["summary"]
+    assert summary["max_line_deviation"] == pytest.approx(0.9384, abs=3e-4)
+    assert summary["max_segment_deviation"] == pytest.approx(2.1264, abs=5e-4)
+    assert summary["worst_line"] == 3 and summary["singular_blocks"] == 1 and summary["over_tolerance"] == 1
+    row = list(csv.DictReader((tmp_path / "t2.csv").open()))[1]
+    assert float(row["u_line"]) == pytest.approx(0.404, abs=1e-3)
+    assert float(row["u_segment"]) == pytest.approx(0.5454, abs=1e-3)
+
+
+def test_post_takes_the_cl_file_that_mill_wrote(roof, tmp_path):
+    words = ("--machine", "trunnion_ac", "--tolerance", "100", "--quiet")
+    assert run("mill", roof, "--stepover", "10", *words, "-o", tmp_path / "a.ngc", "--cl", tmp_path / "a.apt") == 0
+    assert run("post", tmp_path / "a.apt", *words, "-o", tmp_path / "b.ngc") == 0
+    assert (tmp_path / "b.ngc").stat().st_size > 100
+
+
+@pytest.mark.parametrize("machine", shipped_machines())
+def test_every_shipped_machine_mills_the_roof(machine, roof, tmp_path):
+    code = run("mill", roof, "--machine", machine, "--stepover", "10", "--tolerance", "500", "--tool-length", "100", "--quiet",
+               "-o", tmp_path / "a.ngc")  # fmt: skip
+    assert code in (cli.DONE, cli.DONE_WITH_ERRORS)
+
+
+BAD_STL = {
+    "empty": b"",
+    "text": b"this is no STL at all, just some words that somebody wrote",
+    "truncated": b"\0" * 80 + struct.pack("<I", 10) + b"\0" * 120,
+    "no facets": b"\0" * 80 + struct.pack("<I", 0),
+    "lying count": b"\0" * 80 + struct.pack("<I", 1000000) + b"\0" * 100,
+    "nan": b"\0" * 80 + struct.pack("<I", 1) + struct.pack("<12fH", *[float("nan")] * 12, 0),
+    "infinite": b"\0" * 80 + struct.pack("<I", 1) + struct.pack("<12fH", *[float("inf")] * 12, 0),
+    "huge": b"\0" * 80 + struct.pack("<I", 1) + struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1e9, 0, 0, 0, 1e9, 0, 0),
+}
+
+
+def refused(capsys, tmp_path, *words):
+    """Exit 2, one clear line on stderr, no output file; returns the line."""
+    before = sorted(os.listdir(tmp_path))
+    assert run(*words) == cli.UNUSABLE
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1 and "Traceback" not in error and len(error) > 20
+    assert sorted(os.listdir(tmp_path)) == before
+    return error
+
+
+@pytest.mark.parametrize("kind", BAD_STL)
+def test_a_bad_stl_is_refused(kind, tmp_path, capsys):
+    (tmp_path / "bad.stl").write_bytes(BAD_STL[kind])
+    refused(capsys, tmp_path, "mill", tmp_path / "bad.stl", "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc")
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [(["--machine", "no_such"], "no_such"), (["--machine", "trunnion_ac", "--cutter", "ball:0"], "0"),
+     (["--machine", "trunnion_ac", "--scallop", "-0.01"], "-0.01"), (["--machine", "trunnion_ac", "--scallop", "5"], "5"),
+     (["--machine", "trunnion_ac", "--controller", "hal9000"], "hal9000"), (["--machine", "gone.fcm"], "gone.fcm"),
+     (["--machine", "trunnion_ac", "--tool-axis", "best"], "best"), (["--machine", "fork_head_bc"], "tool-length"),
+     (["--machine", "trunnion_ac", "--tool-axis", "fixed", "--axis", "0,0,0"], "0"), ([], "machine")],
+)  # fmt: skip
+def test_a_bad_option_is_refused_and_named(words, named, roof, tmp_path, capsys):
+    assert named in refused(capsys, tmp_path, "mill", roof, *words, "-o", tmp_path / "a.ngc")
+
+
+def test_a_missing_file_a_missing_folder_and_the_source_as_output_are_refused(roof, tmp_path, capsys):
+    machine = ("--machine", "trunnion_ac")
+    assert "gone.stl" in refused(capsys, tmp_path, "mill", tmp_path / "gone.stl", *machine, "-o", tmp_path / "a.ngc")
+    assert "nowhere" in refused(capsys, tmp_path, "mill", roof, *machine, "-o", tmp_path / "nowhere" / "a.ngc")
+    assert "roof.stl" in refused(capsys, tmp_path, "mill", roof, *machine, "-o", roof)
+    assert "-o" in refused(capsys, tmp_path, "mill", roof, *machine)
+    assert ".pdf" in refused(capsys, tmp_path, "mill", roof, *machine, "-o", tmp_path / "a.ngc", "--report", tmp_path / "a.pdf")
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{", '{"task": "mill"}', '{"task": "dance", "source": "a"}', '{"task": "mill", "source": 3}',
+                                  '{"task": "mill", "source": "a.stl", "machine": "trunnion_ac", "speed": 3}', "[" * 100000])  # fmt: skip
+def test_a_bad_job_file_is_refused(text, tmp_path, capsys):
+    (tmp_path / "job.json").write_text(text)
+    refused(capsys, tmp_path, "run", tmp_path / "job.json")
+
+
+def test_a_cancelled_job_writes_nothing(roof, tmp_path, monkeypatch, capsys):
+    def stop(settings, progress):
+        raise Cancelled("by the user")
+
+    monkeypatch.setattr(job, "run", stop)
+    assert run("mill", roof, "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc") == cli.STOPPED
+    assert os.listdir(tmp_path) == ["roof.stl"]
+
+
+def test_cancelling_from_the_progress_call_stops_the_street(roof):
+    def stop(stage, fraction):
+        raise Cancelled(stage)
+
+    with pytest.raises(Cancelled):
+        job.run(build_settings("mill", str(roof), {"machine": "trunnion_ac", "stepover": 5}), stop)
+
+
+def test_the_lists_name_what_is_there(capsys):
+    for word, known in (("machines", "mikron_ucp710"), ("controllers", "fanuc"), ("strategies", "step_weighted")):
+        assert run(word) == 0
+        assert known in capsys.readouterr().out
+
+
+def test_the_module_runs_as_a_program():
+    done = subprocess.run([sys.executable, "-m", "freecad_fiveaxis", "machines"], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0 and "trunnion_ac" in done.stdout
+    done = subprocess.run([sys.executable, "-m", "freecad_fiveaxis", "mill"], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 2

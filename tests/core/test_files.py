@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import os
+
+import pytest
+
+from freecad_fiveaxis.core.errors import FileError
+from freecad_fiveaxis.core.files import check_writable, read_bytes, write_whole
+
+
+def test_a_file_is_written_whole_and_nothing_stays_beside_it(tmp_path):
+    target = tmp_path / "part.ngc"
+    target.write_bytes(b"old")
+    write_whole(target, b"new")
+    assert target.read_bytes() == b"new"
+    assert os.listdir(tmp_path) == ["part.ngc"]
+
+
+def test_a_new_file_may_be_read_by_others_as_the_umask_says(tmp_path):
+    old = os.umask(0o022)
+    try:
+        write_whole(tmp_path / "a", b"")
+    finally:
+        os.umask(old)
+    assert (tmp_path / "a").stat().st_mode & 0o777 == 0o644
+
+
+def test_a_failed_write_leaves_the_old_file_and_nothing_else(tmp_path):
+    target = tmp_path / "taken"
+    target.mkdir()
+    (target / "child").write_bytes(b"")
+    with pytest.raises(FileError, match="cannot be written"):
+        write_whole(target, b"new")
+    assert os.listdir(tmp_path) == ["taken"]
+
+
+@pytest.mark.parametrize("name", ["missing/part.ngc", "file/part.ngc", "folder"])
+def test_an_impossible_target_is_refused_before_the_work(tmp_path, name):
+    (tmp_path / "file").write_bytes(b"")
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(FileError) as error:
+        check_writable(tmp_path / name)
+    assert name.split("/")[0] in str(error.value)
+
+
+def test_a_missing_file_is_named(tmp_path):
+    with pytest.raises(FileError, match=r"STL file .*gone\.stl cannot be read: No such file"):
+        read_bytes(tmp_path / "gone.stl", "STL file")

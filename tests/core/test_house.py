@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The house rules that a tool can check: what the core may import, in which order, and that every file names its licence."""
+
+import ast
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+CORE = ROOT / "freecad_fiveaxis" / "core"
+FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySide2", "PySide6", "pivy", "Path")
+MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
+STREET = [  # imports only point up this list
+    "errors", "findings", "records", "progress", "quantity", "files", "mesh", "stl", "passes", "cutter", "machine", "machine_file",
+    "kinematics", "reach", "spacing", "coedge", "tool_axis", "cl_path", "apt", "joint_path", "singularity", "number_text", "post",
+    "program", "nc_reader", "trajectory", "deviation", "report", "settings", "job", "terminal", "cli",
+]  # fmt: skip
+
+
+def test_every_core_module_imports_with_freecad_and_qt_blocked():
+    block = f"import sys\nfor name in {FOREIGN!r}: sys.modules[name] = None\n"
+    code = block + "\n".join(f"import {name}" for name in MODULES if not name.endswith("__main__"))
+    done = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, cwd=ROOT, timeout=60)
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_block_would_be_noticed():
+    code = "import sys\nsys.modules['FreeCAD'] = None\nimport FreeCAD"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60).returncode != 0
+
+
+def imports_of(path):
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            base = path.parent if node.level == 1 else path.parents[node.level - 1]
+            yield from [base / (node.module or alias.name).replace(".", "/") for alias in node.names]
+
+
+def test_imports_in_the_core_go_one_way():
+    graph = {path: {made.with_suffix(".py") for made in imports_of(path)} for path in CORE.rglob("*.py")}
+    seen, on_the_way = set(), []
+
+    def visit(path):
+        assert path not in on_the_way, " -> ".join(part.stem for part in [*on_the_way[on_the_way.index(path) :], path])
+        if path in graph and path not in seen:
+            on_the_way.append(path)
+            for made in graph[path]:
+                visit(made)
+            on_the_way.pop()
+            seen.add(path)
+
+    for path in graph:
+        visit(path)
+
+
+def test_imports_follow_the_street():
+    order = {CORE / f"{name}.py": place for place, name in enumerate(STREET)}
+    for path, place in order.items():
+        if path.exists():
+            late = [made.stem for made in imports_of(path) if order.get(made.with_suffix(".py"), -1) > place]
+            assert not late, f"{path.stem} imports {late} from further down the street"
+
+
+def test_every_file_names_its_licence():
+    files = [path for suffix in ("*.py", "*.sh") for path in ROOT.rglob(suffix) if not {".venv", "out", "build"} & set(path.parts)]
+    assert len(files) > 40
+    assert not [str(path) for path in files if "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text()[:200]]
+
+
+@pytest.mark.parametrize("tag", ["name", "version", "date", "description", "maintainer", "license", "icon", "content", "depend"])
+def test_the_package_has_what_the_addon_manager_needs(tag):
+    space = "{https://wiki.freecad.org/Package_Metadata}"
+    root = ET.parse(ROOT / "package.xml").getroot()
+    assert root.find(space + tag) is not None
+    assert (ROOT / root.findtext(space + "icon")).is_file()
+
+
+def test_the_version_is_the_same_wherever_it_stands():
+    from freecad_fiveaxis import __version__
+
+    space = "{https://wiki.freecad.org/Package_Metadata}"
+    assert ET.parse(ROOT / "package.xml").getroot().findtext(space + "version") == __version__
+    assert f'version = "{__version__}"' in (ROOT / "pyproject.toml").read_text()
+    assert f"## [{__version__}]" in (ROOT / "CHANGELOG.md").read_text()
