@@ -29,7 +29,7 @@ OVER, UNPROVEN, SINGULAR = "deviation-over-tolerance", "bound-over-tolerance", "
 
 _SPLIT = "Shorter blocks help: half the length leaves about a quarter of the deviation."
 _AWAY = "Lead or tilt the tool by a few degrees, or clamp the part in another position, so that the tool keeps off the pole."
-_GUIDE = "A controller that guides the tool tip itself (RTCP) does not leave the segment at all."
+_GUIDE = "A controller with tool tip control (RTCP) guides the tip along the segment itself."
 
 
 def judge(
@@ -106,8 +106,8 @@ def _unproven(program: Program, deviation: Deviation, tolerance: float, rows: In
         )
 
     def single(row: int) -> str:
-        found, bound = deviation.segment[row], deviation.bound[row]
-        return f"NC line {program.line[row]}: deviation {found:.6f} mm, proven bound {bound:.6f} mm, {tolerance:g} mm allowed. Split it."
+        found, bound = f"deviation {deviation.segment[row]:.6f} mm", f"proven bound {deviation.bound[row]:.6f} mm"
+        return f"NC line {program.line[row]}: {found}, {bound}, {tolerance:g} mm allowed. Split it."
 
     kind = _Kind(Severity.WARNING, UNPROVEN, deviation.bound, tolerance, "mm")
     return _findings(kind, program, deviation, rows, whole, single)

@@ -31,9 +31,7 @@ def letter_order(letters: str) -> list[int]:
 def header(letters: str) -> str:
     """The column names for the machine's ``letters`` (in the order of the words, as "XYZCA")."""
     words = ",".join(letters[column] for column in letter_order(letters))
-    return (
-        f"block,line,motion,{words},feed,u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
-    )
+    return f"block,line,motion,{words},feed,u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
 
 
 def round_up(values: Floats, decimals: int = DECIMALS) -> Floats:
@@ -46,7 +44,8 @@ def round_up(values: Floats, decimals: int = DECIMALS) -> Floats:
 def blocks_csv(program: Program, deviation: Deviation, singularity: Singularity, progress: Progress = silent) -> bytes:
     """The whole table as ASCII text, lines ending in a line feed. All three records have one row a block."""
     rows = len(program.words)
-    words = [program.words[:, column] for column in letter_order(program.letters)]
+    # adding 0 turns -0 into 0
+    words = [program.words[:, column] + 0.0 for column in letter_order(program.letters)]
     figures = [deviation.u_line, deviation.line, deviation.u_segment, deviation.segment, round_up(deviation.bound)]
     numbers = [*words, program.feed, *figures, np.degrees(deviation.axis)]
     parts: list[Part] = [

@@ -9,8 +9,8 @@ break     a step of a cutting move that cannot be driven while the tool cuts: a 
           a turn, or the branch would change away from the pole. It costs BREAK on top of its travel.
 
 The rows are the layers of a graph and the states its nodes, so the best way is a shortest path over layers: a product of
-matrices in (min, +) algebra. It is exact. A scan on two levels keeps Python out of the rows: the steps are cut into blocks of about
-the square root of their number, all blocks advance together by one step at a time, then the blocks are joined.
+matrices in (min, +) algebra. It is exact. A scan on two levels keeps Python out of the rows: the steps are cut into blocks of
+about the square root of their number, all blocks advance together by one step at a time, then the blocks are joined.
 
 Without limits only the two branches are states and every step takes the nearest winding. That way's cost is a lower bound of
 the limited problem's; so when it fits into the limits after whole turns it is the answer there too.
@@ -29,16 +29,19 @@ from .records import Bools, Bytes, Floats, Ints
 
 BREAK = 1000.0
 """Cost of a break, rad: a retract costs more than any turning back above the part that a job is likely to need."""
+POLE_ANGLE = math.radians(0.5e-4)
+"""So near to the pole (rad) the axis is taken as the pole: half a step of a rotary word with four decimals of a degree."""
 SLACK = 1e-9
 """Rounding allowed to a word at its limit, rad: far below any controller's step."""
 PREFER_ZERO = 1e-9
 """Weight of the first row's words, rad per rad: among ways of equal travel the one that starts nearest to zero is taken."""
 SMALL_TURN = math.radians(0.1)
 """A step of less rotary travel than this is no break whatever its branches: its axis stays within half of it of both ends."""
-STATES = 64
-"""Most states that are searched at once; above it the windings are chosen from those around zero (see ``_window``)."""
+STATES = 24
+"""Most states that are searched: the work grows with their cube. A word that fits into its limits on the nearest windings alone
+never needs them; of one that does not, on an axis of more turns, only the turns around zero are used, at the price of rewinds."""
 SLAB = 1 << 20
-"""Entries of cost (states x states x steps) that are held at once: 8 MB, about the second-level cache."""
+"""Costs (states x states x steps) that are held at once: 8 MB."""
 
 TURN = 2.0 * math.pi
 StepCost = Callable[[int, int], Floats]
@@ -52,34 +55,36 @@ class Layers:
     word: Floats
     fits: Bools
     branch: Bytes
-    wraps: tuple[bool, bool]
+    wraps: list[bool]
 
 
 def choose(
-    angles: Floats, low: Floats, high: Floats, cutting: Bools, crossing: Bools, progress: Progress = silent
+    angles: Floats, fits: Bools, low: Floats, high: Floats, cutting: Bools, crossing: Bools, progress: Progress = silent
 ) -> tuple[Floats, Bytes]:
     """Rotary words (n, 2) rad, turns not folded, and branch (n,) of least travel and fewest breaks.
 
-    ``angles`` (2, n, 2) rad of both branches in (-pi, pi], NaN where there is none; ``low``, ``high`` (2,) rad; ``cutting`` and
-    ``crossing`` (n - 1,): the step is made while the tool cuts; the step goes through the pole. At least one state must fit
-    at every row (see :func:`within_limits`).
+    ``angles`` (2, n, 2) rad of both branches in (-pi, pi]; ``fits`` (2, n) from :func:`within_limits`, at least one of the two
+    true at every row; ``low``, ``high`` (2,) rad; ``cutting`` and ``crossing`` (n - 1,): the step is made while the tool cuts;
+    the step goes through the pole.
     """
-    low, high = _window(low, high)
-    wraps = (True, True)
+    wraps = [True, True]
     while True:
-        words, branch = _solve(_layers(angles, low, high, wraps), cutting, crossing, progress)
+        words, branch = _solve(_layers(angles, fits, low, high, wraps), cutting, crossing, progress)
         turns = [_fitting_turns(words[:, axis], low[axis], high[axis]) for axis in range(2)]
         if not any(math.isnan(turn) for turn in turns):
-            return np.clip(words + TURN * np.array(turns), low, high), branch
-        wraps = (wraps[0] and not math.isnan(turns[0]), wraps[1] and not math.isnan(turns[1]))
+            for axis, turn in enumerate(turns):
+                words[:, axis] = np.clip(words[:, axis] + TURN * turn, low[axis], high[axis])
+            return words, branch
+        wraps = [wrap and not math.isnan(turn) for wrap, turn in zip(wraps, turns, strict=True)]
+        low, high = _window(low, high, wraps)
 
 
 def within_limits(angles: Floats, low: Floats, high: Floats) -> Bools:
     """Whether some winding of both words lies within the limits, (2, n) for each branch; False where NaN."""
-    fits = ~np.isnan(angles[:, :, 0])
+    fits = ~np.isnan(angles).any(2)
     for axis in range(2):
-        if _limited(low[axis], high[axis]):
-            fits &= _least_word(np.nan_to_num(angles[:, :, axis]), low[axis]) <= high[axis] + SLACK
+        if high[axis] - low[axis] < TURN:
+            fits &= _least_word(angles[:, :, axis], low[axis]) <= high[axis] + SLACK
     return fits
 
 
@@ -97,17 +102,18 @@ def _limited(low: float, high: float) -> bool:
 
 def _least_word(angle: Floats, low: float) -> Floats:
     """The least winding of ``angle`` that is not below ``low``."""
-    return np.asarray(low - SLACK + np.mod(angle - low + SLACK, TURN))
+    return np.asarray(angle - TURN * np.floor((angle - low + SLACK) * (1.0 / TURN)))
 
 
-def _window(low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Limits that hold no more than STATES states: the turns around zero, or next to it, are kept."""
+def _window(low: Floats, high: Floats, wraps: list[bool]) -> tuple[Floats, Floats]:
+    """Limits that make no more than STATES states: of the words that need them, the turns around zero are kept."""
     low, high = low.copy(), high.copy()
-    for axis in range(2):
-        room = max(1, STATES // 2 // _windings(low[1 - axis], high[1 - axis])) - 1
-        if _limited(low[axis], high[axis]) and _windings(low[axis], high[axis]) > room + 1:
-            start = np.clip(-0.5 * room * TURN, low[axis], high[axis] - room * TURN)
-            low[axis], high[axis] = start, start + room * TURN
+    for axis in (axis for axis in range(2) if not wraps[axis]):
+        other = 1 if wraps[1 - axis] else _windings(low[1 - axis], high[1 - axis])
+        width = TURN * (max(2, STATES // 2 // other) - 1)
+        if high[axis] - low[axis] > width:
+            low[axis] = np.clip(-0.5 * width, low[axis], high[axis] - width)
+            high[axis] = low[axis] + width
     return low, high
 
 
@@ -117,42 +123,42 @@ def _windings(low: float, high: float) -> int:
 
 def _fitting_turns(word: Floats, low: float, high: float) -> float:
     """The whole turns nearest to none that bring all of ``word`` (n,) within the limits; NaN where none do."""
-    least = math.ceil((low - SLACK - float(word.min())) / TURN) if math.isfinite(low) else -math.inf
-    most = math.floor((high + SLACK - float(word.max())) / TURN) if math.isfinite(high) else math.inf
+    least = math.ceil((low - 2 * SLACK - float(word.min())) / TURN) if math.isfinite(low) else -math.inf
+    most = math.floor((high + 2 * SLACK - float(word.max())) / TURN) if math.isfinite(high) else math.inf
     return min(max(0.0, least), most) if least <= most else math.nan
 
 
-def _layers(angles: Floats, low: Floats, high: Floats, wraps: tuple[bool, bool]) -> Layers:
-    fits = within_limits(angles, low, high)
+def _layers(angles: Floats, fits: Bools, low: Floats, high: Floats, wraps: list[bool]) -> Layers:
     count = [1 if wraps[axis] else _windings(low[axis], high[axis]) for axis in range(2)]
     branch, *winding = (part.ravel() for part in np.indices((2, count[0], count[1])))
-    word = np.empty((2, len(branch), angles.shape[1]))
-    fits = fits[branch]
+    word, fits = np.empty((2, len(branch), angles.shape[1])), fits[branch]
     for axis in range(2):
-        angle = np.nan_to_num(angles[:, :, axis])
-        if not wraps[axis]:
-            angle = _least_word(angle, low[axis])
-        word[axis] = angle[branch]
-        if not wraps[axis]:
-            word[axis] += TURN * winding[axis][:, None]
+        angle = angles[:, :, axis]
+        if not fits.all():
+            angle = np.nan_to_num(angle)
+        if wraps[axis]:
+            word[axis] = angle[branch]
+        else:
+            word[axis] = _least_word(angle, low[axis])[branch] + TURN * winding[axis][:, None]
             fits &= word[axis] <= high[axis] + SLACK
-    return Layers(word, fits, branch.astype(np.int8), wraps)
+    used = np.flatnonzero(fits.any(1))
+    return Layers(word[:, used], fits[used], branch[used].astype(np.int8), wraps)
 
 
 def _solve(layers: Layers, cutting: Bools, crossing: Bools, progress: Progress) -> tuple[Floats, Bytes]:
     """The best states' words (n, 2), unwound where they wrap, and branch (n,)."""
     entry = PREFER_ZERO * np.abs(layers.word[:, :, 0]).sum(0)
     entry[~layers.fits[:, 0]] = math.inf
-    banned = BREAK * (cutting & ~crossing)
-    held = BREAK * cutting
+    banned = np.where(cutting & ~crossing, BREAK, 0.0)
+    held = np.where(cutting, BREAK, 0.0)
 
     def cost(start: int, end: int) -> Floats:
         return _step_cost(layers, held[start:end], banned[start:end], start, end)
 
     state = least_path(entry, cost, len(cutting), progress)
-    words = np.empty((2, len(state))).T
+    words, at = np.empty((2, len(state))).T, state * len(state) + np.arange(len(state))
     for axis in range(2):
-        words[:, axis] = np.take_along_axis(layers.word[axis], state[None], 0)[0]
+        words[:, axis] = layers.word[axis].ravel().take(at)
         if layers.wraps[axis]:
             words[1:, axis] -= TURN * np.cumsum(np.rint(np.diff(words[:, axis]) / TURN))
     return words, layers.branch[state]
@@ -246,15 +252,16 @@ def _product(left: Floats, right: Floats) -> Floats:
 def _retrace(trace: Bytes, last: int) -> Ints:
     """The states before every step of the slab, in the order of the steps, from the state after the last one."""
     length, count, blocks = trace.shape
+    block = np.arange(blocks)
     origin = np.broadcast_to(np.arange(count)[:, None], (count, blocks))
     for back in trace[::-1]:
-        origin = np.take_along_axis(back, origin, 0).astype(np.int64)
+        origin = back.ravel().take(origin * blocks + block).astype(np.int64)
     state = np.empty(blocks, np.int64)
-    for block in range(blocks - 1, -1, -1):
-        state[block] = last
-        last = int(origin[last, block])
-    states = np.empty((blocks, length), np.int64)
+    for this in range(blocks - 1, -1, -1):
+        state[this] = last
+        last = int(origin[last, this])
+    states = np.empty((length, blocks), np.int64)
     for position in range(length - 1, -1, -1):
-        state = trace[position][state, np.arange(blocks)].astype(np.int64)
-        states[:, position] = state
-    return states.ravel()
+        state = trace[position].ravel().take(state * blocks + block).astype(np.int64)
+        states[position] = state
+    return states.T.ravel()

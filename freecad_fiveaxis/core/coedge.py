@@ -1,12 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Closes the gaps that offsetting leaves at co-edges (Lin & Ye, II.D and Fig. 6, 7)."""
+"""Closes the gaps that offsetting leaves at co-edges (Lin & Ye, II.D and Fig. 6, 7).
+
+offset    the path of the ball's centre: the contact moved out along a normal by the radius r (eq. 3).
+gap       what opens between the offsets of two facets at a convex co-edge; a straight line across it would cut the edge.
+R         length of the co-edge normal, r / cos(theta / 2) (eq. 4), at which the offset planes of both facets meet.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
-from .findings import Finding
+import numpy as np
+
+from .errors import SettingsError
+from .findings import Finding, Severity
+from .junction import CHUNK, Junctions, Rows, Segments, direction, find_junctions, find_segments, junction_rows
+from .mesh import Mesh
+from .passes import ContactPath
+from .progress import Progress, silent
 from .records import Bools, Floats, Ints, freeze
+from .trimming import Trimmed, find_used_up, trim_polylines
+
+BATCH = 65536
+"""Segments of tight polylines that are trimmed together: bounds the memory that this takes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,3 +58,173 @@ class OffsetPath:
             self, None, point="f3", centre="f3", normal="f3", before="f3", after="f3", step_before="f", step_after="f",
             face="i", coedge="i", segment="i", polyline="i", pass_="i", fill="b",
         )  # fmt: skip
+
+
+def close_gaps(contact: ContactPath, mesh: Mesh, radius: float, tolerance: float, progress: Progress = silent) -> OffsetPath:
+    """Offset the contact path by the ball's ``radius`` mm and close it at every co-edge (Lin & Ye, eqs. 3 to 5, Fig. 7).
+
+    Convex: the arithmetic-mean normal of length R = r / cos(theta / 2) between the two facet normals; where R - r is more
+    than ``tolerance`` mm, as many equal steps of theta as keep it within. Concave: both offsets trimmed where they cross.
+    Chords keep off the two facets of their co-edge by r, on a convex part off all of it. Segments of no length are left out;
+    those under which the ball does not fit are dropped, with a finding where more than ``tolerance`` of material stays.
+    A closed polyline ends where it began. Raises SettingsError for a radius or tolerance that is not above 0.
+    """
+    for name, value in (("cutter radius", radius), ("co-edge tolerance", tolerance)):
+        if not 0.0 < value < np.inf:
+            raise SettingsError(f"{name} is {value:g} mm; give a length above 0", value)
+    progress("closing co-edges", 0.0)
+    segments = find_segments(contact)
+    junctions = find_junctions(segments, radius, tolerance)
+    tight = find_used_up(segments, junctions)
+    trimmed = [trim_polylines(segments, junctions, at, radius) for at in _batches(segments, tight)]
+    place = _places(segments, junctions, tight, trimmed)
+    path = _Columns(contact, segments, int(place[-1]))
+    for done, (where, rows) in enumerate(_all_rows(segments, junctions, tight, trimmed, place, radius)):
+        path.write(where, rows)
+        if done % 32 == 0:
+            progress("closing co-edges", min(1.0, done * CHUNK / max(len(segments.live), 1)))
+    return OffsetPath(**path.columns(), findings=_findings(contact, trimmed, tolerance))
+
+
+def _batches(segments: Segments, tight: Ints) -> Iterator[Ints]:
+    """Positions of the tight polylines, whole polylines at a time."""
+    size = np.diff(segments.first, append=len(segments.live))[tight]
+    batch = np.cumsum(size) // BATCH
+    for number in np.unique(batch):
+        chosen = tight[batch == number]
+        count = size[batch == number]
+        start = segments.first[chosen]
+        yield np.repeat(start - np.cumsum(count) + count, count) + np.arange(count.sum())
+
+
+def _places(segments: Segments, junctions: Junctions, tight: Ints, trimmed: list[Trimmed]) -> Ints:
+    """Row (m + 1,) of the offset path at which each position begins; all rows of a tight polyline stand at its first one."""
+    count = junctions.rows.copy()
+    count[segments.first] += 1
+    if len(tight):
+        count[_is_tight(segments, tight)] = 0
+        for part in trimmed:
+            count[segments.first] += np.bincount(part.line, minlength=len(segments.first))
+    return np.concatenate([[0], np.cumsum(count)])
+
+
+def _is_tight(segments: Segments, tight: Ints) -> Bools:
+    flag = np.zeros(len(segments.first), bool)
+    flag[tight] = True
+    return flag[segments.line]
+
+
+def _all_rows(
+    segments: Segments, junctions: Junctions, tight: Ints, trimmed: list[Trimmed], place: Ints, radius: float
+) -> Iterator[tuple[Ints | slice, Rows]]:
+    """The rows in parts, and where in the offset path they belong."""
+    m = len(segments.live)
+    easy = np.flatnonzero(~_is_tight(segments, tight)) if len(tight) else np.arange(m)
+    last = np.full(m, -1)
+    last[segments.first] = segments.last
+    for low in range(0, len(easy), CHUNK // 2):
+        at = easy[low : low + CHUNK // 2]
+        count = place[at + 1] - place[at]
+        head = np.cumsum(count) - count
+        where: Ints | slice = slice(int(place[at[0]]), int(place[at[-1] + 1]))
+        if len(tight):
+            where = np.repeat(place[at] - head, count) + np.arange(count.sum())
+        step = np.arange(count.sum()) - np.repeat(head + (last[at] >= 0), count)
+        yield where, _easy_rows(segments, junctions, np.repeat(at, count), step, last, radius)
+    for part in trimmed:
+        start = np.flatnonzero(np.diff(part.line, prepend=-1))
+        yield (
+            np.arange(len(part.line)) + np.repeat(place[segments.first[part.line[start]]] - start, _sizes(start, part.line)),
+            part.rows,
+        )
+
+
+def _easy_rows(segments: Segments, junctions: Junctions, at: Ints, step: Ints, last: Ints, radius: float) -> Rows:
+    """Rows of junctions; step -1 is the row where a polyline begins: its first contact, or the last row of its seam."""
+    begin = np.flatnonzero(step < 0)
+    first, end = at[begin], last[at[begin]]
+    closed = segments.following[end] >= 0
+    at[begin], step[begin] = np.where(closed, end, first), np.where(closed, junctions.rows[end] - 1, 0)
+    rows = junction_rows(segments, junctions, at, step, radius)
+    rows.fill[begin] = False
+    opened, segment = begin[~closed], segments.live[first[~closed]]
+    for column, value in ((rows.w1, 1.0), (rows.w2, 0.0), (rows.w3, 0.0), (rows.reach, radius), (rows.shift, 0.0)):
+        column[opened] = value
+    rows.base[opened], rows.left[opened], rows.right[opened] = 2 * segment, segment, segment
+    return rows
+
+
+class _Columns:
+    """The columns of an offset path while they are filled in."""
+
+    def __init__(self, contact: ContactPath, segments: Segments, n: int) -> None:
+        self.contact, self.segments = contact, segments
+        self.vectors = {name: np.empty((3, n)) for name in ("point", "centre", "normal", "before", "after")}
+        self.lengths = {name: np.empty(n) for name in ("step_before", "step_after")}
+        self.labels = {name: np.empty(n, np.int64) for name in ("face", "coedge", "segment", "polyline", "pass_")}
+        self.fill = np.empty(n, bool)
+
+    def write(self, where: Ints | slice, rows: Rows) -> None:
+        """Work out the rows in short form and put them in their place."""
+        segments, vectors = self.segments, self.vectors
+        segment = rows.base >> 1
+        point = segments.point.take(rows.base, axis=1)
+        normal = segments.normal.take(rows.base, axis=1)
+        normal *= rows.w1
+        normal += rows.w2 * segments.normal.take(2 * rows.far, axis=1)
+        along = np.flatnonzero((rows.shift != 0.0) | (rows.w3 != 0.0))
+        if len(along):
+            travel = direction(segments, segment[along])
+            point[:, along] += rows.shift[along] * travel
+            normal[:, along] += rows.w3[along] * travel
+        vectors["point"][:, where], vectors["normal"][:, where] = point, normal
+        vectors["centre"][:, where] = point + rows.reach * normal
+        vectors["before"][:, where] = segments.normal.take(2 * rows.left, axis=1)
+        vectors["after"][:, where] = segments.normal.take(2 * rows.right, axis=1)
+        self.lengths["step_before"][where] = segments.length.take(rows.left)
+        self.lengths["step_after"][where] = segments.length.take(rows.right)
+        for name in ("face", "coedge", "polyline", "pass_"):
+            self.labels[name][where] = getattr(self.contact, name).take(rows.base)
+        self.labels["segment"][where] = segment
+        coedge = self.contact.coedge.take(rows.base)
+        self.labels["coedge"][where] = np.where(rows.shift != 0.0, -1, coedge)  # a trimmed contact lies inside its facet
+        self.fill[where] = rows.fill
+
+    def columns(self) -> dict[str, Any]:
+        """All columns by name."""
+        return {name: vector.T for name, vector in self.vectors.items()} | self.lengths | self.labels | {"fill": self.fill}
+
+
+def _sizes(start: Ints, label: Ints) -> Ints:
+    return np.diff(start, append=len(label))
+
+
+def _findings(contact: ContactPath, trimmed: list[Trimmed], tolerance: float) -> tuple[Finding, ...]:
+    found = []
+    cut_into = np.concatenate([np.empty(0, np.int64), *(part.cut_into for part in trimmed)])
+    missed = np.concatenate([np.empty(0, np.int64), *(part.missed for part in trimmed)])
+    height = np.concatenate([np.empty(0), *(part.height for part in trimmed)])
+    if len(cut_into):
+        text = (
+            f"The surface curls tighter than the cutter at {len(cut_into)} facet segments, and the cutter may cut into it there. "
+            "Use a smaller cutter, or check these places before milling."
+        )
+        place = _place(contact, int(cut_into[0]))
+        found.append(Finding(Severity.WARNING, "surface-tighter-than-cutter", text, float(len(cut_into)), unit="1", place=place))
+    if len(missed) and height.max() > tolerance:
+        worst = int(height.argmax())
+        count = int(np.count_nonzero(height > tolerance))
+        depth = float(height[worst]) if np.isfinite(height[worst]) else None
+        much = "all of it" if depth is None else f"up to {depth:.3g} mm"
+        text = (
+            f"The cutter does not fit into the corners at {count} facet segments; {much} stays there. "
+            "Use a smaller cutter for these corners."
+        )
+        place = _place(contact, int(missed[worst]))
+        found.append(Finding(Severity.WARNING, "corner-not-reached", text, depth, tolerance, "mm", place=place))
+    return tuple(found)
+
+
+def _place(contact: ContactPath, segment: int) -> tuple[float, float, float]:
+    x, y, z = contact.point[2 * segment : 2 * segment + 2].mean(axis=0)
+    return float(x), float(y), float(z)

@@ -97,7 +97,10 @@ def feed_blocks(program: Program) -> Ints:
 
 def travel(program: Program) -> Floats:
     """How far each word moves in each block (m, 5) mm and degrees, signed; row 0 is 0."""
-    return np.diff(program.words, axis=0, prepend=program.words[:1])
+    columns = np.ascontiguousarray(program.words.T)  # whole columns are read from here on
+    moved = np.zeros_like(columns)
+    np.subtract(columns[:, 1:], columns[:, :-1], out=moved[:, 1:])
+    return moved.T
 
 
 def worst_first(rows: Ints, values: Floats) -> Ints:
@@ -107,8 +110,8 @@ def worst_first(rows: Ints, values: Floats) -> Ints:
 
 def axis_rates(program: Program) -> Floats:
     """Mean rate of each axis in each block (m, 5) mm/min and deg/min; 0 where no time is known."""
-    minutes = program.seconds[:, None] / 60.0
-    return np.divide(np.abs(travel(program)), minutes, out=np.zeros_like(program.words), where=minutes > 0.0)
+    minutes, moved = program.seconds[:, None] / 60.0, np.abs(travel(program))
+    return np.divide(moved, minutes, out=np.zeros_like(moved), where=minutes > 0.0)
 
 
 def summary(figures: Figures) -> dict[str, Any]:
@@ -118,7 +121,7 @@ def summary(figures: Figures) -> dict[str, Any]:
     over = ~(segment <= figures.tolerance)
     unproven = ~over & ~(bound <= figures.tolerance)
     worst = figures.worst
-    rapids = np.setdiff1d(np.arange(len(program.words)), feeds)
+    rapid = deviation.segment[program.motion == Motion.RAPID]
     return {
         "title": figures.title,
         "kind": figures.kind,
@@ -131,7 +134,7 @@ def summary(figures: Figures) -> dict[str, Any]:
         "max_segment_deviation": _largest(segment),
         "max_bound": _largest(bound),
         "max_axis_deviation_deg": math.degrees(_largest(deviation.axis[feeds])),
-        "max_rapid_deviation": _largest(deviation.segment[rapids]),
+        "max_rapid_deviation": _largest(rapid),
         "worst_line": int(program.line[worst[0]]) if len(worst) else None,
         "worst_block": int(worst[0]) if len(worst) else None,
         "singular_blocks": int(figures.singularity.singular[feeds].sum()),
@@ -170,7 +173,7 @@ def _largest(values: Floats) -> float:
 
 def _travelled(figures: Figures) -> dict[str, object]:
     program, order = figures.program, letter_order(figures.program.letters)
-    cutting = np.isin(program.motion, (Motion.CUT, Motion.FILL))
+    cutting = (program.motion == Motion.CUT) | (program.motion == Motion.FILL)
     cutting[:1] = False
     steps = np.linalg.norm(np.diff(figures.tip, axis=0), axis=1)
     moved = np.abs(travel(program)).sum(axis=0)
@@ -186,12 +189,12 @@ def _axes(figures: Figures, order: list[int], moved: Floats) -> dict[str, dict[s
     program, links = figures.program, figures.links
     inner = np.array([1.0, 1.0, 1.0, math.degrees(1.0), math.degrees(1.0)])
     columns = {
-        "least": program.words.min(axis=0, initial=math.inf),
-        "largest": program.words.max(axis=0, initial=-math.inf),
+        "least": np.array([word.min(initial=math.inf) for word in program.words.T]),
+        "largest": np.array([word.max(initial=-math.inf) for word in program.words.T]),
         "low_limit": links.low * inner,
         "high_limit": links.high * inner,
         "travel": moved,
-        "peak_rate": axis_rates(program)[figures.feeds].max(axis=0, initial=0.0),
+        "peak_rate": np.array([rate[figures.feeds].max(initial=0.0) for rate in axis_rates(program).T]),
         "max_rate": links.rate * inner,
     }
     return {

@@ -1,13 +1,37 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From the CL path to joints: branch, winding, limits, retract and re-engage."""
+"""From the CL path to joints: branch, winding, limits, retract and re-engage.
+
+pole row   a row whose axis is parallel to the first rotary axis. Any first rotary word will do there, so it keeps that of the
+           row before until the path needs another; the turn is then made on the step where it harms least: a rapid if
+           there is one, else the longest of the steps that begin or end at the pole.
+crossing   a step through the pole. The branch may change there at no cost: the second rotary word passes its pole
+           position and changes sides while the first one stays.
+
+Branch and winding come from :mod:`.branches`, the rows that are inserted where no continuous way exists from :mod:`.rewind`.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 
-from .cl_path import CLPath
-from .findings import Finding
-from .records import Bytes, Floats, Ints, freeze
+import numpy as np
+
+from .branches import POLE_ANGLE, broken_steps, choose, within_limits
+from .cl_path import CLPath, Motion
+from .errors import ReachError, SettingsError
+from .findings import Finding, Severity
+from .kinematics import Chain, inverse_axis, linear_words
+from .progress import Progress, silent
+from .records import Bools, Bytes, Floats, Ints, freeze
+from .rewind import Drive, insert_rewinds, rewind_findings, subdivide_rapids
+from .rotary_pair import RotaryPair
+
+CROSSING_ANGLE = math.radians(0.1)
+"""A step whose axis passes the pole that near (rad) may go through the pole itself; its axis then leaves the commanded arc
+by about this angle."""
+LINEAR_SLACK = 1e-6
+"""Excess over a linear limit (mm) that is rounding, not travel: below any controller's step."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,3 +53,163 @@ class JointPath:
 
     def __post_init__(self) -> None:
         freeze(self, len(self.path.tip), row="i", q="f5", branch="m", sine="f")
+
+
+def solve(path: CLPath, links: Chain, low: Floats, high: Floats, clearance: float, progress: Progress = silent) -> JointPath:
+    """Drive ``path`` on the machine with the least rotary travel and the fewest breaks.
+
+    ``low``, ``high`` (3,) mm: the part's box in the work frame; the tool retracts out of it by ``clearance`` (mm) before it
+    rewinds. Rapids that turn a rotary axis are cut into blocks whose real tip curve stays within half the clearance of the
+    chord. Each break gives a warning, each linear axis beyond its limits an error. Raises ReachError where the machine cannot
+    take up an axis within its rotary limits, SettingsError for a clearance that is not positive.
+    """
+    if not clearance > 0.0:
+        raise SettingsError(f"clearance {clearance} mm must be positive: rapids and rewinds need room about the part", clearance)
+    if len(path.tip) == 0:
+        return JointPath(path, np.empty(0, np.int64), np.empty((0, 5)), np.empty(0, np.int8), np.empty(0))
+    path = _begun_by_rapid(path)
+    angles, pole, across = _angles(links, path)
+    fits = _reachable(links, path, angles, pole)
+    cutting = path.motion[1:] != Motion.RAPID
+    crossing = _crossings(path.axis, across, pole, links)
+    words, branch = choose(angles, fits, links.low[3:], links.high[3:], cutting, crossing, progress)
+    _place_turns(path, pole, words, branch)
+    breaks = np.flatnonzero(broken_steps(words, branch, cutting, crossing))
+    start = Drive(path, np.arange(len(words)), words, branch)
+    drive, gaps = insert_rewinds(start, links, breaks, np.asarray(low), np.asarray(high), clearance)
+    drive = subdivide_rapids(drive, links, 0.5 * clearance)
+    progress("joint path", 1.0)
+    return _finish(drive, links, rewind_findings(start, drive, links, breaks, gaps))
+
+
+def _begun_by_rapid(path: CLPath) -> CLPath:
+    """Where the machine comes from is not known, so the first position counts as reached by a rapid."""
+    if path.motion[0] == Motion.RAPID:
+        return path
+    motion = path.motion.copy()
+    motion[0] = Motion.RAPID
+    return replace(path, motion=motion)
+
+
+def _angles(links: Chain, path: CLPath) -> tuple[Floats, Bools, Floats]:
+    """Rotary words (2, n, 2) of both branches, pole rows filled; which rows are pole rows (n,); the axis across the first rotary
+    axis, as two columns (2, n)."""
+    first = links.direction[3]
+    frame = np.linalg.svd(first[None])[2][1:]
+    across = frame @ path.axis.T
+    pole = np.hypot(across[0], across[1]) <= POLE_ANGLE
+    axis: Floats = path.axis
+    if pole.any():
+        axis = axis.copy()
+        axis[pole] = np.copysign(1.0, axis[pole] @ first)[:, None] * first
+    angles, _ = inverse_axis(links, axis)
+    if pole.any():
+        _fill_poles(angles, pole, links)
+    return angles, pole, across
+
+
+def _fill_poles(angles: Floats, pole: Bools, links: Chain) -> None:
+    """Give each pole row the first rotary word of the last row before it that is none; the next one's at the beginning."""
+    if pole.all():
+        angles[:, :, 0] = np.clip(0.0, links.low[3], links.high[3])
+        return
+    source = np.maximum.accumulate(np.where(pole, int(np.argmin(pole)), np.arange(len(pole))))
+    rows = np.flatnonzero(pole)
+    angles[:, rows, 0] = angles[:, source[rows], 0]
+
+
+def _reachable(links: Chain, path: CLPath, angles: Floats, pole: Bools) -> Bools:
+    """Which branches (2, n) the rotary limits allow. Raises ReachError where they allow none."""
+    fits = within_limits(angles, links.low[3:], links.high[3:])
+    lost = np.flatnonzero(~fits.any(0))
+    if len(lost):
+        lost = lost[~pole[lost]] if not pole[lost].all() else lost  # a pole row only shares the fate of its neighbour
+        x, y, z = path.tip[lost[0]]
+        i, j, k = path.axis[lost[0]]
+        raise ReachError(
+            f"{len(lost)} of {len(path.tip)} points need a tool axis that the rotary limits of {links.letters[3:]} do not allow, "
+            f"the first is ({i:.6g}, {j:.6g}, {k:.6g}) at ({x:.6g}, {y:.6g}, {z:.6g}): widen the limits, lower --max-axis-angle "
+            "or take another machine",
+            (float(i), float(j), float(k)),
+        )
+    return fits
+
+
+def _crossings(axis: Floats, across: Floats, pole: Bools, links: Chain) -> Bools:
+    """Steps (n - 1,) whose great arc from axis to axis passes the pole, or begins or ends there, within CROSSING_ANGLE.
+
+    In the gnomonic view along the first rotary axis great arcs are straight: the arc passes the pole where the segment from
+    ``across / along`` to the next passes the origin. All is multiplied by both values of ``along``, so nothing divides.
+    """
+    along = axis @ links.direction[3]
+    near = np.hypot(across[0], across[1]) <= math.sin(CROSSING_ANGLE)
+    (x0, x1), (y0, y1), (z0, z1) = ((c[:-1], c[1:]) for c in (across[0], across[1], along))
+    facing = (x0 * x1 + y0 * y1 < 0.0) & (z0 * z1 > 0.0) & (x0 * x1 + y0 * y1 + z0 * z1 > 0.0)
+    passed = np.zeros(len(facing), bool)
+    at = np.flatnonzero(facing)
+    x0, x1, y0, y1, z0, z1 = (c[at] for c in (x0, x1, y0, y1, z0, z1))
+    chord = np.hypot(x1 * z0 - x0 * z1, y1 * z0 - y0 * z1)
+    passed[at] = np.abs(x0 * y1 - y0 * x1) <= math.tan(CROSSING_ANGLE) * chord
+    return np.asarray(passed | near[1:] | near[:-1])
+
+
+def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> None:
+    """Move the turn of each run of pole rows to its best step; the travel stays the same. Changes words and branch in place.
+
+    A turn of more than pi stays spread over its steps as it was found: in one step it would be a break.
+    """
+    bounds = np.flatnonzero(np.diff(np.concatenate([[False], pole, [False]]).astype(np.int8))).reshape(-1, 2)
+    bounds = bounds[(bounds[:, 0] > 0) & (bounds[:, 1] < len(pole))]
+    bounds = bounds[np.abs(words[bounds[:, 1], 0] - words[bounds[:, 0] - 1, 0]) <= math.pi]
+    if len(bounds) == 0:
+        return
+    first, last = bounds[:, 0] - 1, bounds[:, 1]
+    harmless = np.linalg.norm(np.diff(path.tip, axis=0), axis=1)
+    harmless[path.motion[1:] == Motion.RAPID] = math.inf
+    best = np.maximum.reduceat(np.append(harmless, 0.0), np.stack([first, last], 1).ravel())[::2]
+    length = last - first
+    run = np.repeat(np.arange(len(first)), length)
+    step = np.arange(len(run)) - np.repeat(np.cumsum(length) - length - first, length)
+    chosen = np.full(len(first), len(pole))
+    at_best = harmless[step] >= best[run]
+    np.minimum.at(chosen, run[at_best], step[at_best])
+    row, run = step[step > first[run]], run[step > first[run]]
+    source = np.where(row <= chosen[run], first[run], last[run])
+    words[row, 0], branch[row] = words[source, 0], branch[source]
+
+
+def _finish(drive: Drive, links: Chain, findings: tuple[Finding, ...]) -> JointPath:
+    q = np.empty((5, len(drive.row))).T
+    q[:, 3:] = drive.angles
+    q[:, :3] = linear_words(links, drive.path.tip, drive.angles)
+    lost = np.flatnonzero(np.isnan(q[:, :3]).any(1))
+    if len(lost):
+        first, second = np.degrees(drive.angles[lost[0]])
+        raise ReachError(
+            f"the linear axes lie in one plane at {links.letters[3]} {first:.3f} {links.letters[4]} {second:.3f} deg and cannot "
+            f"place the tip ({len(lost)} rows): lower --max-axis-angle or take another machine",
+            (float(first), float(second)),
+        )
+    findings += _limit_findings(drive.path, links, q)
+    pair = RotaryPair.of(links.direction[3], links.direction[4])
+    sine = pair.reach * np.abs(np.sin(q[:, 4] - pair.best))
+    return JointPath(drive.path, drive.row, q, drive.branch, sine, findings)
+
+
+def _limit_findings(path: CLPath, links: Chain, q: Floats) -> tuple[Finding, ...]:
+    """An error for each linear axis that the path drives beyond its limits, with the worst place."""
+    findings = []
+    for axis in range(3):
+        for sign, limit in ((-1.0, float(links.low[axis])), (1.0, float(links.high[axis]))):
+            worst = int((sign * q[:, axis]).argmax())
+            if sign * (q[worst, axis] - limit) > LINEAR_SLACK:
+                count = int((sign * (q[:, axis] - limit) > LINEAR_SLACK).sum())
+                text = (
+                    f"{links.letters[axis]} would have to go to {q[worst, axis]:.4f} mm, its limit is {limit:.4f} mm "
+                    f"({count} rows): move the work zero (--origin) or take a larger machine."
+                )
+                x, y, z = path.tip[worst].tolist()
+                findings.append(
+                    Finding(Severity.ERROR, "limit", text, float(q[worst, axis]), limit, "mm", worst, None, (x, y, z))
+                )
+    return tuple(findings)

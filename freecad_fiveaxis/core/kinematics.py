@@ -3,9 +3,7 @@
 
 work frame   parallel to the machine frame, zero at the setup's origin. With both rotary words zero the linear words are
              the tip's work coordinates, whatever the offsets.
-first        the rotary axis nearer to the work; its direction never moves in the work frame.
-pole         the tool axis parallel to the first rotary axis: the first rotary word is then free.
-branch       0 where the second rotary word lies on the positive side of the pole position, 1 on the other.
+first        the rotary axis nearer to the work; its direction a1 never moves in the work frame. a2 is the second one's.
 
 The motion of the tool relative to the work is a product of the axes' motions in the order from work to tool:
 ``tip = L0 + T1(L1 + T2(L2))`` with ``T(x) = c + R(x - c)`` the turn about a rotary line and ``L`` the sum of the linear
@@ -15,15 +13,19 @@ words that stand before, between and after the two rotary axes; ``axis = R1 R2 e
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import cast
 
 import numpy as np
 
+from .columns import Column, Columns, Matrix, added, chunks, clean, crossed, empty_rows, less, mapped, put, scalar, split
 from .errors import MachineError
 from .machine import Axis, Machine, Vector
 from .records import Bytes, Floats
+from .rotary_pair import RotaryPair, Turns, poses
 
-TINY = 1e-14
-"""Below this a direction's component is rounding of a unit vector, not geometry."""
+PARALLEL = 1e-9
+"""Sine below which two directions count as parallel, and determinant below which three lie in a plane."""
 
 
 @dataclass(frozen=True)
@@ -62,9 +64,13 @@ def chain(machine: Machine, setup: Setup) -> Chain:
     rotary_at = [i for i, axis in enumerate(machine.axes) if axis.rotary]
     slot = tuple(sum(machine.axes.index(axis) > at for at in rotary_at) for axis in linear)
     tip = np.array(machine.gauge_point) - (0.0, 0.0, setup.tool_length)
-    points = [np.array(axis.point) - (tip if axis.side == "head" else setup.origin) for axis in machine.rotary]
     _check_solvable(machine, direction)
     shift = np.linalg.solve(direction[:3].T, np.array(setup.origin) - tip)
+    moves = shift[:, None] * direction[:3]  # with the tip at the work zero, the linear axes before a rotary line carry it there
+    before = [[place <= i for place in slot] for i in range(2)]
+    points = [
+        np.array(axis.point) - setup.origin + moves[mask].sum(axis=0) for axis, mask in zip(machine.rotary, before, strict=True)
+    ]
     moved = np.concatenate([shift, (0.0, 0.0)])
     low, high, rate = (np.array([getattr(axis, name) for axis in axes]) for name in ("low", "high", "max_rate"))
     letters = "".join(axis.letter for axis in axes)
@@ -72,13 +78,16 @@ def chain(machine: Machine, setup: Setup) -> Chain:
 
 
 def _check_solvable(machine: Machine, direction: Floats) -> None:
+    problem = ""
     first, second = direction[3], direction[4]
-    if np.linalg.norm(np.cross(first, second)) < 1e-9:
-        raise MachineError(f"machine {machine.name}: both rotary axes are parallel; no tool axis can be reached", machine.name)
-    if np.linalg.norm(np.cross(second, (0, 0, 1))) < 1e-9:
-        raise MachineError(f"machine {machine.name}: the second rotary axis is parallel to the tool and never tilts it", machine.name)
-    if abs(np.linalg.det(direction[:3])) < 1e-9:
-        raise MachineError(f"machine {machine.name}: the linear axes do not span space", machine.name)
+    if np.linalg.norm(np.cross(first, second)) < PARALLEL:
+        problem = "both rotary axes are parallel; tilt one of them"
+    elif np.linalg.norm(np.cross(second, (0, 0, 1))) < PARALLEL:
+        problem = "the second rotary axis is parallel to the tool and never tilts it; is the order of the two right?"
+    elif abs(np.linalg.det(direction[:3])) < PARALLEL:
+        problem = "the linear axes X, Y, Z lie in one plane; correct their directions"
+    if problem:
+        raise MachineError(f"machine {machine.name}: {problem}", machine.name)
 
 
 def turn(vector: Floats, axis: Floats, cos: Floats, sin: Floats) -> Floats:
@@ -88,14 +97,14 @@ def turn(vector: Floats, axis: Floats, cos: Floats, sin: Floats) -> Floats:
 
 
 def forward(links: Chain, q: Floats) -> tuple[Floats, Floats]:
-    """Tip (n, 3) mm and unit tool axis (n, 3) in the work frame, for words ``q`` (n, 5) mm and rad."""
+    """Tip (n, 3) mm and unit tool axis (n, 3) in the work frame, for words ``q`` (n, 5) mm and rad. NaN stays NaN."""
     q = np.asarray(q, float)
-    first, second = links.direction[3], links.direction[4]
-    c1, s1, c2, s2 = np.cos(q[:, 3]), np.sin(q[:, 3]), np.cos(q[:, 4]), np.sin(q[:, 4])
-    sums = [q[:, :3] @ (links.direction[:3] * (np.array(links.slot) == slot)[:, None]) for slot in range(3)]
-    inner = links.point2 + turn(sums[2] - links.point2, second, c2, s2)
-    tip = sums[0] + links.point1 + turn(sums[1] + inner - links.point1, first, c1, s1)
-    axis = turn(turn(np.broadcast_to((0.0, 0.0, 1.0), (len(q), 3)), second, c2, s2), first, c1, s1)
+    k, tip, axis = _constants(links), empty_rows(len(q), 3), empty_rows(len(q), 3)
+    for rows in chunks(len(q)):
+        *words, q1, q2 = split(q[rows])
+        turns = _turns(q1, q2)
+        put(tip[rows], _tip(k, [mapped(matrix, words) for matrix in k.sums], turns))
+        put(axis[rows], k.pair.turn1.of(k.pair.turn2.of_ez(turns[2], turns[3]), turns[0], turns[1]))
     return tip, axis
 
 
@@ -105,87 +114,133 @@ def inverse(links: Chain, tip: Floats, axis: Floats) -> tuple[Floats, Floats]:
     NaN rows where the machine cannot take up the axis. At the pole the first rotary word is 0. The measure is
     ``|a1 . (a2 x k)|``: how fast the axis can leave, 0 at the pole, sin(tilt) for a machine of orthogonal axes.
     """
-    angles, sine = inverse_axis(links, axis)
-    words = np.empty((2, len(axis), 5))
-    for branch in range(2):
-        words[branch, :, 3:] = angles[branch]
-        words[branch, :, :3] = linear_words(links, tip, angles[branch])
+    tip, axis = np.asarray(tip, float), np.asarray(axis, float)
+    k, words, sine = _constants(links), empty_rows(2, len(axis), 5), np.empty(len(axis))
+    for rows in chunks(len(axis)):
+        place = split(tip[rows])
+        sine[rows], branches = poses(k.pair, axis[rows])
+        for branch, (angles, turns) in enumerate(branches):
+            put(words[branch, rows], [*_linear(links, k, place, turns), *angles])
     return words, sine
 
 
 def inverse_axis(links: Chain, axis: Floats) -> tuple[Floats, Floats]:
-    """Both rotary words (2, n, 2) rad for unit ``axis`` (n, 3), and the singularity measure (n,).
-
-    ``a1 . R2(q2) ez = D + H cos(q2 - q2*)``: the half angle of ``q2 - q2*`` comes from the chord between k and a1, so that
-    nothing cancels near the pole.
-    """
-    a1, a2 = links.direction[3], links.direction[4]
-    k = np.asarray(axis, float)
-    near = np.cross(a2, np.cross(a1, a2))  # the part of a1 across a2
-    ez = np.array((0.0, 0.0, 1.0))
-    cos_part, sin_part = ez @ near, np.cross(a2, ez) @ near
-    reach = float(np.hypot(cos_part, sin_part))
-    best = float(np.arctan2(sin_part, cos_part))
-    gap = (a1 @ a2) * (a2 @ ez) + reach - 1.0
-    far = (a1 @ a2) * (a2 @ ez) - reach + 1.0
-    gap, far = (0.0 if abs(value) < TINY else float(value) for value in (gap, far))
-    sin2 = (gap + 0.5 * ((k - a1) ** 2).sum(1)) / (2 * reach)
-    cos2 = (0.5 * ((k + a1) ** 2).sum(1) - far) / (2 * reach)
-    outside = (sin2 < -1e-12) | (cos2 < -1e-12)
-    half_sin, half_cos = np.sqrt(np.maximum(sin2, 0.0)), np.sqrt(np.maximum(cos2, 0.0))
-    delta = 2.0 * np.arctan2(half_sin, half_cos)
-    top = turn(ez[None], a2, np.array([np.cos(best)]), np.array([np.sin(best)]))[0]
-    across = [_across(v, a1) for v in (top, np.cross(a2, top), np.cross(a2, np.cross(a2, top)))]
-    sin_delta, versine = 2.0 * half_sin * half_cos, 2.0 * half_sin**2
-    k_across = k - (k @ a1)[:, None] * a1
-    angles = np.empty((2, len(k), 2))
-    for branch, sign in enumerate((1.0, -1.0)):
-        w = across[0] + sign * sin_delta[:, None] * across[1] + versine[:, None] * across[2]
-        angles[branch, :, 0] = np.arctan2(np.cross(w, k_across) @ a1, (w * k_across).sum(1))
-        angles[branch, :, 1] = _fold(best + sign * delta)
-    angles[:, outside] = np.nan
-    return angles, np.where(outside, np.nan, reach * sin_delta)
-
-
-def _across(vector: Floats, axis: Floats) -> Floats:
-    rest = vector - (vector @ axis) * axis
-    return np.where(np.abs(rest) < TINY, 0.0, rest)
-
-
-def _fold(angle: Floats) -> Floats:
-    return angle - 2.0 * np.pi * np.ceil((angle - np.pi) / (2.0 * np.pi))
+    """Both rotary words (2, n, 2) rad in (-pi, pi] for unit ``axis`` (n, 3), and the singularity measure (n,), as inverse."""
+    axis = np.asarray(axis, float)
+    k, words, sine = _constants(links), empty_rows(2, len(axis), 2), np.empty(len(axis))
+    for rows in chunks(len(axis)):
+        sine[rows], branches = poses(k.pair, axis[rows])
+        for branch, (angles, _) in enumerate(branches):
+            put(words[branch, rows], angles)
+    return words, sine
 
 
 def linear_words(links: Chain, tip: Floats, angles: Floats) -> Floats:
-    """The linear words X Y Z (n, 3) mm that put the tip (n, 3) mm, work frame, in place at rotary words (n, 2) rad."""
-    at_zero = np.concatenate([np.zeros((len(angles), 3)), angles], axis=1)
-    rest = tip - forward(links, at_zero)[0]
-    columns = np.empty((len(angles), 3, 3))
-    for j in range(3):
-        vector = np.broadcast_to(links.direction[j], (len(angles), 3))
-        for level in range(links.slot[j], 0, -1):
-            vector = turn(vector, links.direction[2 + level], np.cos(angles[:, level - 1]), np.sin(angles[:, level - 1]))
-        columns[:, :, j] = vector
-    return np.linalg.solve(columns, rest[:, :, None])[:, :, 0]
+    """The linear words X Y Z (n, 3) mm that put the tip (n, 3) mm, work frame, in place at rotary words (n, 2) rad.
 
-
-def branch_of(links: Chain, second: Floats) -> Bytes:
-    """The branch (n,) to which a second rotary word (n,) rad belongs."""
-    a1, a2 = links.direction[3], links.direction[4]
-    near = np.cross(a2, np.cross(a1, a2))
-    best = np.arctan2(np.cross(a2, (0.0, 0.0, 1.0)) @ near, near[2])
-    return np.asarray(_fold(second - best) < 0.0, np.int8)
-
-
-def q_to_words(q: Floats) -> Floats:
-    """Words (n, 5) in mm and degrees from q (n, 5) in mm and rad."""
-    words = np.array(q, float)
-    words[..., 3:] = np.rad2deg(words[..., 3:])
+    NaN rows where the linear axes lie in a plane, which only happens to those on different sides of a rotary axis.
+    """
+    tip, angles = np.asarray(tip, float), np.asarray(angles, float)
+    k, words = _constants(links), empty_rows(len(tip), 3)
+    for rows in chunks(len(tip)):
+        put(words[rows], _linear(links, k, split(tip[rows]), _turns(*split(angles[rows]))))
     return words
 
 
+def branch_of(links: Chain, second: Floats) -> Bytes:
+    """The branch (n,) to which a second rotary word (n,) rad of any winding belongs."""
+    turns = (np.asarray(second, float) - _constants(links).pair.best) / (2.0 * np.pi)
+    with np.errstate(invalid="ignore"):
+        return np.asarray(turns - np.ceil(turns - 0.5) < 0.0, np.int8)
+
+
+def q_to_words(q: Floats) -> Floats:
+    """Words (..., 5) in mm and degrees from q (..., 5) in mm and rad."""
+    return _rescaled(q, 180.0 / np.pi)
+
+
 def words_to_q(words: Floats) -> Floats:
-    """q (n, 5) in mm and rad from words (n, 5) in mm and degrees."""
-    q = np.array(words, float)
-    q[..., 3:] = np.deg2rad(q[..., 3:])
-    return q
+    """q (..., 5) in mm and rad from words (..., 5) in mm and degrees."""
+    return _rescaled(words, np.pi / 180.0)
+
+
+def _rescaled(values: Floats, factor: float) -> Floats:
+    copy = np.array(values, float, order="K")
+    copy[..., 3:] *= factor
+    return copy
+
+
+# The constants of a chain, and the formulas for one chunk of rows, by columns.
+
+
+@dataclass(frozen=True)
+class _Constants:
+    """What the formulas need of a chain.
+
+    ``point1``, ``point2`` (3,) the feet of the rotary lines; ``sums`` from X Y Z to L0, L1, L2; ``words`` from a shift of the
+    tool back to X Y Z.
+    """
+
+    pair: RotaryPair
+    point1: list[float]
+    point2: list[float]
+    sums: list[Matrix]
+    words: Matrix
+
+
+@lru_cache(maxsize=64)
+def _constants(links: Chain) -> _Constants:
+    """Worked out once: a Chain compares by identity and never changes."""
+    moves, slot = links.direction[:3], np.array(links.slot)
+    return _Constants(
+        pair=RotaryPair.of(links.direction[3], links.direction[4]),
+        point1=_foot(links.point1, links.direction[3]),
+        point2=_foot(links.point2, links.direction[4]),
+        sums=[cast(Matrix, (moves * (slot == level)[:, None]).T.tolist()) for level in range(3)],
+        words=cast(Matrix, clean(np.asarray(np.linalg.inv(moves.T), float)).tolist()),
+    )
+
+
+def _foot(point: Floats, direction: Floats) -> list[float]:
+    """The point of the line that is nearest to the work zero: any of its points gives the same turns."""
+    return cast("list[float]", clean(point - float(point @ direction) * direction).tolist())
+
+
+def _turns(q1: Floats, q2: Floats) -> Turns:
+    return np.cos(q1), np.sin(q1), np.cos(q2), np.sin(q2)
+
+
+def _tip(k: _Constants, sums: list[list[Column]], turns: Turns) -> list[Column]:
+    """``L0 + T1(L1 + T2(L2))``."""
+    cos1, sin1, cos2, sin2 = turns
+    point = added(k.point2, k.pair.turn2.of(less(sums[2], k.point2), cos2, sin2))
+    point = added(k.point1, k.pair.turn1.of(less(added(sums[1], point), k.point1), cos1, sin1))
+    return added(sums[0], point)
+
+
+def _linear(links: Chain, k: _Constants, place: Columns, turns: Turns) -> list[Column]:
+    """The linear words for tips at known rotary words."""
+    cos1, sin1, cos2, sin2 = turns
+    rest = less(place, _tip(k, [[0.0] * 3] * 3, turns))
+    if len(set(links.slot)) > 1:
+        return _solved(links, k, rest, turns)
+    if links.slot[0] > 0:
+        rest = k.pair.turn1.of(rest, cos1, -sin1)
+    if links.slot[0] > 1:
+        rest = k.pair.turn2.of(rest, cos2, -sin2)
+    return mapped(k.words, rest)
+
+
+def _solved(links: Chain, k: _Constants, rest: Columns, turns: Turns) -> list[Column]:
+    """Linear axes on different sides of a rotary one: Cramer's rule on their directions as they stand in each row."""
+    x, y, z = (_carried(k, cast("list[float]", links.direction[j].tolist()), links.slot[j], turns) for j in range(3))
+    volume = np.asarray(scalar(x, crossed(y, z)))
+    volume = np.where(np.abs(volume) < PARALLEL, np.nan, volume)
+    return [scalar(rest, crossed(a, b)) / volume for a, b in ((y, z), (z, x), (x, y))]
+
+
+def _carried(k: _Constants, direction: Columns, slot: int, turns: Turns) -> Columns:
+    cos1, sin1, cos2, sin2 = turns
+    if slot > 1:
+        direction = k.pair.turn2.of(direction, cos2, sin2)
+    return k.pair.turn1.of(direction, cos1, sin1) if slot > 0 else direction

@@ -33,6 +33,10 @@ SHORTEST_DIRECTION = 1e-6
 """A direction shorter than this is taken for a forgotten one, as FreeCAD's Machine editor does."""
 
 
+FARTHEST = 1e6
+"""No point of a machine lies farther from its zero, mm: a kilometre. Beyond it a file has the wrong unit or a slip."""
+
+
 @dataclass(frozen=True)
 class Axis:
     """One axis. ``direction`` is made unit; ``point`` a point of the axis with all joints zero, machine frame, mm.
@@ -58,9 +62,12 @@ class Axis:
         self._need(self.letter in letters, f"a {kind} axis is called one of {' '.join(letters)}", self.letter)
         self._need(self.side in ("table", "head"), f"side {self.side!r} is neither table nor head", self.side)
         object.__setattr__(self, "direction", self._unit())
-        object.__setattr__(self, "point", finite_vector(self.point, f"axis {self.letter}: joint origin"))
-        self._need(self.low < self.high, f"limits min {self.low:g} is not below max {self.high:g}; swap or widen them", self.low)
-        self._need(self.max_rate > 0, f"maximum rate {self.max_rate:g} is not positive", self.max_rate)
+        object.__setattr__(self, "point", finite_vector(self.point, f"axis {self.letter}: joint origin", FARTHEST))
+        low, high, unit = (math.degrees(self.low), math.degrees(self.high), "deg") if self.rotary else (self.low, self.high, "mm")
+        self._need(low < high, f"limits min {low:g} {unit} is not below max {high:g} {unit}; swap or widen them", self.low)
+        self._need(
+            self.max_rate > 0, f"maximum rate {self.max_rate:g} is not positive; give what the drive reaches", self.max_rate
+        )
         self._need(self.wrap in WRAPS, f"wrap_strategy {self.wrap!r} is none of {', '.join(WRAPS)}", self.wrap)
 
     def _need(self, good: bool, problem: str, value: object) -> None:
@@ -78,7 +85,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Machine:
-    """``axes`` ordered from work to tool: linear X Y Z and two rotary, those of the table first. ``gauge_point`` mm, machine frame.
+    """``axes`` from work to tool, the table's before the head's: X, Y, Z and two rotary. ``gauge_point`` mm, machine frame.
 
     ``singular_cone`` rad: half angle about the first rotary axis within which a block counts as near the pole.
     ``origin``: where the work zero stands unless the setup says otherwise, machine frame, mm. ``controller``: name of the
@@ -99,7 +106,7 @@ class Machine:
         object.__setattr__(self, "axes", tuple(self.axes))
         object.__setattr__(self, "letters", "".join(axis.letter for axis in self.axes))
         for name in ("gauge_point", "origin"):
-            object.__setattr__(self, name, finite_vector(getattr(self, name), name))
+            object.__setattr__(self, name, finite_vector(getattr(self, name), name, FARTHEST))
         self._check_axes()
         if not 0.0 <= self.singular_cone <= math.pi / 2:
             cone = math.degrees(self.singular_cone)
@@ -136,12 +143,12 @@ class Machine:
         return any(axis.rotary and axis.side == "head" for axis in self.axes)
 
 
-def finite_vector(value: Sequence[float], what: str) -> Vector:
-    """Three finite numbers as a tuple of floats; else MachineError naming ``what``."""
+def finite_vector(value: Sequence[float], what: str, most: float = sys.float_info.max) -> Vector:
+    """Three finite numbers, none larger than ``most``, as a tuple of floats; else MachineError naming ``what``."""
     try:
         x, y, z = (float(component) for component in value)
     except (TypeError, ValueError, OverflowError):
         raise MachineError(f"{what} is not a vector of three numbers", value) from None
-    if not (math.isfinite(x) and math.isfinite(y) and math.isfinite(z)):
-        raise MachineError(f"{what} ({x:g}, {y:g}, {z:g}) is not finite", value)
+    if not all(math.isfinite(component) and abs(component) <= most for component in (x, y, z)):
+        raise MachineError(f"{what} ({x:g}, {y:g}, {z:g}) is not finite or beyond {most:g}", value)
     return x, y, z

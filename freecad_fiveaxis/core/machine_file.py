@@ -19,6 +19,7 @@ import difflib
 import json
 import math
 import os
+import re
 import reprlib
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -35,6 +36,12 @@ INCH = 25.4
 UNITS = {"metric": 1.0, "imperial": INCH}
 KINDS = {"linear": False, "rotary": True, "angular": True}  # "angular" is how older files spell it
 ROLES = ("table_linear", "table_rotary", "head_linear", "head_rotary")
+
+VECTOR = re.compile(r"\[\s*\n([^\[\]{}\"]*)\n\s*\]")
+"""A list of numbers that json has spread over lines; a line break never stands inside a string."""
+
+FREECAD_VERSION = "26.3.0"
+"""The first version with a Machine editor; its format is what is written."""
 
 _Object = Mapping[str, Any]
 
@@ -123,10 +130,12 @@ def _object(holder: _Object, where: str, key: str) -> _Object:
 
 
 def _text(holder: _Object, where: str, key: str) -> str:
+    """A string, its line breaks made spaces."""
     value = _get(holder, where, key)
-    if not isinstance(value, str) or not value.isprintable():
-        raise _fail(where + key, f"{reprlib.repr(value)} is not one line of text", value)
-    return value
+    text = " ".join(value.splitlines()) if isinstance(value, str) else "\0"
+    if not text.isprintable():
+        raise _fail(where + key, f"{reprlib.repr(value)} is not a text that can be shown; write one in quotes", value)
+    return text
 
 
 def _choice(holder: _Object, where: str, key: str, known: Any) -> str:
@@ -173,12 +182,8 @@ def _machine(data: Any) -> Machine:
     axes = _object(machine, "machine.", "axes")
     found = {letter: _axis(letter, axes, unit) for letter in axes}
     order = _work_to_tool(found, {letter: _parent(letter, axes) for letter in axes})
-    description = str(machine["description"]) if _present(machine, "description") else ""
+    description = _text(machine, "machine.", "description") if "description" in machine else ""
     return Machine(name, tuple(found[letter] for letter in order), description=description, **_extra(data, unit))
-
-
-def _present(holder: _Object, key: str) -> bool:
-    return holder.get(key) is not None
 
 
 def _extra(data: _Object, unit: float) -> dict[str, Any]:
@@ -207,7 +212,7 @@ def _axis(letter: str, axes: _Object, unit: float) -> Axis:
     direction, point = _joint(axis, where, rotary, unit)
     limits = _object(axis, where, "limits")
     low, high = (_limit(_number(limits, where + "limits.", key), per_unit) for key in ("min", "max"))
-    rate = per_unit(_number(axis, where, "max_velocity"))
+    rate = _as_number(per_unit(_number(axis, where, "max_velocity")), where + "max_velocity")
     wrap = _text(axis, where, "wrap_strategy") if rotary and "wrap_strategy" in axis else "unwound"
     return Axis(letter, rotary, side, direction, point, low, high, rate, wrap)
 
@@ -278,7 +283,7 @@ def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool
     (unless ``overwrite``) or cannot be written, MachineError for an axis without a maximum rate; then no file is left.
     """
     target = Path(path)
-    text = json.dumps(_data(machine), indent=4) + "\n"
+    text = VECTOR.sub(lambda found: "[" + " ".join(found[1].split()) + "]", json.dumps(_data(machine), indent=4)) + "\n"
     if target.exists() and not overwrite:
         raise FileError(f"{target} exists already; choose another name", str(target))
     beside = target.with_name(f".{target.name}.{os.getpid()}.new")
@@ -292,7 +297,7 @@ def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool
 
 def _data(machine: Machine) -> dict[str, Any]:
     return {
-        "freecad_version": "26.3.0",
+        "freecad_version": FREECAD_VERSION,
         "machine": {
             "name": machine.name,
             "manufacturer": "",

@@ -30,7 +30,7 @@ CHUNK = 16384  # rows; a few columns of it stay in the second-level cache
 Words = NDArray[np.uint64]
 Reals = NDArray[np.floating]
 
-_CELLS = 255.0  # cells of the bounding box along x and y that number the vertices
+_CELLS = 255.0  # of the bounding box along each of its two longer sides, that number the vertices
 _FACTORS = (0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0xD6E8FEB86659FD93)  # odd, with well mixed bits
 
 
@@ -143,8 +143,8 @@ def _chunks(rows: int) -> Iterator[slice]:
 def _weld(column: Reals) -> tuple[Floats, Ints]:
     """Vertices (v, 3) and the vertex row (n,) of each of the n corners whose x, y, z are the rows of ``column``.
 
-    Sorts words of cell, hash and corner number. The cell (of the bounding box, along y then x) goes first so that
-    vertices that lie close get close numbers: everything that follows then runs in the cache.
+    Sorts words of cell, hash and corner number. The cell (of the bounding box, seen along its shortest side) goes first so
+    that vertices that lie close get close numbers: everything that follows then runs in the cache.
     """
     n = column.shape[1]
     bits = int(n - 1).bit_length()
@@ -152,35 +152,35 @@ def _weld(column: Reals) -> tuple[Floats, Ints]:
     key.sort()
     corner = (key & np.uint64((1 << bits) - 1)).view(np.int64)
     key >>= np.uint64(bits)
-    new = np.empty(n, dtype=np.bool_)
-    new[0] = True
+    new = np.zeros(n, dtype=np.bool_)
     np.not_equal(key[1:], key[:-1], out=new[1:])
     row = np.empty(n, dtype=np.int64)
-    row[corner] = np.cumsum(new) - 1
+    row[corner] = np.cumsum(new)
+    new[0] = True
     vertex = column.take(corner.take(np.flatnonzero(new)), axis=1)
     return _part_collisions(column, vertex, row)
 
 
 def _corner_keys(column: Reals, bits: int) -> Words:
     """Words (n,) of 16 bits cell, 48 - ``bits`` bits hash, ``bits`` bits corner number."""
-    n = column.shape[1]
     low = column.min(axis=1)
-    size = np.maximum(column.max(axis=1) - low, np.finfo(column.dtype).tiny)
+    size = np.maximum(column.max(axis=1) - low, np.finfo(np.float32).tiny)
+    _, j, i = np.argsort(size)
     raw = column.view(np.uint32 if column.dtype == np.float32 else np.uint64)
     number = np.arange(CHUNK, dtype=np.uint64)
-    keep = np.uint64((1 << 48) - (1 << bits))
-    key = np.empty(n, dtype=np.uint64)
-    for part in _chunks(n):
-        mixed = raw[0, part].astype(np.uint64) * np.uint64(_FACTORS[0])
+    hash_bits = np.uint64((1 << 48) - (1 << bits))
+    key = np.empty(column.shape[1], dtype=np.uint64)
+    for part in _chunks(len(key)):
+        word = raw[0, part].astype(np.uint64) * np.uint64(_FACTORS[0])
         for axis in (1, 2):
-            mixed += raw[axis, part].astype(np.uint64) * np.uint64(_FACTORS[axis])
-        mixed >>= np.uint64(16)  # the upper bits of a product are the well mixed ones
-        mixed &= keep
-        cell = ((column[1, part] - low[1]) * (_CELLS / size[1])).astype(np.uint32) << np.uint32(8)
-        cell |= ((column[0, part] - low[0]) * (_CELLS / size[0])).astype(np.uint32)
-        mixed |= cell.astype(np.uint64) << np.uint64(48)
-        mixed |= number[: part.stop - part.start]
-        np.add(mixed, np.uint64(part.start), out=key[part])
+            word += raw[axis, part].astype(np.uint64) * np.uint64(_FACTORS[axis])
+        word >>= np.uint64(16)  # the upper bits of a product are the well mixed ones
+        word &= hash_bits
+        cell = ((column[i, part] - low[i]) * (_CELLS / size[i])).astype(np.uint32) << np.uint32(8)
+        cell |= ((column[j, part] - low[j]) * (_CELLS / size[j])).astype(np.uint32)
+        word |= cell.astype(np.uint64) << np.uint64(48)
+        np.bitwise_or(word, number[: len(word)], out=key[part])
+        number += np.uint64(CHUNK)
     return key
 
 
@@ -210,24 +210,37 @@ def _build(vertex: Floats, face: Ints) -> Mesh:
     normal, flat, volume = _normals(vertex, face)
     findings: list[Finding] = []
     if len(flat):
-        if len(flat) == len(face):
-            raise MeshError(f"none of the {len(face)} facets has an area: check the units and the export", len(face))
-        place = _place(vertex, face[flat[0]])
-        text = f"{len(flat)} facets without area were left out, the first at {_at(place)}; passes end where that leaves a crack."
-        findings.append(Finding(Severity.NOTE, "degenerate-facets", text, value=float(len(flat)), unit="1", place=place))
+        findings.append(_flat_finding(vertex, face, flat))
         face, normal = (np.asfortranarray(np.delete(a, flat, axis=0)) for a in (face, normal))
-    key, half = _sorted_half_edges(face, len(vertex))
-    coedge_vertex, coedge_face, face_coedge, alone = _pair(key, half, len(face), len(vertex))
-    closed = True
-    if len(alone):
-        more, closed = _edge_findings(key, half, alone, vertex, face)
-        findings += more
-    if closed and volume < 0.0:
-        text = f"The facets looked inward (volume {volume:g} mm3) and were turned outward."
-        findings.append(Finding(Severity.NOTE, "inward-facets", text, value=volume, limit=0.0, unit="mm3"))
-        face, face_coedge = np.asfortranarray(face[:, ::-1]), np.asfortranarray(face_coedge[:, [1, 0, 2]])
-        normal, coedge_vertex = -normal, np.asfortranarray(coedge_vertex[:, ::-1])
-    return Mesh(vertex, face, normal, coedge_vertex, coedge_face, face_coedge, tuple(findings))
+    edges = _coedges(vertex, face)
+    findings += edges.findings
+    mesh = Mesh(vertex, face, normal, edges.vertex, edges.face, edges.of_face, tuple(findings))
+    return _turned(mesh, volume) if edges.closed and volume < 0.0 else mesh
+
+
+def _flat_finding(vertex: Floats, face: Ints, flat: Ints) -> Finding:
+    if len(flat) == len(face):
+        raise MeshError(f"none of the {len(face)} facets has an area: check the units and the export", len(face))
+    place = _place(vertex, face[flat[0]])
+    text = f"{len(flat)} facets without area were left out, the first at {_at(place)}; passes end where that leaves a crack."
+    return Finding(Severity.NOTE, "degenerate-facets", text, value=float(len(flat)), limit=0.0, unit="1", place=place)
+
+
+def _turned(mesh: Mesh, volume: float) -> Mesh:
+    """The same facets seen from the other side."""
+    text = f"The facets looked inward (volume {volume:g} mm3) and were turned outward."
+    finding = Finding(
+        Severity.NOTE, "inward-facets", text, value=volume, limit=0.0, unit="mm3", place=_place(mesh.vertex, mesh.face[0])
+    )
+    return Mesh(
+        mesh.vertex,
+        np.asfortranarray(mesh.face[:, ::-1]),
+        -mesh.normal,
+        np.asfortranarray(mesh.coedge_vertex[:, ::-1]),
+        mesh.coedge_face,
+        np.asfortranarray(mesh.face_coedge[:, [1, 0, 2]]),
+        (*mesh.findings, finding),
+    )
 
 
 def _normals(vertex: Floats, face: Ints) -> tuple[Floats, Ints, float]:
@@ -258,44 +271,92 @@ def _normals(vertex: Floats, face: Ints) -> tuple[Floats, Ints, float]:
 # ------------------------------------------------------------------------------------------------ co-edges
 
 
-def _sorted_half_edges(face: Ints, vertices: int) -> tuple[Words, Ints]:
-    """Keys (3 f,) of lower vertex, upper vertex, sense (0 from lower to upper), ascending, and the half-edge of each.
+@dataclass(frozen=True)
+class _Coedges:
+    """The co-edge columns of a Mesh (``vertex``, ``face``, ``of_face``), findings, and whether the mesh is closed."""
 
-    Half-edge k f + i leaves vertex k of facet i.
+    vertex: Ints
+    face: Ints
+    of_face: Ints
+    findings: list[Finding]
+    closed: bool
+
+
+def _coedges(vertex: Floats, face: Ints) -> _Coedges:
+    key, half, low = _sorted_half_edges(face, len(vertex))
+    if len(key) % 2 == 0 and np.all(key[0::2] ^ key[1::2] == 1):  # ascending keys, so every edge has its two half-edges
+        ends, one, two = key[0::2], half[0::2], half[1::2]
+        findings, closed = [], True
+    else:
+        first, alone = _partners(key)
+        row = np.concatenate([first, alone])
+        ends, one, two = key[row], half[row], half[first + 1]
+        findings, closed = _edge_findings(key[alone], half[alone], low, vertex, face)
+    number = np.arange(len(one))
+    of_face = np.empty(3 << low, dtype=np.int64)  # as wide as half-edge numbers are, so that they address it
+    of_face[one] = number
+    of_face[two] = number[: len(two)]
+    width = int(len(vertex) - 1).bit_length()
+    return _Coedges(
+        _ends(ends, len(two), width), _sides(one, two, low), of_face.reshape(3, -1)[:, : len(face)].T, findings, closed
+    )
+
+
+def _ends(key: Words, paired: int, width: int) -> Ints:
+    """``coedge_vertex`` (e, 2): from the start to the end of the first half-edge; ``width`` bits a vertex."""
+    ends = np.empty((2, len(key)), dtype=np.int64)
+    ends[0] = key >> np.uint64(width + 1)
+    ends[1] = key >> np.uint64(1) & np.uint64((1 << width) - 1)
+    back = paired + np.flatnonzero(key[paired:] & np.uint64(1))
+    ends[:, back] = ends[::-1, back]
+    return ends.T
+
+
+def _sides(one: Ints, two: Ints, low: int) -> Ints:
+    """``coedge_face`` (e, 2) of half-edges ``one`` (e,) and, for the first rows, their partners ``two``."""
+    sides = np.empty((2, len(one)), dtype=np.int64)
+    np.bitwise_and(one, (1 << low) - 1, out=sides[0])
+    np.bitwise_and(two, (1 << low) - 1, out=sides[1, : len(two)])
+    sides[1, len(two) :] = -1
+    return sides.T
+
+
+def _sorted_half_edges(face: Ints, vertices: int) -> tuple[Words, Ints, int]:
+    """Keys (3 f,) ascending, the half-edge of each, and the width w of a facet number in bits.
+
+    A key holds lower vertex, upper vertex, sense (0 from lower to upper); half-edge k << w | i leaves corner k of facet i.
+    Key and half-edge share one word while they fit, since sorting words is several times faster than argsort.
     """
     f = len(face)
-    width = np.uint64(int(vertices - 1).bit_length())
+    width, low = int(vertices - 1).bit_length(), int(f - 1).bit_length()
+    fits = 2 * width + 1 + low + 2 <= 64
+    shift = np.uint64(1 + low + 2 if fits else 1)
     column = face.T.view(np.uint64)
-    key = np.empty((3, f), dtype=np.uint64)
+    half = np.arange(f, dtype=np.uint64) + (np.arange(3, dtype=np.uint64) << np.uint64(low))[:, None]
+    key = half if fits else np.empty_like(half)
     for part in _chunks(f):
         for k in range(3):
             start, end = column[k, part], column[(k + 1) % 3, part]
-            word = np.minimum(start, end) << width
+            word = np.minimum(start, end) << np.uint64(width)
             word |= np.maximum(start, end)
-            word <<= np.uint64(1)
-            np.bitwise_or(word, start > end, out=key[k, part])
-    return sort_with_rows(key.reshape(-1), 2 * int(width) + 1)
-
-
-def sort_with_rows(key: Words, bits: int) -> tuple[Words, Ints]:
-    """``key`` (n,) ascending, and the row that each came from; every key is below ``2 ** bits``.
-
-    Where key and row fit into one word, sorting those words is several times faster than argsort.
-    """
-    row_bits = int(max(len(key) - 1, 1)).bit_length()
-    if bits + row_bits > 64:
+            word <<= shift
+            back = (start > end).astype(np.uint64)
+            if fits:
+                back <<= shift - np.uint64(1)
+                back |= half[k, part]
+            np.bitwise_or(word, back, out=key[k, part])
+    key = key.reshape(-1)
+    if not fits:
         order = np.argsort(key, kind="stable")
-        return key[order], order.astype(np.int64)
-    word = key << np.uint64(row_bits)
-    word |= np.arange(len(key), dtype=np.uint64)
-    word.sort()
-    row = (word & np.uint64((1 << row_bits) - 1)).view(np.int64)
-    word >>= np.uint64(row_bits)
-    return word, row
+        return key[order], half.reshape(-1)[order].view(np.int64), low
+    key.sort()
+    half = key & np.uint64((1 << low + 2) - 1)
+    key >>= np.uint64(low + 2)
+    return key, half.view(np.int64), low
 
 
-def _pair(key: Words, half: Ints, f: int, vertices: int) -> tuple[Ints, Ints, Ints, Ints]:
-    """``coedge_vertex``, ``coedge_face``, ``face_coedge`` of a Mesh, and the rows of ``key`` without a partner.
+def _partners(key: Words) -> tuple[Ints, Ints]:
+    """Rows of ``key`` whose partner is the next row, and rows without a partner.
 
     Partners are the only two half-edges of their edge and run in opposite senses.
     """
@@ -305,61 +366,40 @@ def _pair(key: Words, half: Ints, f: int, vertices: int) -> tuple[Ints, Ints, In
     partner[1:] &= ~same[:-1]
     partner[:-1] &= ~same[1:]
     first = np.flatnonzero(partner)
-    alone = np.empty(0, dtype=np.int64)
-    if 2 * len(first) < len(key):
-        rest = np.ones(len(key), dtype=np.bool_)
-        rest[first] = rest[first + 1] = False
-        alone = np.flatnonzero(rest)
-
-    row = np.concatenate([first, alone])
-    width = np.uint64(int(vertices - 1).bit_length())
-    coedge_vertex = np.empty((2, len(row)), dtype=np.int64)
-    ends = edge.take(row)
-    np.right_shift(ends, width, out=coedge_vertex[0].view(np.uint64))
-    np.bitwise_and(ends, (np.uint64(1) << width) - np.uint64(1), out=coedge_vertex[1].view(np.uint64))
-    back = len(first) + np.flatnonzero(key.take(alone) & np.uint64(1))
-    coedge_vertex[:, back] = coedge_vertex[::-1, back]
-
-    one, two = half.take(row), half.take(first + 1)
-    coedge_face = np.full((2, len(row)), -1, dtype=np.int64)
-    coedge_face[0] = one - one // f * f
-    coedge_face[1, : len(first)] = two - two // f * f
-    face_coedge = np.empty(3 * f, dtype=np.int64)
-    number = np.arange(len(row))
-    face_coedge[one] = number
-    face_coedge[two] = number[: len(first)]
-    return coedge_vertex.T, coedge_face.T, face_coedge.reshape(3, f).T, alone
+    alone = np.ones(len(key), dtype=np.bool_)
+    alone[first] = alone[first + 1] = False
+    return first, np.flatnonzero(alone)
 
 
 # ------------------------------------------------------------------------------------------------ findings
 
 _EDGE_FINDINGS = (
-    ("open-shell", "{n} border edges leave the mesh open, the first at {at}; passes end there. Close the shell in CAD if it is meant to be solid."),
-    ("inconsistent-winding", "{n} edges have both facets running along them in the same sense, the first at {at}; passes end there. Unify the facet normals."),
-    ("non-manifold-edges", "{n} edges have more than two facets, the first at {at}; passes end there. Separate or unite the bodies that meet there."),
-)  # fmt: skip
+    ("open-shell", "leave the mesh open", "Close the shell in CAD if it is meant to be solid."),
+    ("inconsistent-winding", "have two facets that run along them in the same sense", "Unify the facet normals."),
+    ("non-manifold-edges", "have more than two facets", "Separate or unite the bodies that meet there."),
+)
 
 
-def _edge_findings(key: Words, half: Ints, alone: Ints, vertex: Floats, face: Ints) -> tuple[list[Finding], bool]:
+def _edge_findings(key: Words, half: Ints, low: int, vertex: Floats, face: Ints) -> tuple[list[Finding], bool]:
     """Findings on the half-edges without a partner, and whether the mesh is closed all the same.
 
     It is closed when every edge is run along as often in one sense as in the other.
     """
-    _, group, count = np.unique(key[alone] >> np.uint64(1), return_inverse=True, return_counts=True)
+    _, group, count = np.unique(key >> np.uint64(1), return_inverse=True, return_counts=True)
     group = group.reshape(-1)
-    forward = np.bincount(group, weights=(key[alone] & np.uint64(1)) == 0)
+    forward = np.bincount(group, weights=(key & np.uint64(1)) == 0)
     kind = np.minimum(count, 3)[group]
-    facet = half[alone] % len(face)
+    facet = half & ((1 << low) - 1)
     findings = []
-    for number, (code, text) in enumerate(_EDGE_FINDINGS, start=1):
+    for number, (code, fault, remedy) in enumerate(_EDGE_FINDINGS, start=1):
         at = np.flatnonzero(kind == number)
         if len(at):
             worst = at[np.argmin(facet[at])]
-            corner = half[alone[worst]] // len(face)
+            corner = half[worst] >> low
             place = _place(vertex, face[facet[worst], [corner, (corner + 1) % 3]])
             edges = int(np.count_nonzero(np.minimum(count, 3) == number))
-            said = text.format(n=edges, at=_at(place))
-            findings.append(Finding(Severity.WARNING, code, said, value=float(edges), limit=0.0, unit="1", place=place))
+            text = f"{edges} edges {fault}, the first at {_at(place)}; passes end there. {remedy}"
+            findings.append(Finding(Severity.WARNING, code, text, value=float(edges), limit=0.0, unit="1", place=place))
     return findings, bool((2 * forward == count).all())
 
 

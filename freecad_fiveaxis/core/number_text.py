@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from io import BytesIO
 from typing import Any
 
 import numpy as np
@@ -59,10 +60,13 @@ def table(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent
     even), the same signs ("-0.0000" too), "nan" and "inf" and numbers of any size. Raises ValueError for columns of
     different lengths, decimals out of range, or a byte 0 in a text.
     """
-    return b"".join(table_parts(parts, end, progress))
+    text = BytesIO()  # keeps one copy where a list of portions would keep two
+    for portion in table_parts(parts, end, progress):
+        text.write(portion)
+    return text.getvalue()
 
 
-def table_parts(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent) -> Iterator[bytes]:
+def table_parts(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent) -> Iterator[bytes | bytearray]:
     """The same, in portions of CHUNK rows, for writing to a file as they come."""
     rows = _checked_rows(parts, end)
     for start in range(0, rows, CHUNK):
@@ -74,7 +78,8 @@ def table_parts(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = 
 def rounded(values: Floats, decimals: int) -> Floats:
     """The doubles nearest to ``values`` as printed with ``decimals``; -0 becomes 0, so that no text reads "-0.0000"."""
     scale = 10.0**decimals
-    result: Floats = np.rint(values * scale)
+    result: Floats = values * scale
+    np.rint(result, out=result)
     result /= scale
     result += 0.0
     return result
@@ -103,7 +108,7 @@ def _slice(part: Part, start: int) -> Part:
     return Column(part.prefix, part.values[rows], part.decimals, None if part.show is None else part.show[rows])
 
 
-def _chunk(parts: Sequence[Part], rows: int) -> bytes:
+def _chunk(parts: Sequence[Part], rows: int) -> bytes | bytearray:
     pieces: list[NDArray[Any]] = []
     for part in parts:
         found = _pieces(part, rows)
@@ -131,7 +136,7 @@ def _pieces(part: Part, rows: int) -> list[NDArray[Any]] | None:
     whole = scaled // 10**part.decimals if part.decimals else scaled
     fraction = scaled - whole * 10**part.decimals
     negative = np.signbit(part.values) if part.values.dtype.kind == "f" else part.values < 0
-    hidden = None if part.show is None else ~part.show
+    hidden = None if part.show is None or part.show.all() else ~part.show
     top = int(whole.max(initial=0))
     if top < GROUP and len(part.prefix) <= 2:
         pieces = [_pick(_heads(part.prefix, part.decimals > 0), whole + negative * GROUP, hidden)]

@@ -8,10 +8,20 @@ segment   the straight piece that one plane cuts out of one facet; two rows of t
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .errors import SettingsError
 from .findings import Finding
+from .mesh import Mesh
+from .progress import Progress, silent
 from .records import Floats, Ints, freeze
+from .slicing import Crossings, chain, find_crossings
+
+QUARTER = 1e-15  # a cosine or sine below it comes from rounding a multiple of pi / 2, and means 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,8 +30,10 @@ class ContactPath:
 
     ``point`` (n, 3) mm; ``normal`` (n, 3) unit normal of the facet; ``face`` (n,) that facet; ``coedge`` (n,) the
     co-edge on which the point lies, -1 if none; ``segment`` (n,) = i; ``polyline`` (n,) counts the polylines of the whole
-    path; ``pass_`` (n,) counts the planes. Consecutive segments of one polyline share the co-edge where they meet. In a
-    closed polyline the last exit is the first entry again (same point, same co-edge).
+    path; ``pass_`` (n,) counts the planes. Consecutive segments of one polyline share the co-edge where they meet; where a
+    plane passes through a vertex, facets cut at that one point are left out, and the exit and the next entry lie on two
+    co-edges of that vertex. The points are the same bits in any case. In a closed polyline the last exit is the first
+    entry again (same point, and the same co-edge but at a vertex).
     """
 
     point: Floats
@@ -35,3 +47,82 @@ class ContactPath:
 
     def __post_init__(self) -> None:
         freeze(self, None, point="f3", normal="f3", face="i", coedge="i", segment="i", polyline="i", pass_="i")
+
+
+def slice_mesh(
+    mesh: Mesh, offsets: ArrayLike, angle: float, keep: ArrayLike | None = None, progress: Progress = silent
+) -> ContactPath:
+    """Cut the mesh by vertical planes.
+
+    Plane k holds the points with ``across . p = offsets[k]`` mm (ascending), ``across = (-sin angle, cos angle, 0)``;
+    the travel is ``(cos angle, sin angle, 0)``, angle in rad. A segment runs along ``across x normal``, so an upward facet
+    is cut in the sense of the travel. ``keep`` (f,) leaves out the facets where it is False; polylines end there.
+    Passes go by plane; the polylines of a pass by where they start along the travel.
+
+    A vertex on a plane counts as above it, so a facet that only touches the plane from above is not cut, and an edge on the
+    plane is cut out of the facet below it. Segments of zero length are left out.
+    Raises SettingsError for offsets that are not finite or not ascending, or a ``keep`` of the wrong length.
+    """
+    planes = _planes(offsets)
+    kept = None if keep is None else np.asarray(keep, dtype=np.bool_)
+    if kept is not None and kept.shape != (len(mesh.face),):
+        raise SettingsError(f"keep has shape {kept.shape}: give one value for each of the {len(mesh.face)} facets", kept.shape)
+    progress("slice", 0.0)
+    cosine, sine = direction(angle)
+    x, y, _ = mesh.vertex.T
+    cross = find_crossings(mesh, planes, cosine * x + sine * y, cosine * y - sine * x, kept)
+    progress("slice", 0.5)
+    crossing, first = chain(cross)
+    progress("slice", 0.8)
+    path = _contact_path(mesh, cross, crossing, first, planes, cosine, sine)
+    progress("slice", 1.0)
+    return path
+
+
+def direction(angle: float) -> tuple[float, float]:
+    """Cosine and sine of ``angle`` rad, exact at multiples of a quarter turn, so that planes along x or y keep their vertices."""
+    if not math.isfinite(angle):
+        raise SettingsError(f"the direction of the planes is {angle}: give a finite angle", angle)
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return (0.0 if abs(cosine) < QUARTER else cosine, 0.0 if abs(sine) < QUARTER else sine)
+
+
+def _planes(offsets: ArrayLike) -> Floats:
+    planes = np.asarray(offsets, dtype=np.float64)
+    if planes.ndim != 1 or not np.isfinite(planes).all() or (np.diff(planes) < 0.0).any():
+        raise SettingsError(f"plane offsets must be one ascending row of finite numbers, not {offsets}", offsets)
+    return planes
+
+
+def _contact_path(
+    mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, planes: Floats, cosine: float, sine: float
+) -> ContactPath:
+    """Entry and exit of each segment from the chains of crossings."""
+    along, height = cross.along.take(crossing), cross.height.take(crossing)
+    cuts = np.ones(len(crossing), dtype=np.bool_)  # row i: a segment from crossing i - 1 to crossing i
+    cuts[1:] = (along[1:] != along[:-1]) | (height[1:] != height[:-1])
+    cuts[first] = False
+    end = np.flatnonzero(cuts)
+
+    number = np.add.reduceat(cuts, first, dtype=np.int64) if len(first) else first
+    used = np.flatnonzero(number)
+    polyline = np.repeat(np.arange(len(used)), number.take(used))
+    pass_ = cross.plane.take(crossing.take(first)).take(used).take(polyline)
+    face = cross.leaves.take(crossing.take(end))
+
+    rows = 2 * len(end)
+    point = np.empty((3, rows))
+    coedge = np.empty(rows, dtype=np.int64)
+    offset = planes.take(pass_)
+    for side, at in enumerate((end - 1, end)):
+        t = along.take(at)
+        point[0, side::2] = cosine * t - sine * offset
+        point[1, side::2] = sine * t + cosine * offset
+        point[2, side::2] = height.take(at)
+        coedge[side::2] = cross.coedge.take(crossing.take(at))
+    normal = np.empty((3, rows))
+    for axis in range(3):
+        normal[axis] = np.repeat(mesh.normal[:, axis].take(face), 2)
+    both = (np.repeat(column, 2) for column in (face, np.arange(len(end)), polyline, pass_))
+    face, segment, polyline, pass_ = both
+    return ContactPath(point.T, normal.T, face, coedge, segment, polyline, pass_)

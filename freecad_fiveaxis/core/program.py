@@ -4,14 +4,31 @@
 block     one row: the straight joint move from the row before it to this one. Row 0 is the first position: where the
           machine comes from is not known, so nothing is claimed of it.
 G94, G93  feed in mm/min, or inverse time: one over the minutes that the block takes.
+F         is chosen such that the **tip over the part** moves at the CL path's feed along its real path, or slower where
+          an axis would exceed its maximum rate. It is rounded down, so that no rate is exceeded by rounding.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .findings import Finding
+import numpy as np
+
+from .cl_path import Motion
+from .errors import ProgramError
+from .feeds import feed_minutes, rapid_minutes, tip_travel
+from .findings import Finding, Severity
+from .joint_path import JointPath
+from .kinematics import Chain
+from .number_text import rounded
+from .post.dialect import Dialect, feed_distance
+from .progress import Progress, silent
 from .records import Bools, Bytes, Floats, Ints, freeze
+
+CHUNK = 8192
+"""Blocks timed at a time: their columns stay in the cache."""
+FEED_SLACK = 1e-9
+"""F is rounded down, but a relative rounding error of this size must not cost a whole step (999.9999 for 1000)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +38,8 @@ class Program:
     ``words`` (m, 5) mm and **degrees**, as rounded for the controller, turns not folded; ``feed`` (m,) the F word
     (mm/min, or 1/min where ``inverse_time``; 0 for rapids); ``inverse_time`` (m,) True under G93; ``motion`` (m,) of
     :class:`~freecad_fiveaxis.core.cl_path.Motion`; ``seconds`` (m,) the time that the block is meant to take (0 for row 0);
-    ``row`` (m,) row of the CL path, -1 where there is none; ``line`` (m,) line of the NC file, counted from 1.
+    ``row`` (m,) row of the JointPath and of the CL path in it, -1 where there is none; ``line`` (m,) line of the NC file,
+    counted from 1.
     """
 
     letters: str
@@ -36,3 +54,121 @@ class Program:
 
     def __post_init__(self) -> None:
         freeze(self, None, words="f5", feed="f", inverse_time="b", motion="m", seconds="f", row="i", line="i")
+
+
+def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_time: bool, progress: Progress = silent) -> Program:
+    """The program of a joint path for one controller: rounded words, one block for every row that moves, F words, times.
+
+    A row whose words are all those of the row before it is left out (row 0 never). Row 0 is a rapid, because no time can be
+    given for a move that starts nowhere. Raises ProgramError where another row that is no rapid has no feed above 0.
+    """
+    words = _round_words(joints.q, dialect)
+    row = _moving(words)
+    words, motion, tip_feed = words.T.take(row, axis=1).T, joints.path.motion[row], joints.path.feed[row]
+    findings = _first_findings(motion)
+    motion[:1] = Motion.RAPID
+    _check_feeds(row, motion, tip_feed)
+    scale = _FeedScale(dialect, inverse_time)
+    asked, held, seconds = _time_blocks(words, motion, tip_feed, links, scale, progress)
+    feed = np.where(motion == Motion.RAPID, 0.0, scale.rounded_down(asked))
+    line = dialect.first_line + np.arange(len(row))
+    findings += _feed_findings(asked, held, scale)
+    return Program(links.letters, words, feed, np.full(len(row), inverse_time), motion, seconds, row, line, findings)
+
+
+def _round_words(q: Floats, dialect: Dialect) -> Floats:
+    """Words (n, 5) mm and degrees: the doubles nearest to what is printed."""
+    words = np.empty((5, len(q))).T
+    for k in range(5):
+        words[:, k] = rounded(q[:, k] if k < 3 else np.degrees(q[:, k]), dialect.decimals(k))
+    return words
+
+
+def _moving(words: Floats) -> Ints:
+    moving = np.zeros(len(words), np.bool_)
+    moving[:1] = True
+    for k in range(5):
+        moving[1:] |= words[1:, k] != words[:-1, k]
+    return np.flatnonzero(moving)
+
+
+def _check_feeds(row: Ints, motion: Bytes, tip_feed: Floats) -> None:
+    bad = np.flatnonzero((motion != Motion.RAPID) & ~(tip_feed > 0.0))
+    if len(bad):
+        value = float(tip_feed[bad[0]])
+        raise ProgramError(f"row {row[bad[0]]} of the CL path is a feed move with feed {value:g}; give a feed above 0", value)
+
+
+def _first_findings(motion: Bytes) -> tuple[Finding, ...]:
+    if not len(motion) or motion[0] == Motion.RAPID:
+        return ()
+    text = "The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part."
+    return (Finding(Severity.NOTE, "first-position-rapid", text, block=0),)
+
+
+@dataclass(frozen=True)
+class _FeedScale:
+    """What an F word means and how fine it is."""
+
+    dialect: Dialect
+    inverse_time: bool
+
+    @property
+    def decimals(self) -> int:
+        return self.dialect.inverse_decimals if self.inverse_time else self.dialect.feed_decimals
+
+    @property
+    def largest(self) -> float:
+        return self.dialect.largest_inverse if self.inverse_time else self.dialect.largest_feed
+
+    def distance(self, change: Floats) -> Floats:
+        """What F times minutes gives: 1, or the distance in mm (deg) that the controller measures."""
+        return np.ones(len(change)) if self.inverse_time else feed_distance(self.dialect, change)
+
+    def rounded_down(self, asked: Floats) -> Floats:
+        """F at most ``asked`` and at most the controller's largest, but at least one step."""
+        step = 10.0**-self.decimals
+        count = np.floor(np.minimum(asked, self.largest) * ((1.0 + FEED_SLACK) / step))
+        return rounded(np.maximum(count, 1.0) * step, self.decimals)
+
+
+def _time_blocks(
+    words: Floats, motion: Bytes, tip_feed: Floats, links: Chain, scale: _FeedScale, progress: Progress
+) -> tuple[Floats, Bools, Floats]:
+    """The F (m,) that each block asks for (0 for rapids), whether an axis holds it back, and its time in s by the rounded F."""
+    asked, held, seconds = np.zeros(len(words)), np.zeros(len(words), np.bool_), np.zeros(len(words))
+    for first in range(1, len(words), CHUNK):
+        if first // CHUNK % 32 == 0:
+            progress("feeds", first / len(words))
+        rows = slice(first, min(first + CHUNK, len(words)))
+        ends = words[first - 1 : rows.stop]
+        q = np.concatenate([ends[:, :3], np.radians(ends[:, 3:])], axis=1)
+        change, feeding = np.diff(q, axis=0), motion[rows] != Motion.RAPID
+        travel = tip_travel(links, q, feeding)
+        minutes, slowed = feed_minutes(links, change, travel, np.where(feeding, tip_feed[rows], 1.0))
+        distance = scale.distance(np.diff(ends, axis=0))
+        asked[rows] = np.where(feeding, distance / minutes, 0.0)
+        held[rows] = slowed & feeding
+        seconds[rows] = 60.0 * np.where(feeding, distance / scale.rounded_down(asked[rows]), rapid_minutes(links, change))
+    return asked, held, seconds
+
+
+def _feed_findings(asked: Floats, held: Bools, scale: _FeedScale) -> tuple[Finding, ...]:
+    unit, step = "1/min" if scale.inverse_time else "mm/min", 10.0**-scale.decimals
+    above, below = asked > scale.largest, (asked > 0.0) & (asked * (1.0 + FEED_SLACK) < step)
+    cases = (
+        (held, Severity.NOTE, "feed-held-back", "an axis would exceed its maximum rate; they run slower than programmed.",
+         float(held.sum()), 0.0, "1"),
+        (above, Severity.NOTE, "feed-above-largest", "F would exceed the controller's largest; they run slower than programmed.",
+         float(asked.max(initial=0.0)), scale.largest, unit),
+        (below, Severity.WARNING, "feed-below-step", "F would be below one step; they run faster than programmed. Use G93.",
+         float(asked[below].min(initial=step)), step, unit),
+    )  # fmt: skip
+    found = []
+    for rows, severity, code, text, value, limit, unit_of in cases:
+        blocks = np.flatnonzero(rows)
+        if len(blocks):
+            block = int(blocks[0])
+            text = f"In {len(blocks)} blocks {text}"
+            found.append(Finding(severity, code, text, value, limit, unit_of, block, scale.dialect.first_line + block))
+    return tuple(found)

@@ -1,34 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is said about a finished program: text for the terminal, JSON for scripts, markers for the 3D view.
+"""What is said about a finished program, and the markers for the 3D view.
 
-The numbers come from ``figures`` (which defines the words), the judgement from ``block_findings``, the text from
-``report_text``; the HTML page is made by ``report_html``, the CSV by ``block_table``.
+The numbers come from ``figures`` (which defines the words), the judgement from ``block_findings``; ``report_text`` writes
+for the terminal, ``report_json`` for scripts, ``report_html`` a page with plots, ``block_table`` the CSV.
 """
 
 from __future__ import annotations
 
-import dataclasses
-import json
-import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import Enum
-from pathlib import PurePath
-from typing import Any
 
 import numpy as np
 
 from .block_findings import OVER, SINGULAR, judge
-from .figures import Figures, summary, travel, worst_first, worst_table
+from .figures import Figures, summary, travel, worst_first
 from .findings import Finding
 from .machine import Vector
 from .records import Bools, Floats, Ints
+from .report_json import as_json
 from .report_text import as_text, verdict
 
 __all__ = ["Figures", "Marker", "as_json", "as_text", "judge", "markers", "summary", "verdict"]
 
-VERSION = 1
-"""Of the JSON report: raised when a key changes its meaning."""
 MARKERS = 500
 """At most so many markers of a kind: more hide the part and slow the view down."""
 
@@ -41,40 +34,6 @@ class Marker:
     kind: str
     label: str
     finding: Finding | None = None
-
-
-def as_json(figures: Figures) -> str:
-    """The report for scripts; infinite and missing numbers are null, severities lower-case words.
-
-    Keys: version, summary (see :func:`~freecad_fiveaxis.core.figures.summary`), worst_blocks, findings, inputs.
-    """
-    report = {
-        "version": VERSION,
-        "summary": summary(figures),
-        "worst_blocks": worst_table(figures),
-        "findings": figures.findings,
-        "inputs": figures.inputs,
-    }
-    return json.dumps(plain(report), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
-
-
-def plain(value: object) -> Any:
-    """The same in JSON's own kinds: dict, list, str, int, float, bool and None. Other objects become their text."""
-    if isinstance(value, np.generic | np.ndarray):
-        value = value.tolist()
-    if isinstance(value, Enum):
-        return value.name.lower()
-    if value is None or isinstance(value, str | bool | int):
-        return value
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    if dataclasses.is_dataclass(value):
-        return {one.name: plain(getattr(value, one.name)) for one in dataclasses.fields(value)}
-    if isinstance(value, Mapping):
-        return {str(key): plain(one) for key, one in value.items()}
-    if isinstance(value, Iterable) and not isinstance(value, bytes | PurePath):
-        return [plain(one) for one in value]
-    return str(value)
 
 
 def markers(figures: Figures) -> tuple[Marker, ...]:

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Plots of a finished program that a machinist would look at, as SVG. Needs matplotlib; without it there are none.
 
-map      the orientation sphere seen from the pole: distance from the middle is the angle to the pole, in degrees, and the
-         direction is that of the tool's lean.
 near     shaded: the blocks near the pole (singular blocks).
 thinned  a program of millions of blocks is drawn by the largest and least value of each of BINS stretches: the worst
          block is always among them.
@@ -19,36 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from .figures import Figures, axis_rates, inner_words
-from .kinematics import forward
+from .figures import Figures, axis_rates
+from .plot_style import BINS, BLUE, FLOOR, GREEN, GREY, ORANGE, RED, SKY, STYLE, WIDE, Told, spans, thin
 from .progress import Progress, silent
-from .records import Bools, Floats, Ints
-
-BINS = 1200
-"""Stretches of a thinned plot: about one for every pixel of its width."""
-FLOOR = 1e-6
-"""mm: smaller deviations are rounding of the arithmetic and are drawn at this height."""
-STYLE = {
-    "svg.hashsalt": "freecad-fiveaxis",  # ids in the SVG are then the same every time
-    "svg.fonttype": "path",
-    "font.family": "DejaVu Sans",
-    "font.size": 9.5,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.grid": True,
-    "grid.color": "#e3e3e3",
-    "grid.linewidth": 0.6,
-    "axes.axisbelow": True,
-    "axes.edgecolor": "#666666",
-    "axes.formatter.useoffset": False,
-    "legend.frameon": False,
-    "legend.fontsize": 8.5,
-    "lines.linewidth": 1.2,
-}
-BLUE, SKY, ORANGE, RED, GREEN, PURPLE, GREY = "#0072B2", "#56B4E9", "#E69F00", "#C4320A", "#007A55", "#9B4F96", "#777777"
-"""Okabe and Ito's palette, darkened where text is set in it: told apart by colour-blind readers too."""
-WIDE = 8.0
-"""Inches: the width of every figure."""
+from .records import Floats, Ints
+from .report_views import sphere, worst_block
 
 
 @dataclass(frozen=True)
@@ -72,11 +45,11 @@ def plots(figures: Figures, progress: Progress = silent) -> tuple[Plot, ...]:
     made: list[Plot] = []
     if not len(figures.feeds):
         return ()
-    drawn: tuple[Callable[[Any, Figures], tuple[str, str, str, str] | None], ...] = (
+    drawn: tuple[Callable[[Any, Figures], Told | None], ...] = (
         _along,
-        _worst,
+        worst_block,
         _angles,
-        _sphere,
+        sphere,
         _rates,
     )
     for at, draw in enumerate(drawn):
@@ -96,60 +69,51 @@ def _svg(figure: Any) -> bytes:
     return out.getvalue()
 
 
-def thin(values: Floats, bins: int = BINS) -> Ints:
-    """Rows, ascending, that draw ``values`` (n,) like all of them: the largest and the least of each of ``bins`` stretches."""
-    if len(values) <= 2 * bins:
-        return np.arange(len(values))
-    edge = np.linspace(0, len(values), bins + 1).astype(np.int64)
-    wide = int(np.diff(edge).max())
-    rows = np.minimum(edge[:-1, None] + np.arange(wide), edge[1:, None] - 1)
-    block = values[rows]
-    high, low = (np.take_along_axis(rows, pick(block, axis=1)[:, None], 1)[:, 0] for pick in (np.argmax, np.argmin))
-    return np.unique(np.concatenate([high, low, [0, len(values) - 1]]))
-
-
-def spans(chosen: Bools, x: Floats, bins: int = BINS // 4) -> list[tuple[float, float]]:
-    """Left end and width of each run of ``chosen`` blocks (n,) on the axis of ``x`` (n,); runs nearer than a bin are one.
-
-    A block spans from the x of the row before it to its own.
-    """
-    rows = np.flatnonzero(chosen)
-    if not len(rows):
-        return []
-    least = max((x[-1] - x[0]) / bins, 1e-9)
-    left, right = x[np.maximum(rows - 1, 0)], x[rows]
-    new = np.concatenate([[True], left[1:] - right[:-1] > least])
-    starts, ends = left[new], right[np.concatenate([new[1:], [True]])]
-    return [(float(a), float(max(b - a, least))) for a, b in zip(starts, ends, strict=True)]
-
-
 def _shade(axes: Any, figures: Figures, x: Floats) -> None:
-    near = spans(figures.singularity.singular[figures.feeds], x[figures.feeds])
-    if near:
-        axes.broken_barh(near, (0, 1), transform=axes.get_xaxis_transform(), color=ORANGE, alpha=0.28, lw=0, label="near the pole")
+    near = np.zeros(len(x), bool)
+    near[figures.feeds] = figures.singularity.singular[figures.feeds]
+    bars, whole = spans(near, x), axes.get_xaxis_transform()
+    if bars:
+        axes.broken_barh(bars, (0, 1), transform=whole, color=ORANGE, alpha=0.3, lw=0, zorder=2.5, label="near the pole")
+
+
+def _lines(axes: Any, x: Floats) -> None:
+    axes.set_xlabel("NC line")
+    axes.set_xlim(x[0] - 0.5, x[-1] + 0.5)
+    axes.xaxis.get_major_locator().set_params(integer=True)
+    axes.xaxis.set_major_formatter("{x:.0f}")
+
+
+def _steps(x: Floats, rows: Ints, values: Floats) -> tuple[Floats, Floats]:
+    """What draws ``values`` (n,) of the blocks ``rows`` (n,) as steps that end at each block's line."""
+    shown = thin(values, least=False)
+    return np.append(x[rows[0] - 1], x[rows[shown]]), np.append(values[0], values[shown])
 
 
 def _legend(axes: Any) -> None:
     handles, labels = axes.get_legend_handles_labels()
-    axes.legend(handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=len(labels), borderaxespad=0.2, handlelength=1.4)
+    axes.legend(
+        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=len(labels), borderaxespad=0.2, handlelength=1.4
+    )
 
 
-def _along(figure: Any, figures: Figures) -> tuple[str, str, str, str]:
-    axes, deviation, x = figure.subplots(), figures.deviation, figures.program.line.astype(float)
-    rows = figures.feeds
+def _along(figure: Any, figures: Figures) -> Told:
+    axes, deviation, x, rows = figure.subplots(), figures.deviation, figures.program.line.astype(float), figures.feeds
     segment, bound = np.maximum(deviation.segment[rows], FLOOR), np.maximum(deviation.bound[rows], FLOOR)
-    shown, over = thin(bound), np.flatnonzero(~(segment <= figures.tolerance))
-    over = over[thin(segment[over], BINS // 4)]
     _shade(axes, figures, x)
-    axes.fill_between(x[rows[shown]], FLOOR, bound[shown], color=SKY, alpha=0.45, lw=0, label="proven bound")
-    shown = thin(segment)
-    axes.plot(x[rows[shown]], segment[shown], color=BLUE, lw=0.9, label="deviation")
-    axes.plot(x[rows[over]], segment[over], ".", color=RED, ms=5, label="over tolerance") if len(over) else None
+    axes.fill_between(*_steps(x, rows, bound), FLOOR, step="pre", color=SKY, alpha=0.45, lw=0, label="proven bound")
+    axes.plot(*_steps(x, rows, segment), color=BLUE, lw=0.9, drawstyle="steps-pre", label="deviation")
+    over = np.flatnonzero(~(segment <= figures.tolerance))
+    over = over[thin(segment[over], BINS // 4, least=False)]
+    if len(over):
+        axes.plot(x[rows[over]], segment[over], ".", color=RED, ms=5, label="over tolerance")
     axes.axhline(figures.tolerance, color=RED, ls="--", lw=1.1, label=f"tolerance {figures.tolerance:g} mm")
     top = max(float(bound.max()), figures.tolerance)
-    axes.set(yscale="log", xlabel="NC line", ylabel="deviation from the segment, mm")
+    axes.set(yscale="log", ylabel="deviation from the segment, mm")
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_formatter("")
     axes.set_ylim(max(FLOOR, min(figures.tolerance, top) * 1e-3), top * 3.0)
-    axes.set_xlim(x[rows[0]] - 1.0, x[rows[-1]] + 1.0)
+    _lines(axes, x)
     _legend(axes)
     peak = figures.worst[0]
     alt = (
@@ -157,13 +121,13 @@ def _along(figure: Any, figures: Figures) -> tuple[str, str, str, str]:
         f"{figures.program.line[peak]}; tolerance {figures.tolerance:g} mm."
     )
     caption = (
-        "Each point is one feed block: how far the tool tip leaves the straight segment that the program commands. Nothing "
+        "One step for each feed block: how far the tool tip leaves the straight segment that the program commands. Nothing "
         "leaves it by more than the proven bound. Rapids are left out."
     )
     return "along", "Deviation along the program", caption, alt
 
 
-def _angles(figure: Any, figures: Figures) -> tuple[str, str, str, str]:
+def _angles(figure: Any, figures: Figures) -> Told:
     program, x = figures.program, figures.program.line.astype(float)
     figure.set_size_inches(WIDE, 4.2)
     panels = figure.subplots(2, 1, sharex=True)
@@ -176,11 +140,13 @@ def _angles(figure: Any, figures: Figures) -> tuple[str, str, str, str]:
         _limits(axes, figures, column)
         axes.set_ylabel(f"{letter}, deg")
         said.append(f"{letter} runs from {words.min():.1f} to {words.max():.1f} deg")
-    panels[1].set_xlabel("NC line")
-    panels[1].set_xlim(x[0] - 1.0, x[-1] + 1.0)
+    _lines(panels[1], x)
     if panels[0].get_legend_handles_labels()[1]:
         _legend(panels[0])
-    caption = "The words as the controller gets them, full turns counted on. Near the pole the upper axis turns far in a few lines."
+    caption = (
+        "The words as the controller gets them, full turns counted on. Where the tool comes near the pole, "
+        f"{program.letters[3]} turns far within a few lines."
+    )
     return "angles", "Rotary axes along the program", caption, "; ".join(said) + "."
 
 
@@ -193,7 +159,7 @@ def _limits(axes: Any, figures: Figures, column: int) -> None:
             axes.axhline(limit, color=RED, ls="--", lw=1.0, label="limit of the axis")
 
 
-def _rates(figure: Any, figures: Figures) -> tuple[str, str, str, str] | None:
+def _rates(figure: Any, figures: Figures) -> Told | None:
     program, x, rows = figures.program, figures.program.line.astype(float), figures.feeds
     limit = figures.links.rate * (1.0, 1.0, 1.0, *np.degrees([1.0, 1.0]))
     share = 100.0 * axis_rates(program)[rows] / limit
@@ -209,8 +175,8 @@ def _rates(figure: Any, figures: Figures) -> tuple[str, str, str, str] | None:
             axes.plot(x[rows[shown]], share[shown, column], color=colour, lw=1.2 if column > 2 else 0.8, label=label)
             said.append(f"{program.letters[column]} {peak:.0f} %")
     axes.axhline(100.0, color=RED, ls="--", lw=1.1)
-    axes.set(xlabel="NC line", ylabel="share of the axis's maximum rate, %", ylim=(0.0, max(108.0, 1.05 * float(share.max()))))
-    axes.set_xlim(x[rows[0]] - 1.0, x[rows[-1]] + 1.0)
+    axes.set(ylabel="share of the axis's maximum rate, %", ylim=(0.0, max(108.0, 1.05 * float(share.max()))))
+    _lines(axes, x)
     _legend(axes)
     caption = "At 100 % an axis runs as fast as it can, and the tool goes slower over the part than programmed."
     return "rates", "How busy each axis is", caption, "Peak share of each axis's maximum rate: " + ", ".join(said) + "."

@@ -14,7 +14,7 @@ from .findings import Finding
 
 WIDTH = 100
 """Columns of the text report."""
-NAMED = 10
+NAMED = 3
 """So many findings of one kind are written out; the JSON report has all."""
 
 
@@ -68,7 +68,7 @@ def duration(seconds: float) -> str:
 
 def number(value: float | None, decimals: int) -> str:
     """A fixed-point number, or "-" where there is none or no limit."""
-    return f"{value:.{decimals}f}" if value is not None and math.isfinite(value) else "-"
+    return f"{round(value, decimals) + 0.0:.{decimals}f}" if value is not None and math.isfinite(value) else "-"
 
 
 def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
@@ -106,14 +106,14 @@ def _worst_lines(figures: Figures) -> list[str]:
     if not rows:
         return []
     letters = list(rows[0]["turn_deg"])
-    head = ["NC line", "motion", "deviation mm", "bound mm", "line dev. mm", "axis dev. deg"]
-    table = [[*head, *(f"{letter} turns deg" for letter in letters), "near pole"]]
+    head = ["NC line", "motion", "deviation", "bound", "line dev.", "axis dev."]
+    table = [[*head, *(f"{letter} turns" for letter in letters), "near pole"]]
     for row in rows:
         values = [number(row[name], 6) for name in ("segment_deviation", "bound", "line_deviation")]
         turns = [number(row["turn_deg"][letter], 3) for letter in letters]
         near = "yes" if row["singular"] else "no"
         table.append([str(row["line"]), row["motion"], *values, number(row["axis_deviation_deg"], 4), *turns, near])
-    return ["Worst blocks, the largest deviation from the commanded segment first:", *_columns(table)]
+    return ["Worst blocks, the largest deviation from the commanded segment first (mm, deg):", *_columns(table)]
 
 
 def _axis_lines(axes: Mapping[str, Mapping[str, Any]]) -> list[str]:
@@ -141,5 +141,5 @@ def _finding_lines(findings: Sequence[Finding]) -> list[str]:
         for one in group[:NAMED]:
             lines += _wrap(one.text, "    ")
         if len(group) > NAMED:
-            lines += _wrap(f"... and {len(group) - NAMED} more.", "    ")
+            lines += _wrap(f"... and {len(group) - NAMED} more in the JSON and HTML reports.", "    ")
     return lines

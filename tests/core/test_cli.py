@@ -38,6 +38,11 @@ def run(*words):
     return cli.main([str(word) for word in words])
 
 
+def table(path):
+    with path.open(newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
 def test_mill_writes_every_file_that_is_asked_for(roof, tmp_path, capsys):
     out = {name: tmp_path / name for name in ("a.ngc", "a.apt", "a.csv", "a.json", "a.html", "a.txt")}
     code = run("mill", roof, "--machine", "trunnion_ac", "--stepover", "5", "--tolerance", "100", "-o", out["a.ngc"], "--cl", out["a.apt"],
@@ -46,7 +51,7 @@ def test_mill_writes_every_file_that_is_asked_for(roof, tmp_path, capsys):
     assert all(path.stat().st_size > 100 for path in out.values())
     assert sorted(os.listdir(tmp_path)) == sorted([*out, "roof.stl"])
     data = json.loads(out["a.json"].read_text())
-    rows = list(csv.DictReader(out["a.csv"].open()))
+    rows = table(out["a.csv"])
     assert data["version"] == 1 and data["summary"]["blocks"] == len(rows)
     lines = out["a.ngc"].read_text().splitlines()
     for row in rows[:: max(1, len(rows) // 20)]:
@@ -82,7 +87,7 @@ def test_table_2_of_so_is_audited(tmp_path):
     assert summary["max_line_deviation"] == pytest.approx(0.9384, abs=3e-4)
     assert summary["max_segment_deviation"] == pytest.approx(2.1264, abs=5e-4)
     assert summary["worst_line"] == 3 and summary["singular_blocks"] == 1 and summary["over_tolerance"] == 1
-    row = list(csv.DictReader((tmp_path / "t2.csv").open()))[1]
+    row = table(tmp_path / "t2.csv")[1]
     assert float(row["u_line"]) == pytest.approx(0.404, abs=1e-3)
     assert float(row["u_segment"]) == pytest.approx(0.5454, abs=1e-3)
 

@@ -14,8 +14,8 @@ CORE = ROOT / "freecad_fiveaxis" / "core"
 FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySide2", "PySide6", "pivy", "Path")
 MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
 STREET = [  # imports only point up this list
-    "errors", "findings", "records", "progress", "quantity", "files", "mesh", "stl", "passes", "cutter", "machine", "machine_file",
-    "kinematics", "reach", "spacing", "coedge", "tool_axis", "cl_path", "apt", "joint_path", "singularity", "number_text", "post",
+    "errors", "findings", "records", "progress", "quantity", "files", "number_text", "mesh", "stl", "passes", "cutter", "machine", "machine_file",
+    "kinematics", "reach", "spacing", "coedge", "tool_axis", "cl_path", "apt", "joint_path", "singularity", "post",
     "program", "nc_reader", "trajectory", "deviation", "report", "settings", "job", "terminal", "cli",
 ]  # fmt: skip
 

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Forward and inverse kinematics of every shipped machine, points per second, beside stacked matrices in the same run.
+
+The peer is what is usually written first: one 3x3 matrix a point (scipy's Rotation), applied to rows.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from benchmarks.timing import median_seconds, print_table
+from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, inverse, inverse_axis, linear_words
+from freecad_fiveaxis.core.machine_file import load_machine, shipped_machines
+from freecad_fiveaxis.core.records import Floats
+
+POINTS = 500_000
+
+
+def stacked_forward(links: Chain, q: Floats) -> tuple[Floats, Floats]:
+    """Tip and axis of a machine whose linear axes stand together, by stacks of matrices."""
+    first, second = (Rotation.from_rotvec(q[:, 3 + i, None] * links.direction[3 + i]) for i in range(2))
+    sums = [q[:, :3] if links.slot[0] == slot else 0.0 for slot in range(3)]
+    inner = links.point2 + second.apply(np.zeros((len(q), 3)) + sums[2] - links.point2)
+    tip = sums[0] + links.point1 + first.apply(sums[1] + inner - links.point1)
+    return tip, (first * second).apply((0.0, 0.0, 1.0))
+
+
+def rows() -> list[list[str]]:
+    """One row a machine: million points per second."""
+    rng = np.random.default_rng(1)
+    q = np.asfortranarray(np.column_stack([rng.uniform(-300, 300, (POINTS, 3)), rng.uniform(-np.pi, np.pi, (POINTS, 2))]))
+    table = []
+    for name in shipped_machines():
+        links = chain(load_machine(name), Setup(tool_length=100.0))
+        tip, axis = forward(links, q)
+        np.testing.assert_allclose(stacked_forward(links, q[:1000])[0], tip[:1000], rtol=0, atol=1e-9)
+        calls = (
+            lambda links=links: forward(links, q),
+            lambda links=links, tip=tip, axis=axis: inverse(links, tip, axis),
+            lambda links=links, axis=axis: inverse_axis(links, axis),
+            lambda links=links, tip=tip: linear_words(links, tip, q[:, 3:]),
+        )
+        speeds = [POINTS / median_seconds(call) / 1e6 for call in calls]
+        peer = POINTS / 10 / median_seconds(lambda links=links: stacked_forward(links, q[: POINTS // 10])) / 1e6
+        table.append([name, *(f"{speed:.1f}" for speed in speeds), f"{peer:.2f}", f"{speeds[0] / peer:.1f}"])
+    return table
+
+
+def main() -> None:
+    """Print the table."""
+    heads = ["machine", "forward", "inverse, both", "angles, both", "linear words", "stacked forward", "ratio"]
+    print_table(f"Kinematics, million points/s ({POINTS} points)", heads, rows())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How long a block takes, so that the tip moves over the part at the programmed feed.
+
+travel    the length of the tip's real path over the part in one block, mm, while all axes move linearly.
+held back a block that takes longer than its feed asks for, because an axis would exceed its maximum rate.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .kinematics import Chain, forward
+from .records import Bools, Floats, Ints
+
+TRAVEL_ERROR = 1e-3
+"""Relative error of a travel: a tenth of what the coarsest feed setting (1 %) can tell."""
+TURN_PER_PIECE = 0.15
+"""Rotary travel (rad) of one piece of a sampled path: two levels of pieces and extrapolation then err below 1e-5."""
+MOST_SAMPLES = 100_000
+"""Pieces that are sampled at a time: bounds the memory, whatever the number of turns."""
+STILL = 1e-4
+"""A travel below this (mm) is rounding of the words: the block only turns about the tip."""
+ASSUMED_RATE = (10_000.0, 10_000.0, 10_000.0, 20.0 * np.pi, 20.0 * np.pi)
+"""Where a machine states no maximum rate: mm/min and rad/min (10 turns a minute) for rapids and for turns about the tip."""
+
+
+def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
+    """Travel (m - 1,) mm of the tip from each row of ``q`` (m, 5) mm and rad to the next; the chord where not ``wanted``.
+
+    The chord where that is near enough by proof: with the tip at most e chords off its straight and even course the arc is
+    at most 1 + 8 e^2 chords long, and e is at most ``max|p''| / 8`` over the chord, ``|p''| <= w^2 r + 2 w |dq|``, w the
+    rotary travel and r the lever arm. Elsewhere the sampled path, extrapolated (Richardson).
+    """
+    tip, change = forward(links, q)[0], np.diff(q, axis=0)
+    chord, moved = _length(np.diff(tip, axis=0)), _length(change)
+    turned = np.abs(change[:, 3]) + np.abs(change[:, 4])
+    bend = turned * (turned * _lever_arm(links, q) + 2.0 * moved) / 8.0
+    curved = np.flatnonzero(wanted & (bend > np.sqrt(TRAVEL_ERROR / 8.0) * chord))
+    pieces = 2 ** np.ceil(np.log2(np.maximum(turned[curved] / TURN_PER_PIECE, 1.0))).astype(np.int64)
+    for count in np.unique(pieces):
+        alike = curved[pieces == count]
+        portion = max(1, MOST_SAMPLES // int(count))
+        for first in range(0, len(alike), portion):
+            rows = alike[first : first + portion]
+            chord[rows] = _sampled(links, q[rows], change[rows], tip[rows], tip[rows + 1], int(count))
+    return chord
+
+
+def _length(vector: Floats) -> Floats:
+    length: Floats = np.sqrt(vector[:, 0] ** 2 + vector[:, 1] ** 2 + vector[:, 2] ** 2)
+    return length
+
+
+def _lever_arm(links: Chain, q: Floats) -> float:
+    """An upper bound, for all rows, of the distance from either rotary line to what it turns, mm."""
+    reach = float(_length(q).max(initial=0.0)) * float(np.linalg.norm(links.direction[:3], 2))
+    between = float(np.linalg.norm(links.point2 - links.point1))
+    return float(2.0**0.5) * reach + between + float(np.linalg.norm(links.point2))
+
+
+def _sampled(links: Chain, start: Floats, change: Floats, tip: Floats, tip_end: Floats, pieces: int) -> Floats:
+    """Length of the path through ``2 pieces`` chords, corrected by the one through ``pieces`` chords."""
+    u = np.arange(1, 2 * pieces)[:, None, None] / (2.0 * pieces)
+    inner = forward(links, (start + u * change).reshape(-1, 5))[0].reshape(-1, len(start), 3)
+    path = np.concatenate([tip[None], inner, tip_end[None]])
+    fine: Floats = np.linalg.norm(np.diff(path, axis=0), axis=2).sum(axis=0)
+    coarse: Floats = np.linalg.norm(np.diff(path[::2], axis=0), axis=2).sum(axis=0)
+    return np.asarray(fine + (fine - coarse) / 3.0)
+
+
+def rapid_minutes(links: Chain, change: Floats) -> Floats:
+    """Time (n,) of a rapid: all axes together, the slowest at its maximum rate. ``change`` (n, 5) mm and rad."""
+    rate = np.where(np.isfinite(links.rate), links.rate, ASSUMED_RATE)
+    return least_minutes(rate, change)
+
+
+def least_minutes(rate: Floats, change: Floats) -> Floats:
+    """The shortest time (n,) in which no axis exceeds its ``rate`` (5,); ``change`` (n, 5) in the same units."""
+    least = np.abs(change[:, 0]) / rate[0]
+    for k in range(1, 5):
+        np.maximum(least, np.abs(change[:, k]) / rate[k], out=least)
+    return least
+
+
+def feed_minutes(links: Chain, change: Floats, travel: Floats, feed: Floats) -> tuple[Floats, Bools]:
+    """Time (n,) of feed blocks and which of them are held back.
+
+    ``change`` (n, 5) mm and rad, ``travel`` (n,) mm, ``feed`` (n,) mm/min above 0. A block that only turns about the tip has
+    no travel to time it: it turns as fast as its rotary axes may.
+    """
+    minutes = travel / feed
+    least = least_minutes(links.rate, change)
+    still: Ints = np.flatnonzero(travel < STILL)
+    least[still] = np.maximum(least[still], rapid_minutes(links, change[still]))
+    held: Bools = least > minutes * (1.0 + TRAVEL_ERROR)
+    held[still] = False
+    return np.maximum(minutes, least), held

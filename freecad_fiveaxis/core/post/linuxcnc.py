@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""LinuxCNC 2.8 and later (manual: G-code reference), with trivial kinematics: the words are the joints."""
+
+from __future__ import annotations
+
+from .dialect import Dialect
+
+LINUXCNC = Dialect(
+    name="linuxcnc",
+    description="LinuxCNC, joint output (trivial kinematics), G93 or G94",
+    convention="""Rotary words are absolute degrees, not modulo. Under G93 a block takes 60/F seconds, and every G1 needs its
+own F. Under G94 F is the speed of X Y Z; where only rotary axes move, degrees a minute. G61 (exact path) is the default:
+G64 without P rounds corners as far as the acceleration asks for, and what was proven is then not what is cut; with a
+blend tolerance the head says G64 P Q. A line may hold 255 characters. M2 ends the program and sets the modes back.""",
+    head=(
+        "{title}",
+        "G21 G17 G40 G80 G90",
+        "{offset}",
+        "{path}",
+        "{tool}",
+        "{length}",
+        "{spindle}",
+        "{coolant}",
+        "{feed_mode}",
+    ),
+    tail=("M5", "M9", "G94", "M2"),
+    exact_path="G61",
+    blend_path="G64 P{blend} Q{blend}",
+)

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""NC text from a Program and a dialect: the head, exactly one line a block, the tail."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.number_text import Choice, Column, Part, rounded, table
+from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bools
+
+from .dialect import Dialect, PostOptions, slot_texts
+
+
+def write_nc(
+    program: Program, dialect: Dialect, title: str, options: PostOptions | None = None, progress: Progress = silent
+) -> bytes:
+    """The NC file as ASCII. Block i stands in line ``dialect.first_line + i``; numbers are fixed-point, never "-0.0000".
+
+    Modal words that do not change are left out (where the dialect is modal), the motion word never. Under G93 every feed
+    block has its F. Where the feed mode changes inside the program the block says so.
+    """
+    inverse_first = bool(program.inverse_time[0]) if len(program.words) else False
+    slots = slot_texts(dialect, title, options or PostOptions(), inverse_first)
+    head, tail = ([line.format(**slots) + dialect.newline for line in lines] for lines in (dialect.head, dialect.tail))
+    blocks = table(_block(program, dialect), dialect.newline.encode(), progress) if len(program.words) else b""
+    return b"".join(("".join(head).encode("ascii"), blocks, "".join(tail).encode("ascii")))
+
+
+def _block(program: Program, dialect: Dialect) -> list[Part]:
+    feeding = program.motion != Motion.RAPID
+    motion = Choice(feeding.view(np.int8), (dialect.rapid.encode(), dialect.straight.encode()))
+    start = [*_number(program, dialect), *_mode(program, dialect), motion]
+    return [*start, *_axes(program, dialect), *_feed(program, dialect, feeding)]
+
+
+def _number(program: Program, dialect: Dialect) -> list[Part]:
+    if not dialect.number_step:
+        return []
+    count = dialect.number_most // dialect.number_step
+    number = (np.arange(len(program.words)) % count + 1) * dialect.number_step
+    return [Column(b"N", number), b" "]
+
+
+def _mode(program: Program, dialect: Dialect) -> list[Part]:
+    changed = _changed(program.inverse_time)
+    changed[0] = False  # the head has said it
+    if not changed.any():
+        return []
+    codes = np.where(changed, 1 + program.inverse_time.astype(np.int64), 0)
+    return [Choice(codes, (b"", f"{dialect.per_minute} ".encode(), f"{dialect.inverse_time} ".encode()))]
+
+
+def _axes(program: Program, dialect: Dialect) -> list[Part]:
+    order = sorted(range(5), key=lambda column: dialect.order.index(program.letters[column]))
+    values = [rounded(program.words[:, column], dialect.decimals(column)) for column in order]
+    shows = [_changed(value) for value in values] if dialect.modal else [None] * 5
+    if shows[0] is not None:  # a block without any change still needs an axis word
+        shows[0] |= ~np.logical_or.reduce(shows)
+    return [
+        Column(b" " + program.letters[column].encode(), value, dialect.decimals(column), show)
+        for column, value, show in zip(order, values, shows, strict=True)
+    ]
+
+
+def _feed(program: Program, dialect: Dialect, feeding: Bools) -> list[Part]:
+    rows = np.flatnonzero(feeding)
+    feed, inverse = program.feed[rows], program.inverse_time[rows]
+    needed = inverse | _changed(feed) | _changed(inverse) if dialect.modal else np.ones(len(rows), np.bool_)
+    shows = []
+    for kind in (inverse, ~inverse):
+        show = np.zeros(len(feeding), np.bool_)
+        show[rows[needed & kind]] = True
+        shows.append(show)
+    pairs = zip(shows, (dialect.inverse_decimals, dialect.feed_decimals), strict=True)
+    return [Column(b" F", program.feed, decimals, show) for show, decimals in pairs if show.any()]
+
+
+def _changed(column: NDArray[Any]) -> Bools:
+    changed = np.ones(len(column), np.bool_)
+    np.not_equal(column[1:], column[:-1], out=changed[1:])
+    return changed

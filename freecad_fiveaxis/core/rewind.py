@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rows that a joint path needs besides those of the CL path: rewinds at breaks, and rapids cut into blocks.
+
+rewind    retract along the tool axis out of the part, rise above it, turn the rotary axes there, come down and re-engage
+          along the tool axis. The tool leaves where the old words reach their limit and re-enters where the new ones are
+          within theirs: at the same place wherever both are.
+rapid     its tip goes straight and its rotary words go evenly, the tip put back on its chord at every block's end. Between
+          the ends the real tip leaves the chord; :mod:`.bound` proves by how much at most.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .bound import quick_bound
+from .branches import POLE_ANGLE, SLACK, TURN
+from .cl_path import CLPath, Motion
+from .errors import ReachError
+from .findings import Finding, Severity
+from .kinematics import Chain, branch_of, forward, inverse_axis, linear_words, q_to_words
+from .records import Bools, Bytes, Floats, Ints
+
+STILL = 1e-12
+"""Rotary travel (rad) below which a rapid is straight: at a lever of 1 m the tip leaves its chord by 1e-9 mm."""
+SAME_PLACE = 1e-9
+"""Share of a step below which two places on it are one."""
+HALVINGS = 50
+"""Steps of bisection: they leave 1e-15 of the step."""
+STRAIGHT_DOWN = 1e-6
+"""Horizontal part of an axis that points down below which no way along it leads past the part's sides."""
+LISTED = 20
+"""Rewinds that get a finding of their own; a path with more is poor as a whole, and the first finding says so."""
+
+
+@dataclass(frozen=True, eq=False)
+class Drive:
+    """A CL path and how it is driven: ``row`` (n,) of the given path that each row leads to; rotary words ``angles`` (n, 2) rad;
+    ``branch`` (n,)."""
+
+    path: CLPath
+    row: Ints
+    angles: Floats
+    branch: Bytes
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """Where the tool leaves or re-enters each broken step: ``share`` (b,) of the step, ``tip``, ``axis`` (b, 3), ``angles``
+    (b, 2)."""
+
+    share: Floats
+    tip: Floats
+    axis: Floats
+    angles: Floats
+
+
+def insert_rewinds(drive: Drive, links: Chain, breaks: Ints, low: Floats, high: Floats, clearance: float) -> tuple[Drive, Floats]:
+    """Retract, rewind and re-engage within each step of ``breaks`` (b,), the steps' first rows.
+
+    ``low``, ``high`` (3,) mm: the part's box. Returns the longer drive and the lengths (b,) mm that stay uncut because neither
+    the old nor the new words reach them. Raises ReachError where the tool points straight down and cannot retract past the part.
+    """
+    if len(breaks) == 0:
+        return drive, np.empty(0)
+    leave, enter = _places(drive, links, breaks)
+    tip, keep = _way_round(drive.path, leave, enter, low, high, clearance)
+    motion = np.tile(
+        np.array([Motion.CUT, Motion.LINK, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.LINK], np.int8), (len(breaks), 1)
+    )
+    axis, angles = (np.repeat(np.stack(pair, 1), 3, axis=1) for pair in ((leave.axis, enter.axis), (leave.angles, enter.angles)))
+    contact = tip.copy()
+    contact[:, 0] = _part_way(drive.path.contact, breaks, leave.share)
+    at = np.broadcast_to(breaks[:, None] + 1, keep.shape)
+    uncut = np.linalg.norm(enter.tip - leave.tip, axis=1)
+    longer = _insert(
+        _entered_by_link(drive, breaks, enter), links, at[keep], tip[keep], axis[keep], angles[keep], motion[keep], contact[keep]
+    )
+    return longer, np.where(enter.share - leave.share > SAME_PLACE, uncut, 0.0)
+
+
+def _places(drive: Drive, links: Chain, breaks: Ints) -> tuple[Place, Place]:
+    """Leave where the old words' reach ends, or where the new words' begins if that is earlier; enter where that begins."""
+    old_reach = _reach(drive, links, breaks, 0)
+    new_reach = _reach(drive, links, breaks, 1)
+    shares = (np.minimum(old_reach, new_reach), new_reach)
+    places = []
+    for end, share in enumerate(shares):
+        angles = np.clip(_follow(drive, links, breaks, share, end), links.low[3:], links.high[3:])
+        places.append(Place(share, _part_way(drive.path.tip, breaks, share), _axis_at(drive.path, breaks, share), angles))
+    return places[0], places[1]
+
+
+def _reach(drive: Drive, links: Chain, breaks: Ints, end: int) -> Floats:
+    """How far along the step, seen from its ``end`` (0 or 1), that end's words stay within the rotary limits: a share (b,)."""
+
+    def fits(share: Floats) -> Bools:
+        angles = _follow(drive, links, breaks, share, end)
+        return np.asarray(((angles >= links.low[3:] - SLACK) & (angles <= links.high[3:] + SLACK)).all(1))
+
+    inside = np.full(len(breaks), float(end))
+    outside = 1.0 - inside
+    whole = fits(outside)
+    inside[whole] = outside[whole]
+    for _ in range(HALVINGS):
+        middle = 0.5 * (inside + outside)
+        good = fits(middle)
+        inside, outside = np.where(good, middle, inside), np.where(good, outside, middle)
+    return inside
+
+
+def _follow(drive: Drive, links: Chain, breaks: Ints, share: Floats, end: int) -> Floats:
+    """Rotary words (b, 2) at a share of the step, on the branch and next to the words of its ``end``; NaN out of reach."""
+    axis = _axis_at(drive.path, breaks, share)
+    known = drive.angles[breaks + end]
+    angles = inverse_axis(links, axis)[0][drive.branch[breaks + end], np.arange(len(breaks))]
+    angles += TURN * np.rint((known - angles) / TURN)
+    pole = np.linalg.norm(np.cross(axis, links.direction[3]), axis=1) <= POLE_ANGLE
+    angles[pole, 0] = known[pole, 0]
+    return np.asarray(angles)
+
+
+def _axis_at(path: CLPath, breaks: Ints, share: Floats) -> Floats:
+    """The commanded axis (b, 3) at a share of the step: along the great arc (slerp)."""
+    start, end = path.axis[breaks], path.axis[breaks + 1]
+    angle = np.arctan2(np.linalg.norm(np.cross(start, end), axis=1), (start * end).sum(1)) / math.pi
+    rest = 1.0 - share
+    axis = (rest * np.sinc(rest * angle))[:, None] * start + (share * np.sinc(share * angle))[:, None] * end
+    return np.asarray(axis / np.linalg.norm(axis, axis=1)[:, None])
+
+
+def _part_way(points: Floats, breaks: Ints, share: Floats) -> Floats:
+    return np.asarray(points[breaks] + share[:, None] * (points[breaks + 1] - points[breaks]))
+
+
+def _way_round(path: CLPath, leave: Place, enter: Place, low: Floats, high: Floats, clearance: float) -> tuple[Floats, Bools]:
+    """Six tips (b, 6, 3) of each rewind: leave, out, above, above, in, enter; and which of them are needed (b, 6).
+
+    Above is the height of the rapids, or the box's top where there are none so high. The box grows by the clearance and by the
+    largest distance between contact and driven point, because that point may be the ball's centre.
+    """
+    margin = clearance + float(np.linalg.norm(path.tip - path.contact, axis=1).max())
+    rapid = path.tip[path.motion == Motion.RAPID, 2]
+    low, high = low - margin, high + margin
+    top = max(float(high[2]), float(rapid.max(initial=-math.inf)))
+    out, back = (place.tip + _way_out(place, low, high) for place in (leave, enter))
+    above = [np.column_stack([tip[:, :2], np.maximum(tip[:, 2], top)]) for tip in (out, back)]
+    tip = np.stack([leave.tip, out, above[0], above[1], back, enter.tip], 1)
+    moved = (tip[:, 1:] != tip[:, :-1]).any(2)
+    first, last = leave.share > SAME_PLACE, enter.share < 1.0 - SAME_PLACE
+    return tip, np.column_stack([first, moved[:, 0], moved[:, 1], np.ones(len(tip), bool), moved[:, 3], moved[:, 4] & last])
+
+
+def _way_out(place: Place, low: Floats, high: Floats) -> Floats:
+    """The way (b, 3) along the axis from a tip inside the box to its top or sides; none for a tip outside."""
+    low = np.array([low[0], low[1], -math.inf])
+    inside = ((place.tip > low) & (place.tip < high)).all(1)
+    stuck = inside & (place.axis[:, 2] <= 0.0) & (np.hypot(place.axis[:, 0], place.axis[:, 1]) < STRAIGHT_DOWN)
+    if stuck.any():
+        x, y, z = place.tip[stuck.argmax()]
+        raise ReachError(
+            f"no way to retract for a rewind at ({x:.6g}, {y:.6g}, {z:.6g}): the tool points up from below the part; "
+            "lower --max-axis-angle or take a machine with wider rotary limits",
+            (float(x), float(y), float(z)),
+        )
+    wall = np.where(place.axis > 0.0, high, low)
+    length = np.full(place.tip.shape, math.inf)
+    np.divide(wall - place.tip, place.axis, out=length, where=place.axis != 0.0)
+    return np.asarray(np.where(inside, length.min(1), 0.0)[:, None] * place.axis)
+
+
+def _entered_by_link(drive: Drive, breaks: Ints, enter: Place) -> Drive:
+    """Where the new words begin at the step's end only, the row there is reached by the re-engaging link itself."""
+    whole = enter.share >= 1.0 - SAME_PLACE
+    motion = drive.path.motion.copy()
+    motion[breaks[whole] + 1] = Motion.LINK
+    return replace(drive, path=replace(drive.path, motion=motion))
+
+
+def _insert(
+    drive: Drive, links: Chain, at: Ints, tip: Floats, axis: Floats, angles: Floats, motion: Bytes, contact: Floats
+) -> Drive:
+    """Rows put in before the rows ``at``. Links and rapids touch nothing; other rows cut what the row that they lead to cuts."""
+    path = drive.path
+    cuts = motion < Motion.LINK
+    new = {
+        "tip": tip,
+        "axis": axis,
+        "motion": np.where(cuts, path.motion[at], motion),
+        "feed": np.where(motion == Motion.RAPID, 0.0, path.feed[at]),
+        "contact": contact,
+        "normal": np.where(cuts[:, None], path.normal[at], axis),
+    }
+    new |= {name: np.where(cuts, getattr(path, name)[at], -1) for name in ("face", "coedge", "pass_")}
+    longer = replace(path, **{name: np.insert(getattr(path, name), at, rows, axis=0) for name, rows in new.items()})
+    branch = np.insert(drive.branch, at, branch_of(links, angles[:, 1]))
+    return Drive(longer, np.insert(drive.row, at, drive.row[at]), np.insert(drive.angles, at, angles, axis=0), branch)
+
+
+def subdivide_rapids(drive: Drive, links: Chain, tolerance: float) -> Drive:
+    """Cut rapids that turn a rotary axis until the real tip provably stays within ``tolerance`` (mm) of the chord."""
+    travel = np.abs(np.diff(drive.angles, axis=0)).sum(1)
+    arrival = np.flatnonzero((drive.path.motion[1:] == Motion.RAPID) & (travel > STILL)) + 1
+    pieces = np.ones(len(arrival), np.int64)
+    todo = np.arange(len(arrival))
+    while len(todo):
+        tip, angles, first = _evenly(drive, arrival[todo], pieces[todo])
+        bound = quick_bound(links, q_to_words(np.column_stack([linear_words(links, tip, angles), angles])))
+        bound[first] = 0.0  # from the end of one rapid to the start of the next
+        worst = np.maximum.reduceat(bound, first)
+        todo, worst = todo[worst > tolerance], worst[worst > tolerance]
+        pieces[todo] = np.maximum(pieces[todo] + 1, np.ceil(pieces[todo] * np.sqrt(worst / tolerance)).astype(np.int64))
+    arrival, pieces = arrival[pieces > 1], pieces[pieces > 1]
+    if len(arrival) == 0:
+        return drive
+    tip, angles, first = _evenly(drive, arrival, pieces)
+    inner = np.ones(len(tip), bool)
+    inner[first] = inner[first + pieces] = False
+    tip, angles, at = tip[inner], angles[inner], np.repeat(arrival, pieces - 1)
+    axis = forward(links, np.column_stack([np.zeros_like(tip), angles]))[1]
+    return _insert(drive, links, at, tip, axis, angles, np.full(len(at), Motion.RAPID, np.int8), tip)
+
+
+def _evenly(drive: Drive, arrival: Ints, pieces: Ints) -> tuple[Floats, Floats, Ints]:
+    """Tips and rotary words at the ends of equal pieces of each step, both step ends included, and where each step begins."""
+    count = pieces + 1
+    first = np.cumsum(count) - count
+    share = ((np.arange(int(count.sum())) - np.repeat(first, count)) / np.repeat(pieces, count))[:, None]
+    end = np.repeat(arrival, count)
+    tip, angles = ((1.0 - share) * values[end - 1] + share * values[end] for values in (drive.path.tip, drive.angles))
+    return tip, angles, first
+
+
+def rewind_findings(given: Drive, driven: Drive, links: Chain, breaks: Ints, uncut: Floats) -> tuple[Finding, ...]:
+    """A warning for each of the first breaks, one with their number, and one for what they leave uncut."""
+    findings = []
+    for step in breaks[:LISTED].tolist():
+        block = int(np.searchsorted(driven.row, step + 1))
+        before, after = np.degrees(given.angles[step : step + 2])
+        axis = int(np.abs(after - before).argmax())
+        text = (
+            f"{links.letters[3 + axis]} has to turn back from {before[axis]:.3f} to {after[axis]:.3f} deg inside a cut: the tool "
+            "retracts, turns above the part and re-engages, which may leave a mark. Wider limits or another setup avoid it."
+        )
+        place = _point(given.path.tip[step])
+        findings.append(
+            Finding(Severity.WARNING, "rewind", text, float(abs(after - before)[axis]), None, "deg", block, None, place)
+        )
+    if len(breaks) > 1:
+        text = f"{len(breaks)} times the rotary limits make the tool retract, turn back and re-engage inside a cut."
+        findings.append(replace(findings[0], code="rewinds", text=text, value=float(len(breaks)), unit="1"))
+    if (uncut > 0.0).any():
+        worst = int(uncut.argmax())
+        text = (
+            f"{uncut.sum():.4f} mm of the path stay uncut at {int((uncut > 0.0).sum())} rewinds: on neither side of them do the "
+            "rotary limits allow the tool axis that is needed. Wider limits or another setup avoid it."
+        )
+        place = _point(given.path.tip[breaks[worst]])
+        block = int(np.searchsorted(driven.row, breaks[worst] + 1))
+        findings.append(Finding(Severity.WARNING, "uncut", text, float(uncut[worst]), 0.0, "mm", block, None, place))
+    return tuple(findings)
+
+
+def _point(tip: Floats) -> tuple[float, float, float]:
+    x, y, z = tip.tolist()
+    return x, y, z

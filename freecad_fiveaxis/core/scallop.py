@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The scallop that a ball end leaves between two passes (Lin & Ye, II.C), on slopes and curved surfaces too.
+
+scallop    height of the cusp between two neighbouring passes above the surface (Lin & Ye, Fig. 4).
+chord      straight distance of two neighbouring contact points, measured over the surface, not between the planes.
+curvature  normal curvature of the surface across the passes, 1/mm; positive where the surface is convex.
+kink       what the normal turns between two contact points beyond what the curvature accounts for: the edge between two
+           facets, be it a sharp edge of the part or a step of the tessellation.
+samples    points of a pass that stand for it: at least one in each facet, no further apart than a given step.
+
+The ball touches facets, so its centres follow the facet normals; the curvature is that of the smooth surface behind
+them. The measure takes both: the cusp over the circle through both contacts, raised for the kink between them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from .mesh import Mesh
+from .reach import facet_areas
+from .records import Floats, Ints
+
+CREASE = np.radians(30.0)
+"""Facets that meet at a larger angle meet in a sharp edge of the part; below it they approximate a smooth surface."""
+
+ACROSS = 0.5
+"""Largest cosine between a pass and the way to the other one: beyond it the other pass ends there and lies not opposite."""
+
+TINY = 1e-12
+"""mm: points nearer than this coincide; keeps divisions safe and is far below any coordinate's rounding."""
+
+
+def scallop_height(chord: Floats, radius: float, curvature: Floats) -> Floats:
+    """Height (n,) mm of the cusp over the circle through two contacts ``chord`` (n,) mm apart, for a ball of ``radius`` mm.
+
+    Eq. (1) of Lin & Ye for ``curvature`` (n,) 1/mm = 0; else the same triangle over the circle of that curvature. Where the two
+    balls do not meet, half the distance of their centres stands for it.
+    """
+    spread = np.maximum(1.0 + radius * curvature, 0.0)  # of the centres; 0 where the ball fills the hollow
+    x = 0.5 * spread * chord
+    inside = np.sqrt(np.maximum(radius * radius - x * x, 0.0))
+    half_sine = np.minimum(np.abs(0.5 * curvature * chord), 1.0)
+    bulge = 0.25 * spread * curvature * chord * chord / (1.0 + np.sqrt(1.0 - half_sine * half_sine))
+    return np.where(x < radius, np.maximum(x * x / (radius + inside) - bulge, 0.0), x)
+
+
+def flat_interval(radius: float, scallop: float) -> float:
+    """Eq. (2) of Lin & Ye without its approximation: the interval on a flat, mm; ``scallop`` below ``radius``, both mm."""
+    return 2.0 * float(np.sqrt(scallop * (2.0 * radius - scallop)))
+
+
+def kink_factor(chord: Floats, radius: float, kink: Floats) -> Floats:
+    """How much (n,) a convex ``kink`` (n,) rad between two contacts raises the scallop, 1 to 4.
+
+    Worst case: the edge lies at one of the contacts. Both balls stand equally high over the other facet at
+    ``1 - 1 / (2 (1 + q))`` of the chord, ``q = radius kink / chord``; the height goes with its square.
+    """
+    q = radius * np.maximum(kink, 0.0) / np.maximum(chord, TINY)
+    return (2.0 - 1.0 / (1.0 + q)) ** 2
+
+
+# ------------------------------------------------------------------------------------------------ curvature
+
+
+def facet_curvature(mesh: Mesh) -> Floats:
+    """Curvature tensor (6, f) of each facet, 1/mm: xx, yy, zz, xy, yz, zx; ``c . T c`` is the curvature along unit tangent c.
+
+    Each co-edge turns the surface by its dihedral angle about itself; the tensor is the mean of these turns over the facet
+    and its neighbours (Cohen-Steiner & Morvan 2003), exact on average for any tessellation of a sphere or a cylinder. Sharp
+    edges bend no surface and do not count.
+    """
+    first, second, turned = _smooth_turns(mesh)
+    rows = len(mesh.face)
+    columns = np.concatenate([turned, np.zeros((1, len(first)))])
+    total = np.array([np.bincount(first, c, rows) + np.bincount(second, c, rows) for c in columns])
+    total[6] = facet_areas(mesh)
+    own = total.copy()
+    for sums, values in zip(total, own, strict=True):
+        sums += np.bincount(first, values[second], rows) + np.bincount(second, values[first], rows)
+    tensor: Floats = total[:6] / total[6]
+    return tensor
+
+
+def _smooth_turns(mesh: Mesh) -> tuple[Ints, Ints, Floats]:
+    """Both facets (m,), (m,) of each co-edge that is no sharp edge, and the half (6, m) of its turn that each gets, mm."""
+    edge = np.flatnonzero(mesh.coedge_face[:, 1] >= 0)
+    first, second = mesh.coedge_face[edge].T
+    smooth = (mesh.normal[first] * mesh.normal[second]).sum(axis=1) > np.cos(CREASE)
+    edge, first, second = edge[smooth], first[smooth], second[smooth]
+    start, end = mesh.coedge_vertex[edge].T
+    along = mesh.vertex[end] - mesh.vertex[start]  # counter-clockwise for the first facet
+    twice_turn = (np.cross(mesh.normal[first], mesh.normal[second]) * along).sum(axis=1)  # angle times length, small angles
+    across = np.cross(along, mesh.normal[first] + mesh.normal[second])
+    x, y, z = (across / np.maximum(np.linalg.norm(across, axis=1), TINY)[:, None]).T
+    return first, second, 0.5 * twice_turn * np.array([x * x, y * y, z * z, x * y, y * z, z * x])
+
+
+def curvature_along(tensor: Floats, direction: Floats) -> Floats:
+    """Curvature (n,) 1/mm along unit ``direction`` (n, 3) for the tensors (6, n) of :func:`facet_curvature`."""
+    x, y, z = direction.T
+    diagonal = tensor[0] * x * x + tensor[1] * y * y + tensor[2] * z * z
+    result: Floats = diagonal + 2.0 * (tensor[3] * x * y + tensor[4] * y * z + tensor[5] * z * x)
+    return result
+
+
+# ------------------------------------------------------------------------------------------------ passes
+
+
+@dataclass(frozen=True, eq=False)
+class PassSamples:
+    """One pass for measuring: its facet segments in any order, and the samples on them.
+
+    ``start`` and ``way`` (m, 3) mm of each segment; ``normal`` (m, 3) unit and ``tensor`` (6, m) 1/mm of its facet;
+    ``point`` (n, 3) mm and ``segment`` (n,) of each sample; ``tree`` of the samples, None where there are none.
+    """
+
+    start: Floats
+    way: Floats
+    normal: Floats
+    tensor: Floats
+    point: Floats
+    segment: Ints
+    tree: cKDTree | None
+
+
+def sample_pass(start: Floats, end: Floats, normal: Floats, tensor: Floats, step: float) -> PassSamples:
+    """Samples at most ``step`` mm apart on the segments from ``start`` to ``end`` (m, 3) mm; the rest as in PassSamples."""
+    way = end - start
+    pieces = np.maximum(np.ceil(np.linalg.norm(way, axis=1) / step), 1.0).astype(np.int64)
+    segment = np.repeat(np.arange(len(start)), pieces)
+    place = np.arange(len(segment)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    share = (place + 0.5) / pieces[segment]
+    point = start[segment] + share[:, None] * way[segment]
+    return PassSamples(start, way, normal, tensor, point, segment, cKDTree(point) if len(point) else None)
+
+
+def scallop_between(one: PassSamples, other: PassSamples, radius: float) -> tuple[float, Floats]:
+    """The largest scallop between two neighbouring passes, mm, and the contact (3,) nearest to it; 0 where none lie opposite."""
+    worst, place = 0.0, np.zeros(3)
+    for a, b in ((one, other), (other, one)):
+        height = scallops(a, b, radius)
+        if len(height) and height.max() > worst:
+            worst, place = float(height.max()), a.point[np.argmax(height)]
+    return worst, place
+
+
+def scallops(one: PassSamples, other: PassSamples, radius: float) -> Floats:
+    """Scallop (n,) mm between each sample of one pass and the nearest point of the other; 0 where that does not lie opposite."""
+    if one.tree is None or other.tree is None:
+        return np.zeros(len(one.point))
+    there = other.segment[other.tree.query(one.point)[1]]
+    start, way = other.start[there], other.way[there]
+    length2 = np.maximum((way * way).sum(axis=1), TINY * TINY)
+    share = np.clip(((one.point - start) * way).sum(axis=1) / length2, 0.0, 1.0)
+    across = start + share[:, None] * way - one.point
+    chord = np.maximum(np.linalg.norm(across, axis=1), TINY)
+    across /= chord[:, None]
+    curvature = 0.5 * (curvature_along(one.tensor[:, one.segment], across) + curvature_along(other.tensor[:, there], across))
+    kink = ((other.normal[there] - one.normal[one.segment]) * across).sum(axis=1) - curvature * chord
+    height = scallop_height(chord, radius, curvature) * kink_factor(chord, radius, kink)
+    opposite = np.abs((across * way).sum(axis=1)) <= ACROSS * np.sqrt(length2)
+    return np.where(opposite, height, 0.0)

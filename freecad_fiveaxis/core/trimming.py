@@ -1,0 +1,331 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Offset polylines where the trims of concave junctions use up whole segments.
+
+chord      a straight piece of an offset polyline: the offset of a facet segment, or one of the k + 1 pieces of an arc. Each
+           lies in a plane of its own: the offset plane of the facet, or a plane that touches the ball about the arc's contact.
+crossing   where the line of one chord meets the plane of the other, both ways; both points lie on the line in which the two
+           planes cross, so the path between them keeps off both facets.
+used up    a chord whose trims from its two ends overlap. It is dropped and its neighbours are trimmed against each other:
+           the ball never touches what lay under it, because it already touches both sides.
+
+Of neighbouring used-up chords the one that a smaller ball would use up first is dropped first, as the offset of a polygon
+shrinks; all that do not disturb each other are dropped in one round.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from .junction import CONCAVE, CONVEX, FLAT, FLAT_GAP, GRAZING, SAME, Junctions, Rows, Segments, arc_weights, direction, dot
+from .records import Bools, Floats, Ints
+
+ROUNDS = 1000
+"""A run of used-up chords is halved in most rounds; only one that tightens steadily needs a round for each chord."""
+
+SPREAD = np.uint64(0x9E3779B97F4A7C15)
+"""Multiplier that spreads row numbers (golden ratio), so that ties do not fall in order of the path."""
+
+
+class Trimmed(NamedTuple):
+    """``rows`` of the offset path in short form, each of polyline ``line``; segments that the path may ``cut_into``; segments
+    that the ball does not reach, ``missed``, and ``height`` mm by which it stays above them."""
+
+    rows: Rows
+    line: Ints
+    cut_into: Ints
+    missed: Ints
+    height: Floats
+
+
+@dataclass(eq=False)
+class _Chords:
+    """Chords in the order of the path; ``low`` to ``high`` (c,) mm is the chord on its line ``origin`` + t ``along`` (3, c).
+
+    ``normal`` (3, c) of its plane; ``at`` (c,) its position among the live segments; ``real`` False for the pieces of an arc,
+    which stand at ``angle`` (c,) from the normal of the segment; ``final`` True for the last piece of an arc. ``before`` and
+    ``after`` (c,) its neighbours, -1 for none; ``crosses`` True where it is trimmed against the one after it; ``start`` and
+    ``stop`` (c,) what the trims leave of it; ``alive``; ``heir`` the chord before it when it was dropped (itself till then);
+    ``apart`` True where it does not cross the one after it. ``radius`` mm of the ball.
+    """
+
+    origin: Floats
+    along: Floats
+    normal: Floats
+    low: Floats
+    high: Floats
+    at: Ints
+    real: Bools
+    angle: Floats
+    final: Bools
+    before: Ints
+    after: Ints
+    crosses: Bools
+    start: Floats
+    stop: Floats
+    alive: Bools
+    heir: Ints
+    apart: Bools
+    radius: float
+
+
+def find_used_up(segments: Segments, junctions: Junctions) -> Ints:
+    """Polylines in which the trims of some segment overlap."""
+    start = np.zeros(len(segments.live))
+    follows = segments.following >= 0
+    start[segments.following[follows]] = junctions.trim_start[follows]
+    overlap = np.flatnonzero(start - junctions.trim_end > segments.length[segments.live])
+    return np.unique(segments.line[overlap])
+
+
+def trim_polylines(segments: Segments, junctions: Junctions, at: Ints, radius: float) -> Trimmed:
+    """The offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is used up."""
+    chords = _chords(segments, junctions, at, radius)
+    _drop_used_up(chords)
+    rows, line = _rows(chords, segments, junctions, radius)
+    return Trimmed(rows, line, *_what_is_left(chords, segments))
+
+
+def _chords(segments: Segments, junctions: Junctions, at: Ints, radius: float) -> _Chords:
+    convex = junctions.kind[at] == CONVEX
+    count = np.where(convex, junctions.arcs[at] + 2, 1)
+    head = np.cumsum(count) - count
+    where = np.repeat(at, count)
+    step = np.arange(len(where)) - np.repeat(head, count) - 1  # -1: the segment itself; 0 to k: the pieces of its arc
+    real, arcs, theta = step < 0, junctions.arcs[where], junctions.theta[where]
+    segment = segments.live[where]
+    travel, normal = direction(segments, segment), segments.normal.take(2 * segment, axis=1)
+    origin, high = segments.point.take(2 * segment, axis=1), segments.length[segment]
+    low, angle = np.zeros(len(where)), np.zeros(len(where))
+    arc = np.flatnonzero(~real)
+    origin[:, arc] = segments.point.take(2 * segment[arc] + 1, axis=1)
+    delta = theta[arc] / arcs[arc]
+    angle[arc] = step[arc] * delta
+    far = segments.normal.take(2 * segments.live[segments.following[where[arc]]], axis=1)
+    one, two = normal[:, arc], travel[:, arc]
+    normal[:, arc] = _mixed(arc_weights(theta[arc], angle[arc]), one, far, two)
+    travel[:, arc] = _mixed(_slope(theta[arc], angle[arc]), one, far, two)
+    reach = radius * np.tan(0.5 * delta)
+    low[arc], high[arc] = np.where(step[arc] > 0, -reach, 0.0), np.where(step[arc] < arcs[arc], reach, 0.0)
+    final = ~real & (step == arcs)
+    before, after = _neighbours(segments, at, head, count)
+    crosses = real & (junctions.kind[where] == CONCAVE)
+    return _Chords(
+        origin + radius * normal, travel, normal, low, high, where, real, angle, final, before, after, crosses, low.copy(),
+        high.copy(), np.ones(len(where), bool), np.arange(len(where)), np.zeros(len(where), bool), radius,
+    )  # fmt: skip
+
+
+def _mixed(weights: tuple[Floats, Floats, Floats], one: Floats, far: Floats, travel: Floats) -> Floats:
+    return np.asarray(weights[0] * one + weights[1] * far + weights[2] * travel)
+
+
+def _slope(theta: Floats, angle: Floats) -> tuple[Floats, Floats, Floats]:
+    """Weights of the direction in which the normal at ``angle`` turns: those of the normal a quarter turn further."""
+    return arc_weights(theta, angle + 0.5 * np.pi)
+
+
+def _neighbours(segments: Segments, at: Ints, head: Ints, count: Ints) -> tuple[Ints, Ints]:
+    """The chords before and after each chord, round the seam of a closed polyline, -1 beyond an open end."""
+    n = int(count.sum())
+    before, after = np.arange(-1, n - 1), np.arange(1, n + 1)
+    place = np.full(len(segments.live), -1)
+    place[at] = head
+    tail = head + count - 1
+    nxt = segments.following[at]
+    after[tail] = np.where(nxt < 0, -1, place[nxt])
+    before[head] = -1
+    joined = nxt >= 0
+    before[after[tail[joined]]] = tail[joined]
+    return before, after
+
+
+def _drop_used_up(chords: _Chords) -> None:
+    """Drop used-up chords, in rounds, until there are none; marks those that cannot be resolved as ``apart``."""
+    fresh, waiting = np.flatnonzero(chords.crosses & (chords.after >= 0)), np.empty(0, np.int64)
+    for _ in range(ROUNDS):
+        fresh = fresh[chords.alive[fresh]]
+        _cross(chords, fresh)
+        touched = np.unique(np.concatenate([fresh, chords.after[fresh], waiting]))
+        used = touched[chords.alive[touched] & (chords.start[touched] - chords.stop[touched] > SAME)]
+        if not len(used):
+            return
+        fresh, waiting = _drop(chords, _first_to_go(chords, used)), used
+    chords.apart[used] = True
+
+
+def _cross(chords: _Chords, one: Ints) -> None:
+    """Trim chords ``one`` and the chords after them against each other, or mark that they do not cross."""
+    two = chords.after[one]
+    stop, never = _meets(chords, one, two, chords.high[one], 1.0)
+    start, nor = _meets(chords, two, one, chords.low[two], -1.0)
+    chords.stop[one], chords.start[two], chords.apart[one] = stop, start, never | nor
+
+
+def _meets(chords: _Chords, one: Ints, two: Ints, end: Floats, sense: float) -> tuple[Floats, Bools]:
+    """Where line ``one`` comes down on plane ``two`` when followed in ``sense`` towards its ``end``; True where it does not.
+
+    ``height`` is that of the end above the plane. A line that does not come down is used up wholly where its end lies below
+    the plane, and is left alone where it lies on it (one plane) or above. So is one that comes down far beyond its end.
+    """
+    tip = chords.origin[:, one] + end * chords.along[:, one]
+    height = dot(chords.normal[:, two], tip - chords.origin[:, two])
+    falls = -sense * dot(chords.along[:, one], chords.normal[:, two])
+    down = falls > GRAZING
+    beyond = height / np.where(down, falls, 1.0)
+    place = np.where(down, end + sense * beyond, np.where(height < -SAME, -sense * np.inf, end))
+    far = np.where(down, beyond > chords.radius, height > SAME)
+    return np.where(far, end, place), np.asarray(far)
+
+
+def _first_to_go(chords: _Chords, used: Ints) -> Ints:
+    """Of the used-up chords those that go before any used-up neighbour."""
+    trims = (chords.start[used] - chords.low[used]) + (chords.high[used] - chords.stop[used])
+    share = (chords.high[used] - chords.low[used]) / trims  # the part of the radius at which the chord is just used up
+    tie = (used.astype(np.uint64) * SPREAD).astype(np.int64)
+    order = np.lexsort((tie, share))
+    rank = np.full(len(chords.at) + 1, len(used))
+    rank[used[order]] = np.arange(len(used))
+    mine = rank[used]
+    first = (mine <= rank[chords.before[used]]) & (mine <= rank[chords.after[used]])  # -1 reads the last, which is no chord
+    return used[first]
+
+
+def _drop(chords: _Chords, gone: Ints) -> Ints:
+    """Take chords out; returns the chords that must now be trimmed against the one after them.
+
+    Beyond an open end nothing remains to trim against: the neighbour keeps the trim that the dropped chord gave it.
+    """
+    before, after = chords.before[gone], chords.after[gone]
+    chords.alive[gone] = False
+    chords.heir[gone] = np.where(before >= 0, before, after)
+    chords.after[before[before >= 0]] = after[before >= 0]
+    chords.before[after[after >= 0]] = before[after >= 0]
+    fresh = before[(before >= 0) & (after >= 0)]
+    alone = fresh[chords.after[fresh] == fresh]  # a ring of one chord is no path
+    chords.alive[alone] = False
+    chords.crosses[fresh] = True
+    return np.asarray(fresh)
+
+
+class _Spot(NamedTuple):
+    """Places on chords: ``t`` mm along ``chord``; ``ending`` True where the chord ends there; ``flat`` True where two offsets
+    that meet share one point; ``left`` and ``right`` segments on either side; ``fill`` as in OffsetPath."""
+
+    chord: Ints
+    t: Floats
+    ending: Bools
+    flat: Bools
+    left: Ints
+    right: Ints
+    fill: Bools
+
+
+def _rows(chords: _Chords, segments: Segments, junctions: Junctions, radius: float) -> tuple[Rows, Ints]:
+    """The rows of what is left, and the polyline of each."""
+    spot = _spots(chords, segments, junctions)
+    at, t = chords.at[spot.chord], spot.t
+    real, segment = chords.real[spot.chord], segments.live[at]
+    nxt = segments.following[at]
+    far = segments.live[np.where(nxt < 0, at, nxt)]
+    theta = np.maximum(junctions.theta[at], np.finfo(float).tiny)
+    angle = np.where(real, 0.0, chords.angle[spot.chord] + np.arctan2(t, radius))
+    angle = np.where(spot.flat, 0.5 * theta, angle)
+    w1, w2, w3 = arc_weights(theta, angle)
+    w1 = np.where(real & ~spot.flat, 1.0, w1)
+    reach = np.where(real, radius, np.hypot(radius, t))
+    reach = np.where(spot.flat, radius / np.cos(0.5 * theta), reach)
+    shift = np.where(real & ~spot.flat, np.where(spot.ending, t - segments.length[segment], t), 0.0)
+    base = 2 * segment + (spot.ending | ~real)
+    return Rows(base, far, spot.left, spot.right, w1, w2, w3, reach, shift, spot.fill), segments.line[at]
+
+
+def _spots(chords: _Chords, segments: Segments, junctions: Junctions) -> _Spot:
+    """One or two places where each chord goes over into the next, and one where each polyline begins."""
+    one = np.flatnonzero(chords.alive)
+    two = chords.after[one]
+    opened = two < 0
+    two = np.where(opened, one, two)
+    left, right = _real_sides(chords, segments, one, opened)
+    crosses = chords.crosses[one] & ~opened
+    leaves = chords.final[one] & ~crosses & ~opened  # the arc's last point belongs to the segment after it
+    real, end = chords.real[one], np.ones(len(one), bool)
+    flat = real & ~crosses & (junctions.kind[chords.at[one]] == FLAT)
+    early = _Spot(
+        np.where(leaves, two, one), np.where(leaves, chords.start[two], chords.stop[one]), ~leaves, flat, left, right, ~real
+    )
+    late = _Spot(two, chords.start[two], ~end, ~end, left, right, end)
+    twice = crosses & (np.abs(_place(chords, one, chords.stop[one]) - _place(chords, two, chords.start[two])).max(axis=0) >= SAME)
+    first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
+    last = np.append(first[1:], len(one))[: len(first)] - 1
+    seam = [np.where(twice[last], b[last], a[last]) for a, b in zip(early, late, strict=True)]
+    begin = (one[first], chords.start[one[first]], ~end[first], ~end[first], right[first], right[first])
+    head = [np.where(opened[last], a, b) for a, b in zip(begin, seam, strict=False)] + [~end[first]]
+    used = np.stack([np.zeros(len(one), bool), end, twice], axis=1)
+    used[first, 0] = True
+    woven = []
+    for begins, a, b in zip(head, early, late, strict=True):
+        three = np.stack([a, a, b], axis=1)
+        three[first, 0] = begins
+        woven.append(three[used])
+    return _Spot(*woven)
+
+
+def _real_sides(chords: _Chords, segments: Segments, one: Ints, opened: Bools) -> tuple[Ints, Ints]:
+    """The nearest segments that are left before and after the end of each chord, round a seam, else the chord's own."""
+    n, row, real = len(one), np.arange(len(one)), chords.real[one]
+    first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
+    size = np.diff(first, append=n)
+    low, high = np.repeat(first, size), np.repeat(first + size - 1, size)
+    before = np.maximum.accumulate(np.where(real, row, -1))
+    onward = np.append(np.minimum.accumulate(np.where(real, row, n)[::-1])[::-1], n)  # the first one from here
+    after = onward[1:]
+    closed = ~opened[high]
+    before = np.where((before < low) & closed, before[high], before)
+    after = np.where((after > high) & closed, onward[low], after)
+    none_before, none_after = before < low, after > high
+    before, after = np.where(none_before, after, before), np.where(none_after, before, after)
+    segment = np.append(segments.live[chords.at[one]], -1)
+    nothing = none_before & none_after
+    return segment[np.where(nothing, row, before)], segment[np.where(nothing, row, after)]
+
+
+def _place(chords: _Chords, chord: Ints, t: Floats) -> Floats:
+    return np.asarray(chords.origin[:, chord] + t * chords.along[:, chord])
+
+
+def _what_is_left(chords: _Chords, segments: Segments) -> tuple[Ints, Ints, Floats]:
+    """Segments that the path may cut into; segments that were dropped, and how far from each the ball stays, mm.
+
+    Both are measured from the crossing that took the segment's place: to its nearest point, and to the end that is further
+    off (infinite where nothing is left of the polyline).
+    """
+    gone = np.flatnonzero(~chords.alive & chords.real)
+    heir = chords.heir
+    while not np.array_equal(heir, heir[heir]):
+        heir = heir[heir]
+    lost, gone = gone[~chords.alive[heir[gone]]], gone[chords.alive[heir[gone]]]
+    heir = heir[gone]
+    head = (chords.before[heir] < 0) & (heir > gone)  # all before it is gone
+    onward = np.where(head | (chords.after[heir] < 0), heir, chords.after[heir])
+    places = [np.where(head, chords.start[heir], chords.stop[heir])]
+    places.append(np.where(onward == heir, places[0], chords.start[onward]))
+    near, far = np.full(len(gone), np.inf), np.full((2, len(gone)), np.inf)
+    for chord, t in zip((heir, onward), places, strict=True):
+        off = _place(chords, chord, t) - (chords.origin[:, gone] - chords.radius * chords.normal[:, gone])
+        along = np.clip(dot(off, chords.along[:, gone]), 0.0, chords.high[gone])
+        near = np.minimum(near, _distance(off, along, chords.along[:, gone]))
+        ends = [_distance(off, end, chords.along[:, gone]) for end in (chords.low[gone], chords.high[gone])]
+        far = np.minimum(far, ends)
+    segment = segments.live[chords.at]
+    into = np.concatenate([gone[near < chords.radius - FLAT_GAP], np.flatnonzero(chords.alive & chords.apart)])
+    height = np.concatenate([far.max(axis=0) - chords.radius, np.full(len(lost), np.inf)])
+    return np.unique(segment[into]), segment[np.concatenate([gone, lost])], height
+
+
+def _distance(off: Floats, t: Floats, along: Floats) -> Floats:
+    """Length of ``off`` - t x ``along``."""
+    rest = off - t * along
+    return np.asarray(np.sqrt(dot(rest, rest)))

@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Summary, findings, JSON, text and markers."""
+
+import dataclasses
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from report_examples import TABLE2, TRUNNION, by_hand, dome, empty, figures_of, table2
+
+from freecad_fiveaxis.core.figures import axis_rates, summary
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.report import as_json, as_text, markers, verdict
+from freecad_fiveaxis.core.report_json import plain
+from freecad_fiveaxis.core.report_text import duration, number
+
+CALM = np.array([[0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [2, 0, 0, 0, 0.1], [2.5, 0, 0, 0, 0.2]], float)
+
+
+def test_the_counts_are_those_counted_by_hand():
+    numbers = summary(by_hand())
+    assert (numbers["blocks"], numbers["feed_blocks"]) == (7, 5)
+    assert (numbers["over_tolerance"], numbers["unproven"], numbers["singular_blocks"]) == (2, 1, 1)
+    assert (numbers["max_segment_deviation"], numbers["max_bound"], numbers["max_line_deviation"]) == (0.03, 0.031, 0.015)
+    assert (numbers["worst_block"], numbers["worst_line"]) == (4, 7)
+    assert numbers["passes"] == 2
+    assert numbers["max_axis_deviation_deg"] == pytest.approx(math.degrees(0.001))
+    assert numbers["rotary_travel_deg"] == {"A": 0.0, "C": 90.0}
+    assert numbers["findings"] == {"error": 3, "warning": 2, "note": 0}
+
+
+def test_a_rapid_is_not_judged_but_told():
+    assert summary(by_hand())["max_rapid_deviation"] == 0.5
+    numbers = summary(dataclasses.replace(by_hand(), tolerance=0.04))
+    assert numbers["over_tolerance"] == 0 and numbers["proven"]
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "over", "unproven"), [(0.0301, 0, 1), (0.031, 0, 0), (0.02, 1, 1), (0.0199, 2, 0), (0.001, 5, 0)]
+)
+def test_a_block_is_over_only_beyond_the_tolerance(tolerance, over, unproven):
+    numbers = summary(by_hand(tolerance))
+    assert (numbers["over_tolerance"], numbers["unproven"]) == (over, unproven)
+    assert numbers["proven"] == (over == unproven == 0)
+
+
+def test_a_deviation_that_is_no_number_is_never_proven():
+    figures = by_hand(1.0)
+    segment = figures.deviation.segment.copy()
+    segment[2] = math.nan
+    figures = dataclasses.replace(figures, deviation=dataclasses.replace(figures.deviation, segment=segment))
+    assert summary(figures)["over_tolerance"] == 1 and not summary(figures)["proven"]
+
+
+def test_lengths_and_times_are_those_of_the_path():
+    figures = figures_of(TRUNNION, CALM)
+    numbers = summary(figures)
+    chords = np.linalg.norm(np.diff(figures.tip, axis=0), axis=1)
+    assert numbers["cut_length"] == pytest.approx(chords.sum())
+    assert numbers["time_s"] == pytest.approx(chords.sum() / 1000 * 60)
+    assert numbers["axes"]["X"]["travel"] == 2.5 and numbers["axes"]["X"]["largest"] == 2.5
+    assert numbers["axes"]["A"]["high_limit"] == pytest.approx(120.0)
+    assert numbers["axes"]["X"]["peak_rate"] == pytest.approx(1000.0)
+
+
+def test_a_rate_is_travel_by_time_and_none_without_time():
+    program = figures_of(TRUNNION, CALM).program
+    rates = axis_rates(dataclasses.replace(program, seconds=np.array([0.0, 30.0, 0.0, 6.0])))
+    np.testing.assert_allclose(rates[:, 0], [0.0, 2.0, 0.0, 5.0])
+    np.testing.assert_allclose(rates[3, 4], 1.0)
+
+
+# ---------------------------------------------------------------------------------------------------------- findings
+
+
+def test_table_2_is_an_error_and_a_warning_with_their_numbers():
+    over, near = table2().findings
+    assert (over.code, over.severity, over.block, over.line, over.unit, over.limit) == (
+        "deviation-over-tolerance",
+        2,
+        1,
+        4,
+        "mm",
+        0.01,
+    )
+    assert over.value == pytest.approx(2.12642, abs=5e-5)
+    assert "2.1264 mm" in over.text and "C turns 27.42 deg" in over.text and "1.122 mm" in over.text
+    assert (near.code, near.severity, near.unit) == ("singular-block", Severity.WARNING, "deg")
+    assert near.value == pytest.approx(TABLE2[0, 3] - TABLE2[1, 3])
+    assert near.place == over.place == tuple(table2().deviation.place[1])
+
+
+def test_findings_explain_themselves_in_plain_words():
+    for one in table2().findings:
+        assert "singular" not in one.text and "pole" in one.text and one.text.endswith(".")
+
+
+def test_ten_single_blocks_follow_the_one_for_all_worst_first():
+    figures = dome()
+    for code in ("deviation-over-tolerance", "singular-block"):
+        group = [one for one in figures.findings if one.code == code]
+        assert len(group) == 11
+        assert group[0].value == group[1].value and group[0].block == group[1].block
+        values = [one.value for one in group[1:]]
+        assert values == sorted(values, reverse=True) and len({one.block for one in group[1:]}) == 10
+    assert str(summary(figures)["over_tolerance"]) in figures.findings[0].text
+
+
+def test_only_the_bound_over_the_tolerance_is_a_warning():
+    (one,) = [one for one in by_hand().findings if one.code == "bound-over-tolerance"]
+    assert (one.severity, one.block, one.value) == (Severity.WARNING, 5, 0.0101)
+
+
+def test_a_calm_program_has_no_findings():
+    assert figures_of(TRUNNION, CALM).findings == ()
+
+
+# --------------------------------------------------------------------------------------------------------------- JSON
+
+
+def test_json_has_the_keys_that_scripts_rely_on():
+    report = json.loads(as_json(table2(inputs={"machine": "mikron_ucp710", "origin": None, "report": ("a.json",)})))
+    assert report["version"] == 1
+    wanted = {"blocks", "time_s", "max_line_deviation", "max_segment_deviation", "max_bound", "worst_line", "singular_blocks"}
+    assert wanted | {"over_tolerance", "max_axis_deviation_deg", "tolerance", "passes", "cut_length", "proven"} <= set(
+        report["summary"]
+    )
+    assert report["summary"]["worst_line"] == 4 and report["summary"]["proven"] is False
+    assert report["findings"][0]["severity"] == "error" and report["findings"][0]["code"] == "deviation-over-tolerance"
+    assert len(report["findings"][0]["place"]) == 3
+    assert report["inputs"] == {"machine": "mikron_ucp710", "origin": None, "report": ["a.json"]}
+    assert report["worst_blocks"][0]["line"] == 4
+
+
+def test_json_has_no_infinities_and_keeps_umlauts():
+    text = as_json(table2(title="Gehäuse Ω.ngc"))
+    assert "Gehäuse Ω.ngc" in text and "Infinity" not in text and "NaN" not in text
+    assert json.loads(text)["summary"]["axes"]["C"]["high_limit"] is None
+
+
+def test_plain_turns_everything_into_jsons_own_kinds():
+    given = {
+        "a": np.float64("nan"),
+        "b": np.arange(3),
+        "c": Path("x/y"),
+        4: Severity.NOTE,
+        "d": {1.5},
+        "e": Finding(Severity.ERROR, "x", "y."),
+        "f": np.bool_(True),
+        "g": -math.inf,
+    }
+    made = plain(given)
+    assert (made["a"], made["b"], made["c"], made["4"]) == (None, [0, 1, 2], str(Path("x/y")), "note")
+    assert (made["d"], made["e"]["severity"], made["f"], made["g"]) == ([1.5], "error", True, None)
+    json.dumps(made, allow_nan=False)
+    with pytest.raises(ValueError, match="JSON"):
+        json.dumps({"a": math.nan}, allow_nan=False)
+
+
+# --------------------------------------------------------------------------------------------------------------- text
+
+
+@pytest.mark.parametrize("make", [table2, by_hand, dome, empty, lambda: figures_of(TRUNNION, CALM)])
+def test_text_keeps_to_a_hundred_columns(make):
+    figures = dataclasses.replace(make(), title="a very long name of a part " * 8)
+    text = as_text(figures)
+    assert max(map(len, text.splitlines())) <= 100
+    assert text.endswith("\n")
+
+
+def test_text_shows_the_worst_block_first():
+    text = as_text(dome())
+    rows = text[text.index("Worst blocks") :].splitlines()[2:12]
+    values = [float(row.split()[2]) for row in rows]
+    assert values == sorted(values, reverse=True) and len(values) == 10
+    assert int(rows[0].split()[0]) == summary(dome())["worst_line"]
+    assert len({len(row) for row in rows}) == 1
+
+
+def test_text_columns_are_those_of_this_machine():
+    text = as_text(table2())
+    assert text.index("A turns") < text.index("C turns")
+    assert "121.548  148.969" in text and "27.421" in text
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda: figures_of(TRUNNION, CALM), "Proven: none of the 3 feed blocks leaves"),
+        (table2, "1 block leaves the commanded path by more than 0.01 mm; the worst, line 4, by 2.126 mm."),
+        (by_hand, "2 of 5 feed blocks leave the commanded path by more than 0.01 mm; the worst, line 7, by 0.03 mm."),
+        (lambda: by_hand(0.0301), "Not proven: "),
+        (empty, "Nothing to prove"),
+    ],
+)
+def test_the_verdict_is_one_plain_sentence(make, said):
+    figures = make()
+    assert verdict(figures, summary(figures)).startswith(said)
+    assert said.split()[0] in as_text(figures)
+
+
+@pytest.mark.parametrize(
+    ("seconds", "said"),
+    [(0.04, "0.0 s"), (59.94, "59.9 s"), (61.0, "1 min 01 s"), (3599.6, "1 h 00 min 00 s"), (7384, "2 h 03 min 04 s")],
+)
+def test_durations_read_well(seconds, said):
+    assert duration(seconds) == said
+
+
+def test_numbers_without_a_value_are_dashes_and_none_is_minus_zero():
+    assert [number(value, 2) for value in (None, math.inf, math.nan, -0.001, 1.005)] == ["-", "-", "-", "0.00", "1.00"]
+
+
+# ------------------------------------------------------------------------------------------------------------ markers
+
+
+def test_markers_stand_at_the_worst_block_of_each_run():
+    made = markers(by_hand())
+    kinds = [one.kind for one in made]
+    assert kinds == [
+        "largest-deviation",
+        "deviation-over-tolerance",
+        "deviation-over-tolerance",
+        "singular-block",
+        "bound-over-tolerance",
+    ]
+    assert made[0].place == (4.0, 2.0, 3.0) and made[0].label == "0.03 mm, line 7"
+    assert [one.place[0] for one in made[1:3]] == [4.0, 2.0]
+    assert made[3].label == "turns 90 deg, line 7"
+    assert made[0].finding is not None and made[0].finding.block == 4
+    assert made[3].finding is not None and made[3].finding.code == "singular-block"
+
+
+def test_a_run_of_neighbours_has_one_marker():
+    figures = dome(passes=2, points=40, tolerance=1e-6)
+    over = [one for one in markers(figures) if one.kind == "deviation-over-tolerance"]
+    count = summary(figures)["over_tolerance"]
+    flags = np.zeros(len(figures.program.words) + 1, bool)
+    flags[figures.feeds] = figures.deviation.segment[figures.feeds] > 1e-6
+    runs = int((np.diff(flags.astype(int)) == 1).sum())
+    assert len(over) == runs < count
+
+
+def test_other_findings_with_a_place_are_markers_too():
+    found = (
+        Finding(Severity.NOTE, "open-edge", "An edge is open.", place=(1.0, 2.0, 3.0)),
+        Finding(Severity.NOTE, "x", "No place."),
+    )
+    made = markers(dataclasses.replace(figures_of(TRUNNION, CALM), findings=found))
+    assert [(one.kind, one.label, one.place) for one in made[1:]] == [("open-edge", "open edge", (1.0, 2.0, 3.0))]
+
+
+def test_a_program_without_blocks_has_no_markers():
+    assert markers(empty()) == ()

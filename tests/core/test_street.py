@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The whole street on real parts: what is posted, read again and sent through forward kinematics is the CL path."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.machine_file import shipped_machines
+from freecad_fiveaxis.core.nc_reader import read_nc
+from freecad_fiveaxis.core.settings import build_settings
+
+ROOT = Path(__file__).parents[2]
+PARTS = ("dome", "blade", "saddle", "half_cylinder", "freeform_233")
+
+
+@pytest.fixture(scope="session")
+def parts(tmp_path_factory):
+    """A folder with the example parts, made by the project's own script."""
+    folder = tmp_path_factory.mktemp("parts")
+    script = ROOT / "resources" / "examples" / "make_parts.py"
+    subprocess.run([sys.executable, str(script), str(folder)], check=True, capture_output=True, timeout=120)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def milled(parts):
+    """Results by part, machine and controller, each made once."""
+    made = {}
+
+    def mill(part, machine, controller="linuxcnc", **options):
+        key = (part, machine, controller, *sorted(options.items()))
+        if key not in made:
+            given = {"machine": machine, "controller": controller, "stepover": 5, "tool_length": 120, **options}
+            made[key] = job.run(build_settings("mill", str(parts / f"{part}.stl"), given))
+        return made[key]
+
+    return mill
+
+
+def largest_miss(result):
+    """Distance mm of the re-read, forwarded words from the driven CL path, and angle rad of the axes."""
+    read = read_nc(result.nc, result.links, result.dialect)
+    np.testing.assert_allclose(read.words, result.program.words, atol=1e-9)
+    np.testing.assert_array_equal(read.line, result.program.line)
+    tip, axis = forward(result.links, words_to_q(read.words))
+    path, row = result.joints.path, result.program.row
+    return np.linalg.norm(tip - path.tip[row], axis=1).max(), np.linalg.norm(axis - path.axis[row], axis=1).max()
+
+
+def rounding(result):
+    """What half a step of every word can move the tip (mm) and the axis (rad): lever arms are below 500 mm here."""
+    linear, angle = 0.5e-4 * np.sqrt(3), 2 * np.radians(0.5e-4)
+    return linear + 500 * angle, angle
+
+
+@pytest.mark.parametrize("machine", shipped_machines())
+def test_posted_words_read_again_are_the_cl_path(machine, milled):
+    result = milled("dome", machine)
+    miss, allowed = largest_miss(result), rounding(result)
+    assert miss[0] < allowed[0] and miss[1] < allowed[1]
+
+
+@pytest.mark.parametrize("part", PARTS)
+@pytest.mark.parametrize("controller", ["linuxcnc", "fanuc"])
+def test_every_part_comes_back_through_every_controller(part, controller, milled):
+    result = milled(part, "trunnion_ac", controller)
+    miss, allowed = largest_miss(result), rounding(result)
+    assert miss[0] < allowed[0] and miss[1] < allowed[1]
+
+
+def test_a_wrong_sign_would_be_noticed(milled):
+    result = milled("dome", "trunnion_ac")
+    words = result.program.words * (1, 1, 1, 1, -1)
+    tip, _ = forward(result.links, words_to_q(words))
+    assert np.linalg.norm(tip - result.joints.path.tip[result.program.row], axis=1).max() > 1.0
+
+
+@pytest.mark.parametrize("machine", shipped_machines())
+def test_the_deviation_of_the_program_is_that_of_a_dense_walk(machine, milled):
+    """A random share of the blocks, 2001 points each, distance to the segment by hand; never above the bound."""
+    result = milled("dome", machine)
+    words, rng = result.program.words, np.random.default_rng(5)
+    block = rng.choice(np.arange(1, len(words)), min(400, len(words) - 1), replace=False)
+    u = np.linspace(0, 1, 2001)
+    q = words_to_q(words)
+    for b in block:  # plain on purpose: the second route shares nothing with the first
+        tip, _ = forward(result.links, q[b - 1] + u[:, None] * (q[b] - q[b - 1]))
+        chord = tip[-1] - tip[0]
+        k = np.clip((tip - tip[0]) @ chord / max(chord @ chord, 1e-30), 0, 1)
+        dense = np.linalg.norm(tip - tip[0] - k[:, None] * chord, axis=1).max()
+        got, bound = result.deviation.segment[b], result.deviation.bound[b]
+        assert dense - 1e-9 <= bound <= got + max(1e-4, 0.01 * got)
+        assert got == pytest.approx(dense, rel=1e-5, abs=1e-6)
+
+
+def test_the_dome_passes_the_pole(milled):
+    result = milled("dome", "trunnion_ac")
+    assert result.singularity.singular.any()
+    assert {finding.code for finding in result.findings} >= {"singular-block", "deviation-over-tolerance"}
+
+
+def test_rapids_stay_off_the_part_along_their_real_path(milled):
+    for machine in shipped_machines():
+        result = milled("dome", machine)
+        low, high = result.mesh.vertex.min(axis=0), result.mesh.vertex.max(axis=0)
+        clearance = result.settings.links.clearance
+        q, rapid = words_to_q(result.program.words), result.program.motion == Motion.RAPID
+        end = np.flatnonzero(rapid)[1:]
+        u = np.linspace(0, 1, 101)[None, :, None]
+        walk = q[end - 1][:, None] * (1 - u) + q[end][:, None] * u
+        tip, _ = forward(result.links, walk.reshape(-1, 5))
+        inside = ((tip > low - clearance / 2) & (tip < high + clearance / 2)).all(axis=1)
+        assert not inside.any(), machine
+
+
+@pytest.mark.rs274
+@pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
+@pytest.mark.parametrize("mode", ["g93", "g94"])
+@pytest.mark.parametrize("machine", shipped_machines())
+def test_linuxcnc_accepts_every_program(machine, mode, milled, tmp_path):
+    (tmp_path / "dome.ngc").write_bytes(milled("dome", machine, feed_mode=mode).nc)
+    done = subprocess.run(["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120)
+    assert done.returncode == 0, done.stderr[-400:]
+
+
+@pytest.mark.rs274
+@pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
+def test_linuxcnc_would_refuse_a_broken_program(milled, tmp_path):
+    text = milled("dome", "trunnion_ac").nc.replace(b"G1 X", b"G1 X1 X", 1)
+    (tmp_path / "dome.ngc").write_bytes(text)
+    done = subprocess.run(["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, stdin=subprocess.DEVNULL, timeout=120)
+    assert done.returncode != 0
