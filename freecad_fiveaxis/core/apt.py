@@ -29,60 +29,11 @@ POSITION_DECIMALS, AXIS_DECIMALS, FEED_DECIMALS = 6, 9, 4
 INCH = 25.4
 NOT_UNIT = 1e-4
 """An axis whose length differs by more than this from 1 was not meant as a unit vector; four printed decimals stay below."""
-KNOWN = frozenset(
-    [
-        "MACHIN",
-        "UNITS",
-        "CUTTER",
-        "LOADTL",
-        "LOAD",
-        "MULTAX",
-        "SPINDL",
-        "COOLNT",
-        "TOOLNO",
-        "INTOL",
-        "OUTTOL",
-        "TOLER",
-        "END",
-        "FINI",
-        "STOP",
-        "OPSTOP",
-        "REWIND",
-        "CLEARP",
-        "SEQNO",
-        "LEADER",
-        "AUXFUN",
-        "PREFUN",
-        "SELCTL",
-        "TOOLPATH",
-        "END-OF-PATH",
-        "TLDATA",
-        "PAINT",
-        "FEDRAT",
-        "RAPID",
-    ]
-)
-SPOILING = frozenset(
-    [
-        "TLAXIS",
-        "CIRCLE",
-        "MOVARC",
-        "CYCLE",
-        "GODLTA",
-        "TRACUT",
-        "ORIGIN",
-        "TRANS",
-        "ROTATE",
-        "COPY",
-        "GOHOME",
-        "CUTCOM",
-        "INDEX",
-        "CALL",
-        "ARCSLP",
-        "MSYS",
-    ]
-)
-"""Statements that move the tool or the coordinates, and are not interpreted."""
+_KNOWN = """MACHIN UNITS CUTTER LOADTL LOAD MULTAX SPINDL COOLNT TOOLNO INTOL OUTTOL TOLER END FINI STOP OPSTOP REWIND
+CLEARP SEQNO LEADER AUXFUN PREFUN SELCTL TOOLPATH END-OF-PATH TLDATA PAINT FEDRAT RAPID"""
+_SPOILING = "TLAXIS CIRCLE MOVARC CYCLE GODLTA TRACUT ORIGIN TRANS ROTATE COPY GOHOME CUTCOM INDEX CALL ARCSLP MSYS"
+KNOWN, SPOILING = frozenset(_KNOWN.split()), frozenset(_SPOILING.split())
+"""SPOILING: statements that move the tool or the coordinates, and are not interpreted."""
 FREE_TEXT = ("PARTNO", "PPRINT", "INSERT", "REMARK", "DISPLY", "TPRINT")
 TEXT = bytes({*range(32, 256), *b"\t\n\v\f\r"})
 COMMENT = re.compile(rb"\$\$[^\n]*")
@@ -153,10 +104,9 @@ class _Source:
 
     def __init__(self, raw: bytes) -> None:
         raw = raw.rstrip(b"\x1a\0\r\n\t ").removeprefix(b"\xef\xbb\xbf")
-        if control := CONTROL.search(raw):
-            raise ProgramError(
-                f"this is no CL file: byte {control[0][0]} at offset {control.start()}; give a text file", control[0]
-            )
+        if control := raw.translate(None, TEXT):
+            offset = raw.index(control[:1])
+            raise ProgramError(f"this is no CL file: byte {control[0]} at offset {offset}; give a text file", control[0])
         self.plain = raw.replace(b"\r\n", b"\n").replace(b"\r", b"\n").upper()
         joined = COMMENT.sub(b"", self.plain) if b"$$" in self.plain else self.plain
         joined = CONTINUED.sub(SOFT, joined) if b"$" in joined else joined

@@ -80,16 +80,17 @@ def _over_tolerance(
 
     def whole(row: int) -> str:
         lead = f"{_blocks(len(rows), 'leaves', 'leave')} the commanded path by more than {tolerance:g} mm; the worst, NC line "
-        lead += f"{program.line[row]}, by {deviation.segment[row]:.4f} mm: there {_turns(program, row)} within a step of "
+        lead += f"{program.line[row]}, by {deviation.segment[row]:.5g} mm: there {_turns(program, row)} within a step of "
         lead += f"{_chord(links, program, row):.3f} mm. While rotary axes turn, straight moves of the axes carry the tip along "
         lead += "a curve beside the straight segment."
-        pole = f" {_blocks(near, 'lies', 'lie')} near the pole, where {_pole(program)}." if near else ""
+        near_text = "It lies" if len(rows) == 1 else f"{near} of them {'lies' if near == 1 else 'lie'}"
+        pole = f" {near_text} near the pole, where {_pole(program)}." if near else ""
         return f"{lead}{pole} {_SPLIT}{' ' + _AWAY if near else ''} {_GUIDE}"
 
     def single(row: int) -> str:
         help_ = "Split it, or keep the tool off the pole." if singularity.singular[row] else "Split it."
         return (
-            f"NC line {program.line[row]} leaves the commanded segment by {deviation.segment[row]:.4f} mm, {tolerance:g} mm "
+            f"NC line {program.line[row]} leaves the commanded segment by {deviation.segment[row]:.5g} mm, {tolerance:g} mm "
             f"allowed: {_turns(program, row)} within a step of {_chord(links, program, row):.3f} mm. {help_}"
         )
 

@@ -81,7 +81,7 @@ def choose(
 
 def within_limits(angles: Floats, low: Floats, high: Floats) -> Bools:
     """Whether some winding of both words lies within the limits, (2, n) for each branch; False where NaN."""
-    fits = ~np.isnan(angles).any(2)
+    fits = np.asarray(~np.isnan(angles).any(2))
     for axis in range(2):
         if high[axis] - low[axis] < TURN:
             fits &= _least_word(angles[:, :, axis], low[axis]) <= high[axis] + SLACK

@@ -16,7 +16,7 @@ import numpy as np
 
 from .errors import SettingsError
 from .findings import Finding, Severity
-from .junction import CHUNK, Junctions, Rows, Segments, direction, find_junctions, find_segments, junction_rows
+from .junction import CHUNK, Junctions, Rows, Segments, direction, dot, find_junctions, find_segments, junction_rows
 from .mesh import Mesh
 from .passes import ContactPath
 from .progress import Progress, silent
@@ -177,8 +177,11 @@ class _Columns:
             travel = direction(segments, segment[along])
             point[:, along] += rows.shift[along] * travel
             normal[:, along] += rows.w3[along] * travel
-        vectors["point"][:, where], vectors["normal"][:, where] = point, normal
-        vectors["centre"][:, where] = point + rows.reach * normal
+        centre = point + rows.reach * normal
+        centre[:, rows.lifted] = rows.centre
+        lift = rows.centre - point[:, rows.lifted]
+        normal[:, rows.lifted] = lift / np.sqrt(dot(lift, lift))
+        vectors["point"][:, where], vectors["normal"][:, where], vectors["centre"][:, where] = point, normal, centre
         vectors["before"][:, where] = segments.normal.take(2 * rows.left, axis=1)
         vectors["after"][:, where] = segments.normal.take(2 * rows.right, axis=1)
         self.lengths["step_before"][where] = segments.length.take(rows.left)

@@ -15,6 +15,7 @@ proven at the head of their modules, and in docs/deviation.md.
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,15 +23,30 @@ from numpy.typing import ArrayLike
 
 from . import so2008
 from .axis_swing import small_swing, swing
-from .bound import CHUNK, allowance, bending, close_levers, end_levers
+from .bound import CHUNK, Levers, allowance, bending, close_levers, end_levers
 from .errors import ProgramError, SettingsError
 from .findings import Finding
 from .kinematics import Chain
 from .progress import Progress, silent
-from .quartic import POINT, bow, chord, node_poses
+from .quartic import POINT, Chord, bow, chord, node_poses
 from .records import Floats, Ints, freeze
 from .search import Chords, farthest
-from .trajectory import Frames, Vectors, at, axis, chained_motion, flat_length, frames, inner, motion, outer, tip, to_work
+from .trajectory import (
+    Frames,
+    Motion,
+    Pose,
+    Vectors,
+    at,
+    axis,
+    chained_motion,
+    flat_length,
+    frames,
+    inner,
+    motion,
+    outer,
+    tip,
+    to_work,
+)
 
 FARTHEST_WORD = 1e7
 """mm or deg: beyond this a word is a mistake, and a float no longer holds a micron of it after arithmetic."""
@@ -101,12 +117,12 @@ def checked_words(words: ArrayLike) -> Floats:
 
 
 def paced(progress: Progress) -> Progress:
-    """``progress``, called no more often than every :data:`REPORT_EVERY` seconds."""
+    """``progress``, called no more often than every :data:`REPORT_EVERY` seconds, and at the end."""
     last = time.monotonic()
 
     def report(stage: str, fraction: float) -> None:
         nonlocal last
-        if time.monotonic() - last >= REPORT_EVERY:
+        if fraction >= 1.0 or time.monotonic() - last >= REPORT_EVERY:
             progress(stage, fraction)
             last = time.monotonic()
 
@@ -125,66 +141,126 @@ class _Table:
     axis: Floats
     place: Floats
 
-    def put(self, frame: Frames, rows: Ints | slice, place: Vectors, **columns: Floats) -> None:
-        for column, values in zip(self.place, to_work(frame, place), strict=True):
-            column[rows] = values
+    def put(self, rows: Ints | slice, **columns: Floats) -> None:
         for name, values in columns.items():
-            getattr(self, name)[rows] = values
+            getattr(self, name)[..., rows] = values
 
 
 def _exact(frame: Frames, words: Floats, progress: Progress) -> Deviation:
     count = len(words)
     line, u_line, segment, u_segment, bound, angle = np.zeros((6, count))
     table = _Table(line, u_line, segment, u_segment, bound, angle, np.zeros((3, count)))
-    waiting: list[Ints] = []
-    for first in range(0, count - 1, CHUNK):
-        last = min(first + CHUNK, count - 1)
-        waiting.append(first + 1 + _fit(frame, words[first : last + 1], slice(first + 1, last + 1), table))
-        if sum(map(len, waiting)) >= SEARCHED or last == count - 1:
-            _search(frame, words, np.concatenate(waiting), table)
-            waiting.clear()
-        progress("deviation", last / count)
+    for part in _left_by(lambda rows: _fit(frame, words, rows, table), count, progress):
+        _search(frame, words, part, table)
     columns = {name: value for name, value in vars(table).items() if name != "place"}
     return Deviation(**columns, place=table.place.T)
 
 
+def _left_by(fit: Callable[[slice], Ints], count: int, progress: Progress) -> Iterator[Ints]:
+    """Call ``fit`` on slices of all blocks; yield the rows of those that it returns, enough at a time to be worth a search."""
+    waiting: list[Ints] = []
+    for first in range(0, count - 1, CHUNK):
+        last = min(first + CHUNK, count - 1)
+        waiting.append(first + 1 + fit(slice(first + 1, last + 1)))
+        found = sum(map(len, waiting))
+        if found >= SEARCHED or (found and last == count - 1):
+            yield from np.array_split(np.concatenate(waiting), -(-found // SEARCHED))
+            waiting.clear()
+        progress("deviation", last / (count - 1))
+
+
 def _fit(frame: Frames, words: Floats, rows: slice, table: _Table) -> Ints:
-    """Measure the blocks between these rows of words by quartics; returns the indices of the blocks that need a search."""
-    move, poses = chained_motion(frame, words)
-    y = inner(frame, poses)
-    tips, axes, reach = np.array(outer(poses, y)), axis(frame, poses), flat_length(y[0], y[1])
-    nodes = node_poses(move, poses)
-    way = chord(tips[:, :-1], tips[:, 1:])
-    found = bow(way, np.array(tip(frame, nodes)), end_levers(move, reach[:-1], reach[1:]))
-    bound = found.bound + allowance(move) + np.where(way.length > POINT, 0.0, POINT)
-    angle = small_swing(_but_last(axes), _but_first(axes), axis(frame, nodes))
-    distance, u = found.distance, found.u
-    table.put(frame, rows, (found.place[0], found.place[1], found.place[2]), line=distance, u_line=u, segment=distance, u_segment=u, bound=bound, axis=angle)
+    """Measure the blocks that end in these rows by quartics; returns the indices of those that need a search."""
+    move, poses = chained_motion(frame, words[rows.start - 1 : rows.stop])
+    way, nodes, levers = _five_points(frame, move, poses)
+    found = bow(way, np.array(tip(frame, nodes)), levers)
+    table.put(rows, line=found.distance, u_line=found.u, segment=found.distance, u_segment=found.u)
+    table.put(rows, bound=found.bound + _rounding(move, way), place=np.array(to_work(frame, _columns(found.place))))
+    x, y, z = axis(frame, poses)
+    table.put(rows, axis=small_swing((x[:-1], y[:-1], z[:-1]), (x[1:], y[1:], z[1:]), axis(frame, nodes)))
     return np.flatnonzero(~found.proven)
+
+
+def _five_points(frame: Frames, move: Motion, poses: Pose) -> tuple[Chord, Pose, Levers]:
+    """The chords, the poses at the nodes between their ends, and the levers."""
+    y = inner(frame, poses)
+    tips, reach = np.array(outer(poses, y)), flat_length(y[0], y[1])
+    return chord(tips[:, :-1], tips[:, 1:]), node_poses(move, poses), end_levers(move, reach[:-1], reach[1:])
+
+
+def _rounding(move: Motion, way: Chord) -> Floats:
+    """What to add to a bound: the rounding, and the length of a chord that is taken for a point."""
+    return allowance(move) + np.where(way.length > POINT, 0.0, POINT)
 
 
 def _search(frame: Frames, words: Floats, rows: Ints, table: _Table) -> None:
     """Measure the blocks that end in these rows by search."""
-    for part in np.array_split(rows, -(-len(rows) // SEARCHED)):
-        move = motion(frame, words[part - 1], words[part])
-        levers = close_levers(frame, move)
-        start, end = (tip(frame, at(move, np.full_like(move.a, u))) for u in (0.0, 1.0))
-        way = chord(np.array(start), np.array(end))
-        second, third = bending(levers, 2), bending(levers, 3)
-        along = (way.along[0], way.along[1], way.along[2])
-        endless = np.full_like(way.length, np.inf)
-        line, u_line, _ = farthest(frame, Chords(move, start, along, -endless, endless, second, third, levers.turn))
-        low, high = np.zeros_like(way.length), way.length
-        segment, u, bound = farthest(frame, Chords(move, start, along, low, high, second, third, levers.turn))
-        bound = bound + allowance(move) + np.where(way.length > POINT, 0.0, POINT)
-        place = tip(frame, at(move, u))
-        angle = swing(frame, move)
-        table.put(frame, part, place, line=line, u_line=u_line, segment=segment, u_segment=u, bound=bound, axis=angle)
+    move = motion(frame, words[rows - 1], words[rows])
+    way = _chord_of(frame, move)
+    endless = np.full_like(way.length, np.inf)
+    line, u_line, _ = farthest(frame, _chords(frame, move, way, -endless, endless))
+    segment, u, bound = farthest(frame, _chords(frame, move, way, np.zeros_like(way.length), way.length))
+    place = np.array(to_work(frame, tip(frame, at(move, u))))
+    table.put(rows, line=line, u_line=u_line, segment=segment, u_segment=u, bound=bound + _rounding(move, way))
+    table.put(rows, axis=swing(frame, move), place=place)
 
 
-def _but_last(v: Vectors) -> Vectors:
-    return v[0][:-1], v[1][:-1], v[2][:-1]
+def _chord_of(frame: Frames, move: Motion) -> Chord:
+    start, end = (np.array(tip(frame, at(move, np.full_like(move.a, u)))) for u in (0.0, 1.0))
+    return chord(start, end)
 
 
-def _but_first(v: Vectors) -> Vectors:
-    return v[0][1:], v[1][1:], v[2][1:]
+def _chords(frame: Frames, move: Motion, way: Chord, low: Floats, high: Floats) -> Chords:
+    levers = close_levers(frame, move)
+    second, third = bending(levers, 2), bending(levers, 3)
+    return Chords(move, _columns(way.start), _columns(way.along), low, high, second, third, levers.turn)
+
+
+def _columns(vector: Floats) -> Vectors:
+    return vector[0], vector[1], vector[2]
+
+
+# ------------------------------------------------------------------------------------------------ other measures
+
+
+def same_u_deviation(links: Chain, words: ArrayLike, progress: Progress = silent) -> tuple[Floats, Floats]:
+    """The largest distance (m,) mm of the real tip from the point of the chord with the same u, and that u; row 0 zero.
+
+    ``words`` (m, 5) mm and **degrees**. It is never less than the segment deviation, and accurate like that.
+    """
+    rows, frame = checked_words(words), frames(links)
+    distance, at_u = np.zeros((2, len(rows)))
+
+    def fit(part: slice) -> Ints:
+        move, poses = chained_motion(frame, rows[part.start - 1 : part.stop])
+        way, nodes, levers = _five_points(frame, move, poses)
+        found = bow(replace(way, along=np.zeros_like(way.along)), np.array(tip(frame, nodes)), levers)
+        distance[part], at_u[part] = found.distance, found.u
+        return np.flatnonzero(~found.proven)
+
+    for part in _left_by(fit, len(rows), paced(progress)):
+        move = motion(frame, rows[part - 1], rows[part])
+        way = _chord_of(frame, move)
+        zero = np.zeros_like(way.length)
+        still = replace(way, along=np.zeros_like(way.along))
+        distance[part], at_u[part], _ = farthest(frame, _chords(frame, _held_back(move, way), still, zero, zero))
+    return distance, at_u
+
+
+def _held_back(move: Motion, way: Chord) -> Motion:
+    """The motion less the even motion along the chord: its path begins and ends at the chord's start."""
+    start = tuple(np.broadcast_to(p, way.length.shape) for p in move.arm[:3])
+    step = tuple(p - v for p, v in zip(move.arm_step[:3], way.vector, strict=True))
+    return replace(move, arm=start + move.arm[3:], arm_step=step + move.arm_step[3:])
+
+
+def lin_ye_deviation(centre_distance: ArrayLike, step: ArrayLike, beta: ArrayLike = 0.0) -> Floats:
+    """Deviation in mid step, mm, of an arc cut with the tool normal to it by one rotary axis (Lin & Ye, eq. 6).
+
+    ``centre_distance`` mm: from the rotary axis to the **arc's centre** (the paper prints: to the contact point, with which its
+    own example does not come out); ``step``, ``beta`` rad: the turn of a step, and where on the arc its middle is, 0 where
+    the arc's normal is along the line from the rotary axis to the centre. ``e_f R0 |cos beta| / R_A`` with the chord error
+    ``e_f = R_A (1 - cos(step / 2))``: exact at beta = 0, of first order in the step elsewhere.
+    """
+    sagitta = 1.0 - np.cos(0.5 * np.asarray(step, float))
+    return np.asarray(np.asarray(centre_distance, float) * sagitta * np.abs(np.cos(np.asarray(beta, float))))

@@ -22,6 +22,7 @@ from .cl_path import CLPath, Motion
 from .errors import ReachError, SettingsError
 from .findings import Finding, Severity
 from .kinematics import Chain, inverse_axis, linear_words
+from .linking import SAFE_MARGIN
 from .progress import Progress, silent
 from .records import Bools, Bytes, Floats, Ints, freeze
 from .rewind import Drive, insert_rewinds, rewind_findings, subdivide_rapids
@@ -60,8 +61,9 @@ def solve(path: CLPath, links: Chain, low: Floats, high: Floats, clearance: floa
 
     ``low``, ``high`` (3,) mm: the part's box in the work frame; the tool retracts out of it by ``clearance`` (mm) before it
     rewinds. Rapids that turn a rotary axis are cut into blocks whose real tip curve stays within half the clearance of the
-    chord. Each break gives a warning, each linear axis beyond its limits an error. Raises ReachError where the machine cannot
-    take up an axis within its rotary limits, SettingsError for a clearance that is not positive.
+    chord, and within the safe plane's margin. Each break gives a warning, each linear axis beyond its limits an error. Raises
+    ReachError where the machine cannot take up an axis within its rotary limits, SettingsError for a clearance that is not
+    positive.
     """
     if not clearance > 0.0:
         raise SettingsError(f"clearance {clearance} mm must be positive: rapids and rewinds need room about the part", clearance)
@@ -77,7 +79,7 @@ def solve(path: CLPath, links: Chain, low: Floats, high: Floats, clearance: floa
     breaks = np.flatnonzero(broken_steps(words, branch, cutting, crossing))
     start = Drive(path, np.arange(len(words)), words, branch)
     drive, gaps = insert_rewinds(start, links, breaks, np.asarray(low), np.asarray(high), clearance)
-    drive = subdivide_rapids(drive, links, 0.5 * clearance)
+    drive = subdivide_rapids(drive, links, min(0.5 * clearance, SAFE_MARGIN))
     progress("joint path", 1.0)
     return _finish(drive, links, rewind_findings(start, drive, links, breaks, gaps))
 
@@ -86,9 +88,9 @@ def _begun_by_rapid(path: CLPath) -> CLPath:
     """Where the machine comes from is not known, so the first position counts as reached by a rapid."""
     if path.motion[0] == Motion.RAPID:
         return path
-    motion = path.motion.copy()
-    motion[0] = Motion.RAPID
-    return replace(path, motion=motion)
+    motion, feed = path.motion.copy(), path.feed.copy()
+    motion[0], feed[0] = Motion.RAPID, 0.0
+    return replace(path, motion=motion, feed=feed)
 
 
 def _angles(links: Chain, path: CLPath) -> tuple[Floats, Bools, Floats]:
@@ -156,17 +158,18 @@ def _crossings(axis: Floats, across: Floats, pole: Bools, links: Chain) -> Bools
 def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> None:
     """Move the turn of each run of pole rows to its best step; the travel stays the same. Changes words and branch in place.
 
-    A turn of more than pi stays spread over its steps as it was found: in one step it would be a break.
+    A turn of more than pi that has no rapid stays spread over its steps as it was found: in one step it would be a break.
     """
     bounds = np.flatnonzero(np.diff(np.concatenate([[False], pole, [False]]).astype(np.int8))).reshape(-1, 2)
-    bounds = bounds[(bounds[:, 0] > 0) & (bounds[:, 1] < len(pole))]
-    bounds = bounds[np.abs(words[bounds[:, 1], 0] - words[bounds[:, 0] - 1, 0]) <= math.pi]
+    bounds = bounds[(bounds[:, 0] > 0) & (bounds[:, 1] < len(pole))] - (1, 0)
     if len(bounds) == 0:
         return
-    first, last = bounds[:, 0] - 1, bounds[:, 1]
     harmless = np.linalg.norm(np.diff(path.tip, axis=0), axis=1)
+    harmless[path.motion[1:] == Motion.LINK] = -1.0
     harmless[path.motion[1:] == Motion.RAPID] = math.inf
-    best = np.maximum.reduceat(np.append(harmless, 0.0), np.stack([first, last], 1).ravel())[::2]
+    best = np.maximum.reduceat(np.append(harmless, 0.0), bounds.ravel())[::2]
+    movable = (np.abs(words[bounds[:, 1], 0] - words[bounds[:, 0], 0]) <= math.pi) | (best == math.inf)
+    (first, last), best = bounds[movable].T, best[movable]
     length = last - first
     run = np.repeat(np.arange(len(first)), length)
     step = np.arange(len(run)) - np.repeat(np.cumsum(length) - length - first, length)

@@ -87,7 +87,8 @@ class Rows(NamedTuple):
 
     Contact: row ``base`` of the contact path, moved by ``shift`` mm along its segment. Normal: ``w1`` x the normal of that row
     + ``w2`` x the normal of segment ``far`` + ``w3`` x the direction of the row's segment. Centre: contact + ``reach`` x
-    normal. ``left``, ``right``: the segments on either side. ``fill`` as in OffsetPath.
+    normal. ``left``, ``right``: the segments on either side. ``fill`` as in OffsetPath. Rows ``lifted`` (l,) have their
+    centre at ``centre`` (3, l) instead.
     """
 
     base: Ints
@@ -100,6 +101,8 @@ class Rows(NamedTuple):
     reach: Floats
     shift: Floats
     fill: Bools
+    lifted: Ints
+    centre: Floats
 
 
 def find_segments(contact: ContactPath) -> Segments:
@@ -202,4 +205,5 @@ def junction_rows(segments: Segments, junctions: Junctions, at: Ints, step: Ints
     reach[middle] = radius / np.cos(half)
     shift = np.where(step > 0, junctions.trim_start.take(at), junctions.trim_end.take(at))
     base = np.where(final, 2 * after, 2 * before + 1)
-    return Rows(base, after, before, after, w1, w2, w3, reach, shift, step > 0)
+    none = np.empty(0, np.int64)
+    return Rows(base, after, before, after, w1, w2, w3, reach, shift, step > 0, none, np.empty((3, 0)))

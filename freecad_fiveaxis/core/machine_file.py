@@ -5,7 +5,7 @@ unit      lengths are mm, or inches where ``machine.units`` says imperial; angle
 parent    the axis that carries this one, null for the base. The axes of the table, from the base outwards, end at the
           work, those of the head at the tool. Linear axes that stand beside a rotary one on the same parent are taken to
           lie nearer to the base; two rotary ones side by side leave the chain open and are refused.
-unlimited a limit of 99999 or beyond, either way, means that the axis has none (JSON knows no infinity).
+unlimited a limit of 99999 mm or degrees or beyond means that the axis has none (JSON knows no infinity).
 fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and ``origin`` (machine frame),
           ``singular_cone`` (degrees) and ``controller``. FreeCAD drops it when it saves; each has a default.
 
@@ -26,6 +26,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from .errors import FileError, MachineError
+from .files import read_bytes, write_whole
 from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector, finite_vector
 
 SUFFIX = ".fcm"
@@ -71,21 +72,22 @@ def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
     names = shipped_machines()
     near = difflib.get_close_matches(given.lower().replace("-", "_"), names, n=1)
     hint = f"did you mean {near[0]}? " if near else ""
-    raise MachineError(
-        f"no machine is called {reprlib.repr(given)}; {hint}known: {', '.join(names)}, or give a {SUFFIX} file", given
-    )
+    known = f"known: {', '.join(names)}, or give a {SUFFIX} file"
+    raise MachineError(f"no machine is called {reprlib.repr(given)}; {hint}{known}", given)
 
 
 def _load_file(path: Path) -> Machine:
-    try:
-        content = path.read_bytes()
-    except (OSError, ValueError) as error:  # ValueError: a null byte in the path
-        reason = getattr(error, "strerror", None) or str(error)
-        raise FileError(f"cannot read machine file {str(path)!r}: {reason}", str(path)) from None
+    content = read_bytes(_usable(path), "machine file")
     try:
         return _machine(_parse(content))
     except MachineError as error:
         raise MachineError(f"{path}: {error}", error.value) from None
+
+
+def _usable(path: Path) -> Path:
+    if "\0" in str(path):
+        raise FileError(f"{str(path)!r} is no file name: it holds a null character", str(path))
+    return path
 
 
 def _parse(content: bytes) -> Any:
@@ -103,10 +105,12 @@ def _no_constant(text: str) -> float:
 
 
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    for i, (key, _) in enumerate(pairs):
-        if any(key == other for other, _ in pairs[:i]):
+    found: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in found:
             raise MachineError(f"key {reprlib.repr(key)} stands twice in one object; remove one", key)
-    return dict(pairs)
+        found[key] = value
+    return found
 
 
 # Reading a key: each function takes the object that holds it and the dotted name of that object, for the message.
@@ -208,17 +212,20 @@ def _axis(letter: str, axes: _Object, unit: float) -> Axis:
     if rotary != role.endswith("rotary"):
         raise _fail(where + "role", f"{role} contradicts the type of the axis; make them agree", role)
     side: Literal["table", "head"] = "table" if role.startswith("table") else "head"
-    per_unit = math.radians if rotary else lambda value: value * unit
     direction, point = _joint(axis, where, rotary, unit)
     limits = _object(axis, where, "limits")
-    low, high = (_limit(_number(limits, where + "limits.", key), per_unit) for key in ("min", "max"))
-    rate = _as_number(per_unit(_number(axis, where, "max_velocity")), where + "max_velocity")
+    low, high = (_limit(_number(limits, where + "limits.", key), rotary, unit) for key in ("min", "max"))
+    rate = _number(axis, where, "max_velocity")
+    rate = _as_number(math.radians(rate) if rotary else rate * unit, where + "max_velocity")
     wrap = _text(axis, where, "wrap_strategy") if rotary and "wrap_strategy" in axis else "unwound"
     return Axis(letter, rotary, side, direction, point, low, high, rate, wrap)
 
 
-def _limit(value: float, per_unit: Callable[[float], float]) -> float:
-    return math.copysign(math.inf, value) if abs(value) >= UNLIMITED else per_unit(value)
+def _limit(value: float, rotary: bool, unit: float) -> float:
+    value = value if rotary else value * unit
+    if abs(value) >= UNLIMITED:
+        return math.copysign(math.inf, value)
+    return math.radians(value) if rotary else value
 
 
 def _joint(axis: _Object, where: str, rotary: bool, unit: float) -> tuple[Vector, Vector]:
@@ -240,9 +247,8 @@ def _parent(letter: str, axes: _Object) -> str | None:
     where = f"machine.axes.{letter}."
     parent = _get(axes[letter], where, "parent")
     if parent is not None and (not isinstance(parent, str) or parent not in axes):
-        raise _fail(
-            where + "parent", f"{reprlib.repr(parent)} is no axis of this machine; name one, or null for the base", parent
-        )
+        problem = f"{reprlib.repr(parent)} is no axis of this machine; name one, or null for the base"
+        raise _fail(where + "parent", problem, parent)
     return parent
 
 
@@ -282,17 +288,11 @@ def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool
     What FreeCAD needs and a Machine does not hold gets FreeCAD's default. Raises FileError where the file exists already
     (unless ``overwrite``) or cannot be written, MachineError for an axis without a maximum rate; then no file is left.
     """
-    target = Path(path)
+    target = _usable(Path(path))
     text = VECTOR.sub(lambda found: "[" + " ".join(found[1].split()) + "]", json.dumps(_data(machine), indent=4)) + "\n"
-    if target.exists() and not overwrite:
+    if os.path.exists(target) and not overwrite:
         raise FileError(f"{target} exists already; choose another name", str(target))
-    beside = target.with_name(f".{target.name}.{os.getpid()}.new")
-    try:
-        beside.write_text(text, encoding="utf-8", newline="\n")
-        os.replace(beside, target)
-    except OSError as error:
-        beside.unlink(missing_ok=True)
-        raise FileError(f"cannot write machine file {target}: {error.strerror}", str(target)) from None
+    write_whole(target, text.encode())
 
 
 def _data(machine: Machine) -> dict[str, Any]:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from . import nc_codes as codes
 from .cl_path import Motion
 from .errors import ProgramError
 from .feeds import rapid_minutes
@@ -24,45 +25,6 @@ from .progress import Progress, silent
 from .records import Bools, Bytes, Floats, Ints
 
 INCH = 25.4
-NONE, RAPID, STRAIGHT, ARC, CYCLE = -1, 0, 1, 2, 3
-"""Motion modes. NONE: no motion code so far, or after G80."""
-CYCLES = (*range(730, 770, 10), *range(810, 900, 10), 330, 331, 382, 383, 384, 385)
-MOTION = {0: RAPID, 10: STRAIGHT, 20: ARC, 30: ARC, 800: NONE, **dict.fromkeys(CYCLES, CYCLE)}
-DISTANCE = {900: 0, 910: 1}
-UNITS = {210: 0, 200: 1}
-PER_MINUTE, INVERSE, PER_TURN = 0, 1, 2
-FEED_MODE = {940: PER_MINUTE, 930: INVERSE, 950: PER_TURN}
-NO_MOVE = (40, 100, 280, 281, 300, 301, 520, 530, 650, 660, 661, 920, 921, 922, 923)
-"""Codes (ten times the G number) whose axis words are no move of a block."""
-OFFSETS = tuple(range(540, 600))
-HARMLESS = {
-    *(MOTION.keys() - {20, 30} - set(CYCLES)), *DISTANCE, *UNITS, 940, 930, 40, 51, 70, 80, 90, 150, 170, 180, 190, 400, 430, 440,
-    490, 431, 432, 500, 610, 611, 640, 690, 901, 911, 960, 970, 980, 990, *OFFSETS,
-}  # fmt: skip
-WORDS_IGNORED = "NOSMTHDPQLFG"
-AXES = "XYZABCUVW"
-E_, W_ = Severity.ERROR, Severity.WARNING
-CODES: dict[int, tuple[Severity, str, str]] = {
-    **dict.fromkeys((20, 30), (E_, "arc-not-interpreted", "arcs, taken as straight to their end points; post straight moves")),
-    **dict.fromkeys(CYCLES, (E_, "cycle-not-interpreted", "cycles, whose moves are missing here; post straight moves")),
-    **dict.fromkeys((280, 281, 300, 301, 530, 531), (
-        W_, "machine-position", "moves to positions of the machine, which the program does not tell; they are not audited")),
-    **dict.fromkeys((100, 520, 920, 921, 922, 923, 510, 501, 160, 680, 682, 544), (
-        E_, "offset-not-interpreted", "shifts, turns or scales of the coordinates, which are not interpreted; post without them")),
-    **dict.fromkeys((434, 435, 2340, 2341), (
-        E_, "rtcp-not-interpreted", "tool centre point control, which is not interpreted; the words are taken as joints")),
-    **dict.fromkeys((410, 420, 411, 421), (
-        E_, "compensation-not-interpreted", "cutter compensation, which is not interpreted; the words are taken as they are")),
-    **dict.fromkeys((50, 52, 60, 61, 62), (E_, "spline-not-interpreted", "splines, not interpreted; post straight moves")),
-    **dict.fromkeys((650, 660, 661), (E_, "call-not-interpreted", "macro calls, whose moves are missing here")),
-    950: (W_, "feed-per-turn", "feeds per spindle turn; no time is given for these blocks"),
-}  # fmt: skip
-M_CODES: dict[int, tuple[Severity, str, str]] = {
-    98: (E_, "call-not-interpreted", "subprogram calls, whose moves are missing here; post one program"),
-    97: (E_, "call-not-interpreted", "subprogram calls, whose moves are missing here; post one program"),
-    428: (E_, "rtcp-not-interpreted", "switched kinematics (tool centre point), not interpreted; the words are taken as joints"),
-    128: (E_, "rtcp-not-interpreted", "tool centre point control, which is not interpreted; the words are taken as joints"),
-}
 
 
 def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress: Progress = silent) -> Program:
@@ -79,17 +41,19 @@ def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress:
     lines = _Lines(words)
     named = {letter: lines.column(letter) for letter in links.letters}
     has_axis = np.logical_or.reduce([~np.isnan(column) for column in named.values()])
-    moving = has_axis & ~lines.any_of(NO_MOVE) & (lines.mode(MOTION, NONE) != CYCLE)
+    moving = has_axis & ~lines.any_of(codes.NO_MOVE) & (lines.mode(codes.MOTION, codes.NONE) != codes.CYCLE)
     at = np.flatnonzero(moving)
     if not len(at):
         raise ProgramError(
             "the file holds no motion blocks: no line with an axis word of this machine under G0 or G1", links.letters
         )
-    motion_mode, distance, inch = (lines.mode(*group)[at] for group in ((MOTION, NONE), (DISTANCE, 0), (UNITS, 0)))
+    motion_mode, distance, inch = (
+        lines.mode(*group)[at] for group in ((codes.MOTION, codes.NONE), (codes.DISTANCE, 0), (codes.UNITS, 0))
+    )
     position = _positions([column[at] for column in named.values()], distance == 1, inch == 1)
-    feed, inverse, more = _feeds(lines, at, motion_mode != RAPID)
-    motion = np.where(motion_mode == RAPID, Motion.RAPID, Motion.CUT).astype(np.int8)
-    seconds = _seconds(position, motion, feed, inverse, lines.mode(FEED_MODE, 0)[at] == PER_TURN, links, dialect)
+    feed, inverse, more = _feeds(lines, at, motion_mode != codes.RAPID)
+    motion = np.where(motion_mode == codes.RAPID, Motion.RAPID, Motion.CUT).astype(np.int8)
+    seconds = _seconds(position, motion, feed, inverse, lines.mode(codes.FEED_MODE, 0)[at] == codes.PER_TURN, links, dialect)
     findings += (*words.findings, *_code_findings(words), *_word_findings(words, lines, links.letters), *more)
     findings += _start_findings(named, at, motion_mode, distance, lines)
     return Program(links.letters, position, feed, inverse, motion, seconds, np.full(len(at), -1), at, findings)
@@ -117,9 +81,9 @@ class _Lines:
         column[line] = self.words.value[at]
         return column
 
-    def any_of(self, codes: tuple[int, ...]) -> Bools:
+    def any_of(self, chosen: tuple[int, ...]) -> Bools:
         found = np.zeros(self.count, np.bool_)
-        found[self.code_line[np.isin(self.code, codes)]] = True
+        found[self.code_line[np.isin(self.code, chosen)]] = True
         return found
 
     def mode(self, group: dict[int, int], initial: int) -> Ints:
@@ -185,17 +149,17 @@ def _positions(columns: list[Floats], incremental: Bools, inch: Bools) -> Floats
 
 def _feeds(lines: _Lines, at: Ints, feeding: Bools) -> tuple[Floats, Bools, tuple[Finding, ...]]:
     """F (m,) in force in mm/min or 1/min, whether it is inverse time, and the findings."""
-    mode, inch, column = lines.mode(FEED_MODE, 0), lines.mode(UNITS, 0), lines.column("F")
+    mode, inch, column = lines.mode(codes.FEED_MODE, 0), lines.mode(codes.UNITS, 0), lines.column("F")
     given = np.flatnonzero(~np.isnan(column))
-    column[given] *= np.where((inch[given] == 1) & (mode[given] != INVERSE), INCH, 1.0)
+    column[given] *= np.where((inch[given] == 1) & (mode[given] != codes.INVERSE), INCH, 1.0)
     last = last_of(given, lines.count)
     changed = last_of(np.flatnonzero(np.diff(mode, prepend=mode[:1])), lines.count)
     valid = (last > 0) & (last >= changed)  # an F word dies with its feed mode
     feed = np.where(valid[at] & feeding, column[last[at]], 0.0)
-    inverse: Bools = mode[at] == INVERSE
+    inverse: Bools = mode[at] == codes.INVERSE
     own = last[at] == at
     cases = (
-        (feeding & ~(feed > 0.0), "no-feed", "blocks have no F above 0 in force; most controllers stop there. Give F before them."),
+        (feeding & ~(feed > 0.0), "no-feed", "blocks have no F above 0 in force; most controllers stop there. Give F."),
         (feeding & inverse & ~own & (feed > 0.0), "inverse-feed-missing",
          "blocks under G93 have no F of their own; most controllers stop there. Give F in every block."),
     )  # fmt: skip
@@ -222,15 +186,15 @@ def _seconds(
 
 def _code_findings(words: Words) -> list[Finding]:
     found = []
-    for letter, table in (("G", CODES), ("M", M_CODES)):
+    for letter, table in (("G", codes.CODES), ("M", codes.M_CODES)):
         at = np.flatnonzero(words.letter == ord(letter))
-        code = tenfold(words.value[at]) if letter == "G" else words.value[at].astype(np.int64)
-        for value, first, count in zip(*np.unique(code, return_index=True, return_counts=True), strict=True):
+        number = tenfold(words.value[at]) if letter == "G" else words.value[at].astype(np.int64)
+        for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
             line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
             if value in table:
                 severity, kind, text = table[int(value)]
                 found.append(Finding(severity, kind, f"{name} stands in {count} lines: {text}.", float(count), line=line))
-            elif letter == "G" and int(value) not in HARMLESS:
+            elif letter == "G" and int(value) not in codes.HARMLESS:
                 text = f"{name} is not known and not interpreted ({count} lines); what it does is missing here."
                 found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
     return found
@@ -240,9 +204,9 @@ def _word_findings(words: Words, lines: _Lines, letters: str) -> list[Finding]:
     found = []
     for value, first, count in zip(*np.unique(words.letter, return_index=True, return_counts=True), strict=True):
         letter, line = chr(value), int(words.line[first])
-        if letter in letters or letter in WORDS_IGNORED:
+        if letter in letters or letter in codes.WORDS_IGNORED:
             continue
-        if letter in AXES:
+        if letter in codes.AXES:
             text = (
                 f"The machine has no axis {letter}: its {count} words are left out. Choose the machine that this program is for."
             )
@@ -260,13 +224,13 @@ def _start_findings(named: dict[str, Floats], at: Ints, motion_mode: Ints, dista
     if unknown:
         text = f"The first motion line does not say where {', '.join(sorted(unknown))} stand; they are taken as 0 there."
         found.append(Finding(Severity.NOTE, "position-unknown", text, block=0, line=first))
-    if (motion_mode == NONE).any():
-        block = int((motion_mode == NONE).argmax())
+    if (motion_mode == codes.NONE).any():
+        block = int((motion_mode == codes.NONE).argmax())
         text = "Axis words stand under no G0 or G1; they are taken as G1. Give a motion code."
         found.append(Finding(Severity.WARNING, "no-motion-code", text, block=block, line=int(at[block])))
-    if not np.isin(lines.code, list(UNITS)).any():
+    if not np.isin(lines.code, list(codes.UNITS)).any():
         found.append(Finding(Severity.NOTE, "units-not-said", "The program says neither G20 nor G21; taken as mm.", line=first))
-    offsets = np.unique(lines.code[np.isin(lines.code, OFFSETS)])
+    offsets = np.unique(lines.code[np.isin(lines.code, codes.OFFSETS)])
     if len(offsets) > 1:
         text = f"The program uses {len(offsets)} work offsets; their distance is not known, and the blocks between are not right."
         found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))

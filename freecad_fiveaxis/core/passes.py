@@ -72,9 +72,9 @@ def slice_mesh(
     x, y, _ = mesh.vertex.T
     cross = find_crossings(mesh, planes, cosine * x + sine * y, cosine * y - sine * x, kept)
     progress("slice", 0.5)
-    crossing, first = chain(cross)
+    crossing, first, plane = chain(cross)
     progress("slice", 0.8)
-    path = _contact_path(mesh, cross, crossing, first, planes, cosine, sine)
+    path = _contact_path(mesh, cross, crossing, first, plane, planes, (cosine, sine))
     progress("slice", 1.0)
     return path
 
@@ -95,34 +95,33 @@ def _planes(offsets: ArrayLike) -> Floats:
 
 
 def _contact_path(
-    mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, planes: Floats, cosine: float, sine: float
+    mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, plane: Ints, planes: Floats, heading: tuple[float, float]
 ) -> ContactPath:
-    """Entry and exit of each segment from the chains of crossings."""
+    """Entry and exit of each segment from the chains of crossings (see :func:`~.slicing.chain`)."""
     along, height = cross.along.take(crossing), cross.height.take(crossing)
-    cuts = np.ones(len(crossing), dtype=np.bool_)  # row i: a segment from crossing i - 1 to crossing i
-    cuts[1:] = (along[1:] != along[:-1]) | (height[1:] != height[:-1])
+    cuts = np.empty(len(crossing), dtype=np.bool_)  # row i: a segment from crossing i - 1 to crossing i
+    np.not_equal(along[1:], along[:-1], out=cuts[1:])
+    cuts[1:] |= height[1:] != height[:-1]
     cuts[first] = False
     end = np.flatnonzero(cuts)
-
     number = np.add.reduceat(cuts, first, dtype=np.int64) if len(first) else first
     used = np.flatnonzero(number)
-    polyline = np.repeat(np.arange(len(used)), number.take(used))
-    pass_ = cross.plane.take(crossing.take(first)).take(used).take(polyline)
-    face = cross.leaves.take(crossing.take(end))
+    number, plane = 2 * number.take(used), plane.take(used)
 
-    rows = 2 * len(end)
-    point = np.empty((3, rows))
-    coedge = np.empty(rows, dtype=np.int64)
-    offset = planes.take(pass_)
-    for side, at in enumerate((end - 1, end)):
-        t = along.take(at)
-        point[0, side::2] = cosine * t - sine * offset
-        point[1, side::2] = sine * t + cosine * offset
-        point[2, side::2] = height.take(at)
-        coedge[side::2] = cross.coedge.take(crossing.take(at))
-    normal = np.empty((3, rows))
+    # one block for the labels and one for the rest: large blocks get large memory pages, which halves the time
+    face, coedge, segment, polyline, pass_ = label = np.empty((5, 2 * len(end)), dtype=np.int64)
+    place = np.empty((6, 2 * len(end)))
+    at = np.repeat(end, 2)
+    np.take(cross.left.take(crossing), at, out=face, mode="clip")
+    at[0::2] -= 1
+    np.take(cross.coedge.take(crossing), at, out=coedge, mode="clip")
+    np.right_shift(np.arange(len(at)), 1, out=segment)
+    polyline[:], pass_[:] = np.repeat(np.arange(len(used)), number), np.repeat(plane, number)
+    travel, offset = along.take(at), np.repeat(planes.take(plane), number)
+    cosine, sine = heading
+    np.subtract(cosine * travel, sine * offset, out=place[0])
+    np.add(sine * travel, cosine * offset, out=place[1])
+    np.take(height, at, out=place[2], mode="clip")
     for axis in range(3):
-        normal[axis] = np.repeat(mesh.normal[:, axis].take(face), 2)
-    both = (np.repeat(column, 2) for column in (face, np.arange(len(end)), polyline, pass_))
-    face, segment, polyline, pass_ = both
-    return ContactPath(point.T, normal.T, face, coedge, segment, polyline, pass_)
+        np.take(mesh.normal[:, axis], face, out=place[3 + axis], mode="clip")
+    return ContactPath(place[:3].T, place[3:].T, *label)

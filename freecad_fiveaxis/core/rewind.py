@@ -18,9 +18,9 @@ import numpy as np
 from .bound import quick_bound
 from .branches import POLE_ANGLE, SLACK, TURN
 from .cl_path import CLPath, Motion
-from .errors import ReachError
 from .findings import Finding, Severity
 from .kinematics import Chain, branch_of, forward, inverse_axis, linear_words, q_to_words
+from .linking import keepout, way_out
 from .records import Bools, Bytes, Floats, Ints
 
 STILL = 1e-12
@@ -29,8 +29,8 @@ SAME_PLACE = 1e-9
 """Share of a step below which two places on it are one."""
 HALVINGS = 50
 """Steps of bisection: they leave 1e-15 of the step."""
-STRAIGHT_DOWN = 1e-6
-"""Horizontal part of an axis that points down below which no way along it leads past the part's sides."""
+ROUND = (Motion.CUT, Motion.LINK, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.LINK)
+"""Motions to the tips of a rewind: leave, clear of the part, beside it, above it; turned there, beside, clear, enter."""
 LISTED = 20
 """Rewinds that get a finding of their own; a path with more is poor as a whole, and the first finding says so."""
 
@@ -61,16 +61,14 @@ def insert_rewinds(drive: Drive, links: Chain, breaks: Ints, low: Floats, high: 
     """Retract, rewind and re-engage within each step of ``breaks`` (b,), the steps' first rows.
 
     ``low``, ``high`` (3,) mm: the part's box. Returns the longer drive and the lengths (b,) mm that stay uncut because neither
-    the old nor the new words reach them. Raises ReachError where the tool points straight down and cannot retract past the part.
+    the old nor the new words reach them.
     """
     if len(breaks) == 0:
         return drive, np.empty(0)
     leave, enter = _places(drive, links, breaks)
     tip, keep = _way_round(drive.path, leave, enter, low, high, clearance)
-    motion = np.tile(
-        np.array([Motion.CUT, Motion.LINK, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.LINK], np.int8), (len(breaks), 1)
-    )
-    axis, angles = (np.repeat(np.stack(pair, 1), 3, axis=1) for pair in ((leave.axis, enter.axis), (leave.angles, enter.angles)))
+    motion = np.broadcast_to(np.array(ROUND, np.int8), keep.shape)
+    axis, angles = (np.repeat(np.stack(pair, 1), 4, axis=1) for pair in ((leave.axis, enter.axis), (leave.angles, enter.angles)))
     contact = tip.copy()
     contact[:, 0] = _part_way(drive.path.contact, breaks, leave.share)
     at = np.broadcast_to(breaks[:, None] + 1, keep.shape)
@@ -136,39 +134,22 @@ def _part_way(points: Floats, breaks: Ints, share: Floats) -> Floats:
 
 
 def _way_round(path: CLPath, leave: Place, enter: Place, low: Floats, high: Floats, clearance: float) -> tuple[Floats, Bools]:
-    """Six tips (b, 6, 3) of each rewind: leave, out, above, above, in, enter; and which of them are needed (b, 6).
+    """Eight tips (b, 8, 3) of each rewind, from leave to enter as in ROUND; and which of them are needed (b, 8).
 
-    Above is the height of the rapids, or the box's top where there are none so high. The box grows by the clearance and by the
-    largest distance between contact and driven point, because that point may be the ball's centre.
+    The part's box grows by the clearance and by the largest distance between contact and driven point, because that point may
+    be the ball's centre; the rapids' height is kept where it is higher.
     """
-    margin = clearance + float(np.linalg.norm(path.tip - path.contact, axis=1).max())
-    rapid = path.tip[path.motion == Motion.RAPID, 2]
-    low, high = low - margin, high + margin
-    top = max(float(high[2]), float(rapid.max(initial=-math.inf)))
-    out, back = (place.tip + _way_out(place, low, high) for place in (leave, enter))
-    above = [np.column_stack([tip[:, :2], np.maximum(tip[:, 2], top)]) for tip in (out, back)]
-    tip = np.stack([leave.tip, out, above[0], above[1], back, enter.tip], 1)
-    moved = (tip[:, 1:] != tip[:, :-1]).any(2)
-    first, last = leave.share > SAME_PLACE, enter.share < 1.0 - SAME_PLACE
-    return tip, np.column_stack([first, moved[:, 0], moved[:, 1], np.ones(len(tip), bool), moved[:, 3], moved[:, 4] & last])
-
-
-def _way_out(place: Place, low: Floats, high: Floats) -> Floats:
-    """The way (b, 3) along the axis from a tip inside the box to its top or sides; none for a tip outside."""
-    low = np.array([low[0], low[1], -math.inf])
-    inside = ((place.tip > low) & (place.tip < high)).all(1)
-    stuck = inside & (place.axis[:, 2] <= 0.0) & (np.hypot(place.axis[:, 0], place.axis[:, 1]) < STRAIGHT_DOWN)
-    if stuck.any():
-        x, y, z = place.tip[stuck.argmax()]
-        raise ReachError(
-            f"no way to retract for a rewind at ({x:.6g}, {y:.6g}, {z:.6g}): the tool points up from below the part; "
-            "lower --max-axis-angle or take a machine with wider rotary limits",
-            (float(x), float(y), float(z)),
-        )
-    wall = np.where(place.axis > 0.0, high, low)
-    length = np.full(place.tip.shape, math.inf)
-    np.divide(wall - place.tip, place.axis, out=length, where=place.axis != 0.0)
-    return np.asarray(np.where(inside, length.min(1), 0.0)[:, None] * place.axis)
+    radius = float(np.linalg.norm(path.tip - path.contact, axis=1).max())
+    keep = keepout(low, high, radius, clearance)
+    keep = keep._replace(safe=max(keep.safe, float(path.tip[path.motion == Motion.RAPID, 2].max())))
+    out, back = way_out(leave.tip, leave.axis, keep), way_out(enter.tip, enter.axis, keep)
+    tip = np.concatenate([leave.tip[:, None], out.station, back.station[:, ::-1], enter.tip[:, None]], 1)
+    needed = np.ones((len(tip), 8), bool)
+    needed[:, 0] = leave.share > SAME_PLACE
+    needed[:, 1:4] = out.needed
+    needed[:, 5:8] = back.needed[:, ::-1]
+    needed[:, 7] &= enter.share < 1.0 - SAME_PLACE
+    return tip, needed
 
 
 def _entered_by_link(drive: Drive, breaks: Ints, enter: Place) -> Drive:

@@ -153,13 +153,17 @@ def scallops(one: PassSamples, other: PassSamples, radius: float) -> Floats:
         return np.zeros(len(one.point))
     there = other.segment[other.tree.query(one.point)[1]]
     start, way = other.start[there], other.way[there]
-    length2 = np.maximum((way * way).sum(axis=1), TINY * TINY)
-    share = np.clip(((one.point - start) * way).sum(axis=1) / length2, 0.0, 1.0)
-    across = start + share[:, None] * way - one.point
+    length = np.maximum(np.linalg.norm(way, axis=1), TINY)
+    along = way / length[:, None]
+    share = np.clip(((one.point - start) * along).sum(axis=1), 0.0, length)
+    across = start + share[:, None] * along - one.point
+    past = (across * along).sum(axis=1)  # not 0 where the other pass ends
+    opposite = np.abs(past) <= ACROSS * np.linalg.norm(across, axis=1)
+    across -= past[:, None] * along
     chord = np.maximum(np.linalg.norm(across, axis=1), TINY)
     across /= chord[:, None]
-    curvature = 0.5 * (curvature_along(one.tensor[:, one.segment], across) + curvature_along(other.tensor[:, there], across))
+    here = curvature_along(one.tensor[:, one.segment], across)
+    curvature = 0.5 * (here + curvature_along(other.tensor[:, there], across))
     kink = ((other.normal[there] - one.normal[one.segment]) * across).sum(axis=1) - curvature * chord
     height = scallop_height(chord, radius, curvature) * kink_factor(chord, radius, kink)
-    opposite = np.abs((across * way).sum(axis=1)) <= ACROSS * np.sqrt(length2)
     return np.where(opposite, height, 0.0)

@@ -170,9 +170,7 @@ def _local(frame: Frames, chords: Chords, pieces: _Pieces) -> _Local:
     return _Local(square, slope, curve, np.minimum(line_top + outside * outside, outer_top))
 
 
-def _top(
-    square: Floats, slope: Floats, curve: Floats, speed: Floats, half: Floats, second: Floats, third: Floats
-) -> Floats:
+def _top(square: Floats, slope: Floats, curve: Floats, speed: Floats, half: Floats, second: Floats, third: Floats) -> Floats:
     """Upper bound of F over a piece: the largest value of the parabola, and the third-order rest."""
     speed_most = speed + half * second
     reach_most = np.sqrt(square) + half * speed_most

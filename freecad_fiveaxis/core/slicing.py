@@ -15,41 +15,129 @@ nothing is searched for or sorted.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import depth_first_order
 
-from .mesh import Mesh
+from .mesh import CHUNK, Mesh
 from .records import Bools, Floats, Ints
 
 NOWHERE = -(1 << 40)  # base of a facet that is not there; stays negative whatever plane is added
 
 
 @dataclass(frozen=True, eq=False)
-class Crossings:
-    """All crossings of a mesh, one row each, and their nodes.
+class Starts:
+    """Crossings at which a chain may begin: ``crossing``, the ``node`` that is entered, ``along`` in mm, (s,) each."""
 
-    ``coedge``, ``plane`` (x,); ``along`` and ``height`` (x,) mm: the point's coordinates along the travel and along z;
-    ``leaves`` (x,) the facet that is left here; ``node_left`` and ``node_entered`` (x,), negative where there is none;
-    ``rising`` rows where a facet that looks down is followed by one that looks up; ``nodes`` their number.
+    crossing: Ints
+    node: Ints
+    along: Floats
+
+    @classmethod
+    def none(cls) -> Starts:
+        """No rows."""
+        return cls(np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64), np.empty(0))
+
+    @classmethod
+    def joined(cls, parts: list[Starts]) -> Starts:
+        """The rows of all parts, one after another."""
+        return cls(
+            np.concatenate([p.crossing for p in parts]),
+            np.concatenate([p.node for p in parts]),
+            np.concatenate([p.along for p in parts]),
+        )
+
+    def take(self, row: Ints) -> Starts:
+        """The given rows."""
+        return Starts(self.crossing.take(row), self.node.take(row), self.along.take(row))
+
+
+@dataclass(frozen=True, eq=False)
+class Crossings:
+    """All crossings of a mesh, one row each, and how they link its nodes.
+
+    ``coedge`` (x,); ``left`` (x,) the facet that is left here; ``along`` and ``height`` (x,) mm: the point's coordinates
+    along the travel and along z; ``next_node`` (n + 1,), n where there is none; ``exit`` (n + 1,) the crossing by which a
+    node is left; ``base`` (f + 1,) as first_nodes gives it; ``opening`` the starts of open chains; ``turning`` places where
+    the path turns from downward facets to upward ones: starts for closed chains. Row n belongs to no node.
     """
 
     coedge: Ints
-    plane: Ints
+    left: Ints
     along: Floats
     height: Floats
-    leaves: Ints
-    node_left: Ints
-    node_entered: Ints
-    rising: Ints
-    nodes: int
+    next_node: Ints
+    exit: Ints
+    base: Ints
+    opening: Starts
+    turning: Starts
+
+
+@dataclass(frozen=True, eq=False)
+class _Cuts:
+    """The cut co-edges of one chunk: ``coedge``, vertices ``bottom`` and ``top``, facets ``left`` and ``entered`` (c,);
+    and their crossings: ``row`` in these columns, ``plane`` (x,)."""
+
+    coedge: Ints
+    bottom: Ints
+    top: Ints
+    left: Ints
+    entered: Ints
+    row: Ints
+    plane: Ints
 
 
 def levels(distance: Floats, offsets: Floats) -> Ints:
     """Number of ascending ``offsets`` (k,) at or below each ``distance`` (v,)."""
     return np.searchsorted(offsets, distance, side="right").astype(np.int64, copy=False)
+
+
+def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]:
+    """First node of each facet less its first plane, NOWHERE for facets left out and for row -1; number of nodes."""
+    base = np.empty(len(mesh.face) + 1, dtype=np.int64)
+    nodes = 0
+    for begin in range(0, len(mesh.face), CHUNK):
+        part = slice(begin, begin + CHUNK)
+        a, b, c = (level.take(v) for v in mesh.face[part].T)
+        low = np.minimum(np.minimum(a, b), c)
+        count = np.maximum(np.maximum(a, b), c) - low
+        if keep is not None:
+            count *= keep[part]
+        last = np.cumsum(count)
+        last += nodes
+        nodes = int(last[-1])
+        np.subtract(last - count, low, out=base[:-1][part])
+    base[-1] = NOWHERE
+    if keep is not None:
+        base[:-1][~keep] = NOWHERE
+    return base, nodes
+
+
+def _cuts(mesh: Mesh, level: Ints, keep: Bools | None) -> Iterator[_Cuts]:
+    """Cut co-edges of the facets that are kept, a chunk at a time."""
+    number = len(mesh.coedge_face)
+    ends, sides = mesh.coedge_vertex.T.reshape(-1), mesh.coedge_face.T.reshape(-1)
+    used = None if keep is None else np.append(keep, False)
+    for begin in range(0, number, CHUNK):
+        part = slice(begin, begin + CHUNK)
+        one, two = (level.take(v) for v in mesh.coedge_vertex[part].T)
+        crossed = one != two
+        if used is not None:
+            crossed &= used[mesh.coedge_face[part]].any(axis=1)
+        cut = np.flatnonzero(crossed)
+        one, two = one.take(cut), two.take(cut)
+        cut += begin
+        # the end on the upper side; the facet that runs along the co-edge towards its other end is entered there
+        upper = (two > one) * number + cut
+        lower = 2 * cut + number - upper
+        low = np.minimum(one, two)
+        count = np.maximum(one, two) - low
+        row = np.repeat(np.arange(len(cut)), count)
+        plane = np.arange(len(row)) + (low + count - np.cumsum(count)).take(row)
+        yield _Cuts(cut, ends.take(lower), ends.take(upper), sides.take(lower), sides.take(upper), row, plane)
 
 
 def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats, keep: Bools | None) -> Crossings:
@@ -58,102 +146,101 @@ def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats,
     ``along`` and ``distance`` (v,): the vertices' coordinates along the travel and across it, mm.
     """
     level = levels(distance, offsets)
-    base, nodes = _bases(mesh, level, keep)
-
-    one, two = (level.take(v) for v in mesh.coedge_vertex.T)
-    coedge = np.flatnonzero(one != two)
-    one, two = one.take(coedge), two.take(coedge)
-    down = (one > two) * len(mesh.coedge_vertex)  # shifts to the other end, the other side
-    up = len(mesh.coedge_vertex) - down
-    sides, ends = mesh.coedge_face.T.reshape(-1), mesh.coedge_vertex.T.reshape(-1)
-    left, entered = sides.take(coedge + down), sides.take(coedge + up)
-    bottom, top = ends.take(coedge + down), ends.take(coedge + up)
-
-    low = np.minimum(one, two)
-    count = np.maximum(one, two) - low
-    first = np.cumsum(count) - count
-    total = int(first[-1] + count[-1]) if len(count) else 0
-    row = np.repeat(np.arange(len(coedge)), count)
-    plane = np.arange(total) + (low - first).take(row)
-
-    here, there = distance.take(top), distance.take(bottom)
-    share = (here.take(row) - offsets.take(plane)) / (here - there).take(row)  # 0 at the top: a vertex on a plane is met exactly
-    points = []
-    for value in (along, mesh.vertex[:, 2]):
-        here = value.take(top)
-        points.append(here.take(row) + share * (value.take(bottom) - here).take(row))
-
+    base, nodes = first_nodes(mesh, level, keep)
+    present = base != NOWHERE
     upward = np.append(mesh.normal[:, 2] > 0.0, False)
-    rising = np.flatnonzero((upward[entered] & ~upward[left]).take(row))
-    node_left, node_entered = (base.take(f).take(row) + plane for f in (left, entered))
-    return Crossings(coedge.take(row), plane, points[0], points[1], left.take(row), node_left, node_entered, rising, nodes)
+    downward = present & ~upward
+    upward &= present
+    # every node has two crossings, so there are at most 2 n; memory that stays unused costs nothing
+    label, place = np.empty((2, 2 * nodes), dtype=np.int64), np.empty((2, 2 * nodes))
+    next_node, exit_ = np.empty((2, nodes + 1), dtype=np.int64)
+    opening, turning = [Starts.none()], [Starts.none()]
+    total = 0
+    for cuts in _cuts(mesh, level, keep):
+        here = slice(total, total + len(cuts.row))
+        total = here.stop
+        cuts.coedge.take(cuts.row, out=label[0, here], mode="clip")
+        cuts.left.take(cuts.row, out=label[1, here], mode="clip")
+        _interpolate(cuts, offsets, distance, (along, mesh.vertex[:, 2]), place[:, here])
+        leave, enter = (base.take(facet).take(cuts.row) + cuts.plane for facet in (cuts.left, cuts.entered))
+        outside = np.flatnonzero(leave < 0)
+        number = np.arange(here.start, here.stop)
+        both = Starts(number, enter, place[0, here])
+        opening.append(both.take(outside.take(np.flatnonzero(enter.take(outside) >= 0))))
+        turns = upward.take(cuts.entered) & downward.take(cuts.left)
+        turning.append(both.take(np.flatnonzero(turns.take(cuts.row))))
+        leave[outside] = nodes
+        enter[enter < 0] = nodes
+        next_node[leave] = enter
+        exit_[leave] = number
+    label, place = label[:, :total], place[:, :total]
+    return Crossings(label[0], label[1], place[0], place[1], next_node, exit_, base, Starts.joined(opening), Starts.joined(turning))
 
 
-def _bases(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]:
-    """First node of each facet less its first plane, NOWHERE for facets left out and for row -1; number of nodes."""
-    a, b, c = (level.take(v) for v in mesh.face.T)
-    low = np.minimum(np.minimum(a, b), c)
-    count = np.maximum(np.maximum(a, b), c) - low
-    if keep is not None:
-        count *= keep
-    base = np.empty(len(count) + 1, dtype=np.int64)
-    np.cumsum(count, out=base[:-1])
-    nodes = int(base[-2]) if len(count) else 0
-    base[:-1] -= count
-    base[:-1] -= low
-    base[-1] = NOWHERE
-    if keep is not None:
-        base[:-1][~keep] = NOWHERE
-    return base, nodes
+def _interpolate(cuts: _Cuts, offsets: Floats, distance: Floats, values: tuple[Floats, Floats], out: Floats) -> None:
+    """``values`` at the crossings into the rows of ``out``, linear along each co-edge, exact where a vertex lies on the plane."""
+    top, bottom = distance.take(cuts.top), distance.take(cuts.bottom)
+    share = top.take(cuts.row) - offsets.take(cuts.plane)
+    share /= (top - bottom).take(cuts.row)
+    for value, result in zip(values, out, strict=True):
+        top = value.take(cuts.top)
+        rise = value.take(cuts.bottom) - top
+        np.multiply(share, rise.take(cuts.row), out=result)
+        result += top.take(cuts.row)
 
 
-def chain(cross: Crossings) -> tuple[Ints, Ints]:
-    """All nodes as chains of crossings: the crossings of one chain after another, and the rows where chains begin.
+def chain(cross: Crossings) -> tuple[Ints, Ints, Ints]:
+    """All nodes as chains of crossings: the crossings of one chain after another, the rows where chains begin, their planes.
 
     A chain of m nodes has m + 1 crossings; that of a closed one is the same at both ends. Chains go by plane, then by
-    where they start along the travel; a closed chain starts at a place where it turns from looking down to looking up.
+    where they start along the travel; a closed chain starts at the first place along the travel where it turns upward.
     """
-    n = cross.nodes
-    left, entered = np.maximum(cross.node_left, -1), cross.node_entered
-    follower = np.full(n + 1, n)
-    follower[left] = np.where(entered < 0, n, entered)
-    leave = np.zeros(n + 1, dtype=np.int64)
-    leave[left] = np.arange(len(left))
-
-    opening = np.flatnonzero((left < 0) & (entered >= 0))
-    turning = cross.rising.take(np.flatnonzero((left.take(cross.rising) >= 0) & (entered.take(cross.rising) >= 0)))
-    turning = turning.take(np.argsort(cross.along.take(turning)))
-    start = np.concatenate([opening, turning])
-    order = _depth_first(follower, entered.take(start))
-    if len(order) < n + len(start):
-        missed = np.ones(n + 1, dtype=np.bool_)
-        missed[np.minimum(order, n)] = False
-        start = np.concatenate([start, np.flatnonzero((entered >= 0) & missed.take(entered, mode="clip"))])
-        order = _depth_first(follower, entered.take(start))
-
+    turning = cross.turning.take(np.argsort(cross.turning.along, kind="stable"))
+    starts = Starts.joined([cross.opening, turning])
+    order = _depth_first(cross.next_node, starts.node)
+    n = len(cross.next_node) - 1
+    if len(order) < n + len(starts.node):  # closed chains that never turn, as on an upright wall
+        starts = Starts.joined([starts, _anywhere(cross, order)])
+        order = _depth_first(cross.next_node, starts.node)
     root = np.flatnonzero(order >= n)
     nodes = np.diff(root, append=len(order)) - 1
     used = np.flatnonzero(nodes)
-    used = used.take(np.lexsort((cross.along.take(start.take(used)), cross.plane.take(start.take(used)))))
-    root, nodes, start = root.take(used), nodes.take(used), start.take(used)
+    plane = _planes(cross, order.take(root.take(used) + 1))
+    by_place = np.lexsort((starts.along.take(used), plane))
+    used = used.take(by_place)
+    root, nodes = root.take(used), nodes.take(used)
     first = np.cumsum(nodes + 1) - (nodes + 1)
-    row = np.arange(int((nodes + 1).sum())) + np.repeat(root - first, nodes + 1)
-    crossing = leave.take(order.take(row), mode="clip")
-    crossing[first] = start
-    return crossing, first
+    row = np.arange(len(used) + int(nodes.sum())) + np.repeat(root - first, nodes + 1)
+    crossing = cross.exit.take(order.take(row), mode="clip")
+    crossing[first] = starts.crossing.take(used)
+    return crossing, first, plane.take(by_place)
 
 
-def _depth_first(follower: Ints, head: Ints) -> Ints:
+def _planes(cross: Crossings, node: Ints) -> Ints:
+    """The planes of nodes."""
+    return node - cross.base.take(cross.left.take(cross.exit.take(node)))
+
+
+def _anywhere(cross: Crossings, order: Ints) -> Starts:
+    """The nodes that ``order`` lacks as starts, in order along the travel. All of them belong to closed chains."""
+    missed = np.ones(len(cross.next_node), dtype=np.bool_)
+    missed[np.minimum(order, len(missed) - 1)] = missed[-1] = False
+    crossing = cross.exit[missed]
+    starts = Starts(crossing, cross.next_node[missed], cross.along.take(crossing))
+    return starts.take(np.argsort(starts.along, kind="stable"))
+
+
+def _depth_first(next_node: Ints, head: Ints) -> Ints:
     """Nodes in order of their chains; before each chain stands a row of n or more.
 
-    The graph gives each head a root that leads to the head and then to the next root; a chain that ends leads to the
-    first root, which has been visited already, as has a node that an earlier head reached.
+    The graph gives each head a root that leads to the head and then to the next root. A chain that ends leads to the
+    first root, which has been visited already; so has a node that an earlier head reached.
     """
-    n, roots = len(follower) - 1, len(head)
+    n, roots = len(next_node) - 1, len(head)
     if not roots:
         return head
     child = np.empty(n + 2 * roots, dtype=np.int32)
-    child[:n] = follower[:n]
+    child[:n] = next_node[:n]
     child[n::2] = head
     child[n + 1 :: 2] = n + np.minimum(np.arange(1, roots + 1), roots - 1)
     begin = np.concatenate([np.arange(n, dtype=np.int32), np.arange(n, n + 2 * roots + 1, 2, dtype=np.int32)])

@@ -27,7 +27,7 @@ from .kinematics import Chain
 from .progress import Progress, silent
 from .quartic import POINT
 from .records import Bools, Floats
-from .trajectory import Frames, Motion, Pose, Vectors, at, chained_motion, dot, frames, inner, outer, tip
+from .trajectory import Frames, Motion, Pose, Vectors, at, chained_motion, dot, frames, inner, outer, tip, to_work
 
 SYMMETRIC = 1e-3
 """Table 1's "k about 0.5": nearer than this the samples about 0.5 nearly coincide and u = 0.5 is taken, as there."""
@@ -66,14 +66,14 @@ def line_deviation(links: Chain, words: Floats, progress: Progress = silent) -> 
 
 
 def model_tip(links: Chain, words: Floats, u: Floats) -> Floats:
-    """Eq. (3) at ``u`` (k,) of every block: (m - 1, k, 3) mm in the first frame. ``words`` (m, 5) mm and **degrees**."""
+    """Eq. (3) at ``u`` (k,) of every block: (m - 1, k, 3) mm, work frame. ``words`` (m, 5) mm and **degrees**."""
     frame = frames(links)
     move, poses = chained_motion(frame, words)
     m0, slope, z = _linear_inner(inner(frame, poses))
     s = [p[:, None] + u * step[:, None] for p, step in zip(*_wide(move), strict=True)]
     flat = np.exp(1j * (move.a[:, None] + u * move.a_step[:, None])) * (m0[:, None] + u * slope[:, None])
     height = z[:-1, None] + u * np.diff(z)[:, None]
-    return np.stack([s[0] + flat.real, s[1] + flat.imag, s[2] + height], axis=-1)
+    return np.stack(to_work(frame, (s[0] + flat.real, s[1] + flat.imag, s[2] + height)), axis=-1)
 
 
 def _wide(move: Motion) -> tuple[list[Floats], list[Floats]]:

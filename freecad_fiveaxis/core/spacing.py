@@ -32,7 +32,7 @@ MOST_PLANES = 200_000
 """More planes than any job can want: a unit or a setting is wrong."""
 
 TOP, AIM, BOTTOM = 0.985, 0.95, 0.90
-"""Shares of the scallop asked for: the measured one must not exceed the first, is aimed at the second, and is good from the last."""
+"""Shares of the scallop asked for: the measured one must not exceed the first, is aimed at the second, good from the last."""
 
 TRIALS = 16
 """Trial planes per interval; bisection alone then leaves 1e-4 of the first bracket."""
@@ -110,7 +110,7 @@ def _even_planes(low: float, high: float, stepover: float) -> Floats:
     _check_count((high - low) / stepover, "stepover", stepover)
     planes = max(math.ceil((high - low) / stepover - INSIDE), 1)
     first = 0.5 * (low + high - (planes - 1) * stepover)
-    return first + stepover * np.arange(planes)
+    return first + stepover * np.arange(planes, dtype=np.float64)
 
 
 # ------------------------------------------------------------------------------------------------ trial passes
@@ -184,7 +184,7 @@ class _Strip:
 
 @dataclass(frozen=True)
 class _Step:
-    """One interval, mm, the largest scallop that it leaves, mm, and where; ``ends`` where the part ends before the scallop binds."""
+    """One interval, mm, the largest scallop that it leaves, mm, and where; ``ends`` if the part ends before the scallop binds."""
 
     interval: float
     height: float
@@ -279,8 +279,9 @@ class _March:
         worst = max(self._bound, key=lambda step: step.height)
         x, y, z = (float(v) for v in worst.place)
         text = (
-            f"The least interval of {self._least:g} mm binds {len(self._bound)} times and leaves scallops up to {worst.height:.4g} mm "
-            f"where {self._scallop:g} mm are asked: give a smaller least interval or turn the direction along the steep walls."
+            f"The least interval of {self._least:g} mm binds {len(self._bound)} times and leaves scallops up to "
+            f"{worst.height:.4g} mm where {self._scallop:g} mm are asked: give a smaller least interval or turn the direction "
+            "along the steep walls."
         )
         value, limit = worst.height, self._scallop
         return (Finding(Severity.WARNING, "least-interval", text, value=value, limit=limit, unit="mm", place=(x, y, z)),)

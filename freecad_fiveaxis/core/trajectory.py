@@ -217,9 +217,7 @@ def derivatives(frame: Frames, move: Motion, u: Floats) -> tuple[Vectors, Vector
     dy = (dw[0] + dy[0], dw[1] + dy[1], dw[2] + dy[2])
     ddy = _mixed(frame, (*second_v, np.asarray(0.0)), now)
     dp = turned(dy[0] - da * y[1], dy[1] + da * y[0], now.cos_a, now.sin_a)
-    ddp = turned(
-        ddy[0] - 2.0 * da * dy[1] - da * da * y[0], ddy[1] + 2.0 * da * dy[0] - da * da * y[1], now.cos_a, now.sin_a
-    )
+    ddp = turned(ddy[0] - 2.0 * da * dy[1] - da * da * y[0], ddy[1] + 2.0 * da * dy[0] - da * da * y[1], now.cos_a, now.sin_a)
     return outer(now, y), (ds[0] + dp[0], ds[1] + dp[1], ds[2] + dy[2]), (*ddp, ddy[2])
 
 

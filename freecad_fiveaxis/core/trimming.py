@@ -48,7 +48,7 @@ class _Chords:
     which stand at ``angle`` (c,) from the normal of the segment; ``final`` True for the last piece of an arc. ``before`` and
     ``after`` (c,) its neighbours, -1 for none; ``crosses`` True where it is trimmed against the one after it; ``start`` and
     ``stop`` (c,) what the trims leave of it; ``alive``; ``heir`` the chord before it when it was dropped (itself till then);
-    ``apart`` True where it does not cross the one after it. ``radius`` mm of the ball.
+    ``stuck`` True where it should have been dropped and was not. ``radius`` mm of the ball.
     """
 
     origin: Floats
@@ -67,7 +67,7 @@ class _Chords:
     stop: Floats
     alive: Bools
     heir: Ints
-    apart: Bools
+    stuck: Bools
     radius: float
 
 
@@ -84,7 +84,7 @@ def trim_polylines(segments: Segments, junctions: Junctions, at: Ints, radius: f
     """The offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is used up."""
     chords = _chords(segments, junctions, at, radius)
     _drop_used_up(chords)
-    rows, line = _rows(chords, segments, junctions, radius)
+    rows, line = _rows(chords, segments, junctions)
     return Trimmed(rows, line, *_what_is_left(chords, segments))
 
 
@@ -143,7 +143,7 @@ def _neighbours(segments: Segments, at: Ints, head: Ints, count: Ints) -> tuple[
 
 
 def _drop_used_up(chords: _Chords) -> None:
-    """Drop used-up chords, in rounds, until there are none; marks those that cannot be resolved as ``apart``."""
+    """Drop used-up chords, in rounds, until there are none; marks those that are left after all rounds as ``stuck``."""
     fresh, waiting = np.flatnonzero(chords.crosses & (chords.after >= 0)), np.empty(0, np.int64)
     for _ in range(ROUNDS):
         fresh = fresh[chords.alive[fresh]]
@@ -153,31 +153,28 @@ def _drop_used_up(chords: _Chords) -> None:
         if not len(used):
             return
         fresh, waiting = _drop(chords, _first_to_go(chords, used)), used
-    chords.apart[used] = True
+    chords.stuck[used] = True
+    chords.start[used], chords.stop[used] = chords.low[used], chords.high[used]
 
 
 def _cross(chords: _Chords, one: Ints) -> None:
-    """Trim chords ``one`` and the chords after them against each other, or mark that they do not cross."""
+    """Trim chords ``one`` and the chords after them against each other."""
     two = chords.after[one]
-    stop, never = _meets(chords, one, two, chords.high[one], 1.0)
-    start, nor = _meets(chords, two, one, chords.low[two], -1.0)
-    chords.stop[one], chords.start[two], chords.apart[one] = stop, start, never | nor
+    chords.stop[one] = _meets(chords, one, two, chords.high[one], 1.0)
+    chords.start[two] = _meets(chords, two, one, chords.low[two], -1.0)
 
 
-def _meets(chords: _Chords, one: Ints, two: Ints, end: Floats, sense: float) -> tuple[Floats, Bools]:
-    """Where line ``one`` comes down on plane ``two`` when followed in ``sense`` towards its ``end``; True where it does not.
-
-    ``height`` is that of the end above the plane. A line that does not come down is used up wholly where its end lies below
-    the plane, and is left alone where it lies on it (one plane) or above. So is one that comes down far beyond its end.
-    """
-    tip = chords.origin[:, one] + end * chords.along[:, one]
+def _meets(chords: _Chords, one: Ints, two: Ints, end: Floats, sense: float) -> Floats:
+    """Where line ``one`` goes below plane ``two`` when followed in ``sense`` towards its ``end``: the end itself where that
+    lies on the plane or above, or where the line comes up to it; nowhere (infinite) where the two planes face each other and
+    the line stays below."""
+    tip = _place(chords, one, end)
     height = dot(chords.normal[:, two], tip - chords.origin[:, two])
     falls = -sense * dot(chords.along[:, one], chords.normal[:, two])
-    down = falls > GRAZING
-    beyond = height / np.where(down, falls, 1.0)
-    place = np.where(down, end + sense * beyond, np.where(height < -SAME, -sense * np.inf, end))
-    far = np.where(down, beyond > chords.radius, height > SAME)
-    return np.where(far, end, place), np.asarray(far)
+    below, down = height < -SAME, falls > GRAZING
+    faces = dot(chords.normal[:, one], chords.normal[:, two]) < 0.0
+    place = np.where(below & down, end + sense * height / np.where(down, falls, 1.0), end)
+    return np.where(below & ~down & faces, -sense * np.inf, place)
 
 
 def _first_to_go(chords: _Chords, used: Ints) -> Ints:
@@ -212,7 +209,8 @@ def _drop(chords: _Chords, gone: Ints) -> Ints:
 
 class _Spot(NamedTuple):
     """Places on chords: ``t`` mm along ``chord``; ``ending`` True where the chord ends there; ``flat`` True where two offsets
-    that meet share one point; ``left`` and ``right`` segments on either side; ``fill`` as in OffsetPath."""
+    that meet share one point; ``left`` and ``right`` segments on either side; ``fill`` as in OffsetPath; ``lift`` the chord
+    to whose start the path goes from here over a point above both planes, -1 for none."""
 
     chord: Ints
     t: Floats
@@ -221,29 +219,31 @@ class _Spot(NamedTuple):
     left: Ints
     right: Ints
     fill: Bools
+    lift: Ints
 
 
-def _rows(chords: _Chords, segments: Segments, junctions: Junctions, radius: float) -> tuple[Rows, Ints]:
+def _rows(chords: _Chords, segments: Segments, junctions: Junctions) -> tuple[Rows, Ints]:
     """The rows of what is left, and the polyline of each."""
-    spot = _spots(chords, segments, junctions)
-    at, t = chords.at[spot.chord], spot.t
-    real, segment = chords.real[spot.chord], segments.live[at]
-    nxt = segments.following[at]
+    spot, radius = _spots(chords, segments, junctions), chords.radius
+    at, t, real = chords.at[spot.chord], spot.t, chords.real[spot.chord]
+    segment, nxt = segments.live[at], segments.following[at]
     far = segments.live[np.where(nxt < 0, at, nxt)]
     theta = np.maximum(junctions.theta[at], np.finfo(float).tiny)
     angle = np.where(real, 0.0, chords.angle[spot.chord] + np.arctan2(t, radius))
-    angle = np.where(spot.flat, 0.5 * theta, angle)
-    w1, w2, w3 = arc_weights(theta, angle)
+    w1, w2, w3 = arc_weights(theta, np.where(spot.flat, 0.5 * theta, angle))
     w1 = np.where(real & ~spot.flat, 1.0, w1)
     reach = np.where(real, radius, np.hypot(radius, t))
     reach = np.where(spot.flat, radius / np.cos(0.5 * theta), reach)
     shift = np.where(real & ~spot.flat, np.where(spot.ending, t - segments.length[segment], t), 0.0)
     base = 2 * segment + (spot.ending | ~real)
-    return Rows(base, far, spot.left, spot.right, w1, w2, w3, reach, shift, spot.fill), segments.line[at]
+    lifted = np.flatnonzero(spot.lift >= 0)
+    centre = _lifted(chords, spot.chord[lifted], spot.lift[lifted])
+    rows = Rows(base, far, spot.left, spot.right, w1, w2, w3, reach, shift, spot.fill, lifted, centre)
+    return rows, segments.line[at]
 
 
 def _spots(chords: _Chords, segments: Segments, junctions: Junctions) -> _Spot:
-    """One or two places where each chord goes over into the next, and one where each polyline begins."""
+    """Where each polyline begins, and for each chord: its end, a lifted point, and the start of the next, where needed."""
     one = np.flatnonzero(chords.alive)
     two = chords.after[one]
     opened = two < 0
@@ -251,26 +251,43 @@ def _spots(chords: _Chords, segments: Segments, junctions: Junctions) -> _Spot:
     left, right = _real_sides(chords, segments, one, opened)
     crosses = chords.crosses[one] & ~opened
     leaves = chords.final[one] & ~crosses & ~opened  # the arc's last point belongs to the segment after it
-    real, end = chords.real[one], np.ones(len(one), bool)
+    real, yes, none = chords.real[one], np.ones(len(one), bool), np.full(len(one), -1)
     flat = real & ~crosses & (junctions.kind[chords.at[one]] == FLAT)
-    early = _Spot(
-        np.where(leaves, two, one), np.where(leaves, chords.start[two], chords.stop[one]), ~leaves, flat, left, right, ~real
-    )
-    late = _Spot(two, chords.start[two], ~end, ~end, left, right, end)
-    twice = crosses & (np.abs(_place(chords, one, chords.stop[one]) - _place(chords, two, chords.start[two])).max(axis=0) >= SAME)
+    chord, t = np.where(leaves, two, one), np.where(leaves, chords.start[two], chords.stop[one])
+    end = _Spot(chord, t, ~leaves, flat, left, right, ~real, none)
+    lift = _Spot(one, chords.stop[one], yes, ~yes, left, right, yes, two)
+    start = _Spot(two, chords.start[two], ~yes, ~yes, left, right, yes, none)
+    stop, go = _place(chords, one, chords.stop[one]), _place(chords, two, chords.start[two])
+    apart = crosses & (np.abs(stop - go).max(axis=0) >= SAME)
+    dips = np.minimum(_height(chords, two, stop), _height(chords, one, go)) < -FLAT_GAP
     first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
     last = np.append(first[1:], len(one))[: len(first)] - 1
-    seam = [np.where(twice[last], b[last], a[last]) for a, b in zip(early, late, strict=True)]
-    begin = (one[first], chords.start[one[first]], ~end[first], ~end[first], right[first], right[first])
-    head = [np.where(opened[last], a, b) for a, b in zip(begin, seam, strict=False)] + [~end[first]]
-    used = np.stack([np.zeros(len(one), bool), end, twice], axis=1)
+    used = np.stack([np.zeros(len(one), bool), yes, apart & dips, apart], axis=1)
     used[first, 0] = True
+    seam = [np.where(apart[last], b[last], a[last]) for a, b in zip(end, start, strict=True)]
+    begin = _Spot(one, chords.start[one], ~yes, ~yes, right, right, ~yes, none)
+    head = _Spot(*(np.where(opened[last], a[first], b) for a, b in zip(begin, seam, strict=True)))._replace(fill=~yes[first])
     woven = []
-    for begins, a, b in zip(head, early, late, strict=True):
-        three = np.stack([a, a, b], axis=1)
-        three[first, 0] = begins
-        woven.append(three[used])
+    for begins, *others in zip(head, end, lift, start, strict=True):
+        four = np.stack([others[0], *others], axis=1)
+        four[first, 0] = begins
+        woven.append(four[used])
     return _Spot(*woven)
+
+
+def _height(chords: _Chords, chord: Ints, place: Floats) -> Floats:
+    """Height (c,) of ``place`` (3, c) above the planes of chords, mm."""
+    return dot(chords.normal[:, chord], place - chords.origin[:, chord])
+
+
+def _lifted(chords: _Chords, one: Ints, two: Ints) -> Floats:
+    """Half-way from the end of chord ``one`` to the start of chord ``two``, moved out along the mean normal until it is
+    above the planes of both (between the two ends of a convex junction: the paper's p + R m)."""
+    middle = 0.5 * (_place(chords, one, chords.stop[one]) + _place(chords, two, chords.start[two]))
+    mean = chords.normal[:, one] + chords.normal[:, two]
+    mean /= np.sqrt(dot(mean, mean))
+    low = np.minimum(_height(chords, one, middle), _height(chords, two, middle))
+    return np.asarray(middle - low / dot(mean, chords.normal[:, one]) * mean)
 
 
 def _real_sides(chords: _Chords, segments: Segments, one: Ints, opened: Bools) -> tuple[Ints, Ints]:
@@ -320,7 +337,7 @@ def _what_is_left(chords: _Chords, segments: Segments) -> tuple[Ints, Ints, Floa
         ends = [_distance(off, end, chords.along[:, gone]) for end in (chords.low[gone], chords.high[gone])]
         far = np.minimum(far, ends)
     segment = segments.live[chords.at]
-    into = np.concatenate([gone[near < chords.radius - FLAT_GAP], np.flatnonzero(chords.alive & chords.apart)])
+    into = np.concatenate([gone[near < chords.radius - FLAT_GAP], np.flatnonzero(chords.alive & chords.stuck)])
     height = np.concatenate([far.max(axis=0) - chords.radius, np.full(len(lost), np.inf)])
     return np.unique(segment[into]), segment[np.concatenate([gone, lost])], height
 

@@ -113,6 +113,16 @@ def test_inches_are_converted_and_angles_are_not(data, load):
         assert in_inch.direction == in_mm.direction
 
 
+def test_a_limit_is_judged_in_millimetres_in_both_units(data, load, tmp_path):
+    data["machine"]["units"] = "imperial"
+    data["machine"]["axes"]["X"]["limits"] = {"min": -3000, "max": 4000}
+    machine = load(data)
+    axis = machine.axes[machine.letters.index("X")]
+    assert (axis.low, axis.high) == (-3000 * 25.4, math.inf)
+    save_machine(machine, tmp_path / "metric.fcm")
+    assert load_machine(tmp_path / "metric.fcm") == machine
+
+
 def test_both_forms_of_a_joint_are_the_same(data, load):
     expected = load(data)
     for axis in data["machine"]["axes"].values():
@@ -219,7 +229,7 @@ def test_nothing_is_written_over_unless_told(tmp_path):
 
 
 def test_a_folder_that_cannot_be_written_leaves_nothing(tmp_path):
-    with pytest.raises(FileError, match="cannot write"):
+    with pytest.raises(FileError, match="cannot be written"):
         save_machine(load_machine("trunnion_ac"), tmp_path / "no_such_folder" / "m.fcm")
     (tmp_path / "m.fcm").mkdir()
     with pytest.raises(FileError):
@@ -235,6 +245,11 @@ def test_an_axis_without_a_rate_cannot_be_written(tmp_path):
     assert not (tmp_path / "m.fcm").exists()
 
 
+def test_a_name_that_is_none_cannot_be_written():
+    with pytest.raises(FileError, match="null character"):
+        save_machine(load_machine("trunnion_ac"), "nul\0byte.fcm")
+
+
 # What is refused.
 
 
@@ -248,14 +263,14 @@ def test_an_unknown_name_lists_the_known_ones():
 
 @pytest.mark.parametrize("name", ["missing.fcm", "no/such/folder/m.fcm", "nul\0byte.fcm", "x" * 5000 + ".fcm"])
 def test_a_missing_file_is_a_file_error(name, tmp_path):
-    with pytest.raises(FileError, match="cannot read machine file") as caught:
+    with pytest.raises(FileError, match=r"cannot be read|null character") as caught:
         load_machine(str(tmp_path / name))
     assert "\n" not in str(caught.value)
 
 
 def test_a_folder_is_no_machine(tmp_path):
     (tmp_path / "folder.fcm").mkdir()
-    with pytest.raises(FileError, match="cannot read"):
+    with pytest.raises(FileError, match="cannot be read"):
         load_machine(tmp_path / "folder.fcm")
 
 

@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rounded words, feeds and times of a Program, against closed forms, dense sampling and hand computation."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from freecad_fiveaxis.core import feeds
+from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.errors import ProgramError
+from freecad_fiveaxis.core.findings import Severity
+from freecad_fiveaxis.core.joint_path import JointPath
+from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward
+from freecad_fiveaxis.core.machine import Axis, Machine
+from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.post.dialect import feed_distance
+from freecad_fiveaxis.core.post.writer import write_nc
+from freecad_fiveaxis.core.program import Program, build_program
+from freecad_fiveaxis.core.records import Floats
+
+LINEAR_RATE, ROTARY_RATE = 10_000.0, np.radians(7200.0)  # mm/min, rad/min
+UCP710_ROWS = np.array([[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]])
+"""So et al. 2008, Table 2: mm and degrees (the angles belong to the order C, A)."""
+
+
+def trunnion(limited: bool = True, rotary_point: tuple[float, float, float] = (0.0, -49.934, 119.999)) -> Chain:
+    rates = {"max_rate": LINEAR_RATE} if limited else {}
+    turns = {"max_rate": float(ROTARY_RATE)} if limited else {}
+    x, y, z = (Axis(name, False, "head", tuple(row), **rates) for name, row in zip("XYZ", np.eye(3), strict=True))
+    c = Axis("C", True, "table", (0, 0, 1), **turns)
+    a = Axis("A", True, "table", (1, 0, 0), rotary_point, **turns)
+    return chain(Machine("trunnion", (c, a, x, y, z)), Setup())
+
+
+def joints_of(q: Floats, links: Chain, motion: list[int] | None = None, feed: float = 1000.0) -> JointPath:
+    """A joint path through words ``q`` (n, 5) mm and rad."""
+    tip, axis = forward(links, q)
+    rows = len(q)
+    kind = np.array(motion if motion is not None else [Motion.RAPID] + [Motion.CUT] * (rows - 1), np.int8)[:rows]
+    none = np.full(rows, -1)
+    path = CLPath(tip, axis, kind, np.where(kind == Motion.RAPID, 0.0, feed), tip, axis, none, none, none)
+    return JointPath(path, np.arange(rows), q, np.zeros(rows, np.int8), np.ones(rows))
+
+
+def wander(rows: int, seed: int = 0, turn: float = 0.02) -> Floats:
+    random = np.random.default_rng(seed)
+    steps = random.normal(0, 1, (rows, 5)) * (0.5, 0.5, 0.5, turn, turn)
+    return np.cumsum(steps, axis=0)
+
+
+def dense_travel(links: Chain, start: Floats, end: Floats, samples: int = 20001) -> float:
+    u = np.linspace(0, 1, samples)[:, None]
+    tip = forward(links, start + u * (end - start))[0]
+    return float(np.linalg.norm(np.diff(tip, axis=0), axis=1).sum())
+
+
+def in_radians(words: Floats) -> Floats:
+    return np.concatenate([words[:, :3], np.radians(words[:, 3:])], axis=1)
+
+
+@pytest.mark.parametrize("dialect", DIALECTS.values(), ids=DIALECTS)
+@pytest.mark.parametrize("inverse_time", [True, False])
+class TestEveryDialectAndMode:
+    def test_words_are_the_decimals_that_are_printed(self, dialect, inverse_time) -> None:
+        links, q = trunnion(), wander(300)
+        words = build_program(joints_of(q, links), links, dialect, inverse_time).words
+        exact = np.concatenate([q[:, :3], np.degrees(q[:, 3:])], axis=1)
+        assert all(float("%.4f" % value) == value for value in words.ravel())
+        assert np.abs(words - exact).max() <= 0.5e-4 * (1 + 1e-9)
+        assert not np.signbit(words[words == 0]).any()
+
+    def test_no_axis_exceeds_its_rate_and_no_tip_its_feed(self, dialect, inverse_time) -> None:
+        links, q = replace(trunnion(), rate=np.array([1e4, 1e4, 1e4, 4.0, 4.0])), wander(400)
+        program = build_program(joints_of(q, links), links, dialect, inverse_time)
+        minutes = program.seconds[1:] / 60
+        change = np.abs(np.diff(in_radians(program.words), axis=0))
+        assert (change / links.rate <= minutes[:, None] * (1 + 1e-8)).all()
+        travel = [dense_travel(links, *in_radians(program.words[i : i + 2]), samples=2001) for i in range(0, 399, 7)]
+        speed = np.array(travel) / minutes[::7]
+        assert (speed <= 1000 * (1 + 2e-3)).all()
+        free = (change / links.rate).max(axis=1)[::7] < 0.9 * minutes[::7]
+        capped = program.feed[1:][::7] >= (dialect.largest_inverse if inverse_time else dialect.largest_feed)
+        slack = 2e-3 + 10.0 ** -(dialect.feed_decimals) / program.feed[1:][::7]
+        assert (np.abs(speed / 1000 - 1) <= slack)[free & ~capped].all()
+        assert free.any() and not free.all()
+
+    def test_seconds_are_what_the_controller_makes_of_f(self, dialect, inverse_time) -> None:
+        links, q = trunnion(), wander(100)
+        program = build_program(joints_of(q, links), links, dialect, inverse_time)
+        change = np.diff(program.words, axis=0)
+        linear, rotary = np.linalg.norm(change[:, :3], axis=1), np.linalg.norm(change[:, 3:], axis=1)
+        distance = np.hypot(linear, rotary) if dialect.name == "fanuc" else linear
+        expected = 60 / program.feed[1:] if inverse_time else 60 * distance / program.feed[1:]
+        assert np.allclose(program.seconds[1:], expected, rtol=1e-12)
+        assert program.seconds[0] == 0 and program.feed[0] == 0
+
+    def test_block_i_stands_in_the_line_that_the_program_says(self, dialect, inverse_time) -> None:
+        links = trunnion()
+        program = build_program(joints_of(wander(50), links), links, dialect, inverse_time)
+        lines = write_nc(program, dialect, "t").decode().split(dialect.newline)
+        for i, number in enumerate(program.line):
+            assert lines[number - 1].startswith(("G0", "G1")[i > 0] + " ")
+            assert "X%.4f" % program.words[i, 0] in lines[number - 1]
+        assert len(lines) == len(dialect.head) + len(program.words) + len(dialect.tail) + 1
+
+    def test_f_is_never_zero_and_a_finding_tells_of_the_step(self, dialect, inverse_time) -> None:
+        links = trunnion(limited=False)
+        slow = joints_of(np.array([[0.0, 0, 0, 0, 0], [1, 0, 0, 0, 0]]), links, feed=1e-6)
+        program = build_program(slow, links, dialect, inverse_time)
+        assert program.feed[1] == 10.0 ** -(dialect.inverse_decimals if inverse_time else dialect.feed_decimals)
+        assert [(found.code, found.severity) for found in program.findings] == [("feed-below-step", Severity.WARNING)]
+
+    def test_an_empty_path_gives_an_empty_program_that_can_be_written(self, dialect, inverse_time) -> None:
+        links = trunnion()
+        program = build_program(joints_of(np.empty((0, 5)), links), links, dialect, inverse_time)
+        assert program.words.shape == (0, 5) and program.findings == ()
+        assert write_nc(program, dialect, "t").count(b"\n") == len(dialect.head) + len(dialect.tail)
+
+
+def g93(q: Floats, links: Chain, **more) -> Program:
+    return build_program(joints_of(q, links, **more), links, DIALECTS["linuxcnc"], True)
+
+
+def test_blocks_without_any_move_after_rounding_are_left_out_and_their_rows_are_kept() -> None:
+    links = trunnion()
+    q = np.array([[0.0, 0, 0, 0, 0], [1e-5, 0, 0, 0, 0], [1, 0, 0, 0, 0], [1, 0, 0, 1e-8, 0], [1, 0, 0, 0, 1]])
+    program = g93(q, links)
+    assert program.row.tolist() == [0, 2, 4]
+    assert program.words[:, 0].tolist() == [0, 1, 1]
+
+
+def test_a_small_drift_is_not_lost_by_leaving_blocks_out() -> None:
+    links = trunnion()
+    q = np.zeros((1001, 5))
+    q[:, 0] = np.arange(1001) * 1e-5
+    assert g93(q, links).words[-1, 0] == 0.01
+
+
+def test_a_straight_block_takes_its_length_over_its_feed() -> None:
+    links = trunnion()
+    program = g93(np.array([[0.0, 0, 0, 0.3, 0.2], [3, 4, 0, 0.3, 0.2]]), links, feed=500.0)
+    assert program.feed[1] == 100.0  # 5 mm at 500 mm/min: 1/100 min
+    assert program.seconds[1] == pytest.approx(0.6)
+
+
+def test_a_block_turning_about_a_far_axis_is_timed_by_the_arc() -> None:
+    links = trunnion(limited=False)
+    q = np.array([[100.0, 0, 0, 0, 0], [100, 0, 0, np.pi, 0]])
+    program = g93(q, links, feed=1000.0)
+    assert program.seconds[1] == pytest.approx(60 * 100 * np.pi / 1000, rel=1e-4)  # half a circle of radius 100, not its chord
+
+
+def test_the_real_path_of_so_et_al_table_2_is_5_46_mm_long() -> None:
+    links = trunnion()
+    travel = feeds.tip_travel(links, in_radians(UCP710_ROWS), np.array([True]))
+    assert travel[0] == pytest.approx(5.46, abs=0.005)
+    assert travel[0] == pytest.approx(dense_travel(links, *in_radians(UCP710_ROWS)), rel=1e-5)
+
+
+@pytest.mark.parametrize("turn", [1e-4, 0.003, 0.05, 0.5, 3.0])
+def test_travel_agrees_with_dense_sampling_whatever_the_turn(turn: float) -> None:
+    links, q = trunnion(), wander(40, seed=3, turn=turn)
+    travel = feeds.tip_travel(links, q, np.ones(39, bool))
+    dense = np.array([dense_travel(links, q[i], q[i + 1], 4001) for i in range(39)])
+    assert np.abs(travel / dense - 1).max() < feeds.TRAVEL_ERROR
+
+
+def test_the_chord_alone_would_be_far_off() -> None:
+    links = trunnion()
+    chord = feeds.tip_travel(links, in_radians(UCP710_ROWS), np.array([False]))
+    assert chord[0] == pytest.approx(1.122, abs=0.001)
+
+
+def test_many_turns_in_one_block_are_timed() -> None:
+    links = trunnion(limited=False)
+    q = np.array([[10.0, 0, 0, 0, 0], [10, 0, 0, 200 * np.pi, 0]])
+    assert feeds.tip_travel(links, q, np.array([True]))[0] == pytest.approx(100 * 20 * np.pi, rel=1e-3)
+
+
+def test_a_turn_about_the_tip_goes_as_fast_as_the_axis_may() -> None:
+    links = trunnion()
+    q = np.array([[0.0, 0, 50, 0, 0], [0, 0, 50, np.pi, 0]])  # the tip stands on the C axis
+    program = g93(q, links)
+    assert program.seconds[1] == pytest.approx(60 * np.pi / ROTARY_RATE, rel=1e-5)
+    assert program.findings == ()
+
+
+def test_held_back_blocks_are_counted_in_a_note() -> None:
+    links, q = replace(trunnion(), rate=np.array([1e4, 1e4, 1e4, 4.0, 4.0])), wander(300)
+    program = g93(q, links)
+    change = np.abs(np.diff(in_radians(program.words), axis=0))
+    travel = [dense_travel(links, *in_radians(program.words[i : i + 2]), 1001) for i in range(299)]
+    least, wanted = (change / links.rate).max(axis=1), np.array(travel) / 1000
+    count = int((least > wanted * (1 + feeds.TRAVEL_ERROR)).sum())
+    note = next(found for found in program.findings if found.code == "feed-held-back")
+    assert 0 < count < 299 and note.value == pytest.approx(count, abs=1) and note.severity is Severity.NOTE
+    assert note.block == int((least > wanted).argmax()) + 1 and note.line == program.line[note.block]
+
+
+def test_a_rapid_takes_the_time_of_its_slowest_axis() -> None:
+    links = trunnion()
+    q = np.array([[0.0, 0, 0, 0, 0], [100, 0, 0, 0, 0], [100, 50, 0, np.pi, 0]])
+    program = g93(q, links, motion=[Motion.RAPID] * 3)
+    assert program.seconds[1] == pytest.approx(60 * 100 / LINEAR_RATE)
+    assert program.seconds[2] == pytest.approx(60 * np.pi / ROTARY_RATE)
+    assert not program.feed.any()
+
+
+def test_a_machine_without_rates_still_gives_times() -> None:
+    links = trunnion(limited=False)
+    q = np.array([[0.0, 0, 50, 0, 0], [0, 0, 50, np.pi, 0], [100, 0, 50, np.pi, 0]])
+    seconds = g93(q, links, motion=[Motion.RAPID, Motion.CUT, Motion.RAPID]).seconds
+    assert (seconds[1:] > 0).all() and np.isfinite(seconds).all()
+
+
+def test_both_feed_modes_give_the_same_times() -> None:
+    links, q = trunnion(), wander(200)
+    for dialect in DIALECTS.values():
+        free = replace(dialect, largest_inverse=1e9)
+        first, second = (build_program(joints_of(q, links), links, free, mode).seconds for mode in (True, False))
+        assert np.allclose(first, second, rtol=1e-4)
+
+
+def test_an_f_beyond_the_controllers_largest_is_cut_with_a_note() -> None:
+    links, fanuc = trunnion(), DIALECTS["fanuc"]
+    q = np.array([[0.0, 0, 0, 0, 0], [0.001, 0, 0, 0, 0]])
+    program = build_program(joints_of(q, links), links, fanuc, True)
+    assert program.feed[1] == fanuc.largest_inverse
+    assert [found.code for found in program.findings] == ["feed-above-largest"]
+
+
+def test_fanucs_own_example_of_a_combined_feed() -> None:
+    """B-63174EN, 4.2: G91 G01 X20.0 C40.0 F300.0 takes 0.14907 min."""
+    distance = feed_distance(DIALECTS["fanuc"], np.array([[20.0, 0, 0, 40, 0]]))
+    assert distance[0] / 300 == pytest.approx(0.14907, abs=1e-5)
+
+
+def test_linuxcnc_measures_f_over_xyz_and_degrees_where_only_rotary_axes_move() -> None:
+    change = np.array([[3.0, 4, 0, 100, 0], [0, 0, 0, 30, 40]])
+    assert feed_distance(DIALECTS["linuxcnc"], change).tolist() == [5, 50]
+    assert feed_distance(None, change).tolist() == [5, 50]
+
+
+def test_a_feed_move_without_a_feed_is_refused_with_its_row() -> None:
+    links = trunnion()
+    with pytest.raises(ProgramError, match="row 3"):
+        joints = joints_of(wander(5), links)
+        feed = np.array(joints.path.feed)
+        feed[3] = 0.0
+        build_program(replace(joints, path=replace(joints.path, feed=feed)), links, DIALECTS["linuxcnc"], True)
+
+
+def test_a_path_that_starts_with_a_feed_move_starts_in_rapid_and_says_so() -> None:
+    links = trunnion()
+    program = g93(wander(5), links, motion=[Motion.CUT] * 5)
+    assert program.motion[0] == Motion.RAPID
+    assert [found.code for found in program.findings] == ["first-position-rapid"]
+
+
+def test_motions_and_feeds_are_those_of_the_rows_kept() -> None:
+    links = trunnion()
+    kinds = [Motion.RAPID, Motion.LINK, Motion.CUT, Motion.FILL, Motion.RAPID]
+    program = g93(wander(5), links, motion=kinds)
+    assert program.motion.tolist() == kinds
+    assert (program.feed > 0).tolist() == [False, True, True, True, False]
+
+
+def test_whoever_watches_can_stop_the_work() -> None:
+    class Stop(Exception):
+        pass
+
+    def stop(stage: str, fraction: float) -> None:
+        raise Stop
+
+    links = trunnion()
+    with pytest.raises(Stop):
+        build_program(joints_of(wander(5), links), links, DIALECTS["linuxcnc"], True, stop)
