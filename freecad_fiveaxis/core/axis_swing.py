@@ -35,9 +35,11 @@ def _normal(start: Vectors, end: Vectors) -> tuple[Vectors, Bools]:
     n = (y * end[2] - z * end[1], z * end[0] - x * end[2], x * end[1] - y * end[0])
     sine = np.sqrt(dot(n, n))
     none = sine <= COINCIDENT
-    normal = (n[0] / (sine + SMALLEST), n[1] / (sine + SMALLEST), n[2] / (sine + SMALLEST))
-    for column, other in zip(normal, start, strict=True):
-        np.copyto(column, other, where=none)
+    scale = 1.0 / (sine + SMALLEST)
+    normal = (n[0] * scale, n[1] * scale, n[2] * scale)
+    if none.any():
+        for column, other in zip(normal, start, strict=True):
+            np.copyto(column, other, where=none)
     return normal, none
 
 
@@ -51,9 +53,9 @@ def small_swing(start: Vectors, end: Vectors, nodes: Vectors) -> Floats:
     a, b, c = 4.0 * mid, (32.0 / 3.0) * (high - low), (128.0 / 3.0) * (low + high) - 64.0 * mid
     bent = 2.0 * a - 0.5 * c
     s = np.clip(0.25 * b / (bent + SMALLEST), -0.25, 0.25)  # an S has its peaks out there
-    for _ in range(2):
-        slope = 0.25 * b - s * (bent + s * (3.0 * b + 4.0 * s * c))
-        s = np.clip(s + slope / (bent + s * (6.0 * b + 12.0 * s * c) + SMALLEST), -0.5, 0.5)
+    b3, c4 = 3.0 * b, 4.0 * c
+    slope = 0.25 * b - s * (bent + s * (b3 + s * c4))
+    s = np.clip(s + slope / (bent + s * (2.0 * b3 + 3.0 * s * c4) + SMALLEST), -0.5, 0.5)
     sine = np.abs((0.25 - s * s) * (a + s * (b + s * c)))
     sine = np.maximum(np.maximum(np.abs(mid), sine), np.maximum(np.abs(low), np.abs(high)))
     swing = np.arcsin(np.minimum(sine, 1.0))

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -203,29 +203,42 @@ def _sizes(start: Ints, label: Ints) -> Ints:
 
 
 def _findings(contact: ContactPath, trimmed: list[Trimmed], tolerance: float) -> tuple[Finding, ...]:
+    """Where the ball cuts into facets, and where it leaves material, by more than ``tolerance`` mm."""
     found = []
-    cut_into = np.concatenate([np.empty(0, np.int64), *(part.cut_into for part in trimmed)])
-    missed = np.concatenate([np.empty(0, np.int64), *(part.missed for part in trimmed)])
-    height = np.concatenate([np.empty(0), *(part.height for part in trimmed)])
-    if len(cut_into):
+    deep = _over([part.cut_into for part in trimmed], [part.depth for part in trimmed], tolerance)
+    if deep:
         text = (
-            f"The surface curls tighter than the cutter at {len(cut_into)} facet segments, and the cutter may cut into it there. "
-            "Use a smaller cutter, or check these places before milling."
+            f"The facets curl tighter than the cutter at {deep.count} segments, and the cutter cuts up to {deep.worst:.3g} mm "
+            "into them. Use a smaller cutter or a finer mesh, or check these places before milling."
         )
-        place = _place(contact, int(cut_into[0]))
-        found.append(Finding(Severity.WARNING, "surface-tighter-than-cutter", text, float(len(cut_into)), unit="1", place=place))
-    if len(missed) and height.max() > tolerance:
-        worst = int(height.argmax())
-        count = int(np.count_nonzero(height > tolerance))
-        depth = float(height[worst]) if np.isfinite(height[worst]) else None
-        much = "all of it" if depth is None else f"up to {depth:.3g} mm"
-        text = (
-            f"The cutter does not fit into the corners at {count} facet segments; {much} stays there. "
-            "Use a smaller cutter for these corners."
-        )
-        place = _place(contact, int(missed[worst]))
-        found.append(Finding(Severity.WARNING, "corner-not-reached", text, depth, tolerance, "mm", place=place))
+        code, place = "surface-tighter-than-cutter", _place(contact, deep.segment)
+        found.append(Finding(Severity.WARNING, code, text, deep.worst, tolerance, "mm", place=place))
+    high = _over([part.missed for part in trimmed], [part.height for part in trimmed], tolerance)
+    if high:
+        much = f"up to {high.worst:.3g} mm of material stays" if np.isfinite(high.worst) else "a whole run of facets stays uncut"
+        text = f"The cutter does not fit into the corners at {high.count} facet segments; {much}. Use a smaller cutter there."
+        worst, place = high.worst if np.isfinite(high.worst) else None, _place(contact, high.segment)
+        found.append(Finding(Severity.WARNING, "corner-not-reached", text, worst, tolerance, "mm", place=place))
     return tuple(found)
+
+
+class _Worst(NamedTuple):
+    """How many segments are over a limit, the largest value and its segment."""
+
+    count: int
+    worst: float
+    segment: int
+
+
+def _over(segments: list[Ints], values: list[Floats], limit: float) -> _Worst | None:
+    if not segments:
+        return None
+    segment, value = np.concatenate(segments), np.concatenate(values)
+    over = np.flatnonzero(value > limit)
+    if not len(over):
+        return None
+    worst = over[value[over].argmax()]
+    return _Worst(len(np.unique(segment[over])), float(value[worst]), int(segment[worst]))
 
 
 def _place(contact: ContactPath, segment: int) -> tuple[float, float, float]:

@@ -196,10 +196,11 @@ def _rounding(move: Motion, way: Chord) -> Floats:
 def _search(frame: Frames, words: Floats, rows: Ints, table: _Table) -> None:
     """Measure the blocks that end in these rows by search."""
     move = motion(frame, words[rows - 1], words[rows])
-    way = _chord_of(frame, move)
-    endless = np.full_like(way.length, np.inf)
-    line, u_line, _ = farthest(frame, _chords(frame, move, way, -endless, endless))
-    segment, u, bound = farthest(frame, _chords(frame, move, way, np.zeros_like(way.length), way.length))
+    way, zero, endless = _chord_of(frame, move), np.zeros(len(rows)), np.full(len(rows), np.inf)
+    twice = _chords(frame, move, way, zero, way.length).take(np.tile(np.arange(len(rows)), 2))
+    low, high = np.concatenate([-endless, zero]), np.concatenate([endless, way.length])
+    distance, at_u, proven = farthest(frame, replace(twice, low=low, high=high))
+    (line, segment), (u_line, u), bound = np.split(distance, 2), np.split(at_u, 2), proven[len(rows) :]
     place = np.array(to_work(frame, tip(frame, at(move, u))))
     table.put(rows, line=line, u_line=u_line, segment=segment, u_segment=u, bound=bound + _rounding(move, way))
     table.put(rows, axis=swing(frame, move), place=place)

@@ -3,7 +3,7 @@
 
 pole row   a row whose axis is parallel to the first rotary axis. Any first rotary word will do there, so it keeps that of the
            row before until the path needs another; the turn is then made on the step where it harms least: a rapid if
-           there is one, else the longest of the steps that begin or end at the pole.
+           there is one, else the longest of the cuts that begin or end at the pole.
 crossing   a step through the pole. The branch may change there at no cost: the second rotary word passes its pole
            position and changes sides while the first one stays.
 

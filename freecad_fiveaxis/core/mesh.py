@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -84,11 +85,11 @@ def from_faces(vertex: ArrayLike, face: ArrayLike) -> Mesh:
     Nothing is welded; vertices that no facet uses are left out. Raises MeshError as :func:`from_triangles` does, and
     for a vertex row that does not exist.
     """
-    point = _numbers(vertex, "vertices", (3,)).astype(np.float64, order="F")
+    point = np.asfortranarray(_numbers(vertex, "vertices", (3,)), dtype=np.float64)
     row = _numbers(face, "facets", (3,))
     if row.dtype.kind not in "iu":
         raise MeshError(f"facets are given as {row.dtype} numbers: give integer rows of the vertex table", str(row.dtype))
-    row = row.astype(np.int64, order="F")
+    row = np.asfortranarray(row, dtype=np.int64)
     low, high = int(row.min()), int(row.max())
     if low < 0 or high >= len(point):
         wrong = low if low < 0 else high
@@ -105,7 +106,7 @@ def from_faces(vertex: ArrayLike, face: ArrayLike) -> Mesh:
 # ------------------------------------------------------------------------------------------------ input
 
 
-def _numbers(given: ArrayLike, what: str, row: tuple[int, ...]) -> NDArray[np.generic]:
+def _numbers(given: ArrayLike, what: str, row: tuple[int, ...]) -> NDArray[Any]:
     """``given`` as an array of numbers with at least one row of shape ``row``, or MeshError."""
     try:
         array = np.asarray(given)
@@ -211,7 +212,8 @@ def _build(vertex: Floats, face: Ints) -> Mesh:
     findings: list[Finding] = []
     if len(flat):
         findings.append(_flat_finding(vertex, face, flat))
-        face, normal = (np.asfortranarray(np.delete(a, flat, axis=0)) for a in (face, normal))
+        face = np.asfortranarray(np.delete(face, flat, axis=0))
+        normal = np.asfortranarray(np.delete(normal, flat, axis=0))
     edges = _coedges(vertex, face)
     findings += edges.findings
     mesh = Mesh(vertex, face, normal, edges.vertex, edges.face, edges.of_face, tuple(findings))
@@ -284,9 +286,10 @@ class _Coedges:
 
 def _coedges(vertex: Floats, face: Ints) -> _Coedges:
     key, half, low = _sorted_half_edges(face, len(vertex))
+    findings: list[Finding] = []
+    closed = True
     if len(key) % 2 == 0 and np.all(key[0::2] ^ key[1::2] == 1):  # ascending keys, so every edge has its two half-edges
         ends, one, two = key[0::2], half[0::2], half[1::2]
-        findings, closed = [], True
     else:
         first, alone = _partners(key)
         row = np.concatenate([first, alone])

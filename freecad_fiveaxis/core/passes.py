@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from .errors import SettingsError
 from .findings import Finding
-from .mesh import Mesh
+from .mesh import CHUNK, Mesh
 from .progress import Progress, silent
 from .records import Floats, Ints, freeze
 from .slicing import Crossings, chain, find_crossings
@@ -90,7 +90,7 @@ def direction(angle: float) -> tuple[float, float]:
 def _planes(offsets: ArrayLike) -> Floats:
     planes = np.asarray(offsets, dtype=np.float64)
     if planes.ndim != 1 or not np.isfinite(planes).all() or (np.diff(planes) < 0.0).any():
-        raise SettingsError(f"plane offsets must be one ascending row of finite numbers, not {offsets}", offsets)
+        raise SettingsError(f"plane offsets must be one ascending row of finite numbers, not {offsets!r}", offsets)
     return planes
 
 
@@ -98,30 +98,39 @@ def _contact_path(
     mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, plane: Ints, planes: Floats, heading: tuple[float, float]
 ) -> ContactPath:
     """Entry and exit of each segment from the chains of crossings (see :func:`~.slicing.chain`)."""
+    end, number = _segment_ends(cross, crossing, first)
+    used = np.flatnonzero(number)
+    number, plane = 2 * number.take(used), plane.take(used)
+    # one block for the labels and one for the rest: numpy asks for large memory pages where an array is large
+    face, coedge, segment, polyline, pass_ = label = np.empty((5, 2 * len(end)), dtype=np.int64)
+    place = np.empty((6, 2 * len(end)))
+    polyline[:] = np.repeat(np.arange(len(used)), number)
+    pass_[:] = np.repeat(plane, number)
+    cosine, sine = heading
+    for begin in range(0, len(end), CHUNK):
+        last = end[begin : begin + CHUNK]
+        rows = slice(2 * begin, 2 * (begin + len(last)))
+        at = np.repeat(last, 2)
+        at[0::2] -= 1
+        at = crossing.take(at)
+        cross.coedge.take(at, out=coedge[rows], mode="clip")
+        along, offset = cross.along.take(at), planes.take(pass_[rows])
+        np.subtract(cosine * along, sine * offset, out=place[0, rows])
+        np.add(sine * along, cosine * offset, out=place[1, rows])
+        cross.height.take(at, out=place[2, rows], mode="clip")
+        cut = np.repeat(cross.left.take(at[1::2]), 2)
+        face[rows] = cut
+        for axis in range(3):
+            mesh.normal[:, axis].take(cut, out=place[3 + axis, rows], mode="clip")
+        segment[rows] = np.arange(rows.start, rows.stop) >> 1
+    return ContactPath(place[:3].T, place[3:].T, *label)
+
+
+def _segment_ends(cross: Crossings, crossing: Ints, first: Ints) -> tuple[Ints, Ints]:
+    """Rows of ``crossing`` where a segment ends that began in the row before and has a length, and their number in each chain."""
     along, height = cross.along.take(crossing), cross.height.take(crossing)
-    cuts = np.empty(len(crossing), dtype=np.bool_)  # row i: a segment from crossing i - 1 to crossing i
+    cuts = np.empty(len(crossing), dtype=np.bool_)
     np.not_equal(along[1:], along[:-1], out=cuts[1:])
     cuts[1:] |= height[1:] != height[:-1]
     cuts[first] = False
-    end = np.flatnonzero(cuts)
-    number = np.add.reduceat(cuts, first, dtype=np.int64) if len(first) else first
-    used = np.flatnonzero(number)
-    number, plane = 2 * number.take(used), plane.take(used)
-
-    # one block for the labels and one for the rest: large blocks get large memory pages, which halves the time
-    face, coedge, segment, polyline, pass_ = label = np.empty((5, 2 * len(end)), dtype=np.int64)
-    place = np.empty((6, 2 * len(end)))
-    at = np.repeat(end, 2)
-    np.take(cross.left.take(crossing), at, out=face, mode="clip")
-    at[0::2] -= 1
-    np.take(cross.coedge.take(crossing), at, out=coedge, mode="clip")
-    np.right_shift(np.arange(len(at)), 1, out=segment)
-    polyline[:], pass_[:] = np.repeat(np.arange(len(used)), number), np.repeat(plane, number)
-    travel, offset = along.take(at), np.repeat(planes.take(plane), number)
-    cosine, sine = heading
-    np.subtract(cosine * travel, sine * offset, out=place[0])
-    np.add(sine * travel, cosine * offset, out=place[1])
-    np.take(height, at, out=place[2], mode="clip")
-    for axis in range(3):
-        np.take(mesh.normal[:, axis], face, out=place[3 + axis], mode="clip")
-    return ContactPath(place[:3].T, place[3:].T, *label)
+    return np.flatnonzero(cuts), np.add.reduceat(cuts, first, dtype=np.int64) if len(first) else first

@@ -40,7 +40,7 @@ NOTHING = 5e-7
 """mm: half the accuracy that is promised for the deviation."""
 
 REST, REST_SHARE = 2e-7, 2e-6
-"""mm, and share of the deviation: the quartic must be as close as either, a fifth of the accuracy that is promised."""
+"""mm, and share of the deviation: the bound may exceed the deviation by both, a fifth of the accuracy that is promised."""
 
 MOST_TURN = 0.35
 """rad: beyond this summed travel the quartic is not tried."""
@@ -109,18 +109,17 @@ def bow(way: Chord, nodes: Floats, levers: Levers) -> Bow:
     s, left = _root(h)
     factor = 0.25 - s * s
     distance = factor * _lengths(a + s * (b + s * c))
-    rest = REMAINDER * bending(levers, 5)
     short_of_peak = 0.25 * left * left / (np.maximum(fall, least_fall) + SMALLEST)
-    bound = np.sqrt(distance * distance + short_of_peak) + rest
-    close = (rest <= np.maximum(REST, REST_SHARE * distance)) & (levers.turn <= MOST_TURN)
+    bound = np.sqrt(distance * distance + short_of_peak) + REMAINDER * bending(levers, 5)
+    close = bound - distance <= REST + REST_SHARE * distance
     foot_inside = np.abs(along[0]) + 0.5 * np.abs(along[1]) + 0.25 * np.abs(along[2]) <= way.length
-    arched = close & foot_inside & (fall > least_fall)
+    proven = close & foot_inside & (fall > least_fall)
     most = 0.125 * bending(levers, 2)
-    flat = np.flatnonzero(close & ~arched & (most <= NOTHING))
+    flat = np.flatnonzero(~proven & (most <= NOTHING))
     bound[flat] = np.maximum(most[flat], distance[flat])
-    arched[flat] = True
+    proven[flat] = True
     place = way.start + (s + 0.5) * way.vector + factor * (full[0] + s * (full[1] + s * full[2]))
-    return Bow(distance, s + 0.5, bound, place, arched)
+    return Bow(distance, s + 0.5, bound, place, proven & (levers.turn <= MOST_TURN))
 
 
 def _coefficients(way: Chord, nodes: Floats) -> tuple[Floats, Floats, Floats]:
@@ -149,11 +148,10 @@ def _quintic(n0: Floats, n1: Floats, n2: Floats, n3: Floats, n4: Floats) -> list
 
 
 def _root(h: list[Floats]) -> tuple[Floats, Floats]:
-    """s where H is nearly zero, by Newton's method from the middle of the block, and H there."""
+    """s where H is nearly zero, by two steps of Newton's method from the middle of the block, and H there."""
     s = np.clip(h[0] / np.maximum(-h[1], SMALLEST), -0.4, 0.4)
-    for _ in range(2):
-        value, slope = _value(h, s), h[1] + s * (2.0 * h[2] + s * (3.0 * h[3] + s * (4.0 * h[4] + s * (5.0 * h[5]))))
-        s = np.clip(s - value / np.minimum(slope, -SMALLEST), -0.5, 0.5)
+    slope = h[1] + s * (2.0 * h[2] + s * (3.0 * h[3] + s * (4.0 * h[4] + s * (5.0 * h[5]))))
+    s = np.clip(s - _value(h, s) / np.minimum(slope, -SMALLEST), -0.5, 0.5)
     return s, _value(h, s)
 
 

@@ -32,7 +32,7 @@ HALVINGS = 50
 ROUND = (Motion.CUT, Motion.LINK, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.LINK)
 """Motions to the tips of a rewind: leave, clear of the part, beside it, above it; turned there, beside, clear, enter."""
 LISTED = 20
-"""Rewinds that get a finding of their own; a path with more is poor as a whole, and the first finding says so."""
+"""Rewinds that get a finding of their own; one more finding gives the number of all."""
 
 
 @dataclass(frozen=True, eq=False)

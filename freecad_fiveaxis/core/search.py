@@ -55,6 +55,11 @@ class Chords:
     third: Floats
     turn: Floats
 
+    def take(self, rows: Ints) -> Chords:
+        """The chords of some blocks; an index may come more than once."""
+        columns = (column[rows] for column in (self.low, self.high, self.second, self.third, self.turn))
+        return Chords(self.move.take(rows), _taken(self.origin, rows), _taken(self.along, rows), *columns)
+
 
 @dataclass(frozen=True, eq=False)
 class _Pieces:

@@ -173,8 +173,8 @@ def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats,
         enter[enter < 0] = nodes
         next_node[leave] = enter
         exit_[leave] = number
-    label, place = label[:, :total], place[:, :total]
-    return Crossings(label[0], label[1], place[0], place[1], next_node, exit_, base, Starts.joined(opening), Starts.joined(turning))
+    coedge, left, at, height = label[0, :total], label[1, :total], place[0, :total], place[1, :total]
+    return Crossings(coedge, left, at, height, next_node, exit_, base, Starts.joined(opening), Starts.joined(turning))
 
 
 def _interpolate(cuts: _Cuts, offsets: Floats, distance: Floats, values: tuple[Floats, Floats], out: Floats) -> None:

@@ -103,7 +103,8 @@ def _is_binary(data: bytes) -> bool:
         raise MeshError(f"this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header", size)
     held = (size - HEADER) / RECORD.itemsize
     raise MeshError(
-        f"the header announces {count} facets, but the file holds {held:g}: it is cut off, damaged or no STL; export it again", count
+        f"the header announces {count} facets, but the file holds {held:g}: it is cut off, damaged or no STL; export it again",
+        count,
     )
 
 

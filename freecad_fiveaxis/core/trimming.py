@@ -30,12 +30,14 @@ SPREAD = np.uint64(0x9E3779B97F4A7C15)
 
 
 class Trimmed(NamedTuple):
-    """``rows`` of the offset path in short form, each of polyline ``line``; segments that the path may ``cut_into``; segments
-    that the ball does not reach, ``missed``, and ``height`` mm by which it stays above them."""
+    """``rows`` of the offset path in short form, each of polyline ``line``; segments that the ball may ``cut_into`` and
+    ``depth`` mm, above 0 where it does; segments that it does not reach, ``missed``, and ``height`` mm by which it stays off.
+    """
 
     rows: Rows
     line: Ints
     cut_into: Ints
+    depth: Floats
     missed: Ints
     height: Floats
 
@@ -313,11 +315,12 @@ def _place(chords: _Chords, chord: Ints, t: Floats) -> Floats:
     return np.asarray(chords.origin[:, chord] + t * chords.along[:, chord])
 
 
-def _what_is_left(chords: _Chords, segments: Segments) -> tuple[Ints, Ints, Floats]:
-    """Segments that the path may cut into; segments that were dropped, and how far from each the ball stays, mm.
+def _what_is_left(chords: _Chords, segments: Segments) -> tuple[Ints, Floats, Ints, Floats]:
+    """Segments that the ball cuts into and how deep, mm; segments that were dropped and how far from each it stays, mm.
 
-    Both are measured from the crossing that took the segment's place: to its nearest point, and to the end that is further
-    off (infinite where nothing is left of the polyline).
+    Measured where two chords that did not meet before are trimmed against each other: from there to the nearest point of
+    their segments and of the segments dropped between them, and to the further end of the latter (infinite where nothing is
+    left of the polyline).
     """
     gone = np.flatnonzero(~chords.alive & chords.real)
     heir = chords.heir
@@ -327,22 +330,25 @@ def _what_is_left(chords: _Chords, segments: Segments) -> tuple[Ints, Ints, Floa
     heir = heir[gone]
     head = (chords.before[heir] < 0) & (heir > gone)  # all before it is gone
     onward = np.where(head | (chords.after[heir] < 0), heir, chords.after[heir])
-    places = [np.where(head, chords.start[heir], chords.stop[heir])]
-    places.append(np.where(onward == heir, places[0], chords.start[onward]))
-    near, far = np.full(len(gone), np.inf), np.full((2, len(gone)), np.inf)
-    for chord, t in zip((heir, onward), places, strict=True):
-        off = _place(chords, chord, t) - (chords.origin[:, gone] - chords.radius * chords.normal[:, gone])
-        along = np.clip(dot(off, chords.along[:, gone]), 0.0, chords.high[gone])
-        near = np.minimum(near, _distance(off, along, chords.along[:, gone]))
-        ends = [_distance(off, end, chords.along[:, gone]) for end in (chords.low[gone], chords.high[gone])]
-        far = np.minimum(far, ends)
+    stop = _place(chords, heir, np.where(head, chords.start[heir], chords.stop[heir]))
+    go = np.where(onward == heir, stop, _place(chords, onward, chords.start[onward]))
+    near_stop, far_stop = _distances(chords, segments, gone, stop)
+    near_go, far_go = _distances(chords, segments, gone, go)
+    nearest = np.minimum(np.minimum(near_stop, near_go), _distances(chords, segments, onward, stop)[0])
+    depth = chords.radius - np.minimum(nearest, _distances(chords, segments, heir, go)[0])
+    height = np.minimum(far_stop, far_go).max(axis=0) - chords.radius
+    stuck = np.flatnonzero(chords.alive & chords.stuck)
+    depth = np.concatenate([depth, np.full(len(stuck), chords.radius)])  # not known, so the worst
+    missed, height = np.concatenate([gone, lost]), np.concatenate([height, np.full(len(lost), np.inf)])
     segment = segments.live[chords.at]
-    into = np.concatenate([gone[near < chords.radius - FLAT_GAP], np.flatnonzero(chords.alive & chords.stuck)])
-    height = np.concatenate([far.max(axis=0) - chords.radius, np.full(len(lost), np.inf)])
-    return np.unique(segment[into]), segment[np.concatenate([gone, lost])], height
+    return segment[np.concatenate([gone, stuck])], depth, segment[missed], height
 
 
-def _distance(off: Floats, t: Floats, along: Floats) -> Floats:
-    """Length of ``off`` - t x ``along``."""
-    rest = off - t * along
-    return np.asarray(np.sqrt(dot(rest, rest)))
+def _distances(chords: _Chords, segments: Segments, chord: Ints, place: Floats) -> tuple[Floats, Floats]:
+    """From ``place`` (3, c) to the nearest point (c,) and to both ends (2, c) of the contact segments of chords, mm."""
+    segment = segments.live[chords.at[chord]]
+    along, length = direction(segments, segment), segments.length[segment]
+    off = place - segments.point.take(2 * segment, axis=1)
+    ends = (np.clip(dot(off, along), 0.0, length), np.zeros(len(chord)), length)
+    near, start, stop = (np.sqrt(dot(rest, rest)) for rest in (off - t * along for t in ends))
+    return near, np.stack([start, stop])

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""NC text to Program: words, modes, units, line numbers, and what is not interpreted."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
+from freecad_fiveaxis.core.findings import Severity
+from freecad_fiveaxis.core.kinematics import Chain, Setup, chain
+from freecad_fiveaxis.core.machine import Axis, Machine
+from freecad_fiveaxis.core.nc_reader import read_nc
+from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.program import Program
+
+ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
+
+
+def trunnion() -> Chain:
+    x, y, z = (Axis(name, False, "head", tuple(row), max_rate=6000.0) for name, row in zip("XYZ", np.eye(3), strict=True))
+    c = Axis("C", True, "table", (0, 0, 1), max_rate=np.pi)
+    a = Axis("A", True, "table", (1, 0, 0), max_rate=np.pi)
+    return chain(Machine("trunnion", (c, a, x, y, z)), Setup())
+
+
+LINKS = trunnion()
+HEAD = b"G21 G90 G94 F100\nG0 X0 Y0 Z0 A0 C0\n"
+
+
+def read(text: bytes) -> Program:
+    return read_nc(text, LINKS, DIALECTS["linuxcnc"])
+
+
+def kinds(program: Program) -> list[tuple[str, Severity]]:
+    return [(found.code, found.severity) for found in program.findings]
+
+
+def test_words_are_kept_in_the_machines_order_with_their_lines() -> None:
+    program = read(b"G21 G90\n\n(a comment)\nG0 X1 Y2 Z3 A4 C5\nG1 X1.5 F100\n")
+    assert program.letters == "XYZCA"
+    assert program.words.tolist() == [[1, 2, 3, 5, 4], [1.5, 2, 3, 5, 4]]
+    assert program.line.tolist() == [4, 5]
+    assert program.motion.tolist() == [Motion.RAPID, Motion.CUT]
+    assert program.feed.tolist() == [0, 100]
+    assert program.row.tolist() == [-1, -1] and program.findings == ()
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        b"G1X1.Y-2.5A+3F100", b"f100 a3 y-2.5 x1 g1", b"N10 G01 X1.0000 Y-2.5 A3. F1e2".replace(b"1e2", b"100"), b"\tG1\tX 1 Y - 2 . 5 A3 F100",
+        b"G1 X01 Y-2.50 (feed) A3 F100 ; end", b"/G1 X1 Y-2.5 A3 F100", b"/2 N7 G1 X1 Y-2.5 A3 F100", b"G1 X1 Y-02.5 A3. F100.0 S3000 M3 T1 H1 D2 P3 Q1 L2",
+        b"M8 G1 X1 Y-2.5 A3 F100 (one)(two)",
+    ],
+)  # fmt: skip
+def test_every_way_to_write_a_block_reads_the_same(line: bytes) -> None:
+    program = read(HEAD + line)
+    assert program.words[1].tolist() == [1, -2.5, 0, 0, 3]
+    assert program.feed[1] == 100 and program.motion[1] == Motion.CUT and program.line[1] == 3
+    assert not [found for found in program.findings if found.severity > NOTE]
+
+
+@pytest.mark.parametrize("end", [b"\n", b"\r\n", b"\r"])
+@pytest.mark.parametrize("start", [b"", b"\xef\xbb\xbf"])
+def test_every_line_ending_and_a_byte_order_mark_give_the_same_lines(end: bytes, start: bytes) -> None:
+    program = read(start + (HEAD + b"G1 X1\n\nG1 X2\n").replace(b"\n", end))
+    assert program.line.tolist() == [2, 3, 5]
+
+
+def test_a_tape_between_percent_signs_is_read_and_no_more() -> None:
+    program = read(b"leader\n%\nO1234 (PART)\n" .replace(b"leader", b"") + HEAD + b"G1 X1\nM30\n%\nG1 X99\n")
+    assert program.words[-1, 0] == 1 and program.line.tolist() == [5, 6]
+    assert ("text-after-end", NOTE) in kinds(program)
+
+
+@pytest.mark.parametrize("end", [b"M2", b"M30", b"m02", b"M99"])
+def test_nothing_after_the_end_of_the_program_is_read(end: bytes) -> None:
+    program = read(HEAD + b"G1 X1\n" + end + b"\nG1 X2\n")
+    assert len(program.words) == 2
+    assert kinds(program) == [("text-after-end", NOTE)] and program.findings[0].line == 5
+
+
+def test_modes_stay_until_another_comes() -> None:
+    program = read(HEAD + b"G1 X1\nY2\nG0 Z3\nX4\nG1\nX5\n")
+    assert program.motion.tolist() == [3, 0, 0, 3, 3, 0]
+    assert program.words[:, 0].tolist() == [0, 1, 1, 1, 4, 5]
+
+
+def test_incremental_words_add_up_and_absolute_ones_start_anew() -> None:
+    program = read(HEAD + b"G91 G1 X1 A2\nX1\nG90 X10\nG91 X-0.5 C3\nX-0.5\n")
+    assert program.words[:, 0].tolist() == [0, 1, 2, 10, 9.5, 9]
+    assert program.words[:, 4].tolist() == [0, 2, 2, 2, 2, 2]
+    assert program.words[:, 3].tolist() == [0, 0, 0, 0, 3, 3]
+
+
+def test_inches_become_millimetres_and_degrees_and_inverse_times_stay() -> None:
+    program = read(b"G20 G90\nG0 X0 Y0 Z0 A0 C0\nG1 X1 A90 F10\nG93 X2 F10\nG21 G94 X1 F10\n")
+    assert program.words[:, 0].tolist() == [0, 25.4, 50.8, 1]
+    assert program.words[1, 4] == 90
+    assert program.feed.tolist() == [0, 254, 10, 10]
+    assert program.inverse_time.tolist() == [False, False, True, False]
+
+
+def test_times_are_what_the_words_say() -> None:
+    program = read(HEAD + b"G1 X3 Y4\nG1 A30 C40\nG93 G1 X9 F2\nG0 X19 C41\n")
+    assert program.seconds[1:] == pytest.approx([60 * 5 / 100, 60 * 50 / 100, 30, max(60 * 10 / 6000, 60 * np.radians(1) / np.pi)])
+    assert program.seconds[0] == 0
+    fanuc = read_nc(HEAD + b"G1 X20 C40 F300\n", LINKS, DIALECTS["fanuc"])
+    assert fanuc.seconds[1] == pytest.approx(60 * 0.14907, rel=1e-4)  # B-63174EN, 4.2
+
+
+def test_a_feed_dies_with_its_feed_mode_as_on_linuxcnc() -> None:
+    program = read(HEAD + b"G93 G1 X1 F50\nG94 G1 X2\nG1 X3 F70\n")
+    assert program.feed.tolist() == [0, 50, 0, 70]
+    assert kinds(program) == [("no-feed", ERROR)] and program.findings[0].line == 4
+
+
+def test_an_inverse_time_block_without_its_own_f_is_an_error() -> None:
+    program = read(HEAD + b"G93 G1 X1 F50\nX2\n")
+    assert kinds(program) == [("inverse-feed-missing", ERROR)] and program.findings[0].line == 4
+
+
+def test_axes_that_the_first_block_does_not_name_are_said_to_be_taken_as_zero() -> None:
+    program = read(b"G21\nG0 X5 C7\nG1 Z3 F1\n")
+    assert program.words.tolist() == [[5, 0, 0, 7, 0], [5, 0, 3, 7, 0]]
+    assert kinds(program) == [("position-unknown", NOTE)] and "A, Y, Z" in program.findings[0].text
+
+
+@pytest.mark.parametrize(
+    ("line", "code", "severity"),
+    [
+        (b"G2 X1 I1 J0", "arc-not-interpreted", ERROR),
+        (b"G03 X1 R5", "arc-not-interpreted", ERROR),
+        (b"G81 X1 Z-1 R2", "cycle-not-interpreted", ERROR),
+        (b"G5.2 X1 P1 L3", "spline-not-interpreted", ERROR),
+        (b"#1=5", "macro-not-interpreted", ERROR),
+        (b"G1 X[1+2]", "macro-not-interpreted", ERROR),
+        (b"GOTO 10", "macro-not-interpreted", ERROR),
+        (b"M98 P1000", "call-not-interpreted", ERROR),
+        (b"G65 P9000 X1", "call-not-interpreted", ERROR),
+        (b"G10 L2 P1 X5", "offset-not-interpreted", ERROR),
+        (b"G92 X0", "offset-not-interpreted", ERROR),
+        (b"G68 X0 Y0 R30", "offset-not-interpreted", ERROR),
+        (b"G43.4 H1", "rtcp-not-interpreted", ERROR),
+        (b"M128", "rtcp-not-interpreted", ERROR),
+        (b"M428", "rtcp-not-interpreted", ERROR),
+        (b"G41 D1", "compensation-not-interpreted", ERROR),
+        (b"G28 Z0", "machine-position", WARNING),
+        (b"G91 G30 Z0", "machine-position", WARNING),
+        (b"G53 G0 Z0", "machine-position", WARNING),
+        (b"G95 G1 X1 F0.1", "feed-per-turn", WARNING),
+        (b"G123", "unknown-code", WARNING),
+        (b"G1 B3", "unknown-axis", ERROR),
+        (b"G1 X1 I0 J0 K1", "word-not-interpreted", WARNING),
+        (b"/G1 X1", "block-skip", NOTE),
+        (b"G55", "work-offset-change", WARNING),
+    ],
+)
+def test_what_is_not_interpreted_is_a_finding_with_its_line(line: bytes, code: str, severity: Severity) -> None:
+    program = read(b"G54\n" + HEAD + b"G1 X3\n" + line + b"\nG1 X7\n")
+    found = [finding for finding in program.findings if finding.code == code]
+    assert found and found[0].severity is severity
+    assert found[0].line in (5, 3)  # work offsets: the first motion line
+    assert program.words[-1, 0] == 7 or b"G91" in line
+
+
+def test_an_arc_is_taken_as_straight_and_a_cycle_left_out() -> None:
+    program = read(HEAD + b"G2 X1 I1 J0\nX2 I1\nG81 X5 Z-1 R2\nX6\nG80\nG1 X7\n")
+    assert program.words[:, 0].tolist() == [0, 1, 2, 7]
+    assert not [found for found in program.findings if found.code == "word-not-interpreted" and "I" in found.text]
+
+
+def test_moves_to_machine_positions_and_dwells_are_no_blocks() -> None:
+    assert len(read(HEAD + b"G28 Z0\nG53 G0 Z0\nG4 X1.5\nG10 L2 P1 X1\n").words) == 1
+
+
+def test_axis_words_before_any_motion_code_are_said_to_be_taken_as_g1() -> None:
+    program = read(b"G21 F100\nX1 Y0 Z0 A0 C0\nG1 X2\n")
+    assert kinds(program) == [("no-motion-code", WARNING)] and program.motion[0] == Motion.CUT
+
+
+def test_a_program_that_says_no_units_gets_a_note() -> None:
+    assert kinds(read(b"G0 X0 Y0 Z0 A0 C0\nG1 X1 F1\n")) == [("units-not-said", NOTE)]
+
+
+@pytest.mark.parametrize(
+    ("line", "where"),
+    [
+        (b"G1 X1,5", "line 3, column 6"), (b"G1 X", "line 3, column 4"), (b"G1 X1.2.3", "line 3, column 4"), (b"G1 X1-2", "line 3, column 6"),
+        (b"5 G1 X1", "line 3, column 1"), (b"G1 X1e-5", "line 3, column 6"), (b"G1 (open", "line 3, column 4"), (b"G1 X1) Y2", "line 3, column 6"),
+        (b"G1 X--1", "line 3, column 6"), (b"TRAORI", "line 3, column 1"), (b"G1 X1 X2", "line 3"), (b"G1 X" + b"9" * 400, "line 3, column 4"),
+        (b"L X+1 FMAX", "line 3, column 1"), (b"G1 X\xe9", "line 3, column 5"), (b"  G1   Y  .", "line 3, column 8"),
+    ],
+)  # fmt: skip
+def test_what_is_no_word_is_refused_with_line_and_column(line: bytes, where: str) -> None:
+    with pytest.raises(ProgramError) as caught:
+        read(HEAD + line + b"\nG1 X2\n")
+    assert where in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "text", [b"", b"\n\n", b"(only a comment)", b"M30\n", b"G0\nG1 F5\n", b"T1 M6\nS1000 M3\n", b"M2\nG0 X1\n", b"G1 B5 F1\n"]
+)
+def test_a_text_without_motion_is_refused(text: bytes) -> None:
+    with pytest.raises(ProgramError, match="no motion blocks"):
+        read(text)
+
+
+@pytest.mark.parametrize("data", [b"\x00\x01\x02", b"G0 X1\x00", bytes(range(256)), "G0 X1\n".encode("utf-16")])
+def test_a_binary_file_is_refused(data: bytes) -> None:
+    with pytest.raises(ProgramError, match="text file"):
+        read(data)
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.binary(max_size=80))
+def test_no_bytes_whatever_give_a_traceback(data: bytes) -> None:
+    try:
+        read(data)
+    except FiveAxisError as error:
+        assert "\n" not in str(error)
+
+
+@settings(max_examples=500, deadline=None)
+@given(st.text(alphabet="GXYZACFNMO0123456789.-+ ()%/;\n\r#[]=:BIR", max_size=60))
+def test_no_text_of_nc_characters_gives_a_traceback(text: str) -> None:
+    try:
+        program = read(text.encode())
+        assert np.isfinite(program.words).all() and np.isfinite(program.seconds).all()
+    except FiveAxisError as error:
+        assert "\n" not in str(error)
+
+
+def test_a_plain_reader_of_one_line_at_a_time_finds_the_same_words() -> None:
+    random = np.random.default_rng(5)
+    position, lines, expected = dict.fromkeys("XYZCA", 0.0), [HEAD.decode().strip()], [[0.0] * 5]
+    for _ in range(500):
+        chosen = [letter for letter in "XYZCA" if random.random() < 0.5] or ["X"]
+        for letter in chosen:
+            position[letter] = float("%.4f" % random.normal(0, 100))
+        random.shuffle(chosen)
+        lines.append(" ".join(["G1", *("%s%.4f" % (letter, position[letter]) for letter in chosen)]))
+        expected.append([position[letter] for letter in "XYZCA"])
+    assert read("\n".join(lines).encode()).words.tolist() == expected
