@@ -147,7 +147,7 @@ def _run(settings: Settings, quiet: bool) -> int:
         raise SettingsError(f"{settings.source} does not exist; name the file to read", settings.source)
     with bars(quiet) as progress:
         result = job.run(settings, progress)
-        written = job.write_outputs(result)
+        written = job.write_outputs(result, progress)
     if not quiet:
         print(as_text(job.figures(result)))
         for path in written:

@@ -48,8 +48,8 @@ from .trajectory import (
     to_work,
 )
 
-FARTHEST_WORD = 1e7
-"""mm or deg: beyond this a word is a mistake, and a float no longer holds a micron of it after arithmetic."""
+FARTHEST_WORD = 1e6
+"""mm or deg: a kilometre, or 2777 turns. Beyond this a word is a mistake."""
 
 SEARCHED = 2048
 """Blocks searched at a time: their pieces fill a chunk."""

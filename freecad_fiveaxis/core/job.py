@@ -2,7 +2,7 @@
 """The whole street on one page: from a solid's STL to a proven program.
 
 Three ways in: ``mill`` starts at the STL, ``post`` at a CL file, ``audit`` at a finished NC file; all three end at the same
-proof of the rounded words, because that is what the machine gets.
+proof of the rounded words, because that is what the machine gets. ``run`` makes and proves; ``write_outputs`` writes.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import apt, report
+from . import report
+from .apt import read_apt, write_apt
 from .block_table import blocks_csv
 from .cl_path import CLPath, LinkOptions, link_passes
 from .coedge import OffsetPath, close_gaps
@@ -26,39 +27,38 @@ from .machine_file import load_machine
 from .mesh import Mesh
 from .nc_reader import read_nc
 from .passes import ContactPath, slice_mesh
-from .post import Dialect, find_dialect
+from .post import Dialect, PostOptions, find_dialect
 from .post.writer import write_nc
 from .program import Program, build_program
 from .progress import Progress, silent
 from .reach import reachable_facets
 from .records import Floats
 from .report_html import as_html
-from .settings import AUDIT, MILL, POST, Settings, flat_options
+from .settings import MILL, POST, Settings, flat_options
 from .singularity import Singularity, find_singular
 from .spacing import place_planes
 from .stl import read_stl
-from .tool_axis import AxisOptions, tool_axes
+from .tool_axis import AxisOptions, find_strategy, tool_axes
 
+DEFAULT_CONTROLLER = "linuxcnc"
 DEFAULT_SCALLOP = 0.01
 """mm, where neither a scallop nor a stepover is asked for: a usual finishing quality."""
 
 
 @dataclass(frozen=True, eq=False)
-class Result:
-    """A proven program with all that led to it. ``findings`` of every stage, in the order of the street."""
+class Made:
+    """A program of rounded words, not yet proven, with the machine that it is for."""
 
     settings: Settings
     machine: Machine
     links: Chain
     dialect: Dialect
     program: Program
-    deviation: Deviation
-    singularity: Singularity
     findings: tuple[Finding, ...]
 
 
 @dataclass(frozen=True, eq=False)
-class PostResult(Result):
+class Posted(Made):
     """A program made here: the CL path, the joints and the NC file's bytes."""
 
     path: CLPath
@@ -67,7 +67,7 @@ class PostResult(Result):
 
 
 @dataclass(frozen=True, eq=False)
-class MillResult(PostResult):
+class Milled(Posted):
     """A program made from a mesh."""
 
     mesh: Mesh
@@ -75,22 +75,37 @@ class MillResult(PostResult):
     offset: OffsetPath
 
 
+@dataclass(frozen=True, eq=False)
+class Result:
+    """A proven program. ``findings`` of every stage, in the order of the street."""
+
+    made: Made
+    deviation: Deviation
+    singularity: Singularity
+    findings: tuple[Finding, ...]
+
+
 def run(settings: Settings, progress: Progress = silent) -> Result:
     """Do the task that the settings name. Raises FiveAxisError for input that cannot be used; writes nothing."""
-    return {MILL: mill, POST: post, AUDIT: audit}[settings.task](settings, progress)
+    return prove(make(settings, progress), progress)
 
 
-def mill(settings: Settings, progress: Progress = silent) -> MillResult:
-    """From an STL file to a proven program."""
+def make(settings: Settings, progress: Progress = silent) -> Made:
+    """The program, not yet proven."""
     machine, links, dialect = _machine(settings)
-    mesh = read_stl(settings.source, progress)
-    return mill_mesh(settings, mesh, machine, links, dialect, progress)
+    if settings.task == MILL:
+        find_strategy(settings.tool_axis.tool_axis)
+        return mill(settings, read_stl(settings.source, progress), machine, links, dialect, progress)
+    if settings.task == POST:
+        return post(settings, machine, links, dialect, progress)
+    program = read_nc(read_bytes(settings.source, "NC file"), links, dialect, progress)
+    return Made(settings, machine, links, dialect, program, program.findings)
 
 
-def mill_mesh(
+def mill(
     settings: Settings, mesh: Mesh, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent
-) -> MillResult:
-    """From a mesh to a proven program: the street itself."""
+) -> Milled:
+    """From a mesh to a program: the street itself."""
     passes, cutter, link = settings.passes, settings.cutter.cutter, settings.links
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
     keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle)
@@ -107,54 +122,44 @@ def mill_mesh(
     )  # fmt: skip
     path = link_passes(offset, axis, cutter, low, high, options, progress)
     found = mesh.findings + left_out + spacing + contact.findings + offset.findings + path.findings
-    posted = _post(settings, path, low, high, machine, links, dialect, found, progress)
-    return MillResult(**vars(posted), mesh=mesh, contact=contact, offset=offset)
+    posted = _posted(settings, path, low, high, machine, links, dialect, found, progress)
+    return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset)
 
 
-def post(settings: Settings, progress: Progress = silent) -> PostResult:
-    """From a CL file (APT) to a proven program."""
-    machine, links, dialect = _machine(settings)
-    path = apt.read_apt(read_bytes(settings.source, "CL file"), feed=settings.feeds.feed)
+def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:
+    """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the path's own box."""
+    path = read_apt(read_bytes(settings.source, "CL file"), settings.feeds.feed, progress)
     low, high = path.tip.min(axis=0), path.tip.max(axis=0)
-    return _post(settings, path, low, high, machine, links, dialect, path.findings, progress)
+    return _posted(settings, path, low, high, machine, links, dialect, path.findings, progress)
 
 
-def _post(
+def _posted(
     settings: Settings, path: CLPath, low: Floats, high: Floats, machine: Machine, links: Chain, dialect: Dialect,
     found: tuple[Finding, ...], progress: Progress,
-) -> PostResult:  # fmt: skip
+) -> Posted:  # fmt: skip
     joints = solve(path, links, low, high, settings.links.clearance, progress)
     program = build_program(joints, links, dialect, settings.feeds.feed_mode == "g93", progress)
-    nc = write_nc(program, dialect, _title(settings))
-    proven = prove(settings, machine, links, dialect, program, found + joints.findings + program.findings, progress)
-    return PostResult(**vars(proven), path=path, joints=joints, nc=nc)
+    nc = write_nc(program, dialect, _title(settings), _head(settings), progress)
+    findings = found + joints.findings + program.findings
+    return Posted(settings, machine, links, dialect, program, findings, path, joints, nc)
 
 
-def audit(settings: Settings, progress: Progress = silent) -> Result:
-    """A finished NC file of any origin."""
-    machine, links, dialect = _machine(settings)
-    program = read_nc(read_bytes(settings.source, "NC file"), links, dialect)
-    return prove(settings, machine, links, dialect, program, program.findings, progress)
-
-
-def prove(
-    settings: Settings, machine: Machine, links: Chain, dialect: Dialect, program: Program, found: tuple[Finding, ...],
-    progress: Progress = silent,
-) -> Result:  # fmt: skip
+def prove(made: Made, progress: Progress = silent) -> Result:
     """The deviation of every block of a program, its proven bound, and the blocks near the pole."""
-    deviation = measure(links, program.words, settings.proof.method, progress)
-    singularity = find_singular(links, program.words, machine.singular_cone)
-    judged = report.judge(links, program, deviation, singularity, settings.proof.tolerance)
-    findings = found + deviation.findings + judged
-    return Result(settings, machine, links, dialect, program, deviation, singularity, findings)
+    proof, words = made.settings.proof, made.program.words
+    deviation = measure(made.links, words, proof.method, progress)
+    singularity = find_singular(made.links, words, made.machine.singular_cone)
+    judged = report.judge(made.links, made.program, deviation, singularity, proof.tolerance)
+    return Result(made, deviation, singularity, made.findings + deviation.findings + judged)
 
 
 def figures(result: Result) -> report.Figures:
     """What the report is made from."""
+    made = result.made
     return report.Figures(
-        title=_title(result.settings), kind=result.settings.task, machine=result.machine, links=result.links,
-        program=result.program, deviation=result.deviation, singularity=result.singularity,
-        tolerance=result.settings.proof.tolerance, findings=result.findings, inputs=flat_options(result.settings),
+        title=_title(made.settings), kind=made.settings.task, machine=made.machine, links=made.links,
+        program=made.program, deviation=result.deviation, singularity=result.singularity,
+        tolerance=made.settings.proof.tolerance, findings=result.findings, inputs=flat_options(made.settings),
     )  # fmt: skip
 
 
@@ -176,26 +181,37 @@ def check_outputs(settings: Settings) -> None:
 REPORTS = {".json": report.as_json, ".html": as_html, ".htm": as_html, ".txt": report.as_text}
 
 
-def write_outputs(result: Result) -> list[str]:
+def write_outputs(result: Result, progress: Progress = silent) -> list[str]:
     """Write the files that the settings name, each whole or not at all; returns their names. Raises FileError."""
-    output, sheets = result.settings.output, figures(result)
-    made: list[tuple[str, bytes]] = []
-    if output.output and isinstance(result, PostResult):
-        made.append((output.output, result.nc))
-    if output.cl and isinstance(result, PostResult):
-        made.append((output.cl, apt.write_apt(result.path, result.settings.cutter.cutter, _title(result.settings))))
-    if output.blocks:
-        made.append((output.blocks, blocks_csv(result.program, result.deviation, result.singularity)))
-    made += [(path, REPORTS[Path(path).suffix.lower()](sheets).encode()) for path in output.report]
-    for path, data in made:
+    files = {**_program_files(result.made), **_report_files(result, progress)}
+    for path, data in files.items():
         write_whole(path, data)
-    return [path for path, _ in made]
+    return list(files)
+
+
+def _program_files(made: Made) -> dict[str, bytes]:
+    output, files = made.settings.output, {}
+    if isinstance(made, Posted) and output.output:
+        files[output.output] = made.nc
+    if isinstance(made, Posted) and output.cl:
+        files[output.cl] = write_apt(made.path, made.settings.cutter.cutter, _title(made.settings))
+    return files
+
+
+def _report_files(result: Result, progress: Progress) -> dict[str, bytes]:
+    output, files = result.made.settings.output, {}
+    if output.blocks:
+        files[output.blocks] = blocks_csv(result.made.program, result.deviation, result.singularity, progress)
+    if output.report:
+        sheets = figures(result)
+        files |= {path: REPORTS[Path(path).suffix.lower()](sheets).encode() for path in output.report}
+    return files
 
 
 def _machine(settings: Settings) -> tuple[Machine, Chain, Dialect]:
-    dialect = find_dialect(settings.machine.controller)
-    machine = load_machine(settings.machine.machine)
     given = settings.machine
+    machine = load_machine(given.machine)
+    dialect = find_dialect(given.controller or machine.controller or DEFAULT_CONTROLLER)
     if given.tool_length is None and machine.has_head:
         raise SettingsError(f"machine {machine.name} has a rotary head: give --tool-length, gauge point to tip", None)
     length = given.tool_length or 0.0
@@ -213,6 +229,12 @@ def _scallop(settings: Settings) -> float | None:
 def _axis_options(settings: Settings) -> AxisOptions:
     tool = settings.tool_axis
     return AxisOptions(fixed=tool.axis, lead=tool.lead, tilt=tool.tilt)
+
+
+def _head(settings: Settings) -> PostOptions:
+    head = settings.head
+    tool = None if head.tool is None else int(head.tool)
+    return PostOptions(tool, head.spindle, head.coolant == "on", head.work_offset, blend=head.blend)
 
 
 def _title(settings: Settings) -> str:

@@ -4,7 +4,6 @@
 facet      one triangle, counter-clockwise seen from outside.
 half-edge  one side of a facet, in the facet's own sense.
 co-edge    one edge of the mesh with the two facets that share it (Lin & Ye, Fig. 7); at a border it has one.
-weld       corners with equal coordinates (-0.0 equals 0.0) become one vertex; corners that merely lie close do not.
 
 A facet without area is left out. Where more than two facets meet in an edge, or two facets run along it in the same
 sense, nothing tells which of them belong together: each gets a border co-edge of its own. A closed mesh whose volume
@@ -13,26 +12,21 @@ is negative is turned outward. Each of these is a finding with its place.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .columns import chunks
 from .errors import MeshError
 from .findings import Finding, Severity
 from .records import Floats, Ints, freeze
+from .weld import Reals, Words, weld
 
 LARGEST = 1e6  # mm; no machine reaches a kilometre, so the units are wrong
-FLAT = 2.0**-46  # area over squared edge length where rounding of the coordinates' products (2**-53) drowns the normal
-CHUNK = 16384  # rows; a few columns of it stay in the second-level cache
-
-Words = NDArray[np.uint64]
-Reals = NDArray[np.floating]
-
-_CELLS = 255.0  # of the bounding box along each of its two longer sides, that number the vertices
-_FACTORS = (0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0xD6E8FEB86659FD93)  # odd, with well mixed bits
+FLAT = 2.0**-50  # height of a facet over the part's largest coordinate where the coordinates' own rounding (2**-53) makes it up
+HOLLOW = 1e-12  # volume over that of the box around the part where its sign is rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,13 +63,13 @@ def from_triangles(corners: ArrayLike) -> Mesh:
     array = _numbers(corners, "triangle corners", (3, 3))
     # one contiguous column each for x, y, z; row k f + i is corner k of facet i, as in a Fortran-ordered ``face``
     column = np.empty((3, 3 * len(array)), dtype=np.float32 if array.dtype == np.float32 else np.float64)
-    for part in _chunks(len(array)):
+    for part in chunks(len(array)):
         for axis, k in np.ndindex(3, 3):
             first = k * len(array) + part.start
             # adding zero turns -0.0 into 0.0, so that equal coordinates have equal bits
             np.add(array[part, k, axis], 0.0, out=column[axis, first : first + part.stop - part.start])
     _check_range(column, len(array), "facet")
-    vertex, corner = _weld(column)
+    vertex, corner = weld(column)
     return _build(vertex, corner.reshape(3, -1).T)
 
 
@@ -85,11 +79,11 @@ def from_faces(vertex: ArrayLike, face: ArrayLike) -> Mesh:
     Nothing is welded; vertices that no facet uses are left out. Raises MeshError as :func:`from_triangles` does, and
     for a vertex row that does not exist.
     """
-    point = np.asfortranarray(_numbers(vertex, "vertices", (3,)), dtype=np.float64)
+    point = np.array(_numbers(vertex, "vertices", (3,)), dtype=np.float64, order="F")
     row = _numbers(face, "facets", (3,))
     if row.dtype.kind not in "iu":
         raise MeshError(f"facets are given as {row.dtype} numbers: give integer rows of the vertex table", str(row.dtype))
-    row = np.asfortranarray(row, dtype=np.int64)
+    row = np.array(row, dtype=np.int64, order="F")
     low, high = int(row.min()), int(row.max())
     if low < 0 or high >= len(point):
         wrong = low if low < 0 else high
@@ -134,75 +128,6 @@ def _check_range(column: Reals, rows: int, what: str) -> None:
     raise MeshError(f"{where}: coordinates must be finite numbers; export the mesh again", value)
 
 
-def _chunks(rows: int) -> Iterator[slice]:
-    return (slice(i, min(i + CHUNK, rows)) for i in range(0, rows, CHUNK))
-
-
-# ------------------------------------------------------------------------------------------------ weld
-
-
-def _weld(column: Reals) -> tuple[Floats, Ints]:
-    """Vertices (v, 3) and the vertex row (n,) of each of the n corners whose x, y, z are the rows of ``column``.
-
-    Sorts words of cell, hash and corner number. The cell (of the bounding box, seen along its shortest side) goes first so
-    that vertices that lie close get close numbers: everything that follows then runs in the cache.
-    """
-    n = column.shape[1]
-    bits = int(n - 1).bit_length()
-    key = _corner_keys(column, bits)
-    key.sort()
-    corner = (key & np.uint64((1 << bits) - 1)).view(np.int64)
-    key >>= np.uint64(bits)
-    new = np.zeros(n, dtype=np.bool_)
-    np.not_equal(key[1:], key[:-1], out=new[1:])
-    row = np.empty(n, dtype=np.int64)
-    row[corner] = np.cumsum(new)
-    new[0] = True
-    vertex = column.take(corner.take(np.flatnonzero(new)), axis=1)
-    return _part_collisions(column, vertex, row)
-
-
-def _corner_keys(column: Reals, bits: int) -> Words:
-    """Words (n,) of 16 bits cell, 48 - ``bits`` bits hash, ``bits`` bits corner number."""
-    low = column.min(axis=1)
-    size = np.maximum(column.max(axis=1) - low, np.finfo(np.float32).tiny)
-    _, j, i = np.argsort(size)
-    raw = column.view(np.uint32 if column.dtype == np.float32 else np.uint64)
-    number = np.arange(CHUNK, dtype=np.uint64)
-    hash_bits = np.uint64((1 << 48) - (1 << bits))
-    key = np.empty(column.shape[1], dtype=np.uint64)
-    for part in _chunks(len(key)):
-        word = raw[0, part].astype(np.uint64) * np.uint64(_FACTORS[0])
-        for axis in (1, 2):
-            word += raw[axis, part].astype(np.uint64) * np.uint64(_FACTORS[axis])
-        word >>= np.uint64(16)  # the upper bits of a product are the well mixed ones
-        word &= hash_bits
-        cell = ((column[i, part] - low[i]) * (_CELLS / size[i])).astype(np.uint32) << np.uint32(8)
-        cell |= ((column[j, part] - low[j]) * (_CELLS / size[j])).astype(np.uint32)
-        word |= cell.astype(np.uint64) << np.uint64(48)
-        np.bitwise_or(word, number[: len(word)], out=key[part])
-        number += np.uint64(CHUNK)
-    return key
-
-
-def _part_collisions(column: Reals, vertex: Reals, row: Ints) -> tuple[Floats, Ints]:
-    """Give corners that share a key but not the coordinates vertices of their own; there are hardly ever any."""
-    strayed = []
-    for part in _chunks(len(row)):
-        at = row[part]
-        wrong = vertex[0].take(at) != column[0, part]
-        wrong |= vertex[1].take(at) != column[1, part]
-        wrong |= vertex[2].take(at) != column[2, part]
-        if wrong.any():
-            strayed.append(np.flatnonzero(wrong) + part.start)
-    if strayed:
-        corner = np.concatenate(strayed)
-        more, which = np.unique(column[:, corner], axis=1, return_inverse=True)
-        row[corner] = vertex.shape[1] + which.reshape(-1)
-        vertex = np.concatenate([vertex, more], axis=1)
-    return vertex.astype(np.float64).T, row
-
-
 # ------------------------------------------------------------------------------------------------ facets
 
 
@@ -217,7 +142,7 @@ def _build(vertex: Floats, face: Ints) -> Mesh:
     edges = _coedges(vertex, face)
     findings += edges.findings
     mesh = Mesh(vertex, face, normal, edges.vertex, edges.face, edges.of_face, tuple(findings))
-    return _turned(mesh, volume) if edges.closed and volume < 0.0 else mesh
+    return _turned(mesh) if edges.closed and volume < -HOLLOW else mesh
 
 
 def _flat_finding(vertex: Floats, face: Ints, flat: Ints) -> Finding:
@@ -228,12 +153,11 @@ def _flat_finding(vertex: Floats, face: Ints, flat: Ints) -> Finding:
     return Finding(Severity.NOTE, "degenerate-facets", text, value=float(len(flat)), limit=0.0, unit="1", place=place)
 
 
-def _turned(mesh: Mesh, volume: float) -> Mesh:
+def _turned(mesh: Mesh) -> Mesh:
     """The same facets seen from the other side."""
-    text = f"The facets looked inward (volume {volume:g} mm3) and were turned outward."
-    finding = Finding(
-        Severity.NOTE, "inward-facets", text, value=volume, limit=0.0, unit="mm3", place=_place(mesh.vertex, mesh.face[0])
-    )
+    place = _place(mesh.vertex, mesh.face[0])
+    text = f"All {len(mesh.face)} facets looked inward and were turned outward; check the export if only some of them should."
+    finding = Finding(Severity.NOTE, "inward-facets", text, value=float(len(mesh.face)), limit=0.0, unit="1", place=place)
     return Mesh(
         mesh.vertex,
         np.asfortranarray(mesh.face[:, ::-1]),
@@ -246,28 +170,31 @@ def _turned(mesh: Mesh, volume: float) -> Mesh:
 
 
 def _normals(vertex: Floats, face: Ints) -> tuple[Floats, Ints, float]:
-    """Unit normals (f, 3), the rows of facets without area, and the volume, mm3 (of a closed mesh)."""
+    """Unit normals (f, 3), the rows of facets without area, and the volume over that of the box (of a closed mesh)."""
+    low, high = vertex.min(axis=0), vertex.max(axis=0)
+    side, least = float((high - low).max()), FLAT * float(np.maximum(-low, high).max())
     x, y, z = vertex.T
     normal = np.empty((3, len(face)))
-    flat = []
+    flat = [np.empty(0, dtype=np.int64)]
     volume = 0.0
-    for part in _chunks(len(face)):
+    for part in chunks(len(face)):
         a, b, c = face[part].T
         ax, ay, az = x.take(a), y.take(a), z.take(a)
         bx, by, bz = x.take(b) - ax, y.take(b) - ay, z.take(b) - az
         cx, cy, cz = x.take(c) - ax, y.take(c) - ay, z.take(c) - az
         nx, ny, nz = by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx
         length = np.sqrt(nx * nx + ny * ny + nz * nz)
-        size = bx * bx + by * by + bz * bz + cx * cx + cy * cy + cz * cz
-        volume += float(((az + (bz + cz) / 3.0) * nz).sum()) / 2.0  # the prism between the facet and z = 0
-        none = np.flatnonzero(length <= FLAT * size)
-        if len(none):
-            flat.append(none + part.start)
-            length[none] = 1.0
+        az += (bz + cz) / 3.0 - low[2]
+        volume += float((az * nz).sum()) / 2.0  # the prism between the facet and the lowest point
+        if length.min() <= 3.0 * least * side:  # no edge is longer than sqrt(3) sides
+            edge = np.sqrt(np.maximum(bx * bx + by * by + bz * bz, cx * cx + cy * cy + cz * cz))
+            thin = np.flatnonzero(length <= least * edge)
+            flat.append(thin + part.start)
+            length[thin] = 1.0
         np.divide(nx, length, out=normal[0, part])
         np.divide(ny, length, out=normal[1, part])
         np.divide(nz, length, out=normal[2, part])
-    return normal.T, np.concatenate(flat) if flat else np.empty(0, dtype=np.int64), volume
+    return normal.T, np.concatenate(flat), volume / side**3
 
 
 # ------------------------------------------------------------------------------------------------ co-edges
@@ -337,7 +264,7 @@ def _sorted_half_edges(face: Ints, vertices: int) -> tuple[Words, Ints, int]:
     column = face.T.view(np.uint64)
     half = np.arange(f, dtype=np.uint64) + (np.arange(3, dtype=np.uint64) << np.uint64(low))[:, None]
     key = half if fits else np.empty_like(half)
-    for part in _chunks(f):
+    for part in chunks(f):
         for k in range(3):
             start, end = column[k, part], column[(k + 1) % 3, part]
             word = np.minimum(start, end) << np.uint64(width)

@@ -181,6 +181,8 @@ def _malformed(code: NDArray[np.uint8], is_letter: Bools, start: Ints) -> int:
 
 def _numbers(compact: bytes, count: int) -> Floats:
     """All numbers of a text that was found well formed."""
+    if count == 0:
+        return np.empty(0)  # numpy finds one number in blanks
     with warnings.catch_warnings():
         warnings.simplefilter("error", DeprecationWarning)  # numpy's way to say that it stopped early
         value = np.fromstring(compact.translate(LETTERS_TO_BLANKS), np.float64, sep=" ")

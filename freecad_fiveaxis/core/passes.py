@@ -14,9 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .columns import chunks
 from .errors import SettingsError
 from .findings import Finding
-from .mesh import CHUNK, Mesh
+from .mesh import Mesh
 from .progress import Progress, silent
 from .records import Floats, Ints, freeze
 from .slicing import Crossings, chain, find_crossings
@@ -107,10 +108,9 @@ def _contact_path(
     polyline[:] = np.repeat(np.arange(len(used)), number)
     pass_[:] = np.repeat(plane, number)
     cosine, sine = heading
-    for begin in range(0, len(end), CHUNK):
-        last = end[begin : begin + CHUNK]
-        rows = slice(2 * begin, 2 * (begin + len(last)))
-        at = np.repeat(last, 2)
+    for part in chunks(len(end)):
+        rows = slice(2 * part.start, 2 * part.stop)
+        at = np.repeat(end[part], 2)
         at[0::2] -= 1
         at = crossing.take(at)
         cross.coedge.take(at, out=coedge[rows], mode="clip")

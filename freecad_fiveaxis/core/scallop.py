@@ -6,18 +6,11 @@ chord      straight distance of two neighbouring contact points, measured over t
 curvature  normal curvature of the surface across the passes, 1/mm; positive where the surface is convex.
 kink       what the normal turns between two contact points beyond what the curvature accounts for: the edge between two
            facets, be it a sharp edge of the part or a step of the tessellation.
-samples    points of a pass that stand for it: at least one in each facet, no further apart than a given step.
-
-The ball touches facets, so its centres follow the facet normals; the curvature is that of the smooth surface behind
-them. The measure takes both: the cusp over the circle through both contacts, raised for the kink between them.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
-from scipy.spatial import cKDTree
 
 from .mesh import Mesh
 from .reach import facet_areas
@@ -25,9 +18,6 @@ from .records import Floats, Ints
 
 CREASE = np.radians(30.0)
 """Facets that meet at a larger angle meet in a sharp edge of the part; below it they approximate a smooth surface."""
-
-ACROSS = 0.5
-"""Largest cosine between a pass and the way to the other one: beyond it the other pass ends there and lies not opposite."""
 
 TINY = 1e-12
 """mm: points nearer than this coincide; keeps divisions safe and is far below any coordinate's rounding."""
@@ -104,66 +94,3 @@ def curvature_along(tensor: Floats, direction: Floats) -> Floats:
     diagonal = tensor[0] * x * x + tensor[1] * y * y + tensor[2] * z * z
     result: Floats = diagonal + 2.0 * (tensor[3] * x * y + tensor[4] * y * z + tensor[5] * z * x)
     return result
-
-
-# ------------------------------------------------------------------------------------------------ passes
-
-
-@dataclass(frozen=True, eq=False)
-class PassSamples:
-    """One pass for measuring: its facet segments in any order, and the samples on them.
-
-    ``start`` and ``way`` (m, 3) mm of each segment; ``normal`` (m, 3) unit and ``tensor`` (6, m) 1/mm of its facet;
-    ``point`` (n, 3) mm and ``segment`` (n,) of each sample; ``tree`` of the samples, None where there are none.
-    """
-
-    start: Floats
-    way: Floats
-    normal: Floats
-    tensor: Floats
-    point: Floats
-    segment: Ints
-    tree: cKDTree | None
-
-
-def sample_pass(start: Floats, end: Floats, normal: Floats, tensor: Floats, step: float) -> PassSamples:
-    """Samples at most ``step`` mm apart on the segments from ``start`` to ``end`` (m, 3) mm; the rest as in PassSamples."""
-    way = end - start
-    pieces = np.maximum(np.ceil(np.linalg.norm(way, axis=1) / step), 1.0).astype(np.int64)
-    segment = np.repeat(np.arange(len(start)), pieces)
-    place = np.arange(len(segment)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
-    share = (place + 0.5) / pieces[segment]
-    point = start[segment] + share[:, None] * way[segment]
-    return PassSamples(start, way, normal, tensor, point, segment, cKDTree(point) if len(point) else None)
-
-
-def scallop_between(one: PassSamples, other: PassSamples, radius: float) -> tuple[float, Floats]:
-    """The largest scallop between two neighbouring passes, mm, and the contact (3,) nearest to it; 0 where none lie opposite."""
-    worst, place = 0.0, np.zeros(3)
-    for a, b in ((one, other), (other, one)):
-        height = scallops(a, b, radius)
-        if len(height) and height.max() > worst:
-            worst, place = float(height.max()), a.point[np.argmax(height)]
-    return worst, place
-
-
-def scallops(one: PassSamples, other: PassSamples, radius: float) -> Floats:
-    """Scallop (n,) mm between each sample of one pass and the nearest point of the other; 0 where that does not lie opposite."""
-    if one.tree is None or other.tree is None:
-        return np.zeros(len(one.point))
-    there = other.segment[other.tree.query(one.point)[1]]
-    start, way = other.start[there], other.way[there]
-    length = np.maximum(np.linalg.norm(way, axis=1), TINY)
-    along = way / length[:, None]
-    share = np.clip(((one.point - start) * along).sum(axis=1), 0.0, length)
-    across = start + share[:, None] * along - one.point
-    past = (across * along).sum(axis=1)  # not 0 where the other pass ends
-    opposite = np.abs(past) <= ACROSS * np.linalg.norm(across, axis=1)
-    across -= past[:, None] * along
-    chord = np.maximum(np.linalg.norm(across, axis=1), TINY)
-    across /= chord[:, None]
-    here = curvature_along(one.tensor[:, one.segment], across)
-    curvature = 0.5 * (here + curvature_along(other.tensor[:, there], across))
-    kink = ((other.normal[there] - one.normal[one.segment]) * across).sum(axis=1) - curvature * chord
-    height = scallop_height(chord, radius, curvature) * kink_factor(chord, radius, kink)
-    return np.where(opposite, height, 0.0)

@@ -36,6 +36,9 @@ FIRST_PIECES = 8
 FIRST_TURN = 0.25
 """A block starts as at least so many pieces, of at most so many rad of summed rotary travel: fewer rounds, few wasted pieces."""
 
+MOST_PIECES = 65536
+"""First pieces worked on at a time: what bounds the memory where blocks turn by hundreds of turns."""
+
 
 @dataclass(frozen=True, eq=False)
 class Chords:
@@ -84,6 +87,14 @@ def farthest(frame: Frames, chords: Chords) -> tuple[Floats, Floats, Floats]:
     The distance is one that the path takes at that u; the bound holds for every u, up to the rounding of the arithmetic.
     """
     best, best_u = np.zeros(len(chords.turn)), np.full(len(chords.turn), 0.5)
+    load = np.cumsum(_first_count(chords.turn)) // MOST_PIECES
+    for rows in np.split(np.arange(len(load)), np.flatnonzero(np.diff(load)) + 1):
+        best[rows], best_u[rows] = _branch_and_bound(frame, chords.take(rows))
+    return best, best_u, _proven(best)
+
+
+def _branch_and_bound(frame: Frames, chords: Chords) -> tuple[Floats, Floats]:
+    best, best_u = np.zeros(len(chords.turn)), np.full(len(chords.turn), 0.5)
     pieces = _first_pieces(chords.turn)
     while len(pieces.block):
         here = _local(frame, chords, pieces)
@@ -91,15 +102,19 @@ def farthest(frame: Frames, chords: Chords) -> tuple[Floats, Floats, Floats]:
         _try_peaks(frame, chords, pieces, here, best, best_u)
         keep = np.flatnonzero(here.bound > _proven(best)[pieces.block] ** 2)
         pieces = _halved(pieces, keep)
-    return best, best_u, _proven(best)
+    return best, best_u
 
 
 def _proven(best: Floats) -> Floats:
     return best * (1.0 + RELATIVE) + ABSOLUTE
 
 
+def _first_count(turn: Floats) -> Ints:
+    return np.maximum(FIRST_PIECES, np.ceil(turn / FIRST_TURN)).astype(np.int64)
+
+
 def _first_pieces(turn: Floats) -> _Pieces:
-    count = np.maximum(FIRST_PIECES, np.ceil(turn / FIRST_TURN)).astype(np.int64)
+    count = _first_count(turn)
     block = np.repeat(np.arange(len(turn)), count)
     half = 0.5 / count[block]
     index = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)

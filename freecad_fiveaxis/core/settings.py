@@ -72,7 +72,7 @@ class CutterSettings:
 class ToolAxisSettings:
     """How the tool stands at each contact."""
 
-    tool_axis: str = option("facet_mean", "strategy", "tool-axis strategy (see `strategies`)")
+    tool_axis: str = option("facet_mean", "text", "tool-axis strategy (see `strategies`)")
     axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of the strategy `fixed`, tip to holder")
     lead: float = option(0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 3, most=math.pi / 3)
     tilt: float = option(0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 3, most=math.pi / 3)
@@ -100,11 +100,22 @@ class FeedSettings:
 
 
 @dataclass(frozen=True)
+class HeadSettings:
+    """What the head of the NC file says."""
+
+    tool: float | None = option(None, "count", "tool number [no tool call: the operator has set tool and length]", (MILL, POST), least=1)
+    spindle: float = option(0.0, "number", "spindle speed, 1/min; 0 leaves the spindle off", (MILL, POST), least=0)
+    coolant: Literal["on", "off"] = option("off", "choice", "coolant during the program", (MILL, POST), choices=("on", "off"))
+    work_offset: str = option("G54", "text", "work offset, G54 to G59 or G54.1 P1", (MILL, POST))
+    blend: float = option(0.0, "length", "how far the controller may round corners, where it can; 0: exact path", (MILL, POST), least=0)
+
+
+@dataclass(frozen=True)
 class MachineSettings:
     """The machine and where the part stands on it."""
 
     machine: str = option("", "text", "a shipped machine's name or a path to a .fcm", TASKS)
-    controller: str = option("linuxcnc", "controller", "the dialect of the NC file (see `controllers`)", TASKS)
+    controller: str | None = option(None, "text", "the dialect of the NC file [the machine's, or linuxcnc]", TASKS)
     origin: Vector | None = option(None, "point", "X,Y,Z of the work zero in the machine frame [the machine's]", TASKS)
     tool_length: float | None = option(
         None, "length", "gauge point to tip; machines with a rotary head need it", TASKS, least=0
@@ -147,6 +158,7 @@ class Settings:
     tool_axis: ToolAxisSettings = group(ToolAxisSettings)
     links: LinkSettings = group(LinkSettings)
     feeds: FeedSettings = group(FeedSettings)
+    head: HeadSettings = group(HeadSettings)
     proof: ProofSettings = group(ProofSettings)
     output: OutputSettings = group(OutputSettings)
 
@@ -215,6 +227,13 @@ def _text(given: Any, name: str) -> str:
     return given
 
 
+def _count(given: Any, name: str) -> float:
+    value = quantity.parse(given, quantity.NUMBERS, name)
+    if value != int(value):
+        raise SettingsError(f"{name} {given!r} is not a whole number", given)
+    return value
+
+
 def _paths(given: Any, name: str) -> tuple[str, ...]:
     return tuple(_text(item, name) for item in ([given] if isinstance(given, str) else given))
 
@@ -226,10 +245,10 @@ READERS: dict[str, Any] = {
     "point": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),
     "vector": lambda given, name: quantity.parse_triple(given, quantity.NUMBERS, name),
     "cutter": lambda given, name: given if isinstance(given, Cutter) else parse_cutter(given),
+    "number": lambda given, name: quantity.parse(given, quantity.NUMBERS, name),
+    "count": _count,
     "text": _text,
     "choice": _text,
-    "strategy": _text,
-    "controller": _text,
     "path": _text,
     "paths": _paths,
 }

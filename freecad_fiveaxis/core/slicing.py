@@ -22,7 +22,8 @@ import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import depth_first_order
 
-from .mesh import CHUNK, Mesh
+from .columns import chunks
+from .mesh import Mesh
 from .records import Bools, Floats, Ints
 
 NOWHERE = -(1 << 40)  # base of a facet that is not there; stays negative whatever plane is added
@@ -99,8 +100,7 @@ def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]
     """First node of each facet less its first plane, NOWHERE for facets left out and for row -1; number of nodes."""
     base = np.empty(len(mesh.face) + 1, dtype=np.int64)
     nodes = 0
-    for begin in range(0, len(mesh.face), CHUNK):
-        part = slice(begin, begin + CHUNK)
+    for part in chunks(len(mesh.face)):
         a, b, c = (level.take(v) for v in mesh.face[part].T)
         low = np.minimum(np.minimum(a, b), c)
         count = np.maximum(np.maximum(a, b), c) - low
@@ -121,15 +121,14 @@ def _cuts(mesh: Mesh, level: Ints, keep: Bools | None) -> Iterator[_Cuts]:
     number = len(mesh.coedge_face)
     ends, sides = mesh.coedge_vertex.T.reshape(-1), mesh.coedge_face.T.reshape(-1)
     used = None if keep is None else np.append(keep, False)
-    for begin in range(0, number, CHUNK):
-        part = slice(begin, begin + CHUNK)
+    for part in chunks(number):
         one, two = (level.take(v) for v in mesh.coedge_vertex[part].T)
         crossed = one != two
         if used is not None:
             crossed &= used[mesh.coedge_face[part]].any(axis=1)
         cut = np.flatnonzero(crossed)
         one, two = one.take(cut), two.take(cut)
-        cut += begin
+        cut += part.start
         # the end on the upper side; the facet that runs along the co-edge towards its other end is entered there
         upper = (two > one) * number + cut
         lower = 2 * cut + number - upper

@@ -25,8 +25,9 @@ from .errors import SettingsError
 from .findings import Finding, Severity
 from .mesh import Mesh
 from .progress import Progress, silent
-from .records import Bools, Floats, Ints
-from .scallop import PassSamples, curvature_along, facet_curvature, flat_interval, sample_pass, scallop_between
+from .pass_pair import Strip, scallop_between, smallest_interval
+from .records import Bools, Floats
+from .scallop import flat_interval
 
 MOST_PLANES = 200_000
 """More planes than any job can want: a unit or a setting is wrong."""
@@ -39,6 +40,9 @@ TRIALS = 16
 
 FINE = 0.03
 """A bracket this narrow (share of the interval) is closed: the scallop jumps within it, at an edge along the pass."""
+
+SAMPLE = 0.5
+"""Step of the samples on a pass, in intervals of a flat."""
 
 GROWTH = 2.0
 """A trial interval grows or shrinks at most by this square per step: far from the solution the square law does not hold."""
@@ -74,7 +78,7 @@ def place_planes(
     """
     _check(angle, radius, stepover, scallop, least)
     across = np.array((-math.sin(angle), math.cos(angle), 0.0))
-    strip = _Strip(mesh, across, np.arange(len(mesh.face)) if keep is None else np.flatnonzero(keep))
+    strip = Strip(mesh, across, np.arange(len(mesh.face)) if keep is None else np.flatnonzero(keep))
     if not strip.ranges:
         raise SettingsError(f"no facet lies across planes at {math.degrees(angle):g} deg; turn the direction", angle)
     if stepover is not None:
@@ -113,72 +117,6 @@ def _even_planes(low: float, high: float, stepover: float) -> Floats:
     return first + stepover * np.arange(planes, dtype=np.float64)
 
 
-# ------------------------------------------------------------------------------------------------ trial passes
-
-
-class _Strip:
-    """The facets that are cut, in the order in which planes reach them, so that a plane looks only at those near it.
-
-    ``ranges``: the spans of offsets, mm, that facets cover without a gap.
-    """
-
-    def __init__(self, mesh: Mesh, across: Floats, rows: Ints) -> None:
-        self._mesh, self._across = mesh, across
-        height = (mesh.vertex @ across)[mesh.face[rows]]
-        low = height.min(axis=1)
-        order = np.argsort(low, kind="stable")
-        self._rows, self._corner, self._low = rows[order], height[order], low[order]
-        self._high = self._corner.max(axis=1)
-        self._tensor: Floats | None = None
-        self._active, self._taken = np.empty(0, dtype=np.int64), 0
-        self.ranges = self._covered()
-
-    def _covered(self) -> list[tuple[float, float]]:
-        rows = np.flatnonzero(self._high > self._low)  # a facet that lies in a plane is cut by none
-        if not len(rows):
-            return []
-        low, top = self._low[rows], np.maximum.accumulate(self._high[rows])
-        gap = np.flatnonzero(low[1:] > top[:-1])
-        return [*zip(low[np.append(0, gap + 1)].tolist(), top[np.append(gap, len(top) - 1)].tolist(), strict=True)]
-
-    def cut(self, offset: float, step: float) -> PassSamples:
-        """The pass of the plane at ``offset``, mm, with samples at most ``step`` mm apart."""
-        begun = int(np.searchsorted(self._low, offset, side="right"))
-        if begun > self._taken:
-            self._active = np.concatenate([self._active, np.arange(self._taken, begun)])
-            self._taken = begun
-        at = self._active[(self._low[self._active] <= offset) & (self._high[self._active] > offset)]
-        height = self._corner[at] - offset
-        above = height > 0.0
-        lone = np.argmax(above == (above.sum(axis=1) == 1)[:, None], axis=1)
-        face, height = self._mesh.face[self._rows[at]], height
-        start, end = (self._crossing(face, height, lone, (lone + k) % 3) for k in (1, 2))
-        if self._tensor is None:
-            self._tensor = facet_curvature(self._mesh)
-        rows = self._rows[at]
-        return sample_pass(start, end, self._mesh.normal[rows], self._tensor[:, rows], step)
-
-    def _crossing(self, face: Ints, height: Floats, one: Ints, other: Ints) -> Floats:
-        """Where the edges (n,) from corner ``one`` to corner ``other`` cross the plane that ``height`` is counted from."""
-        row = np.arange(len(face))
-        a, b = height[row, one], height[row, other]
-        start, end = self._mesh.vertex[face[row, one]], self._mesh.vertex[face[row, other]]
-        point: Floats = start + (a / (a - b))[:, None] * (end - start)
-        return point
-
-    def pass_by(self, offset: float) -> None:
-        """Forget the facets that end before ``offset``: no plane comes back to them."""
-        self._active = self._active[self._high[self._active] > offset]
-
-    def predicted(self, here: PassSamples, radius: float, scallop: float) -> float:
-        """The smallest interval along a pass by local slope and curvature: eq. (2) for a slope and a curved surface, mm."""
-        side = self._across - (here.normal @ self._across)[:, None] * here.normal
-        slope = np.linalg.norm(side, axis=1)
-        safe = np.maximum(slope, INSIDE)
-        spread = np.maximum(1.0 + radius * curvature_along(here.tensor, side / safe[:, None]), INSIDE)
-        return flat_interval(radius, scallop) * float((slope / np.sqrt(spread)).min(initial=1.0 / math.sqrt(INSIDE)))
-
-
 # ------------------------------------------------------------------------------------------------ the march
 
 
@@ -195,9 +133,10 @@ class _Step:
 class _March:
     """Places the planes of all ranges one after the other, for a scallop."""
 
-    def __init__(self, strip: _Strip, radius: float, scallop: float, least: float, progress: Progress) -> None:
+    def __init__(self, strip: Strip, radius: float, scallop: float, least: float, progress: Progress) -> None:
         self._strip, self._radius, self._scallop, self._least, self._progress = strip, radius, scallop, least, progress
         self._flat = flat_interval(radius, scallop)
+        self._sample = SAMPLE * self._flat
         self._bias = 1.0  # of the prediction, learnt from the interval before
         self._planes: list[float] = []
         self._bound: list[_Step] = []  # where the least interval is larger than the scallop allows
@@ -228,13 +167,14 @@ class _March:
 
     def _step(self, offset: float, end: float) -> _Step:
         """The interval from the pass at ``offset`` to the next one, not beyond ``end``: trial, measure, correct."""
-        here = self._strip.cut(offset, self._flat)
+        here = self._strip.cut(offset, self._sample)
         most = min(end - offset, WIDEST * self._flat)
-        predicted = self._strip.predicted(here, self._radius, AIM * self._scallop)
+        predicted = smallest_interval(here, self._strip.across, self._radius, AIM * self._scallop)
         trial = min(max(self._bias * predicted, self._least), most)
         good, bad = _Step(0.0, 0.0, np.zeros(3), False), math.inf
         for left in reversed(range(TRIALS)):
-            height, place = scallop_between(here, self._strip.cut(offset + trial, self._flat), self._radius)
+            there = self._strip.cut(offset + trial, self._sample)
+            height, place = scallop_between(here, there, self._radius, BOTTOM * self._scallop)
             if height <= TOP * self._scallop or trial <= self._least or (not left and not good.interval):
                 good = _Step(trial, height, place, trial >= end - offset)
             else:

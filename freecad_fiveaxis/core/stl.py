@@ -13,14 +13,14 @@ from __future__ import annotations
 
 import os
 import re
-import secrets
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .errors import FileError, MeshError
+from .errors import MeshError
+from .files import read_bytes, write_whole
 from .mesh import Mesh, from_triangles
 from .progress import Progress, silent
 from .records import Floats
@@ -49,10 +49,7 @@ def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
     facet (see :func:`~freecad_fiveaxis.core.mesh.from_triangles`).
     """
     progress("read STL", 0.0)
-    try:
-        data = Path(path).read_bytes()
-    except (OSError, ValueError) as problem:
-        raise FileError(f"cannot read {path}: {_reason(problem)}; check the name and the rights", str(path)) from problem
+    data = read_bytes(path, "STL file")
     try:
         corners = _binary_corners(data) if _is_binary(data) else _ascii_corners(data, progress)
         progress("weld", 0.5)
@@ -69,21 +66,7 @@ def write_stl(mesh: Mesh, path: str | os.PathLike[str], ascii: bool = False) -> 
     The file is written beside its place and then renamed, so there is never half a file. Raises FileError where the
     folder cannot be written.
     """
-    target = Path(path)
-    beside = target.with_name(f".{target.name}.{secrets.token_hex(4)}")
-    try:
-        with beside.open("xb") as file:
-            for piece in _ascii_pieces(mesh) if ascii else _binary_pieces(mesh):
-                file.write(piece)
-        os.replace(beside, target)
-    except (OSError, ValueError) as problem:
-        raise FileError(f"cannot write {path}: {_reason(problem)}; choose a folder that can be written", str(path)) from problem
-    finally:
-        beside.unlink(missing_ok=True)
-
-
-def _reason(problem: OSError | ValueError) -> str:
-    return (problem.strerror if isinstance(problem, OSError) else None) or str(problem)
+    write_whole(path, b"".join(_ascii_pieces(mesh) if ascii else _binary_pieces(mesh)))
 
 
 # ------------------------------------------------------------------------------------------------ binary

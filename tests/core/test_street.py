@@ -46,11 +46,11 @@ def milled(parts):
 
 def largest_miss(result):
     """Distance mm of the re-read, forwarded words from the driven CL path, and angle rad of the axes."""
-    read = read_nc(result.nc, result.links, result.dialect)
-    np.testing.assert_allclose(read.words, result.program.words, atol=1e-9)
-    np.testing.assert_array_equal(read.line, result.program.line)
-    tip, axis = forward(result.links, words_to_q(read.words))
-    path, row = result.joints.path, result.program.row
+    read = read_nc(result.made.nc, result.made.links, result.made.dialect)
+    np.testing.assert_allclose(read.words, result.made.program.words, atol=1e-9)
+    np.testing.assert_array_equal(read.line, result.made.program.line)
+    tip, axis = forward(result.made.links, words_to_q(read.words))
+    path, row = result.made.joints.path, result.made.program.row
     return np.linalg.norm(tip - path.tip[row], axis=1).max(), np.linalg.norm(axis - path.axis[row], axis=1).max()
 
 
@@ -77,21 +77,21 @@ def test_every_part_comes_back_through_every_controller(part, controller, milled
 
 def test_a_wrong_sign_would_be_noticed(milled):
     result = milled("dome", "trunnion_ac")
-    words = result.program.words * (1, 1, 1, 1, -1)
-    tip, _ = forward(result.links, words_to_q(words))
-    assert np.linalg.norm(tip - result.joints.path.tip[result.program.row], axis=1).max() > 1.0
+    words = result.made.program.words * (1, 1, 1, 1, -1)
+    tip, _ = forward(result.made.links, words_to_q(words))
+    assert np.linalg.norm(tip - result.made.joints.path.tip[result.made.program.row], axis=1).max() > 1.0
 
 
 @pytest.mark.parametrize("machine", shipped_machines())
 def test_the_deviation_of_the_program_is_that_of_a_dense_walk(machine, milled):
     """A random share of the blocks, 2001 points each, distance to the segment by hand; never above the bound."""
     result = milled("dome", machine)
-    words, rng = result.program.words, np.random.default_rng(5)
+    words, rng = result.made.program.words, np.random.default_rng(5)
     block = rng.choice(np.arange(1, len(words)), min(400, len(words) - 1), replace=False)
     u = np.linspace(0, 1, 2001)
     q = words_to_q(words)
     for b in block:  # plain on purpose: the second route shares nothing with the first
-        tip, _ = forward(result.links, q[b - 1] + u[:, None] * (q[b] - q[b - 1]))
+        tip, _ = forward(result.made.links, q[b - 1] + u[:, None] * (q[b] - q[b - 1]))
         chord = tip[-1] - tip[0]
         k = np.clip((tip - tip[0]) @ chord / max(chord @ chord, 1e-30), 0, 1)
         dense = np.linalg.norm(tip - tip[0] - k[:, None] * chord, axis=1).max()
@@ -109,13 +109,13 @@ def test_the_dome_passes_the_pole(milled):
 def test_rapids_stay_off_the_part_along_their_real_path(milled):
     for machine in shipped_machines():
         result = milled("dome", machine)
-        low, high = result.mesh.vertex.min(axis=0), result.mesh.vertex.max(axis=0)
-        clearance = result.settings.links.clearance
-        q, rapid = words_to_q(result.program.words), result.program.motion == Motion.RAPID
+        low, high = result.made.mesh.vertex.min(axis=0), result.made.mesh.vertex.max(axis=0)
+        clearance = result.made.settings.links.clearance
+        q, rapid = words_to_q(result.made.program.words), result.made.program.motion == Motion.RAPID
         end = np.flatnonzero(rapid)[1:]
         u = np.linspace(0, 1, 101)[None, :, None]
         walk = q[end - 1][:, None] * (1 - u) + q[end][:, None] * u
-        tip, _ = forward(result.links, walk.reshape(-1, 5))
+        tip, _ = forward(result.made.links, walk.reshape(-1, 5))
         inside = ((tip > low - clearance / 2) & (tip < high + clearance / 2)).all(axis=1)
         assert not inside.any(), machine
 
@@ -125,7 +125,7 @@ def test_rapids_stay_off_the_part_along_their_real_path(milled):
 @pytest.mark.parametrize("mode", ["g93", "g94"])
 @pytest.mark.parametrize("machine", shipped_machines())
 def test_linuxcnc_accepts_every_program(machine, mode, milled, tmp_path):
-    (tmp_path / "dome.ngc").write_bytes(milled("dome", machine, feed_mode=mode).nc)
+    (tmp_path / "dome.ngc").write_bytes(milled("dome", machine, feed_mode=mode).made.nc)
     done = subprocess.run(["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120)
     assert done.returncode == 0, done.stderr[-400:]
 
@@ -133,7 +133,7 @@ def test_linuxcnc_accepts_every_program(machine, mode, milled, tmp_path):
 @pytest.mark.rs274
 @pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
 def test_linuxcnc_would_refuse_a_broken_program(milled, tmp_path):
-    text = milled("dome", "trunnion_ac").nc.replace(b"G1 X", b"G1 X1 X", 1)
+    text = milled("dome", "trunnion_ac").made.nc.replace(b"G1 X", b"G1 X1 X", 1)
     (tmp_path / "dome.ngc").write_bytes(text)
     done = subprocess.run(["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, stdin=subprocess.DEVNULL, timeout=120)
     assert done.returncode != 0

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The whole street: STL file to NC file on disk, against ``%`` formatting of the same rows alone, and how cost grows with facets.
+
+``python bench_street.py [FACETS PASSES ...]``; without arguments 1M facets x 500 passes, then the growth table.
+"""
+
+from __future__ import annotations
+
+import resource
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+from parts import bumpy
+from timing import print_table
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.files import write_whole
+from freecad_fiveaxis.core.settings import Settings, build_settings
+from freecad_fiveaxis.core.stl import write_stl
+
+GROWTH = (20_000, 60_000, 200_000, 600_000, 2_000_000)
+ROWS_FOR_PERCENT = 200_000
+
+
+def percent_rate(words: np.ndarray) -> float:
+    """Rows a second of plain ``%`` formatting, the text that every post of the field writes."""
+    rows = words[:ROWS_FOR_PERCENT].tolist()
+    start = time.perf_counter()
+    "".join(["G1 X%.4f Y%.4f Z%.4f A%.4f C%.4f F%.4f\n" % (x, y, z, a, c, 100.0) for x, y, z, c, a in rows])
+    return len(rows) / (time.perf_counter() - start)
+
+
+def settings_for(folder: Path, facets: int, passes: int) -> tuple[Settings, float]:
+    """The job over a bumpy part of that many facets, its STL written; and the facets in millions."""
+    mesh = bumpy(facets)
+    write_stl(mesh, folder / "part.stl")
+    extent = float(np.ptp(mesh.vertex[:, 1]))
+    options = {"machine": "trunnion_ac", "stepover": extent / passes, "output": str(folder / "part.ngc")}
+    return build_settings("mill", str(folder / "part.stl"), options), len(mesh.face) / 1e6
+
+
+def timed(settings: Settings) -> tuple[job.Posted, float, float]:
+    """The result, the seconds from STL to NC on disk, and the seconds of the proof that follows."""
+    start = time.perf_counter()
+    posted = job.make(settings)
+    assert isinstance(posted, job.Posted)
+    write_whole(settings.output.output or "", posted.nc)
+    made = time.perf_counter()
+    job.prove(posted)
+    return posted, made - start, time.perf_counter() - made
+
+
+def main(sizes: list[tuple[int, int]]) -> None:
+    """Print one row a size."""
+    rows = []
+    for facets, passes in sizes:
+        with tempfile.TemporaryDirectory() as folder:
+            settings, millions = settings_for(Path(folder), facets, passes)
+            posted, made, proven = timed(settings)
+            blocks = len(posted.program.words)
+            percent = percent_rate(posted.program.words)
+            peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
+            rows.append(
+                (f"{millions:.2f}", passes, blocks, f"{made:.2f}", f"{blocks / made / 1e6:.2f}", f"{blocks / (made + proven) / 1e6:.2f}",
+                 f"{percent / 1e6:.2f}", f"{blocks / made / percent:.2f}", f"{made / blocks * 1e6:.2f}", f"{peak:.2f}")
+            )  # fmt: skip
+    heads = ("M facets", "passes", "blocks", "s to NC", "M blocks/s", "with proof", "% rows M/s", "ratio", "us/block", "GB")
+    print_table("STL to NC on disk", heads, rows)
+
+
+if __name__ == "__main__":
+    given = [int(float(word)) for word in sys.argv[1:]]
+    main(list(zip(given[::2], given[1::2], strict=True)) or [(1_000_000, 500), *((facets, 100) for facets in GROWTH)])

@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What holds for every controller dialect in the table, and will hold for the next one."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import string
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.joint_path import JointPath
+from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward
+from freecad_fiveaxis.core.machine import Axis, Machine
+from freecad_fiveaxis.core.nc_reader import read_nc
+from freecad_fiveaxis.core.post import DIALECTS, Dialect, PostOptions, find_dialect
+from freecad_fiveaxis.core.post.dialect import SLOTS, feed_distance
+from freecad_fiveaxis.core.post.writer import write_nc
+from freecad_fiveaxis.core.program import Program, build_program
+
+EVERY = pytest.mark.parametrize("dialect", DIALECTS.values(), ids=DIALECTS)
+BOTH = pytest.mark.parametrize("inverse_time", [True, False], ids=["g93", "g94"])
+needs_rs274 = pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
+
+
+def machine(first: str, second: str) -> Chain:
+    direction = {"A": (1, 0, 0), "B": (0, 1, 0), "C": (0, 0, 1)}
+    linear = [Axis(name, False, "head", tuple(row), max_rate=10000.0) for name, row in zip("XYZ", np.eye(3), strict=True)]
+    rotary = [Axis(name, True, "table", direction[name], (0, 10, 20), max_rate=60.0) for name in (first, second)]
+    return chain(Machine("any", (*rotary, *linear)), Setup())
+
+
+LINKS = machine("C", "A")
+
+
+def some_joints(links: Chain, rows: int = 300, seed: int = 0) -> JointPath:
+    """Moves of every kind, some along one axis alone, some of nothing at all."""
+    random = np.random.default_rng(seed)
+    step = random.normal(0, 1, (rows, 5)) * (2, 2, 2, 0.05, 0.05) * (random.random((rows, 5)) < 0.6)
+    q = np.cumsum(step, axis=0) + (0, 0, 60, 0, 0)
+    tip, axis = forward(links, q)
+    motion = random.choice([Motion.RAPID, Motion.LINK, Motion.CUT, Motion.CUT, Motion.FILL], rows).astype(np.int8)
+    motion[0] = Motion.RAPID
+    none = np.full(rows, -1)
+    path = CLPath(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, 800.0), tip, axis, none, none, none)
+    return JointPath(path, np.arange(rows), q, np.zeros(rows, np.int8), np.ones(rows))
+
+
+def some_program(dialect: Dialect, inverse_time: bool, links: Chain = LINKS) -> Program:
+    return build_program(some_joints(links), links, dialect, inverse_time)
+
+
+def block_lines(text: bytes, dialect: Dialect) -> list[str]:
+    lines = text.decode("ascii").split(dialect.newline)
+    return lines[len(dialect.head) : len(lines) - len(dialect.tail) - 1]
+
+
+@EVERY
+@BOTH
+@pytest.mark.parametrize("letters", ["CA", "CB", "AB", "BA"])
+@pytest.mark.parametrize("modal", [True, False], ids=["modal", "all-words"])
+def test_every_word_is_read_back_exactly_as_it_was_rounded(dialect, inverse_time, letters, modal) -> None:
+    links, dialect = machine(*letters), replace(dialect, modal=modal)
+    joints = some_joints(links)
+    program = build_program(joints, links, dialect, inverse_time)
+    again = read_nc(write_nc(program, dialect, "part"), links, dialect)
+    assert np.array_equal(again.words, program.words)
+    assert np.array_equal(again.feed, program.feed) and np.array_equal(again.inverse_time, program.inverse_time)
+    assert np.array_equal(again.line, program.line)
+    assert np.array_equal(again.motion == Motion.RAPID, program.motion == Motion.RAPID)
+    assert np.allclose(again.seconds, program.seconds, rtol=1e-12)
+    assert again.findings == ()
+    exact = np.concatenate([joints.q[:, :3], np.degrees(joints.q[:, 3:])], axis=1)[program.row]
+    half = 0.5 * 10.0 ** -np.array([dialect.decimals(k) for k in range(5)])
+    assert (np.abs(again.words - exact) <= half * (1 + 1e-9)).all()
+
+
+@EVERY
+def test_one_changed_digit_is_seen_by_the_comparison(dialect) -> None:
+    program = some_program(dialect, True)
+    text = write_nc(program, dialect, "part")
+    at = text.index(b"X", len(text) // 2) + 1
+    digit = next(k for k in range(at, at + 9) if text[k : k + 1].isdigit())
+    changed = text[:digit] + (b"1" if text[digit : digit + 1] != b"1" else b"2") + text[digit + 1 :]
+    assert not np.array_equal(read_nc(changed, LINKS, dialect).words, program.words)
+
+
+@EVERY
+@BOTH
+def test_there_is_exactly_one_line_for_each_block_in_the_line_that_the_program_says(dialect, inverse_time) -> None:
+    program = some_program(dialect, inverse_time)
+    lines = write_nc(program, dialect, "part").decode("ascii").split(dialect.newline)
+    blocks = [number for number, line in enumerate(lines, 1) if line.startswith((dialect.rapid + " ", dialect.straight + " "))]
+    assert blocks == program.line.tolist()
+
+
+@EVERY
+@BOTH
+def test_the_motion_word_stands_in_every_block_and_under_g93_an_f_in_every_feed_block(dialect, inverse_time) -> None:
+    program = some_program(dialect, inverse_time)
+    for line, motion in zip(block_lines(write_nc(program, dialect, "part"), dialect), program.motion, strict=True):
+        rapid = motion == Motion.RAPID
+        assert line.split()[0] == (dialect.rapid if rapid else dialect.straight)
+        assert re.search(r" [XYZAC]-?\d", line)
+        if rapid or inverse_time:
+            assert (" F" in line) != rapid
+
+
+@EVERY
+@BOTH
+def test_modal_words_are_left_out_and_no_others(dialect, inverse_time) -> None:
+    program = some_program(dialect, inverse_time)
+    lines = block_lines(write_nc(program, dialect, "part"), dialect)
+    changed = np.concatenate([[5], (np.diff(program.words, axis=0) != 0).sum(axis=1)])
+    assert [len(re.findall(r"[XYZAC]", line)) for line in lines] == changed.tolist()
+
+
+@EVERY
+@BOTH
+def test_lines_are_short_ascii_without_minus_zero_and_numbers_have_points(dialect, inverse_time) -> None:
+    text = write_nc(some_program(dialect, inverse_time), dialect, "part" * 100).decode("ascii")
+    assert max(map(len, text.split(dialect.newline))) <= dialect.line_length
+    assert not re.search(r"-0\.0+\b", text)
+    assert all("." in word for line in block_lines(text.encode(), dialect) for word in line.split()[1:])
+
+
+@EVERY
+@pytest.mark.parametrize("title", ["Düse (5)", "a)b(c;%", "\n\rM30", "LOGOPEN,/tmp/x", "日本", "", "x" * 500, "{title} {0}"])
+def test_no_title_becomes_an_instruction(dialect, title) -> None:
+    program = some_program(dialect, True)
+    text = write_nc(program, dialect, title)
+    assert np.array_equal(read_nc(text, LINKS, dialect).words, program.words)
+    assert text.count(b"\n") == len(dialect.head) + len(program.words) + len(dialect.tail)
+    comments = re.findall(r"\(([^\n]*)\)", text.decode("ascii"))
+    assert not any(set(comment) & set("();%,") for comment in comments)
+
+
+@EVERY
+def test_every_slot_of_the_templates_is_known_and_the_head_says_units_distance_and_feed_mode(dialect) -> None:
+    used = {name for line in (*dialect.head, *dialect.tail) for _, name, _, _ in string.Formatter().parse(line) if name}
+    assert used <= set(SLOTS) and {"title", "feed_mode", "tool", "offset", "spindle", "coolant"} <= used
+    assert {"G21", "G90"} <= set(" ".join(dialect.head).split())
+    assert dialect.description and "\n" not in dialect.description and dialect.convention
+
+
+@EVERY
+def test_options_change_what_the_head_says_but_no_line_of_a_block(dialect) -> None:
+    program = some_program(dialect, True)
+    plain = write_nc(program, dialect, "part")
+    full = write_nc(program, dialect, "part", PostOptions(tool=7, speed=12000, coolant=True, offset="G54.1 P3", program=42))
+    head = full.decode().split(dialect.newline)[: len(dialect.head)]
+    for expected in ("T7", "M6", "H7", "S12000", "M3", "M8", "G54.1", "P3"):
+        assert expected in " ".join(head).split()
+    assert block_lines(full, dialect) == block_lines(plain, dialect)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{"tool": 0}, {"tool": -1}, {"speed": -1.0}, {"speed": float("nan")}, {"offset": "G17"}, {"program": 0}, {"blend": -1.0}],
+)
+def test_options_out_of_range_are_refused(wrong) -> None:
+    with pytest.raises(SettingsError):
+        PostOptions(**wrong)
+
+
+def test_linuxcnc_keeps_to_the_exact_path_unless_told_a_blend_tolerance() -> None:
+    dialect = DIALECTS["linuxcnc"]
+    program = some_program(dialect, True)
+    assert b"\nG61\n" in write_nc(program, dialect, "part")
+    assert b"\nG64 P0.0050 Q0.0050\n" in write_nc(program, dialect, "part", PostOptions(blend=0.005))
+
+
+def test_block_numbers_go_by_the_step_and_start_again_after_the_largest() -> None:
+    dialect = replace(DIALECTS["fanuc"], number_step=10, number_most=1000)
+    program = some_program(dialect, True)
+    text = write_nc(program, dialect, "part")
+    numbers = [int(line.split()[0][1:]) for line in block_lines(text, dialect)]
+    assert numbers[:3] == [10, 20, 30] and max(numbers) == 1000 and numbers[100] == 10
+    assert np.array_equal(read_nc(text, LINKS, dialect).words, program.words)
+
+
+def test_a_change_of_feed_mode_inside_a_program_is_written_and_read_back() -> None:
+    dialect = DIALECTS["linuxcnc"]
+    source = b"G21 G90\nG0 X0 Y0 Z0 A0 C0\nG1 X1 F10\nG93 G1 X2 F5\nX3 F5\nG94 G1 X4 F10\nX4\nX5\n"
+    program = read_nc(source, LINKS, dialect)
+    again = read_nc(write_nc(program, dialect, "part"), LINKS, dialect)
+    for name in ("words", "feed", "inverse_time", "motion", "seconds"):
+        assert np.array_equal(getattr(again, name), getattr(program, name))
+
+
+def test_an_unknown_controller_is_refused_with_the_names_that_are_known() -> None:
+    assert find_dialect("LinuxCNC") is DIALECTS["linuxcnc"]
+    with pytest.raises(SettingsError, match=r"heidenhain.*linuxcnc, fanuc"):
+        find_dialect("heidenhain")
+
+
+@pytest.mark.rs274
+@needs_rs274
+@EVERY
+@BOTH
+@pytest.mark.parametrize("options", [PostOptions(), PostOptions(tool=3, speed=5000, coolant=True, blend=0.01)], ids=["plain", "full"])
+def test_linuxcncs_own_interpreter_reads_the_very_same_words(dialect, inverse_time, options, tmp_path: Path) -> None:
+    program = some_program(dialect, inverse_time)
+    file = tmp_path / "part.ngc"
+    file.write_bytes(write_nc(program, dialect, "part", options))
+    run = subprocess.run(["rs274", "-g", str(file)], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL)
+    assert run.returncode == 0, run.stderr
+    calls = re.findall(r"(STRAIGHT_FEED|STRAIGHT_TRAVERSE|SET_FEED_RATE)\(([^)]*)\)", run.stdout)
+    moves = [(kind, numbers) for kind, numbers in calls if kind != "SET_FEED_RATE"]
+    words = np.array([[float(number) for number in numbers.split(",")] for _, numbers in moves])[:, [0, 1, 2, 5, 3]]
+    assert [kind == "STRAIGHT_TRAVERSE" for kind, _ in moves] == (program.motion == Motion.RAPID).tolist()
+    assert np.abs(words - program.words).max() < 1e-9
+    rate = np.array(rates_of(calls))
+    feeding = program.motion != Motion.RAPID
+    if inverse_time:  # the interpreter has turned F into a speed: that must give the block's time
+        distance = feed_distance(None, np.diff(words, axis=0, prepend=words[:1]))
+        assert np.allclose(60 * distance[feeding] / rate[feeding], program.seconds[feeding], rtol=1e-3)
+    else:
+        assert np.abs(rate - program.feed)[feeding].max() < 1e-3
+
+
+def rates_of(calls: list[tuple[str, str]]) -> list[float]:
+    """The speed in force at each move."""
+    rates, rate = [], 0.0
+    for kind, numbers in calls:
+        if kind == "SET_FEED_RATE":
+            rate = float(numbers)
+        else:
+            rates.append(rate)
+    return rates
+
+
+@pytest.mark.rs274
+@needs_rs274
+def test_linuxcncs_interpreter_refuses_a_g93_block_without_f(tmp_path: Path) -> None:
+    dialect = DIALECTS["linuxcnc"]
+    text = write_nc(some_program(dialect, True), dialect, "part")
+    file = tmp_path / "part.ngc"
+    file.write_bytes(re.sub(rb"(\nG1[^\n]*) F[0-9.]+\n", rb"\1\n", text, count=1))
+    run = subprocess.run(["rs274", "-g", str(file)], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL)
+    assert run.returncode == 1

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""NC files that must not change by one byte unless somebody means it.
+
+To renew them after a wanted change: ``python tests/golden/test_golden_nc.py`` and read the difference before it is committed.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.joint_path import JointPath
+from freecad_fiveaxis.core.kinematics import Setup, chain, forward
+from freecad_fiveaxis.core.machine import Axis, Machine
+from freecad_fiveaxis.core.post import DIALECTS, PostOptions
+from freecad_fiveaxis.core.post.writer import write_nc
+from freecad_fiveaxis.core.program import build_program
+
+HERE = Path(__file__).parent
+CASES = [(name, mode) for name in DIALECTS for mode in ("g93", "g94")]
+
+
+def golden_file(name: str, mode: str) -> Path:
+    return HERE / f"{name}_{mode}.nc"
+
+
+def golden_text(name: str, mode: str) -> bytes:
+    """A retract, an approach, a cut with both table axes, a turn about the tip, a block of nothing, and a rapid away."""
+    linear = [Axis(letter, False, "head", tuple(row), max_rate=8000.0) for letter, row in zip("XYZ", np.eye(3), strict=True)]
+    c = Axis("C", True, "table", (0, 0, 1), max_rate=float(np.radians(7200.0)))
+    a = Axis("A", True, "table", (1, 0, 0), (0, 0, -50), max_rate=float(np.radians(3600.0)))
+    links = chain(Machine("trunnion", (c, a, *linear)), Setup())
+    words = np.array(
+        [
+            [0, 0, 80, 0, 0], [10, -5, 80, 30, -20], [10, -5, 12.5, 30, -20], [11.25, -5.125, 12.4375, 31.5, -19.75],
+            [12.5, -5.25, 12.375, 33, -19.5], [12.50001, -5.25, 12.375, 33, -19.5], [12.5, -5.25, 12.375, 93, -19.5],
+            [-12.5, -5.25, 12.375, 93, -19.5], [-12.5, -5.25, 80, 93, 0],
+        ]
+    )  # fmt: skip
+    q = np.concatenate([words[:, :3], np.radians(words[:, 3:])], axis=1)
+    tip, axis = forward(links, q)
+    r, link, cut, fill = Motion.RAPID, Motion.LINK, Motion.CUT, Motion.FILL
+    motion = np.array([r, r, link, cut, fill, cut, cut, cut, r], np.int8)
+    feed = np.where(motion == r, 0.0, np.where(motion == link, 300.0, 1000.0))
+    none = np.full(len(q), -1)
+    path = CLPath(tip, axis, motion, feed, tip, axis, none, none, none)
+    joints = JointPath(path, np.arange(len(q)), q, np.zeros(len(q), np.int8), np.ones(len(q)))
+    program = build_program(joints, links, DIALECTS[name], mode == "g93")
+    return write_nc(program, DIALECTS[name], "golden", PostOptions(tool=2, speed=12000, coolant=True))
+
+
+@pytest.mark.parametrize(("name", "mode"), CASES)
+def test_the_nc_file_has_not_changed_by_one_byte(name: str, mode: str) -> None:
+    assert golden_text(name, mode) == golden_file(name, mode).read_bytes()
+
+
+def test_every_golden_file_belongs_to_a_case() -> None:
+    assert sorted(HERE.glob("*.nc")) == sorted(golden_file(*case) for case in CASES)
+
+
+@pytest.mark.parametrize("at", [0, 100, -3])
+def test_the_comparison_sees_one_changed_byte(at: int) -> None:
+    golden = bytearray(golden_file("linuxcnc", "g93").read_bytes())
+    golden[at] ^= 1
+    assert golden_text("linuxcnc", "g93") != bytes(golden)
+
+
+if __name__ == "__main__":
+    for case in CASES:
+        golden_file(*case).write_bytes(golden_text(*case))
