@@ -18,7 +18,7 @@ L1 and L2 are the largest levers about the first and the second axis, V1 and V2 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -65,27 +65,21 @@ def bending(levers: Levers, order: int) -> Floats:
 
 def quick_levers(move: Motion) -> Levers:
     """Levers by the triangle inequality from the ends of the arm: cheap, no trigonometry, longer than they need be."""
-    reaches = [flat_length(w[0], w[1]) + length(v) for w, v in zip(_ends(move, 3), _ends(move, 6), strict=True)]
-    return end_levers(move, *reaches)
+    return _levers(move, _quick_lever1(move))
 
 
 def end_levers(move: Motion, start_reach: Floats, end_reach: Floats) -> Levers:
-    """Levers from the distances ``start_reach``, ``end_reach`` (n,) mm of y from the first axis at both ends.
+    """Levers from the true distances ``start_reach``, ``end_reach`` (n,) mm of y from the first axis at both ends.
 
-    The distance from a line is convex, so within the block it exceeds the larger end value by at most ``|y''| / 8``; the
-    speed of y across that axis is at most ``|w' across| + |v'| + |b'| L2``.
+    The distance from a line is convex, so within the block it exceeds the larger end value by at most ``|y''| / 8``.
     """
-    a, b = np.abs(move.a_step), np.abs(move.b_step)
-    dv = move.arm_step[6:9]
-    lever2 = np.maximum(*(flat_length(v[0], v[1]) for v in _ends(move, 6)))
-    speed2 = flat_length(dv[0], dv[1])
-    lever1 = np.maximum(start_reach, end_reach) + 0.125 * b * (b * lever2 + 2.0 * speed2)
-    speed1 = flat_length(move.arm_step[3], move.arm_step[4]) + length((dv[0], dv[1], dv[2])) + b * lever2
-    return Levers(a, b, lever1, lever2, speed1, speed2)
+    levers = _levers(move, np.maximum(start_reach, end_reach))
+    bent = levers.b * (levers.b * levers.lever2 + 2.0 * levers.speed2)
+    return replace(levers, lever1=levers.lever1 + 0.125 * bent)
 
 
 def close_levers(frame: Frames, move: Motion) -> Levers:
-    """Levers from both ends' true distances and speeds: the closest, and the most work."""
+    """Levers from both ends' true distances and speeds, or the quick ones where these are shorter: the most work."""
     still = _without_first_turn(move)
     reach, speed = [], []
     for u in (np.zeros_like(move.a), np.ones_like(move.a)):
@@ -93,9 +87,24 @@ def close_levers(frame: Frames, move: Motion) -> Levers:
         reach.append(flat_length(y[0], y[1]))
         speed.append(flat_length(first[0], first[1]))
     levers = end_levers(move, *reach)
-    third = levers.b**2 * (levers.b * levers.lever2 + 3.0 * levers.speed2)
-    speed1 = np.minimum(levers.speed1, np.maximum(*speed) + 0.125 * third)
-    return Levers(levers.a, levers.b, levers.lever1, levers.lever2, speed1, levers.speed2)
+    bent = levers.b**2 * (levers.b * levers.lever2 + 3.0 * levers.speed2)  # |y'''|, as |y''| above
+    lever1 = np.minimum(levers.lever1, _quick_lever1(move))
+    return replace(levers, lever1=lever1, speed1=np.minimum(levers.speed1, np.maximum(*speed) + 0.125 * bent))
+
+
+def _quick_lever1(move: Motion) -> Floats:
+    """L1 <= |w across| + |v|, each largest at an end."""
+    w, v = _ends(move, 3), _ends(move, 6)
+    return np.asarray(np.maximum(*(flat_length(x, y) for x, y, _ in w)) + np.maximum(*map(length, v)))
+
+
+def _levers(move: Motion, lever1: Floats) -> Levers:
+    """All levers but L1 found here; V1 <= |w' across| + |v'| + |b'| L2."""
+    a, b = np.abs(move.a_step), np.abs(move.b_step)
+    dx, dy, dz = move.arm_step[6:9]
+    lever2 = np.maximum(*(flat_length(x, y) for x, y, _ in _ends(move, 6)))
+    speed1 = flat_length(move.arm_step[3], move.arm_step[4]) + length((dx, dy, dz)) + b * lever2
+    return Levers(a, b, lever1, lever2, speed1, flat_length(dx, dy))
 
 
 def _without_first_turn(move: Motion) -> Motion:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import IntEnum
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -85,21 +85,19 @@ class LinkOptions:
 def order_passes(path: OffsetPath, order: str) -> OffsetPath:
     """The passes in the order in which they are cut: as they are (one_way), or every other one backwards (zigzag).
 
-    A pass cut backwards has its polylines and its rows reversed; before and after change places.
+    A pass cut backwards has its polylines and its rows reversed; before and after change places. Lead and tilt follow the
+    feed: to have them follow it on the way back too, order first, then take the axes, then link as one_way.
     """
-    if order == "one_way" or not len(path.point):
+    if not len(path.point):
         return path
-    row, backwards = _zigzag_rows(path.pass_)
-    fill = path.fill[np.minimum(row + backwards, len(row) - 1)]
-    fill[_starts(path.polyline[row])] = False
-    columns = {name: getattr(path, name)[row] for name in ("face", "coedge", "segment", "polyline", "pass_")}
-    columns |= {name: _rows(getattr(path, name), row) for name in ("point", "centre", "normal")}
-    before, after = _rows(path.before, row), _rows(path.after, row)
-    turned = backwards[:, None]
+    cut = _cut_order(path, order)
+    columns = {name: getattr(path, name)[cut.row] for name in ("face", "coedge", "segment", "polyline", "pass_")}
+    columns |= {name: _rows(getattr(path, name), cut.row) for name in ("point", "centre", "normal")}
+    before, after, turned = _rows(path.before, cut.row), _rows(path.after, cut.row), cut.backwards[:, None]
     return replace(
-        path, **columns, fill=fill, before=np.where(turned, after, before), after=np.where(turned, before, after),
-        step_before=np.where(backwards, path.step_after[row], path.step_before[row]),
-        step_after=np.where(backwards, path.step_before[row], path.step_after[row]),
+        path, **columns, fill=cut.fill, before=np.where(turned, after, before), after=np.where(turned, before, after),
+        step_before=np.where(cut.backwards, path.step_after[cut.row], path.step_before[cut.row]),
+        step_after=np.where(cut.backwards, path.step_before[cut.row], path.step_after[cut.row]),
     )  # fmt: skip
 
 
@@ -116,16 +114,23 @@ def link_passes(
     if not len(path.point):
         raise SettingsError("there are no passes: no plane cuts a facet that can be reached; check stepover and direction", 0)
     progress("linking passes", 0.0)
-    row = _zigzag_rows(path.pass_)[0] if options.order == "zigzag" else np.arange(len(path.point))
-    path, axis = order_passes(path, options.order), _rows(axis, row)
-    start = _starts(path.polyline)
-    stop = np.append(start[1:], len(path.point)) - 1
+    cut = _cut_order(path, options.order)
+    first, last = cut.row[cut.start], cut.row[np.append(cut.start[1:], len(cut.row)) - 1]
     keep = keepout(low, high, cutter.radius, options.clearance)
-    leave, enter = way_out(path.centre[stop], axis[stop], keep), way_out(path.centre[start], axis[start], keep)
-    links = _links(leave, enter, axis[stop], axis[start], _goes_on(path.centre, start, stop))
+    leave, enter = way_out(path.centre[last], axis[last], keep), way_out(path.centre[first], axis[first], keep)
+    links = _links(leave, enter, axis[last], axis[first], _goes_on(path.centre, first, last))
     progress("linking passes", 0.5)
-    linked = _merged(path, axis, start, links, cutter, options)
-    return replace(linked, findings=_below(leave, enter))
+    return replace(_merged(path, axis, cut, links, cutter, options), findings=_below(leave, enter))
+
+
+class _Cut(NamedTuple):
+    """The order of cutting: ``row`` (n,) of the path; ``backwards`` (n,) True where the pass is reversed; ``fill`` (n,) in that
+    order; ``start`` (p,) where the polylines begin in it."""
+
+    row: Ints
+    backwards: Bools
+    fill: Bools
+    start: Ints
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,54 +160,57 @@ def _links(leave: WayOut, enter: WayOut, leave_axis: Floats, enter_axis: Floats,
     return _Links(gap, centre[gap, slot], axis[gap, slot], motion, goes_on)
 
 
-def _merged(path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: Cutter, options: LinkOptions) -> CLPath:
-    """The rows of the path and the rows between its polylines, each at its place."""
-    n, m = len(path.point), len(links.before)
-    shift = np.cumsum(np.bincount(links.before, minlength=len(start) + 1))
-    on_path = np.arange(n) + np.repeat(shift[:-1], np.diff(start, append=n))
-    between = np.arange(m) + np.append(start, n)[links.before]
+def _merged(path: OffsetPath, axis: Floats, cut: _Cut, links: _Links, cutter: Cutter, options: LinkOptions) -> CLPath:
+    """The rows of the path in the order of cutting and the rows between its polylines, each at its place."""
+    n, m = len(cut.row), len(links.before)
+    shift = np.cumsum(np.bincount(links.before, minlength=len(cut.start) + 1))
+    on_path = np.arange(n) + np.repeat(shift[:-1], np.diff(cut.start, append=n))
+    between = np.arange(m) + np.append(cut.start, n)[links.before]
 
-    def woven(cut: Floats, link: Floats) -> Floats:
+    def woven(own: Floats, link: Floats) -> Floats:
         rows = np.empty((3, n + m))
         for k in range(3):
-            rows[k, on_path], rows[k, between] = cut[:, k], link[:, k]
+            rows[k, on_path], rows[k, between] = own[:, k].take(cut.row), link[:, k]
         return rows.T
 
-    def column(cut: Ints | Bytes, link: Ints | Bytes | int) -> Ints:
+    def column(own: Ints | Bytes, link: Bytes | int) -> Ints:
         values = np.empty(n + m, np.int64)
-        values[on_path], values[between] = cut, link
+        values[on_path], values[between] = own, link
         return values
 
-    cuts = np.where(path.fill, Motion.FILL, Motion.CUT)
-    cuts[start] = Motion.LINK
-    motion = column(cuts, links.motion)
+    motion = np.where(cut.fill, Motion.FILL, Motion.CUT)
+    motion[cut.start] = Motion.LINK
+    motion = column(motion, links.motion)
     feed = np.where(motion == Motion.RAPID, 0.0, options.feed)
-    feed[on_path[start[~links.goes_on]]] = options.plunge_feed
-    cut_tip, link_tip = path.centre, links.centre
+    feed[on_path[cut.start[~links.goes_on]]] = options.plunge_feed
+    tip, link_tip = path.centre, links.centre
     if options.control_point == "tip":
-        cut_tip, link_tip = cutter.tip_at(cut_tip, axis), cutter.tip_at(link_tip, links.axis)
+        tip, link_tip = cutter.tip_at(tip, axis), cutter.tip_at(link_tip, links.axis)
+    face, coedge, pass_ = (column(own.take(cut.row), -1) for own in (path.face, path.coedge, path.pass_))
     return CLPath(
-        tip=woven(cut_tip, link_tip), axis=woven(axis, links.axis), motion=motion.astype(np.int8), feed=feed,
-        contact=woven(path.point, link_tip), normal=woven(path.normal, links.axis), face=column(path.face, -1),
-        coedge=column(path.coedge, -1), pass_=column(path.pass_, -1),
+        tip=woven(tip, link_tip), axis=woven(axis, links.axis), motion=motion.astype(np.int8), feed=feed,
+        contact=woven(path.point, link_tip), normal=woven(path.normal, links.axis), face=face, coedge=coedge, pass_=pass_,
     )  # fmt: skip
 
 
-def _goes_on(centre: Floats, start: Ints, stop: Ints) -> Bools:
+def _goes_on(centre: Floats, first: Ints, last: Ints) -> Bools:
     """Which polylines start where the one before them ended."""
-    near = np.abs(centre[start[1:]] - centre[stop[:-1]]).max(axis=1, initial=0.0) < SAME
+    near = np.abs(centre[first[1:]] - centre[last[:-1]]).max(axis=1, initial=0.0) < SAME
     return np.concatenate([[False], near])
 
 
-def _zigzag_rows(pass_: Ints) -> tuple[Ints, Bools]:
-    """Row of the path for each row of the zigzag, and which of these are cut backwards."""
-    n = len(pass_)
-    start = _starts(pass_)
+def _cut_order(path: OffsetPath, order: str) -> _Cut:
+    n, row = len(path.pass_), np.arange(len(path.pass_))
+    if order == "one_way":
+        return _Cut(row, np.zeros(n, bool), path.fill, _starts(path.polyline))
+    start = _starts(path.pass_)
     size = np.diff(start, append=n)
     backwards = np.repeat(np.arange(len(start)) % 2 == 1, size)
-    mirror = np.repeat(2 * start + size - 1, size)
-    row = np.arange(n)
-    return np.where(backwards, mirror - row, row), backwards
+    row = np.where(backwards, np.repeat(2 * start + size - 1, size) - row, row)
+    fill = path.fill[np.minimum(row + backwards, n - 1)]  # the move between two rows, gone the other way
+    start = _starts(path.polyline[row])
+    fill[start] = False
+    return _Cut(row, backwards, fill, start)
 
 
 def _starts(label: Ints) -> Ints:

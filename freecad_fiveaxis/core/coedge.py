@@ -208,7 +208,7 @@ def _findings(contact: ContactPath, trimmed: list[Trimmed], tolerance: float) ->
     deep = _over([part.cut_into for part in trimmed], [part.depth for part in trimmed], tolerance)
     if deep:
         text = (
-            f"The facets curl tighter than the cutter at {deep.count} segments, and the cutter cuts up to {deep.worst:.3g} mm "
+            f"The facets curl tighter than the cutter at {deep.number} segments, and the cutter cuts up to {deep.worst:.3g} mm "
             "into them. Use a smaller cutter or a finer mesh, or check these places before milling."
         )
         code, place = "surface-tighter-than-cutter", _place(contact, deep.segment)
@@ -216,7 +216,7 @@ def _findings(contact: ContactPath, trimmed: list[Trimmed], tolerance: float) ->
     high = _over([part.missed for part in trimmed], [part.height for part in trimmed], tolerance)
     if high:
         much = f"up to {high.worst:.3g} mm of material stays" if np.isfinite(high.worst) else "a whole run of facets stays uncut"
-        text = f"The cutter does not fit into the corners at {high.count} facet segments; {much}. Use a smaller cutter there."
+        text = f"The cutter does not fit into the corners at {high.number} facet segments; {much}. Use a smaller cutter there."
         worst, place = high.worst if np.isfinite(high.worst) else None, _place(contact, high.segment)
         found.append(Finding(Severity.WARNING, "corner-not-reached", text, worst, tolerance, "mm", place=place))
     return tuple(found)
@@ -225,7 +225,7 @@ def _findings(contact: ContactPath, trimmed: list[Trimmed], tolerance: float) ->
 class _Worst(NamedTuple):
     """How many segments are over a limit, the largest value and its segment."""
 
-    count: int
+    number: int
     worst: float
     segment: int
 

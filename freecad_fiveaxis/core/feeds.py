@@ -55,7 +55,8 @@ def _length(vector: Floats) -> Floats:
 
 def _lever_arm(links: Chain, q: Floats) -> float:
     """An upper bound, for all rows, of the distance from either rotary line to what it turns, mm."""
-    reach = float(_length(q).max(initial=0.0)) * float(np.linalg.norm(links.direction[:3], 2))
+    linear = np.abs(links.direction[:3])
+    reach = float(_length(q).max(initial=0.0)) * math.sqrt(linear.sum(axis=0).max() * linear.sum(axis=1).max())
     between = float(np.linalg.norm(links.point2 - links.point1))
     return math.sqrt(2.0) * reach + between + float(np.linalg.norm(links.point2))
 

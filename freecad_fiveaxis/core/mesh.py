@@ -63,11 +63,12 @@ def from_triangles(corners: ArrayLike) -> Mesh:
     array = _numbers(corners, "triangle corners", (3, 3))
     # one contiguous column each for x, y, z; row k f + i is corner k of facet i, as in a Fortran-ordered ``face``
     column = np.empty((3, 3 * len(array)), dtype=np.float32 if array.dtype == np.float32 else np.float64)
-    for part in chunks(len(array)):
-        for axis, k in np.ndindex(3, 3):
-            first = k * len(array) + part.start
-            # adding zero turns -0.0 into 0.0, so that equal coordinates have equal bits
-            np.add(array[part, k, axis], 0.0, out=column[axis, first : first + part.stop - part.start])
+    with np.errstate(invalid="ignore"):  # a signalling NaN; the check of the range names it
+        for part in chunks(len(array)):
+            for axis, k in np.ndindex(3, 3):
+                first = k * len(array) + part.start
+                # adding zero turns -0.0 into 0.0, so that equal coordinates have equal bits
+                np.add(array[part, k, axis], 0.0, out=column[axis, first : first + part.stop - part.start])
     _check_range(column, len(array), "facet")
     vertex, corner = weld(column)
     return _build(vertex, corner.reshape(3, -1).T)
@@ -133,7 +134,7 @@ def _check_range(column: Reals, rows: int, what: str) -> None:
 
 def _build(vertex: Floats, face: Ints) -> Mesh:
     """Mesh of Fortran-ordered vertices and facets: normals, co-edges, orientation, findings."""
-    normal, flat, volume = _normals(vertex, face)
+    normal, flat, inward = _normals(vertex, face)
     findings: list[Finding] = []
     if len(flat):
         findings.append(_flat_finding(vertex, face, flat))
@@ -142,7 +143,7 @@ def _build(vertex: Floats, face: Ints) -> Mesh:
     edges = _coedges(vertex, face)
     findings += edges.findings
     mesh = Mesh(vertex, face, normal, edges.vertex, edges.face, edges.of_face, tuple(findings))
-    return _turned(mesh) if edges.closed and volume < -HOLLOW else mesh
+    return _turned(mesh) if edges.closed and inward else mesh
 
 
 def _flat_finding(vertex: Floats, face: Ints, flat: Ints) -> Finding:
@@ -169,8 +170,8 @@ def _turned(mesh: Mesh) -> Mesh:
     )
 
 
-def _normals(vertex: Floats, face: Ints) -> tuple[Floats, Ints, float]:
-    """Unit normals (f, 3), the rows of facets without area, and the volume over that of the box (of a closed mesh)."""
+def _normals(vertex: Floats, face: Ints) -> tuple[Floats, Ints, bool]:
+    """Unit normals (f, 3), the rows of facets without area, and whether the volume (of a closed mesh) is negative."""
     low, high = vertex.min(axis=0), vertex.max(axis=0)
     side, least = float((high - low).max()), FLAT * float(np.maximum(-low, high).max())
     x, y, z = vertex.T
@@ -194,7 +195,7 @@ def _normals(vertex: Floats, face: Ints) -> tuple[Floats, Ints, float]:
         np.divide(nx, length, out=normal[0, part])
         np.divide(ny, length, out=normal[1, part])
         np.divide(nz, length, out=normal[2, part])
-    return normal.T, np.concatenate(flat), volume / side**3
+    return normal.T, np.concatenate(flat), volume < -HOLLOW * side**3
 
 
 # ------------------------------------------------------------------------------------------------ co-edges

@@ -44,18 +44,14 @@ def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress:
     moving = has_axis & ~lines.any_of(codes.NO_MOVE) & (lines.mode(codes.MOTION, codes.NONE) != codes.CYCLE)
     at = np.flatnonzero(moving)
     if not len(at):
-        raise ProgramError(
-            "the file holds no motion blocks: no line with an axis word of this machine under G0 or G1", links.letters
-        )
-    motion_mode, distance, inch = (
-        lines.mode(*group)[at] for group in ((codes.MOTION, codes.NONE), (codes.DISTANCE, 0), (codes.UNITS, 0))
-    )
-    position = _positions([column[at] for column in named.values()], distance == 1, inch == 1)
+        raise ProgramError("the file holds no motion blocks: no axis word of this machine under G0 or G1", links.letters)
+    motion_mode, incremental = lines.mode(codes.MOTION, codes.NONE)[at], lines.mode(codes.DISTANCE, 0)[at] == 1
+    position = _positions([column[at] for column in named.values()], incremental, lines.mode(codes.UNITS, 0)[at] == 1)
     feed, inverse, more = _feeds(lines, at, motion_mode != codes.RAPID)
     motion = np.where(motion_mode == codes.RAPID, Motion.RAPID, Motion.CUT).astype(np.int8)
     seconds = _seconds(position, motion, feed, inverse, lines.mode(codes.FEED_MODE, 0)[at] == codes.PER_TURN, links, dialect)
     findings += (*words.findings, *_code_findings(words), *_word_findings(words, lines, links.letters), *more)
-    findings += _start_findings(named, at, motion_mode, distance, lines)
+    findings += tuple(_start_findings(named, at, motion_mode, incremental, lines))
     return Program(links.letters, position, feed, inverse, motion, seconds, np.full(len(at), -1), at, findings)
 
 
@@ -207,9 +203,7 @@ def _word_findings(words: Words, lines: _Lines, letters: str) -> list[Finding]:
         if letter in letters or letter in codes.WORDS_IGNORED:
             continue
         if letter in codes.AXES:
-            text = (
-                f"The machine has no axis {letter}: its {count} words are left out. Choose the machine that this program is for."
-            )
+            text = f"The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine."
             found.append(Finding(Severity.ERROR, "unknown-axis", text, float(count), line=line))
         elif letter not in "IJKR" or not np.isin(lines.code, (20, 30)).any():
             text = f"The {count} words {letter} are not interpreted."
@@ -217,10 +211,10 @@ def _word_findings(words: Words, lines: _Lines, letters: str) -> list[Finding]:
     return found
 
 
-def _start_findings(named: dict[str, Floats], at: Ints, motion_mode: Ints, distance: Ints, lines: _Lines) -> tuple[Finding, ...]:
+def _start_findings(named: dict[str, Floats], at: Ints, motion_mode: Ints, incremental: Bools, lines: _Lines) -> list[Finding]:
     found = []
     first = int(at[0])
-    unknown = [letter for letter, column in named.items() if np.isnan(column[first]) or distance[0] == 1]
+    unknown = [letter for letter, column in named.items() if np.isnan(column[first]) or incremental[0]]
     if unknown:
         text = f"The first motion line does not say where {', '.join(sorted(unknown))} stand; they are taken as 0 there."
         found.append(Finding(Severity.NOTE, "position-unknown", text, block=0, line=first))
@@ -234,4 +228,4 @@ def _start_findings(named: dict[str, Floats], at: Ints, motion_mode: Ints, dista
     if len(offsets) > 1:
         text = f"The program uses {len(offsets)} work offsets; their distance is not known, and the blocks between are not right."
         found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
-    return tuple(found)
+    return found

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from .progress import Progress, silent
 from .records import Bools, Floats, Ints
 
-CHUNK = 16384
+CHUNK = 8192
 """Rows put together at a time: the buffer then stays in the second-level cache."""
 GROUP = 10_000
 """A piece holds four digits: its table then stays in the cache."""
@@ -34,7 +34,7 @@ MOST_DECIMALS = 9
 
 @dataclass(frozen=True, eq=False)
 class Column:
-    """Numbers: ``prefix`` and then ``values`` (n,) with ``decimals`` (0 to 9); nothing where ``show`` (n,) is False."""
+    """``prefix`` and then ``values`` (n,) with ``decimals`` (0 to 9; integers take 0); nothing where ``show`` (n,) is False."""
 
     prefix: bytes
     values: Floats | Ints
@@ -68,11 +68,11 @@ def table(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent
 
 def table_parts(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent) -> Iterator[bytes | bytearray]:
     """The same, in portions of CHUNK rows, for writing to a file as they come."""
-    rows = _checked_rows(parts, end)
+    rows, buffer = _checked_rows(parts, end), bytearray()
     for start in range(0, rows, CHUNK):
         if start % (64 * CHUNK) == 0:
             progress("writing text", start / rows)
-        yield _chunk([_slice(part, start) for part in (*parts, end)], min(CHUNK, rows - start))
+        yield _chunk([_slice(part, start) for part in (*parts, end)], min(CHUNK, rows - start), buffer)
 
 
 def rounded(values: Floats, decimals: int) -> Floats:
@@ -92,8 +92,10 @@ def _checked_rows(parts: Sequence[Part], end: bytes) -> int:
     texts = [end]
     for part in parts:
         texts += [part] if isinstance(part, bytes) else [part.prefix] if isinstance(part, Column) else part.texts
-        if isinstance(part, Column) and not 0 <= part.decimals <= MOST_DECIMALS:
-            raise ValueError(f"a column has {part.decimals} decimals; give 0 to {MOST_DECIMALS}")
+        if isinstance(part, Column):
+            most = MOST_DECIMALS if part.values.dtype.kind == "f" else 0
+            if not 0 <= part.decimals <= most:
+                raise ValueError(f"a column of {part.values.dtype} has {part.decimals} decimals; give 0 to {most}")
     if any(b"\0" in text for text in texts):
         raise ValueError("a text of the table holds a byte 0, which is the padding")
     return lengths.pop()
@@ -108,7 +110,8 @@ def _slice(part: Part, start: int) -> Part:
     return Column(part.prefix, part.values[rows], part.decimals, None if part.show is None else part.show[rows])
 
 
-def _chunk(parts: Sequence[Part], rows: int) -> bytes | bytearray:
+def _chunk(parts: Sequence[Part], rows: int, buffer: bytearray) -> bytes | bytearray:
+    """The text of one chunk; ``buffer`` is room to work in, kept from chunk to chunk."""
     pieces: list[NDArray[Any]] = []
     for part in parts:
         found = _pieces(part, rows)
@@ -116,7 +119,8 @@ def _chunk(parts: Sequence[Part], rows: int) -> bytes | bytearray:
             return _by_percent(parts, rows)
         pieces += found
     width = sum(piece.itemsize for piece in pieces)
-    buffer = bytearray(rows * width)
+    if len(buffer) != rows * width:
+        buffer[:] = bytes(rows * width)
     at = 0
     for piece in pieces:
         np.ndarray((rows,), piece.dtype, buffer, at, (width,))[:] = piece
@@ -133,13 +137,15 @@ def _pieces(part: Part, rows: int) -> list[NDArray[Any]] | None:
     scaled = _scaled(part)
     if scaled is None:
         return None
-    whole = scaled // 10**part.decimals if part.decimals else scaled
-    fraction = scaled - whole * 10**part.decimals
+    unit = 10**part.decimals
+    whole = scaled // unit if part.decimals else scaled
+    fraction = scaled - whole * unit
     negative = np.signbit(part.values) if part.values.dtype.kind == "f" else part.values < 0
     hidden = None if part.show is None or part.show.all() else ~part.show
     top = int(whole.max(initial=0))
     if top < GROUP and len(part.prefix) <= 2:
-        pieces = [_pick(_heads(part.prefix, part.decimals > 0), whole + negative * GROUP, hidden)]
+        whole += np.multiply(negative, GROUP, dtype=np.int64)
+        pieces = [_pick(_heads(part.prefix, part.decimals > 0), whole, hidden)]
     else:
         pieces = _wide(part, whole, top, negative, hidden)
     return pieces + _decimals(fraction, part.decimals, hidden)
@@ -149,17 +155,18 @@ def _scaled(part: Column) -> Ints | None:
     """|values| in units of the last decimal, rounded as ``%`` rounds; None where a double cannot hold that exactly."""
     if part.values.dtype.kind != "f":
         whole = np.abs(part.values.astype(np.int64))  # the least int64 stays negative, and goes to %
-        bad = len(whole) and (int(whole.max()) >= EXACT or int(whole.min()) < 0)
-        return None if bad else whole * 10**part.decimals if part.decimals <= 0 else None
+        fits = not len(whole) or (int(whole.max()) < EXACT and int(whole.min()) >= 0)
+        return whole if fits else None
     values = np.abs(part.values)
     with np.errstate(over="ignore", invalid="ignore"):
         scaled = values * 10.0**part.decimals
         nearest = np.rint(scaled)
-        tie = np.abs(scaled - nearest) == 0.5
-        if not np.all(scaled < EXACT):
+        distance = np.subtract(scaled, nearest)
+        np.abs(distance, out=distance)
+        if not scaled.max(initial=0.0) < EXACT:  # NaN comes out of max
             return None
-    if tie.any():
-        _settle_ties(np.flatnonzero(tie), values, scaled, nearest, 10.0**part.decimals)
+    if distance.max(initial=0.0) == 0.5:
+        _settle_ties(np.flatnonzero(distance == 0.5), values, scaled, nearest, 10.0**part.decimals)
     return nearest.astype(np.int64)
 
 

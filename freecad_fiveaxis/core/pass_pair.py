@@ -13,6 +13,7 @@ is measured from the centres themselves; the worst case of one edge between the 
 
 from __future__ import annotations
 
+import math
 from functools import cached_property
 
 import numpy as np
@@ -27,6 +28,9 @@ ACROSS = 0.5
 
 DENSE = 0.25
 """Step of the centres, in steps of the samples: half of it, along the pass, adds 1 % to the distance across."""
+
+NEARLY = 0.9
+"""Share of the largest bound above which samples are measured first: the largest scallop is mostly among them."""
 
 LEVEL = 1e-3
 """Least slope and least spread of the centres that a prediction divides by."""
@@ -155,41 +159,66 @@ def smallest_interval(here: FacetPass, across: Floats, radius: float, scallop: f
     slope = np.linalg.norm(side, axis=1)
     spread = 1.0 + radius * curvature_along(here.tensor, side / np.maximum(slope, LEVEL)[:, None])
     share = slope / np.sqrt(np.maximum(spread, LEVEL))
-    return flat_interval(radius, scallop) * float(share.min(initial=1.0))
+    return flat_interval(radius, scallop) * float(share.min(initial=1.0 / LEVEL))
 
 
-def scallop_between(one: FacetPass, other: FacetPass, radius: float, enough: float) -> tuple[float, Floats]:
-    """The largest scallop between two neighbouring passes, mm, and the contact (3,) next to it; 0 where none lie opposite.
-
-    Scallops below ``enough`` mm may come out too large, but not beyond it.
-    """
+def scallop_between(one: FacetPass, other: FacetPass, radius: float) -> tuple[float, Floats]:
+    """The largest scallop between two neighbouring passes, mm, and the contact (3,) next to it; 0 where none lie opposite."""
     worst, place = 0.0, np.zeros(3)
     for a, b in ((one, other), (other, one)):
-        height = scallops(a, b, radius, enough)
-        if len(height) and height.max() > worst:
-            worst, place = float(height.max()), a.point[np.argmax(height)]
+        if len(a) and len(b):
+            row, height = _largest(_Opposite(a, b, radius))
+            if height > worst:
+                worst, place = height, a.point[row]
     return worst, place
 
 
-def scallops(one: FacetPass, other: FacetPass, radius: float, enough: float) -> Floats:
-    """Scallop (n,) mm between each sample of one pass and the opposite point of the other; 0 where there is none."""
-    if not len(one) or not len(other):
-        return np.zeros(len(one))
-    there = other.segment[other.tree.query(one.point)[1]]
-    across, chord, opposite = _way_over(one.point, other.start[there], other.way[there])
-    here = curvature_along(one.tensor[:, one.segment], across)
-    curvature = 0.5 * (here + curvature_along(other.tensor[:, there], across))
-    first, second = one.normal[one.segment], other.normal[there]
-    kink = ((second - first) * across).sum(axis=1) - curvature * chord
-    height = np.where(opposite, scallop_height(chord, radius, curvature) * kink_factor(chord, radius, kink), 0.0)
-    rows = np.flatnonzero(height > enough)
-    if len(rows):
-        upward = (first + second)[rows]
+def _largest(pairs: _Opposite) -> tuple[int, float]:
+    """Row and value of the largest scallop. The centres are asked only where the bound leaves room for a larger one."""
+    row, largest, low, high = 0, 0.0, NEARLY * float(pairs.bound.max()), math.inf
+    while high > largest:
+        rows = np.flatnonzero((pairs.bound > low) & (pairs.bound <= high))
+        height = pairs.measured(rows)
+        if len(rows) and height.max() > largest:
+            row, largest = int(rows[np.argmax(height)]), float(height.max())
+        low, high = largest, low
+    return row, largest
+
+
+class _Opposite:
+    """The samples of one pass with the opposite points of another one.
+
+    ``bound`` (n,) mm: the worst case of the scallop, one edge between the two contacts; 0 where nothing lies opposite.
+    """
+
+    def __init__(self, one: FacetPass, other: FacetPass, radius: float) -> None:
+        self._one, self._other, self._radius = one, other, radius
+        there = other.segment[other.tree.query(one.point)[1]]
+        self._across, self._chord, opposite = _way_over(one.point, other.start[there], other.way[there])
+        here = curvature_along(one.tensor[:, one.segment], self._across)
+        self._curvature = 0.5 * (here + curvature_along(other.tensor[:, there], self._across))
+        first, second = one.normal[one.segment], other.normal[there]
+        self._upward = first + second
+        kink = ((second - first) * self._across).sum(axis=1) - self._curvature * self._chord
+        height = scallop_height(self._chord, radius, self._curvature) * kink_factor(self._chord, radius, kink)
+        self.bound = np.where(opposite, height, 0.0)
+
+    def measured(self, rows: Ints) -> Floats:
+        """Scallop (n,) mm at these samples, from the nearest centres on both sides.
+
+        Over a circle ``d^2 = r^2 + (1 + r curvature) c^2``: d from the surface to the centre, c to the contact below it.
+        From a point midway both c together are the chord that would leave the same scallop.
+        """
+        chord, curvature, upward = self._chord[rows], self._curvature[rows], self._upward[rows]
         upward /= np.maximum(np.linalg.norm(upward, axis=1), TINY)[:, None]
-        half, bulge = 0.5 * chord[rows], 0.125 * curvature[rows] * chord[rows] ** 2
-        middle = one.point[rows] + half[:, None] * across[rows] + bulge[:, None] * upward
-        height[rows] = np.minimum(height[rows], _from_centres(middle, curvature[rows], one, other, radius))
-    return height
+        middle = self._one.point[rows] + (0.5 * chord)[:, None] * self._across[rows]
+        middle += (0.125 * curvature * chord * chord)[:, None] * upward
+        spread = np.maximum(1.0 + self._radius * curvature, LEVEL)
+        reach = np.zeros(len(rows))
+        for side in (self._one, self._other):
+            distance = side.centre_tree(self._radius).query(middle)[0]
+            reach += np.sqrt(np.maximum(distance * distance - self._radius**2, 0.0) / spread)
+        return np.minimum(scallop_height(reach, self._radius, curvature), self.bound[rows])
 
 
 def _way_over(point: Floats, start: Floats, way: Floats) -> tuple[Floats, Floats, Bools]:
@@ -206,17 +235,3 @@ def _way_over(point: Floats, start: Floats, way: Floats) -> tuple[Floats, Floats
     across -= past[:, None] * along
     chord = np.maximum(np.linalg.norm(across, axis=1), TINY)
     return across / chord[:, None], chord, opposite
-
-
-def _from_centres(middle: Floats, curvature: Floats, one: FacetPass, other: FacetPass, radius: float) -> Floats:
-    """Scallop (n,) mm about surface points (n, 3) mm midway, from the nearest centres on both sides.
-
-    Over a circle ``d^2 = r^2 + (1 + r curvature) c^2``: d from the surface to the centre, c to the contact below it. Both c
-    together are the chord that would leave the same scallop.
-    """
-    spread = np.maximum(1.0 + radius * curvature, LEVEL)
-    chord = np.zeros(len(middle))
-    for side in (one, other):
-        distance = side.centre_tree(radius).query(middle)[0]
-        chord += np.sqrt(np.maximum(distance * distance - radius * radius, 0.0) / spread)
-    return scallop_height(chord, radius, curvature)

@@ -99,7 +99,8 @@ def _contact_path(
     mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, plane: Ints, planes: Floats, heading: tuple[float, float]
 ) -> ContactPath:
     """Entry and exit of each segment from the chains of crossings (see :func:`~.slicing.chain`)."""
-    end, number = _segment_ends(cross, crossing, first)
+    along, height = cross.along.take(crossing), cross.height.take(crossing)
+    end, number = _segment_ends(along, height, first)
     used = np.flatnonzero(number)
     number, plane = 2 * number.take(used), plane.take(used)
     # one block for the labels and one for the rest: numpy asks for large memory pages where an array is large
@@ -110,26 +111,27 @@ def _contact_path(
     cosine, sine = heading
     for part in chunks(len(end)):
         rows = slice(2 * part.start, 2 * part.stop)
-        at = np.repeat(end[part], 2)
-        at[0::2] -= 1
-        at = crossing.take(at)
-        cross.coedge.take(at, out=coedge[rows], mode="clip")
-        along, offset = cross.along.take(at), planes.take(pass_[rows])
-        np.subtract(cosine * along, sine * offset, out=place[0, rows])
-        np.add(sine * along, cosine * offset, out=place[1, rows])
-        cross.height.take(at, out=place[2, rows], mode="clip")
-        cut = np.repeat(cross.left.take(at[1::2]), 2)
-        face[rows] = cut
-        for axis in range(3):
-            mesh.normal[:, axis].take(cut, out=place[3 + axis, rows], mode="clip")
+        last = end[part]
+        at = np.empty(2 * len(last), dtype=np.int64)
+        at[0::2], at[1::2] = last - 1, last
+        travel, offset = along.take(at), planes.take(pass_[rows])
+        np.subtract(cosine * travel, sine * offset, out=place[0, rows])
+        np.add(sine * travel, cosine * offset, out=place[1, rows])
+        height.take(at, out=place[2, rows], mode="clip")
+        begin = int(last[0]) - 1
+        at -= begin
+        cross.coedge.take(crossing[begin : int(last[-1]) + 1]).take(at, out=coedge[rows], mode="clip")
+        cut = cross.left.take(crossing.take(last))
+        face[rows][0::2] = face[rows][1::2] = cut
+        for axis, both in enumerate(place[3:, rows]):
+            both[0::2] = both[1::2] = mesh.normal[:, axis].take(cut)
         segment[rows] = np.arange(rows.start, rows.stop) >> 1
     return ContactPath(place[:3].T, place[3:].T, *label)
 
 
-def _segment_ends(cross: Crossings, crossing: Ints, first: Ints) -> tuple[Ints, Ints]:
-    """Rows of ``crossing`` where a segment ends that began in the row before and has a length, and their number in each chain."""
-    along, height = cross.along.take(crossing), cross.height.take(crossing)
-    cuts = np.empty(len(crossing), dtype=np.bool_)
+def _segment_ends(along: Floats, height: Floats, first: Ints) -> tuple[Ints, Ints]:
+    """Rows of the chains' crossings where a segment ends that began in the row before and has a length; number in each chain."""
+    cuts = np.empty(len(along), dtype=np.bool_)
     np.not_equal(along[1:], along[:-1], out=cuts[1:])
     cuts[1:] |= height[1:] != height[:-1]
     cuts[first] = False

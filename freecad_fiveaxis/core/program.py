@@ -149,7 +149,9 @@ def _time_blocks(
         distance = scale.distance(np.diff(ends, axis=0))
         asked[rows] = np.where(feeding, distance / minutes, 0.0)
         held[rows] = slowed & feeding
-        seconds[rows] = 60.0 * np.where(feeding, distance / scale.rounded_down(asked[rows]), rapid_minutes(links, change))
+        seconds[rows] = 60.0 * distance / scale.rounded_down(asked[rows])
+        rapid = np.flatnonzero(~feeding)
+        seconds[rows.start + rapid] = 60.0 * rapid_minutes(links, change[rapid])
     return asked, held, seconds
 
 

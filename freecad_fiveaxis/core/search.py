@@ -37,7 +37,7 @@ FIRST_TURN = 0.25
 """A block starts as at least so many pieces, of at most so many rad of summed rotary travel: fewer rounds, few wasted pieces."""
 
 MOST_PIECES = 65536
-"""First pieces worked on at a time: what bounds the memory where blocks turn by hundreds of turns."""
+"""Pieces worked on at a time: what bounds the memory where blocks turn by hundreds of turns."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +70,10 @@ class _Pieces:
     centre: Floats
     half: Floats
 
+    def split(self) -> list[_Pieces]:
+        middle = len(self.block) // 2
+        return [_Pieces(self.block[s], self.centre[s], self.half[s]) for s in (slice(middle), slice(middle, None))]
+
 
 @dataclass(frozen=True, eq=False)
 class _Local:
@@ -95,13 +99,17 @@ def farthest(frame: Frames, chords: Chords) -> tuple[Floats, Floats, Floats]:
 
 def _branch_and_bound(frame: Frames, chords: Chords) -> tuple[Floats, Floats]:
     best, best_u = np.zeros(len(chords.turn)), np.full(len(chords.turn), 0.5)
-    pieces = _first_pieces(chords.turn)
-    while len(pieces.block):
+    waiting = [_first_pieces(chords.turn)]
+    while waiting:
+        pieces = waiting.pop()
+        if len(pieces.block) > MOST_PIECES:
+            waiting += pieces.split()
+            continue
         here = _local(frame, chords, pieces)
         _improve(best, best_u, pieces.block, pieces.centre, here.square)
         _try_peaks(frame, chords, pieces, here, best, best_u)
         keep = np.flatnonzero(here.bound > _proven(best)[pieces.block] ** 2)
-        pieces = _halved(pieces, keep)
+        waiting += [_halved(pieces, keep)] if len(keep) else []
     return best, best_u
 
 

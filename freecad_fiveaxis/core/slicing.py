@@ -78,16 +78,14 @@ class Crossings:
 
 
 @dataclass(frozen=True, eq=False)
-class _Cuts:
-    """The cut co-edges of one chunk: ``coedge``, vertices ``bottom`` and ``top``, facets ``left`` and ``entered`` (c,);
-    and their crossings: ``row`` in these columns, ``plane`` (x,)."""
+class _Piece:
+    """Some crossings, a row each: ``coedge``, its vertices ``top`` and ``bottom``, facets ``left`` and ``entered``, ``plane``."""
 
     coedge: Ints
-    bottom: Ints
     top: Ints
+    bottom: Ints
     left: Ints
     entered: Ints
-    row: Ints
     plane: Ints
 
 
@@ -116,8 +114,8 @@ def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]
     return base, nodes
 
 
-def _cuts(mesh: Mesh, level: Ints, keep: Bools | None) -> Iterator[_Cuts]:
-    """Cut co-edges of the facets that are kept, a chunk at a time."""
+def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> Iterator[_Piece]:
+    """The crossings of the facets that are kept, a piece at a time."""
     number = len(mesh.coedge_face)
     ends, sides = mesh.coedge_vertex.T.reshape(-1), mesh.coedge_face.T.reshape(-1)
     used = None if keep is None else np.append(keep, False)
@@ -129,14 +127,17 @@ def _cuts(mesh: Mesh, level: Ints, keep: Bools | None) -> Iterator[_Cuts]:
         cut = np.flatnonzero(crossed)
         one, two = one.take(cut), two.take(cut)
         cut += part.start
-        # the end on the upper side; the facet that runs along the co-edge towards its other end is entered there
+        # entries of ``ends``: the end on the upper side; and of ``sides``: the facet that runs along the co-edge downward
         upper = (two > one) * number + cut
         lower = 2 * cut + number - upper
         low = np.minimum(one, two)
         count = np.maximum(one, two) - low
         row = np.repeat(np.arange(len(cut)), count)
         plane = np.arange(len(row)) + (low + count - np.cumsum(count)).take(row)
-        yield _Cuts(cut, ends.take(lower), ends.take(upper), sides.take(lower), sides.take(upper), row, plane)
+        for piece in chunks(len(row)):
+            at = row[piece]
+            up, down = upper.take(at), lower.take(at)
+            yield _Piece(cut.take(at), ends.take(up), ends.take(down), sides.take(down), sides.take(up), plane[piece])
 
 
 def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats, keep: Bools | None) -> Crossings:
@@ -155,37 +156,34 @@ def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats,
     next_node, exit_ = np.empty((2, nodes + 1), dtype=np.int64)
     opening, turning = [Starts.none()], [Starts.none()]
     total = 0
-    for cuts in _cuts(mesh, level, keep):
-        here = slice(total, total + len(cuts.row))
+    for piece in _pieces(mesh, level, keep):
+        here = slice(total, total + len(piece.plane))
         total = here.stop
-        cuts.coedge.take(cuts.row, out=label[0, here], mode="clip")
-        cuts.left.take(cuts.row, out=label[1, here], mode="clip")
-        _interpolate(cuts, offsets, distance, (along, mesh.vertex[:, 2]), place[:, here])
-        leave, enter = (base.take(facet).take(cuts.row) + cuts.plane for facet in (cuts.left, cuts.entered))
+        label[0, here], label[1, here] = piece.coedge, piece.left
+        _interpolate(piece, offsets, distance, (along, mesh.vertex[:, 2]), place[:, here])
+        leave, enter = (base.take(facet) + piece.plane for facet in (piece.left, piece.entered))
+        both = Starts(np.arange(here.start, here.stop), enter, place[0, here])
         outside = np.flatnonzero(leave < 0)
-        number = np.arange(here.start, here.stop)
-        both = Starts(number, enter, place[0, here])
         opening.append(both.take(outside.take(np.flatnonzero(enter.take(outside) >= 0))))
-        turns = upward.take(cuts.entered) & downward.take(cuts.left)
-        turning.append(both.take(np.flatnonzero(turns.take(cuts.row))))
+        turning.append(both.take(np.flatnonzero(upward.take(piece.entered) & downward.take(piece.left))))
         leave[outside] = nodes
-        enter[enter < 0] = nodes
-        next_node[leave] = enter
-        exit_[leave] = number
+        next_node[leave] = np.where(enter < 0, nodes, enter)
+        exit_[leave] = both.crossing
     coedge, left, at, height = label[0, :total], label[1, :total], place[0, :total], place[1, :total]
     return Crossings(coedge, left, at, height, next_node, exit_, base, Starts.joined(opening), Starts.joined(turning))
 
 
-def _interpolate(cuts: _Cuts, offsets: Floats, distance: Floats, values: tuple[Floats, Floats], out: Floats) -> None:
+def _interpolate(piece: _Piece, offsets: Floats, distance: Floats, values: tuple[Floats, Floats], out: Floats) -> None:
     """``values`` at the crossings into the rows of ``out``, linear along each co-edge, exact where a vertex lies on the plane."""
-    top, bottom = distance.take(cuts.top), distance.take(cuts.bottom)
-    share = top.take(cuts.row) - offsets.take(cuts.plane)
-    share /= (top - bottom).take(cuts.row)
+    share = distance.take(piece.top)
+    length = share - distance.take(piece.bottom)
+    share -= offsets.take(piece.plane)
+    share /= length
     for value, result in zip(values, out, strict=True):
-        top = value.take(cuts.top)
-        rise = value.take(cuts.bottom) - top
-        np.multiply(share, rise.take(cuts.row), out=result)
-        result += top.take(cuts.row)
+        top = value.take(piece.top)
+        np.subtract(value.take(piece.bottom), top, out=result)
+        result *= share
+        result += top
 
 
 def chain(cross: Crossings) -> tuple[Ints, Ints, Ints]:

@@ -24,15 +24,15 @@ import numpy as np
 from .errors import SettingsError
 from .findings import Finding, Severity
 from .mesh import Mesh
-from .progress import Progress, silent
 from .pass_pair import Strip, scallop_between, smallest_interval
+from .progress import Progress, silent
 from .records import Bools, Floats
 from .scallop import flat_interval
 
 MOST_PLANES = 200_000
 """More planes than any job can want: a unit or a setting is wrong."""
 
-TOP, AIM, BOTTOM = 0.985, 0.95, 0.90
+TOP, AIM, BOTTOM = 0.97, 0.95, 0.92
 """Shares of the scallop asked for: the measured one must not exceed the first, is aimed at the second, good from the last."""
 
 TRIALS = 16
@@ -52,6 +52,9 @@ WIDEST = 4.0
 
 STRETCH = 30.0
 """Over this many last intervals the rest is spread, so that no last interval is needlessly small."""
+
+SPARE = 0.2
+"""Share of an interval that is planned to be left beyond the last plane; half an interval may be."""
 
 INSIDE = 1e-3
 """Share of the least interval by which a trial plane stays inside the part, where it surely cuts facets."""
@@ -152,6 +155,7 @@ class _March:
         """Planes from ``low`` to ``high``, the outermost at most half an interval inside."""
         inside = INSIDE * min(self._least, high - low)
         offset = low + 0.5 * min(self._step(low + inside, high - inside).interval, high - low)
+        self._share, self._fit_below = 1.0, STRETCH
         interval: float | None = 0.0
         while interval is not None:
             offset += interval
@@ -161,7 +165,7 @@ class _March:
             interval = None
             if high - offset > 2.0 * inside:
                 step = self._step(offset, high - inside)
-                interval = self._fitted(step, high - offset)
+                interval = self._fitted(step, offset, high)
                 if interval is not None and step.height > self._scallop:
                     self._bound.append(step)
 
@@ -174,7 +178,7 @@ class _March:
         good, bad = _Step(0.0, 0.0, np.zeros(3), False), math.inf
         for left in reversed(range(TRIALS)):
             there = self._strip.cut(offset + trial, self._sample)
-            height, place = scallop_between(here, there, self._radius, BOTTOM * self._scallop)
+            height, place = scallop_between(here, there, self._radius)
             if height <= TOP * self._scallop or trial <= self._least or (not left and not good.interval):
                 good = _Step(trial, height, place, trial >= end - offset)
             else:
@@ -190,20 +194,36 @@ class _March:
         self._bias = min(max(good.interval / max(predicted, self._least), 1.0 / WIDEST), WIDEST)
         return good
 
-    def _fitted(self, step: _Step, rest: float) -> float | None:
-        """The interval to take where ``rest`` mm are left of the part; None where no further plane is needed.
+    def _fitted(self, step: _Step, offset: float, end: float) -> float | None:
+        """The interval to take from the pass at ``offset`` where the part ends at ``end``; None where no plane is needed.
 
-        The last plane must stand within half an interval of the part's end. Where it would not, the last intervals shrink
-        a little together, so that one more plane fits.
+        The last plane must stand within half an interval of the end. Where it would not, the intervals on the way there
+        shrink a little together, so that one more plane fits.
         """
         full = step.interval
         if step.ends:
             full *= math.sqrt(max(AIM * self._scallop / max(step.height, INSIDE * self._scallop), 1.0))
-        count = rest / full
-        spare = count - math.floor(count)
-        if spare > 0.5 and count < STRETCH:
-            full = max(rest / (math.floor(count) + 1.1), min(self._least, full))
-        return full if count > 0.5 and full < rest else None
+        count = (end - offset) / full
+        if count <= 0.5:
+            return None
+        if count < 1.0:
+            return (end - offset) / (1.0 + SPARE)
+        if count < self._fit_below:
+            self._fit_below = 0.5 * count
+            count = 1.0 + self._count(offset + full, end)
+            self._share = count / (math.floor(count - 2.0 * SPARE) + 1.0 + SPARE)
+        return max(full * min(self._share, 1.0), min(full, self._least))
+
+    def _count(self, offset: float, end: float) -> float:
+        """How many intervals lie between, by the prediction alone; the last one in part."""
+        count = 0.0
+        while True:
+            here = self._strip.cut(offset, self._sample)
+            predicted = smallest_interval(here, self._strip.across, self._radius, AIM * self._scallop)
+            interval = min(max(self._bias * predicted, self._least), WIDEST * self._flat)
+            if offset + interval >= end or count > 2.0 * STRETCH:  # many more than thought: nothing to spread
+                return count + (end - offset) / interval
+            offset, count = offset + interval, count + 1.0
 
     def _report(self, offset: float) -> None:
         _check_count(len(self._planes), "scallop", self._scallop)

@@ -36,10 +36,8 @@ _WORDS = {0: b"facet", 1: b"normal", 5: b"outer", 6: b"loop", 19: b"endloop", 20
 _WORDS |= dict.fromkeys((7, 11, 15), b"vertex")
 _PER_FACET = 21  # words
 _CORNER_WORDS = (8, 9, 10, 12, 13, 14, 16, 17, 18)
-_ASCII_FACET = (
-    "facet normal %.9g %.9g %.9g\n outer loop\n  vertex %.9g %.9g %.9g\n  vertex %.9g %.9g %.9g\n"
-    "  vertex %.9g %.9g %.9g\n endloop\nendfacet\n"
-)  # nine digits give back every 32-bit float
+_ASCII_VERTEX = "  vertex %r %r %r\n"  # the shortest digits that give back the number
+_ASCII_FACET = "facet normal %.6f %.6f %.6f\n outer loop\n" + 3 * _ASCII_VERTEX + " endloop\nendfacet\n"
 
 
 def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
@@ -61,7 +59,7 @@ def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
 
 
 def write_stl(mesh: Mesh, path: str | os.PathLike[str], ascii: bool = False) -> None:
-    """Write a mesh as a binary (or ASCII) STL file, coordinates in mm as 32-bit floats (nine digits).
+    """Write a mesh as a binary STL file, coordinates in mm as 32-bit floats, or as an ASCII one with all digits.
 
     The file is written beside its place and then renamed, so there is never half a file. Raises FileError where the
     folder cannot be written.

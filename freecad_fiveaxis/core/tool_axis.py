@@ -46,12 +46,11 @@ def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
     Raises SettingsError for an unknown strategy, a lead or tilt that is no number, and a fixed axis of no length.
     Lead and tilt follow the order of the rows: reverse passes first (:func:`~.cl_path.order_passes`).
     """
-    if strategy not in STRATEGIES:
-        raise SettingsError(f"unknown tool-axis strategy {strategy!r}; choose one of {', '.join(STRATEGIES)}", strategy)
+    find = find_strategy(strategy)
     for name in ("lead", "tilt"):
         if not np.isfinite(getattr(options, name)):
             raise SettingsError(f"{name} is {getattr(options, name)}; give an angle", getattr(options, name))
-    axis = STRATEGIES[strategy](path, options)
+    axis = find(path, options)
     if (options.lead == 0.0 and options.tilt == 0.0) or not len(axis):
         return axis
     return _leaned(axis, feed_direction(path, axis), options.lead, options.tilt)
@@ -85,11 +84,21 @@ def fixed(path: OffsetPath, options: AxisOptions) -> Floats:
     return np.repeat((vector / length)[:, None], len(path.point), axis=1).T
 
 
-STRATEGIES: dict[str, Callable[[OffsetPath, AxisOptions], Floats]] = {
+Strategy = Callable[[OffsetPath, AxisOptions], Floats]
+"""From an offset path to a unit axis (n, 3) for each of its rows."""
+
+STRATEGIES: dict[str, Strategy] = {
     "facet_mean": facet_mean,
     "step_weighted": step_weighted,
     "fixed": fixed,
 }
+
+
+def find_strategy(name: str) -> Strategy:
+    """The strategy of that name. Raises SettingsError that lists those known."""
+    if name not in STRATEGIES:
+        raise SettingsError(f"unknown tool-axis strategy {name!r}; choose one of {', '.join(STRATEGIES)}", name)
+    return STRATEGIES[name]
 
 
 def feed_direction(path: OffsetPath, axis: Floats) -> Floats:
@@ -161,14 +170,17 @@ def _leaned(axis: Floats, feed: Floats, lead: float, tilt: float) -> Floats:
 def _across(vector: Floats, axis: Floats) -> Floats:
     """``vector`` without its part along ``axis``, unit; zero where nothing is left."""
     rest = vector - np.einsum("ij,ij->i", vector, axis)[:, None] * axis
-    return _unit(rest, np.zeros_like(rest))
+    return _unit(rest, np.broadcast_to(0.0, rest.shape))
 
 
 def _unit(vector: Floats, instead: Floats) -> Floats:
-    """Rows of length 1; rows of ``instead`` where there is no direction."""
+    """``vector`` made unit in its place; rows of ``instead`` where there is no direction."""
     length = np.sqrt(np.einsum("ij,ij->i", vector, vector))
-    usable = (length > OPPOSED)[:, None]
-    return np.asarray(np.where(usable, vector / np.where(usable, length[:, None], 1.0), instead))
+    lost = np.flatnonzero(length <= OPPOSED)
+    length[lost] = 1.0
+    vector /= length[:, None]
+    vector[lost] = instead[lost]
+    return vector
 
 
 def _is_zero(vector: Floats) -> Bools:
@@ -179,9 +191,9 @@ def _slerp(start: Floats, end: Floats, share: Floats, instead: Floats) -> Floats
     """Unit rows at ``share`` of the angle from ``start`` to ``end``; ``instead`` where they are opposed."""
     wide = np.linalg.norm(start + end, axis=1)
     angle = 2.0 * np.arctan2(np.linalg.norm(end - start, axis=1), wide)
-    sine = np.sin(angle)
-    narrow = sine == 0.0
-    one = np.where(narrow, 1.0 - share, np.sin((1.0 - share) * angle) / np.where(narrow, 1.0, sine))
-    two = np.where(narrow, share, np.sin(share * angle) / np.where(narrow, 1.0, sine))
-    mixed = one[:, None] * start + two[:, None] * end
-    return np.asarray(np.where((wide > OPPOSED)[:, None], _unit(mixed, instead), instead))
+    angle = np.maximum(angle, np.finfo(float).tiny)
+    mixed = (np.sin((1.0 - share) * angle) / np.sin(angle))[:, None] * start
+    mixed += (np.sin(share * angle) / np.sin(angle))[:, None] * end
+    opposed = np.flatnonzero(wide <= OPPOSED)
+    mixed[opposed] = instead[opposed]
+    return _unit(mixed, instead)

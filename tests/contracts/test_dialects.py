@@ -204,12 +204,16 @@ def test_an_unknown_controller_is_refused_with_the_names_that_are_known() -> Non
 @needs_rs274
 @EVERY
 @BOTH
-@pytest.mark.parametrize("options", [PostOptions(), PostOptions(tool=3, speed=5000, coolant=True, blend=0.01)], ids=["plain", "full"])
+@pytest.mark.parametrize(
+    "options", [PostOptions(), PostOptions(tool=3, speed=5000, coolant=True, blend=0.01)], ids=["plain", "full"]
+)
 def test_linuxcncs_own_interpreter_reads_the_very_same_words(dialect, inverse_time, options, tmp_path: Path) -> None:
     program = some_program(dialect, inverse_time)
     file = tmp_path / "part.ngc"
     file.write_bytes(write_nc(program, dialect, "part", options))
-    run = subprocess.run(["rs274", "-g", str(file)], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL)
+    run = subprocess.run(
+        ["rs274", "-g", str(file)], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL
+    )
     assert run.returncode == 0, run.stderr
     calls = re.findall(r"(STRAIGHT_FEED|STRAIGHT_TRAVERSE|SET_FEED_RATE)\(([^)]*)\)", run.stdout)
     moves = [(kind, numbers) for kind, numbers in calls if kind != "SET_FEED_RATE"]
@@ -243,5 +247,7 @@ def test_linuxcncs_interpreter_refuses_a_g93_block_without_f(tmp_path: Path) -> 
     text = write_nc(some_program(dialect, True), dialect, "part")
     file = tmp_path / "part.ngc"
     file.write_bytes(re.sub(rb"(\nG1[^\n]*) F[0-9.]+\n", rb"\1\n", text, count=1))
-    run = subprocess.run(["rs274", "-g", str(file)], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL)
+    run = subprocess.run(
+        ["rs274", "-g", str(file)], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL
+    )
     assert run.returncode == 1

@@ -91,6 +91,7 @@ def test_rounded_values_never_read_minus_zero() -> None:
         [Column(b"X", np.zeros(2), 4), Column(b"Y", np.zeros(3), 4)],
         [Column(b"X", np.zeros(2), 10)],
         [Column(b"X", np.zeros(2), -1)],
+        [Column(b"X", np.zeros(2, int), 1)],
         [Column(b"\0", np.zeros(2), 1)],
         [Choice(np.zeros(2, int), (b"a\0",))],
         [b"only a constant"],

@@ -68,7 +68,7 @@ class TestEveryDialectAndMode:
         links, q = trunnion(), wander(300)
         words = build_program(joints_of(q, links), links, dialect, inverse_time).words
         exact = np.concatenate([q[:, :3], np.degrees(q[:, 3:])], axis=1)
-        assert all(float("%.4f" % value) == value for value in words.ravel())
+        assert all(float(f"{value:.4f}") == value for value in words.ravel())
         assert np.abs(words - exact).max() <= 0.5e-4 * (1 + 1e-9)
         assert not np.signbit(words[words == 0]).any()
 
@@ -83,7 +83,7 @@ class TestEveryDialectAndMode:
         assert (speed <= 1000 * (1 + 2e-3)).all()
         free = (change / links.rate).max(axis=1)[::7] < 0.9 * minutes[::7]
         capped = program.feed[1:][::7] >= (dialect.largest_inverse if inverse_time else dialect.largest_feed)
-        slack = 2e-3 + 10.0 ** -(dialect.feed_decimals) / program.feed[1:][::7]
+        slack = 2e-3 + 10.0**-(dialect.feed_decimals) / program.feed[1:][::7]
         assert (np.abs(speed / 1000 - 1) <= slack)[free & ~capped].all()
         assert free.any() and not free.all()
 
@@ -103,7 +103,7 @@ class TestEveryDialectAndMode:
         lines = write_nc(program, dialect, "t").decode().split(dialect.newline)
         for i, number in enumerate(program.line):
             assert lines[number - 1].startswith(("G0", "G1")[i > 0] + " ")
-            assert "X%.4f" % program.words[i, 0] in lines[number - 1]
+            assert f"X{program.words[i, 0]:.4f}" in lines[number - 1]
         assert len(lines) == len(dialect.head) + len(program.words) + len(dialect.tail) + 1
 
     def test_f_is_never_zero_and_a_finding_tells_of_the_step(self, dialect, inverse_time) -> None:

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
+from io import SEEK_END, BytesIO
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.number_text import Choice, Column, Part, rounded, table
+from freecad_fiveaxis.core.number_text import Choice, Column, Part, rounded, table_parts
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools
@@ -28,8 +29,13 @@ def write_nc(
     inverse_first = bool(program.inverse_time[0]) if len(program.words) else False
     slots = slot_texts(dialect, title, options or PostOptions(), inverse_first)
     head, tail = ([line.format(**slots) + dialect.newline for line in lines] for lines in (dialect.head, dialect.tail))
-    blocks = table(_block(program, dialect), dialect.newline.encode(), progress) if len(program.words) else b""
-    return b"".join(("".join(head).encode("ascii"), blocks, "".join(tail).encode("ascii")))
+    text = BytesIO("".join(head).encode("ascii"))
+    text.seek(0, SEEK_END)
+    if len(program.words):
+        for portion in table_parts(_block(program, dialect), dialect.newline.encode(), progress):
+            text.write(portion)
+    text.write("".join(tail).encode("ascii"))
+    return text.getvalue()
 
 
 def _block(program: Program, dialect: Dialect) -> list[Part]:

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pictures of docs/lin-ye.md. Numbers come from the other modules of this folder; here they are only drawn."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import lin_ye_arc as arc
+import lin_ye_parts as parts
+import lin_ye_profiles as profiles
+import matplotlib
+import numpy as np
+
+from freecad_fiveaxis.core.deviation import lin_ye_deviation
+from freecad_fiveaxis.core.plot_style import BLUE, GREEN, GREY, ORANGE, RED, STYLE, WIDE
+from freecad_fiveaxis.core.trajectory import tip_at
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.collections import LineCollection
+from matplotlib.colors import LogNorm
+
+COLOUR = {"facet_mean": BLUE, "step_weighted": ORANGE}
+DPI = 110
+
+
+def draw_all(folder: Path) -> list[str]:
+    """Draw every picture into ``folder``; returns their names."""
+    folder.mkdir(parents=True, exist_ok=True)
+    made = []
+    with plt.rc_context(STYLE):
+        for name, draw in PICTURES.items():
+            figure = draw()
+            figure.savefig(folder / f"lin-ye-{name}.png", dpi=DPI, metadata={"Software": None})
+            plt.close(figure)
+            made.append(f"lin-ye-{name}.png")
+    return made
+
+
+def half_circle() -> Any:
+    """Figs. 10 and 11: the half circle with the real path, and the deviation along it."""
+    psi = arc.half_circle(np.radians(20))
+    links, radius = arc.trunnion(arc.PAPER_R0), arc.ARC + arc.BALL
+    words, u = arc.arc_words(links, radius, psi), np.linspace(0.0, 1.0, arc.SAMPLES)
+    real = tip_at(links, words[:-1], words[1:], np.broadcast_to(u, (len(psi) - 1, arc.SAMPLES))).reshape(-1, 3)
+    figure, (left, right) = plt.subplots(1, 2, figsize=(WIDE, 3.3), layout="constrained")
+    fine = np.linspace(0.0, np.pi, 500)
+    left.plot(radius * np.cos(fine), radius * np.sin(fine), color=GREEN, label="arc that is wanted")
+    left.plot(real[:, 1], real[:, 2], color=BLUE, label="real path of the ball's centre")
+    left.plot(radius * np.cos(psi), radius * np.sin(psi), "o", color=GREY, markersize=4, label="block ends")
+    left.set(aspect="equal", xlabel="Y, mm", ylabel="Z, mm", title="Half circle, 20 deg steps", ylim=(-5, 75))
+    left.legend(loc="lower center")
+    angle = (psi[:-1, None] + u * np.diff(psi)[:, None]).ravel()
+    off = arc.off_the_arc(links, radius, psi).ravel()
+    right.plot(np.degrees(angle), off, color=BLUE)
+    worst = int(np.argmin(off))
+    right.annotate(
+        f"{-off[worst]:.2f} mm overcut at {np.degrees(angle[worst]):.0f} deg", (np.degrees(angle[worst]), off[worst]),
+        (0, -14), textcoords="offset points", ha="center",
+    )  # fmt: skip
+    right.axhline(0.0, color=GREEN)
+    right.set(xlabel="place on the circle, deg", ylabel="off the arc, mm (negative: overcut)", title="Deviation along it", ylim=(-3.2, 0.3))
+    right.set_xticks(np.arange(0, 181, 30))
+    return figure
+
+
+def steps() -> Any:
+    """Fig. 12: deviation by R0 and step angle; lines are eq. (6), dots are measured."""
+    figure, axes = plt.subplots(figsize=(WIDE * 0.6, 3.2), layout="constrained")
+    distance = np.linspace(0.0, 300.0, 13)
+    for step, colour in ((5, GREEN), (10, BLUE), (15, ORANGE), (20, RED)):
+        axes.plot(distance, lin_ye_deviation(distance, np.radians(step)), color=colour, label=f"{step} deg")
+        axes.plot(distance, [arc.shift_measured(d, np.radians(step)) for d in distance], ".", color=colour)
+    axes.plot([arc.PAPER_R0], [arc.shift_measured(arc.PAPER_R0, np.radians(20))], "o", mfc="none", color="black", label="the paper's 2.7 mm")
+    axes.set(xlabel="R0, from the rotary axis to the arc's centre, mm", ylabel="deviation, mm", title="Lines: eq. (6). Dots: measured")
+    axes.legend()
+    return figure
+
+
+def depth() -> Any:
+    """Hills: medians over the profiles of both methods' largest deviation, by the depth of the rotary axis."""
+    below = np.concatenate([[0.0, 10.0], np.arange(20.0, 401.0, 20.0)])
+    worst = np.array([np.median(profiles.largest("hill", float(d)), axis=0) for d in below])
+    figure, axes = plt.subplots(figsize=(WIDE * 0.6, 3.2), layout="constrained")
+    for number, method in enumerate(profiles.METHODS):
+        axes.plot(below, worst[:, number], color=COLOUR[method], label=method)
+    axes.set(
+        xlabel="depth of the rotary axis below the profile, mm", ylabel="largest deviation, mm",
+        title=f"Hills: medians of {profiles.PROFILES} profiles", ylim=(0, None), xlim=(0, 400),
+    )  # fmt: skip
+    axes.legend()
+    return figure
+
+
+def second_pass() -> Any:
+    """Fig. 18: deviation along the second pass, for each depth of the rotary axes."""
+    figure, axes = plt.subplots(2, 2, figsize=(WIDE, 4.6), layout="constrained", sharex=True)
+    for panel, below in zip(axes.flat, profiles.DEPTHS, strict=True):
+        for method in profiles.METHODS:
+            cuts = parts.mill(parts.PART, "table_ab", method, below)
+            mine = cuts.pass_ == 2
+            way, deviation = (np.concatenate([[0.0], column[mine]]) for column in (cuts.along, cuts.deviation))
+            label = f"{method}, largest {deviation.max():.3f} mm"
+            panel.plot(way, deviation, color=COLOUR[method], drawstyle="steps-pre", linewidth=1.0, label=label)
+        panel.set(title=f"axes {profiles.depth_name(below)}", ylim=(0, None))
+        panel.margins(y=0.35)
+        panel.set_ylim(bottom=0.0)
+        panel.legend(loc="upper center")
+    for panel in axes[1]:
+        panel.set_xlabel("way along the second pass, mm")
+    for panel in axes[:, 0]:
+        panel.set_ylabel("deviation, mm")
+    return figure
+
+
+def whole_part() -> Any:
+    """Figs. 19 to 21: deviation over the whole part by either method, and both by passes."""
+    figure, axes = plt.subplots(2, 3, figsize=(WIDE * 1.2, 5.6), layout="constrained", width_ratios=(1, 1, 1.4))
+    for row, below in zip(axes, (None, 150.0), strict=True):
+        made = {method: parts.mill(parts.PART, "table_ab", method, below) for method in profiles.METHODS}
+        scale = LogNorm(parts.LEAST, max(cuts.deviation.max() for cuts in made.values()))
+        for panel, (method, cuts) in zip(row, made.items(), strict=False):
+            lines = _blocks(cuts, scale)
+            panel.add_collection(lines)
+            panel.autoscale()
+            panel.set(aspect="equal", title=f"{method}, {profiles.depth_name(below)}", xlabel="X, mm", ylabel="Y, mm")
+            panel.grid(False)
+            row[2].plot(
+                np.arange(len(cuts.per_pass)) + 1, cuts.per_pass, ".-", color=COLOUR[method],
+                label=f"{method}, largest {cuts.deviation.max():.3f} mm",
+            )  # fmt: skip
+        figure.colorbar(lines, ax=row[1], label="deviation, mm", shrink=0.8)
+        row[2].set(xlabel="pass", ylabel="largest deviation, mm", title=f"by passes, {profiles.depth_name(below)}")
+        row[2].margins(y=0.3)
+        row[2].set_ylim(bottom=0.0)
+        row[2].legend(loc="upper center", fontsize=7.5)
+    for panel in axes.flat:
+        panel.title.set_size(9)
+    return figure
+
+
+def _blocks(cuts: parts.Cuts, scale: LogNorm) -> LineCollection:
+    """Each block as a line seen from above, coloured by its deviation."""
+    ends = np.stack([cuts.start[:, :2], cuts.end[:, :2]], axis=1)
+    return LineCollection(ends, array=np.maximum(cuts.deviation, parts.LEAST), cmap="viridis_r", norm=scale, linewidths=3.0)
+
+
+PICTURES = {"half-circle": half_circle, "steps": steps, "depth": depth, "pass-2": second_pass, "part": whole_part}

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""STL files: both kinds read and written, and every broken one refused in one line."""
+
+import os
+import struct
+
+import numpy as np
+import pytest
+from mesh_shapes import box, sphere
+
+from freecad_fiveaxis.core.errors import FileError, FiveAxisError, MeshError
+from freecad_fiveaxis.core.mesh import from_triangles
+from freecad_fiveaxis.core.stl import read_stl, write_stl
+
+
+def binary(corners, header=b"", count=None):
+    """A binary STL, record by record."""
+    data = header.ljust(80, b"\0") + struct.pack("<I", len(corners) if count is None else count)
+    for facet in corners:
+        data += struct.pack("<12fH", 0.0, 0.0, 0.0, *np.asarray(facet, np.float32).ravel().tolist(), 0)
+    return data
+
+
+def ascii_lines(corners, name="part"):
+    lines = [f"solid {name}"]
+    for facet in np.asarray(corners, float).tolist():
+        lines += ["facet normal 0 0 0", "outer loop", *(f"vertex {x!r} {y!r} {z!r}" for x, y, z in facet), "endloop", "endfacet"]
+    return [*lines, f"endsolid {name}"]
+
+
+@pytest.fixture
+def read(tmp_path):
+    def reader(data):
+        path = tmp_path / "part.stl"
+        path.write_bytes(data.encode() if isinstance(data, str) else data)
+        return read_stl(path)
+
+    return reader
+
+
+def same_triangles(mesh, corners):
+    np.testing.assert_array_equal(mesh.vertex[mesh.face], np.asarray(corners, float))
+
+
+def test_a_binary_file_is_read_to_the_bit(read):
+    corners = sphere(centre=(7.0, 0.1, -3.0)).astype(np.float32)
+    same_triangles(read(binary(corners)), corners)
+
+
+def test_a_binary_header_may_begin_with_solid(read):
+    same_triangles(read(binary(box(), b"solid made by somebody")), box())
+    same_triangles(read(binary(box(), b"solid facet normal 0 0 1 outer loop".ljust(80))), box())
+
+
+def test_an_ascii_file_is_read_to_the_last_digit(read):
+    corners = sphere(rows=6, columns=8) + 0.1
+    same_triangles(read("\n".join(ascii_lines(corners))), corners)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        lambda text: text.upper(),
+        lambda text: text.replace("\n", "\r\n"),
+        lambda text: text.replace("\n", "\r"),
+        lambda text: text.replace("\n", "\n\n\t  "),
+        lambda text: "  \n" + text + "\n\n",
+        lambda text: text.replace("1.0", "+1.0E+00").replace("0.0", "-0.0e-3"),
+        lambda text: text.replace("solid part", "solid"),
+        lambda text: text.replace("solid part", "solid a solid part of facet normal 1 é"),
+        lambda text: text + "\n" + text.replace("1.0", "1").replace("solid part", "solid other"),
+        lambda text: text[: text.index("endsolid")],
+        lambda text: text.replace("\nendsolid", " endsolid").replace("endfacet\nfacet", "endfacet facet"),
+    ],
+)
+def test_ascii_is_read_in_any_dress(read, changed):
+    text = changed("\n".join(ascii_lines(box())))
+    mesh = read(text)
+    assert len(mesh.vertex) == 8
+    same_triangles(mesh, np.concatenate([box()] * (len(mesh.face) // 12)))
+
+
+def test_ascii_longer_than_one_piece_is_read_whole(read, monkeypatch):
+    monkeypatch.setattr("freecad_fiveaxis.core.stl._PIECE", 1000)
+    corners = sphere()
+    same_triangles(read("\n".join(ascii_lines(corners))), corners)
+
+
+@pytest.mark.parametrize("ascii", [False, True])
+def test_what_is_written_is_read_back(tmp_path, ascii):
+    mesh = from_triangles(sphere(centre=(123.456, -0.001, 9.0)).astype(np.float32))
+    write_stl(mesh, tmp_path / "out.stl", ascii=ascii)
+    again = read_stl(tmp_path / "out.stl")
+    same_triangles(again, mesh.vertex[mesh.face])
+    assert len(again.vertex) == len(mesh.vertex)
+    assert os.listdir(tmp_path) == ["out.stl"]
+
+
+def test_the_normals_written_are_those_of_the_facets(tmp_path):
+    mesh = from_triangles(box())
+    write_stl(mesh, tmp_path / "out.stl")
+    data = (tmp_path / "out.stl").read_bytes()
+    assert len(data) == 84 + 50 * 12
+    assert not data.startswith(b"solid")
+    normals = [struct.unpack_from("<3f", data, 84 + 50 * i) for i in range(12)]
+    np.testing.assert_array_equal(normals, mesh.normal)
+
+
+def test_a_missing_file_is_a_file_error(tmp_path):
+    with pytest.raises(FileError, match=r"nowhere\.stl"):
+        read_stl(tmp_path / "nowhere.stl")
+    with pytest.raises(FileError):
+        read_stl(tmp_path)
+
+
+def test_a_folder_that_cannot_be_written_is_a_file_error_and_leaves_nothing(tmp_path):
+    mesh = from_triangles(box())
+    with pytest.raises(FileError, match="cannot be written"):
+        write_stl(mesh, tmp_path / "no folder" / "out.stl")
+    (tmp_path / "taken.stl").mkdir()
+    with pytest.raises(FileError, match="cannot be written"):
+        write_stl(mesh, tmp_path / "taken.stl")
+    assert os.listdir(tmp_path) == ["taken.stl"]
+
+
+def solid_text(*changes):
+    text = "\n".join(ascii_lines(box()))
+    for old, new in changes:
+        text = text.replace(old, new, 1)
+    return text
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        (b"", "empty"),
+        (b" \n\t ", "empty"),
+        (b" \n" * 500, "empty"),
+        (b"solid", "no facets"),
+        (b"solid nothing\nendsolid nothing\n", "no facets"),
+        (binary([]), "no facets"),
+        (binary(box())[:-1], "announces 12 facets, but the file holds 11.98"),
+        (binary(box())[:400], "announces 12 facets, but the file holds 6.32"),
+        (binary(box()) + b"\0\0", "announces 12 facets, but the file holds 12.04"),
+        (binary(box(), count=11), "announces 11 facets, but the file holds 12"),
+        (binary(box(), count=2**32 - 1), "announces 4294967295 facets"),
+        (binary(box(), b"solid, and a lie", count=500), "announces 500 facets"),
+        (binary(box())[:60], "no STL"),
+        (b"This is a letter, not a part. " * 20, "no STL"),
+        (b"%PDF-1.4 " * 20, "no STL"),
+        (b"\x89PNG\r\n\x1a\n" + bytes(range(256)), "no STL"),
+        (b"solid ground under our feet\nand a second line that is no facet\n", "facet 1 is malformed: 'and' stands where 'facet'"),
+        (solid_text(("outer loop", "outer lop")), "facet 1 is malformed: 'lop' stands where 'loop'"),
+        (solid_text(("vertex 0.0", "vertex zero")), "'zero' stands where a number"),
+        (solid_text(("vertex 0.0", "vertex 0.0.0")), "'0.0.0' stands where a number"),
+        (solid_text(("vertex 0.0 ", "vertex ")), "malformed"),
+        (solid_text(("endloop\n", "")), "'endfacet' stands where 'endloop'"),
+        (solid_text()[:-300], "malformed|cut off"),
+        (solid_text()[:300], "malformed|cut off"),
+        (solid_text(("vertex 0.0", "vertex nan")), "finite"),
+        (solid_text(("vertex 0.0", "vertex -inf")), "finite"),
+        (solid_text(("vertex 0.0", "vertex 1e9")), "check the units"),
+        (solid_text(("vertex 0.0", "vertex 1e999")), "finite"),
+        (binary(1e9 * box()), "check the units"),
+        (binary([[[np.nan] * 3] * 3]), "finite"),
+        (binary(np.ones((3, 3, 3))), "has an area"),
+    ],
+)  # fmt: skip
+def test_a_broken_file_is_refused_in_one_line_that_names_it(read, data, said):
+    with pytest.raises(MeshError, match=said) as caught:
+        read(data)
+    text = str(caught.value)
+    assert text.startswith("part.stl: ")
+    assert "\n" not in text
+    assert len(text) < 200
+
+
+def test_the_facet_number_counts_through_all_pieces(read, monkeypatch):
+    monkeypatch.setattr("freecad_fiveaxis.core.stl._PIECE", 500)
+    lines = ascii_lines(box())
+    lines[1 + 7 * 9 + 2] = "vertex 1 2 three"
+    with pytest.raises(MeshError, match="facet 10 is malformed: 'three'"):
+        read("\n".join(lines))
+
+
+def test_progress_is_told_and_may_stop_the_reading(tmp_path):
+    write_stl(from_triangles(box()), tmp_path / "part.stl", ascii=True)
+    heard = []
+    read_stl(tmp_path / "part.stl", lambda stage, fraction: heard.append(fraction))
+    assert heard == sorted(heard)
+    assert heard[-1] == 1.0
+
+    def stop(stage, fraction):
+        raise FiveAxisError("stopped")
+
+    with pytest.raises(FiveAxisError, match="stopped"):
+        read_stl(tmp_path / "part.stl", stop)
