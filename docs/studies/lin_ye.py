@@ -39,46 +39,63 @@ def profiles_table() -> Table:
             (conventional, weighted), ratio = np.median(worst, axis=0), worst[:, 1] / worst[:, 0]
             better = f"{np.count_nonzero(ratio < 1.0)} of {len(ratio)}"
             lines.append(
-                row(family, profiles.depth_name(depth), f"{conventional:.3f}", f"{weighted:.3f}", f"{np.median(ratio):.2f}", better)
+                row(
+                    family,
+                    profiles.depth_name(depth),
+                    f"{conventional:.3f}",
+                    f"{weighted:.3f}",
+                    f"{np.median(ratio):.2f}",
+                    better,
+                )
             )
     return lines
 
 
-def part_row(part: str, table: str, depth: float | None) -> str:
-    """Both methods on one part: whole maxima, ratio, medians, second pass, passes on which step_weighted is better."""
-    one, two = (parts.mill(part, table, method, depth) for method in profiles.METHODS)
-    better = np.count_nonzero(two.per_pass < one.per_pass)
-    return row(
-        profiles.depth_name(depth), f"{one.deviation.max():.3f}", f"{two.deviation.max():.3f}",
-        f"{two.deviation.max() / one.deviation.max():.2f}", f"{one.median:.4f}", f"{two.median:.4f}",
-        f"{one.per_pass[1]:.3f}", f"{two.per_pass[1]:.3f}", f"{better} of {len(one.per_pass)}",
-    )  # fmt: skip
+def finer_table() -> Table:
+    """Hills with every step cut into 1, 2 and 4."""
+    lines = heading("steps", *(f"{profiles.depth_name(depth)}" for depth in profiles.DEPTHS))
+    for cuts in (1, 2, 4):
+        worst = [np.median(profiles.largest("hill", depth, cuts), axis=0) for depth in profiles.DEPTHS]
+        lines.append(row(str(cuts * profiles.COUNT), *(f"{one:.4f} / {two:.4f}" for one, two in worst)))
+    return lines
 
 
-def part_table(table: str) -> Table:
-    """The 233-facet part on one machine."""
-    lines = heading("rotary axes", "max fm", "max sw", "ratio", "median fm", "median sw", "pass 2 fm", "pass 2 sw", "passes better")
-    return lines + [part_row(parts.PART, table, depth) for depth in profiles.DEPTHS]
+def part_table(part: str, table: str) -> Table:
+    """Both methods on one part and machine, by depth."""
+    lines = heading("rotary axes", "largest, mm", "ratio", "median, mm", "pass 2, mm", "ratio by passes", "passes better")
+    for depth in profiles.DEPTHS:
+        one, two = (parts.mill(part, table, method, depth) for method in profiles.METHODS)
+        ratio = two.per_pass / one.per_pass
+        lines.append(row(
+            profiles.depth_name(depth), f"{one.deviation.max():.3f} / {two.deviation.max():.3f}",
+            f"{two.deviation.max() / one.deviation.max():.2f}", f"{one.median:.4f} / {two.median:.4f}",
+            f"{one.per_pass[1]:.3f} / {two.per_pass[1]:.3f}", f"{np.median(ratio):.2f}",
+            f"{np.count_nonzero(ratio < 1.0)} of {len(ratio)}",
+        ))  # fmt: skip
+    return lines
 
 
 def pass_table() -> Table:
     """Largest deviation of each pass, mm: facet_mean / step_weighted."""
     lines = heading("pass", *(profiles.depth_name(depth) for depth in profiles.DEPTHS))
-    made = [[parts.mill(parts.PART, "table_ab", method, depth).per_pass for method in profiles.METHODS] for depth in profiles.DEPTHS]
+    made = [
+        [parts.mill(parts.PART, "table_ab", method, depth).per_pass for method in profiles.METHODS] for depth in profiles.DEPTHS
+    ]
     for number in range(len(made[0][0])):
         lines.append(row(str(number + 1), *(f"{one[number]:.3f} / {two[number]:.3f}" for one, two in made)))
     return lines
 
 
 def others_table() -> Table:
-    """Whole maxima of the other parts on both machines."""
+    """The other parts on both machines: whole maxima, and in brackets the median ratio by passes."""
     lines = heading("part", "machine", *(profiles.depth_name(depth) for depth in profiles.DEPTHS))
     for part in parts.OTHERS:
         for table in parts.TABLES:
             cells = []
             for depth in profiles.DEPTHS:
-                one, two = (parts.mill(part, table, method, depth).deviation.max() for method in profiles.METHODS)
-                cells.append(f"{one:.3f} / {two:.3f} ({two / one:.2f})")
+                one, two = (parts.mill(part, table, method, depth) for method in profiles.METHODS)
+                ratio = np.median(two.per_pass / one.per_pass)
+                cells.append(f"{one.deviation.max():.3f} / {two.deviation.max():.3f} ({ratio:.2f})")
             lines.append(row(part, table, *cells))
     return lines
 
@@ -87,8 +104,9 @@ TABLES: dict[str, Callable[[], Table]] = {
     "steps": arc.steps_table,
     "beta": arc.beta_table,
     "profiles": profiles_table,
-    "part-ab": lambda: part_table("table_ab"),
-    "part-ac": lambda: part_table("trunnion_ac"),
+    "finer": finer_table,
+    "part-ab": lambda: part_table(parts.PART, "table_ab"),
+    "part-ac": lambda: part_table(parts.PART, "trunnion_ac"),
     "passes": pass_table,
     "others": others_table,
 }

@@ -11,7 +11,9 @@ tables    ``trunnion_ac`` is shipped: A carries C, and its pole is the upright t
 
 from __future__ import annotations
 
+import atexit
 import functools
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -34,6 +36,8 @@ PART = "freeform_233"
 OTHERS = ("dome", "blade", "saddle")
 TABLES = ("table_ab", "trunnion_ac")
 STEPOVER = 5.0
+STEEPEST = 60.0
+"""deg: steeper facets are left out. Over the rim to a wall the tool would turn by 90 deg within one facet."""
 LEAST = 1e-3
 """mm: blocks that deviate less are left out of medians. They are the many that hardly turn, and gaps, where nothing turns."""
 
@@ -62,21 +66,22 @@ class Cuts:
 
 @functools.lru_cache(maxsize=1)
 def workshop() -> Path:
-    """A folder with the example parts and the machine files; it goes when the interpreter ends."""
-    folder = tempfile.TemporaryDirectory()
-    workshop.keep = folder  # type: ignore[attr-defined]
+    """A folder with the example parts and the machine files; it is removed when the interpreter ends."""
+    folder = Path(tempfile.mkdtemp(prefix="lin-ye-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
     script = ROOT / "resources" / "examples" / "make_parts.py"
-    subprocess.run([sys.executable, str(script), folder.name], check=True, capture_output=True)
+    subprocess.run([sys.executable, str(script), str(folder)], check=True, capture_output=True)
     for machine in (MACHINE, table_ab()):
-        save_machine(machine, str(Path(folder.name) / f"{machine.name}.fcm"))
-    return Path(folder.name)
+        save_machine(machine, str(folder / f"{machine.name}.fcm"))
+    return folder
 
 
 def table_ab() -> Machine:
     """The trunnion machine with B in the place of C; both rotary lines cross."""
     crossing = MACHINE.rotary[1].point
     axes = tuple(
-        replace(axis, letter="B", direction=(0.0, 1.0, 0.0), point=crossing) if axis.letter == "C" else axis for axis in MACHINE.axes
+        replace(axis, letter="B", direction=(0.0, 1.0, 0.0), point=crossing) if axis.letter == "C" else axis
+        for axis in MACHINE.axes
     )
     return replace(MACHINE, name="table_ab", axes=axes)
 
@@ -96,6 +101,7 @@ def mill(part: str, table: str, strategy: str, depth: float | None) -> Cuts:
     options = {
         "machine": str(workshop() / f"{table}.fcm"), "origin": list(origin(part, depth)), "cutter": "ball:10",
         "stepover": STEPOVER, "order": "one_way", "tool_axis": strategy, "control_point": "centre",
+        "max_axis_angle": STEEPEST,
     }  # fmt: skip
     result = job.run(build_settings("mill", str(workshop() / f"{part}.stl"), options))
     program, path = result.made.program, result.made.joints.path

@@ -22,7 +22,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import LogNorm
 
 COLOUR = {"facet_mean": BLUE, "step_weighted": ORANGE}
-DPI = 110
+DPI = 95
 
 
 def draw_all(folder: Path) -> list[str]:
@@ -60,7 +60,12 @@ def half_circle() -> Any:
         (0, -14), textcoords="offset points", ha="center",
     )  # fmt: skip
     right.axhline(0.0, color=GREEN)
-    right.set(xlabel="place on the circle, deg", ylabel="off the arc, mm (negative: overcut)", title="Deviation along it", ylim=(-3.2, 0.3))
+    right.set(
+        xlabel="place on the circle, deg",
+        ylabel="off the arc, mm (negative: overcut)",
+        title="Deviation along it",
+        ylim=(-3.2, 0.3),
+    )
     right.set_xticks(np.arange(0, 181, 30))
     return figure
 
@@ -72,8 +77,17 @@ def steps() -> Any:
     for step, colour in ((5, GREEN), (10, BLUE), (15, ORANGE), (20, RED)):
         axes.plot(distance, lin_ye_deviation(distance, np.radians(step)), color=colour, label=f"{step} deg")
         axes.plot(distance, [arc.shift_measured(d, np.radians(step)) for d in distance], ".", color=colour)
-    axes.plot([arc.PAPER_R0], [arc.shift_measured(arc.PAPER_R0, np.radians(20))], "o", mfc="none", color="black", label="the paper's 2.7 mm")
-    axes.set(xlabel="R0, from the rotary axis to the arc's centre, mm", ylabel="deviation, mm", title="Lines: eq. (6). Dots: measured")
+    axes.plot(
+        [arc.PAPER_R0],
+        [arc.shift_measured(arc.PAPER_R0, np.radians(20))],
+        "o",
+        mfc="none",
+        color="black",
+        label="the paper's 2.7 mm",
+    )
+    axes.set(
+        xlabel="R0, from the rotary axis to the arc's centre, mm", ylabel="deviation, mm", title="Lines: eq. (6). Dots: measured"
+    )
     axes.legend()
     return figure
 

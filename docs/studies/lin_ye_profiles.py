@@ -26,6 +26,7 @@ LENGTH, COUNT = 100.0, 24
 PROFILES = 20
 COEDGE_TOLERANCE = 0.01
 SHORT = 1e-9
+"""mm; a shorter chord has no direction."""
 DEPTHS = (None, 60.0, 150.0, 300.0)
 METHODS = ("facet_mean", "step_weighted")
 
@@ -47,10 +48,10 @@ FAMILIES: dict[str, Callable[[Floats, np.random.Generator], Floats]] = {
 }
 
 
-def profile(family: str, seed: int) -> Floats:
-    """Points (COUNT + 1, 2) mm, y and z, of a random profile."""
+def profile(family: str, seed: int, cuts: int = 1) -> Floats:
+    """Points (COUNT x cuts + 1, 2) mm, y and z, of a random profile; each of its steps cut into ``cuts`` on the same curve."""
     rng = np.random.default_rng(seed)
-    step = rng.uniform(1.0, 8.0, COUNT)
+    step = np.repeat(rng.uniform(1.0, 8.0, COUNT), cuts)
     y = np.concatenate([[0.0], np.cumsum(step)]) * (LENGTH / step.sum())
     return np.column_stack([y, FAMILIES[family](y, rng)])
 
@@ -101,11 +102,11 @@ def deviations(path: OffsetPath, strategy: str, axis_z: float) -> tuple[Floats, 
     return measured, np.concatenate([[0.0], estimate])
 
 
-def largest(family: str, depth: float | None) -> Floats:
+def largest(family: str, depth: float | None, cuts: int = 1) -> Floats:
     """Largest deviation (PROFILES, 2) mm of both methods."""
     worst = np.empty((PROFILES, 2))
     for seed in range(PROFILES):
-        points = profile(family, seed)
+        points = profile(family, seed, cuts)
         path = offset_path(points)
         worst[seed] = [deviations(path, method, height_of_axis(points, depth))[0].max() for method in METHODS]
     return worst

@@ -87,7 +87,9 @@ def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
 def _metavar(rules: Any) -> str | None:
     if rules["choices"]:
         return None
-    return {"length": "MM", "angle": "DEG", "feed": "MM/MIN", "point": "X,Y,Z", "vector": "I,J,K"}.get(rules["kind"], rules["kind"].upper())
+    return {"length": "MM", "angle": "DEG", "feed": "MM/MIN", "point": "X,Y,Z", "vector": "I,J,K"}.get(
+        rules["kind"], rules["kind"].upper()
+    )
 
 
 def _help(leaf: Any) -> str:

@@ -102,9 +102,7 @@ def make(settings: Settings, progress: Progress = silent) -> Made:
     return Made(settings, machine, links, dialect, program, program.findings)
 
 
-def mill(
-    settings: Settings, mesh: Mesh, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent
-) -> Milled:
+def mill(settings: Settings, mesh: Mesh, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Milled:
     """From a mesh to a program: the street itself."""
     passes, cutter, link = settings.passes, settings.cutter.cutter, settings.links
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)

@@ -90,11 +90,12 @@ def _steps(x: Floats, rows: Ints, values: Floats) -> tuple[Floats, Floats]:
     return np.append(x[rows[0] - 1], x[rows[shown]]), np.append(values[0], values[shown])
 
 
-def _legend(axes: Any) -> None:
+def _legend(axes: Any, columns: int = 6) -> None:
     handles, labels = axes.get_legend_handles_labels()
     axes.legend(
-        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=len(labels), borderaxespad=0.2, handlelength=1.4
-    )
+        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=min(len(labels), columns), borderaxespad=0.2,
+        handlelength=1.4, columnspacing=1.2,
+    )  # fmt: skip
 
 
 def _along(figure: Any, figures: Figures) -> Told:
@@ -170,13 +171,16 @@ def _rates(figure: Any, figures: Figures) -> Told | None:
     for column, colour in zip(range(5), (SKY, GREY, "#111111", BLUE, GREEN), strict=True):
         peak = float(share[:, column].max())
         if peak > 0.0:
-            shown = thin(share[:, column])
-            label = f"{program.letters[column]} (peak {peak:.0f} %)"
+            shown = thin(share[:, column], BINS // 6, least=False)
+            label = f"{program.letters[column]} {peak:.0f} %"
             axes.plot(x[rows[shown]], share[shown, column], color=colour, lw=1.2 if column > 2 else 0.8, label=label)
             said.append(f"{program.letters[column]} {peak:.0f} %")
     axes.axhline(100.0, color=RED, ls="--", lw=1.1)
     axes.set(ylabel="share of the axis's maximum rate, %", ylim=(0.0, max(108.0, 1.05 * float(share.max()))))
     _lines(axes, x)
     _legend(axes)
-    caption = "At 100 % an axis runs as fast as it can, and the tool goes slower over the part than programmed."
+    caption = (
+        "Largest share in each stretch. At 100 % an axis runs as fast as it can, and the tool goes slower over the part than "
+        "programmed."
+    )
     return "rates", "How busy each axis is", caption, "Peak share of each axis's maximum rate: " + ", ".join(said) + "."

@@ -160,24 +160,34 @@ def _named(way: Floats) -> str:
 
 
 def _axis_paths(figures: Figures) -> Floats:
-    """The real tool axis along the feed blocks (k, 3), between the block ends too; a NaN row ends each block."""
-    rows = _drawn_rows(figures)
-    u = np.linspace(0.0, 1.0, 1 + max(1, min(16, 8 * BINS // len(rows))))
+    """The tool axis along the feed blocks (k, 3); a NaN row ends each run.
+
+    A short program is drawn with the real axis inside each block; a long one by an even choice of block ends, and inside its
+    blocks nearest to the pole.
+    """
+    rows = figures.feeds
+    if len(rows) <= 4 * BINS:
+        return _inside_blocks(figures, rows)
+    near = rows[figures.singularity.singular[rows]]
+    least = near[np.argsort(figures.singularity.least_sine[near], kind="stable")[:BINS]]
+    even = rows[np.linspace(0, len(rows) - 1, 6 * BINS).astype(np.int64)]
+    return np.concatenate([_through_ends(figures, even), _inside_blocks(figures, np.sort(least))])
+
+
+def _inside_blocks(figures: Figures, rows: Ints) -> Floats:
+    u = np.linspace(0.0, 1.0, 1 + max(1, min(16, 8 * BINS // max(len(rows), 1))))
     start, end = figures.program.words[rows - 1], figures.program.words[rows]
     words = start[:, None] + u[None, :, None] * (end - start)[:, None]
     axis = forward(figures.links, inner_words(words.reshape(-1, 5)))[1].reshape(len(rows), len(u), 3)
     return np.concatenate([axis, np.full((len(rows), 1, 3), np.nan)], axis=1).reshape(-1, 3)
 
 
-def _drawn_rows(figures: Figures) -> Ints:
-    """All feed blocks, or of a long program an even choice and the worst singular ones."""
-    rows = figures.feeds
-    if len(rows) <= 4 * BINS:
-        return rows
-    even = rows[np.linspace(0, len(rows) - 1, 3 * BINS).astype(np.int64)]
-    near = rows[figures.singularity.singular[rows]]
-    least = near[np.argsort(figures.singularity.least_sine[near], kind="stable")[:BINS]]
-    return np.unique(np.concatenate([even, least]))
+def _through_ends(figures: Figures, rows: Ints) -> Floats:
+    """The axes at the ends of the blocks ``rows``, joined where no rapid lies between them."""
+    off = np.ones(len(figures.program.words), np.int64)
+    off[figures.feeds] = 0
+    breaks = np.flatnonzero(np.diff(np.cumsum(off)[rows])) + 1
+    return np.insert(figures.axis[rows], breaks, np.nan, axis=0)
 
 
 def _draw_map(axes: Any, path: Floats, spots: Floats, cone: float) -> None:

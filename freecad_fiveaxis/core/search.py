@@ -36,6 +36,9 @@ FIRST_PIECES = 8
 FIRST_TURN = 0.25
 """A block starts as at least so many pieces, of at most so many rad of summed rotary travel: fewer rounds, few wasted pieces."""
 
+POLISH, POLISH_REACH = 2, 0.01
+"""Steps of Newton's method at the end, and how far in u they may lead: further away it would be another peak."""
+
 MOST_PIECES = 65536
 """Pieces worked on at a time: what bounds the memory where blocks turn by hundreds of turns."""
 
@@ -110,6 +113,7 @@ def _branch_and_bound(frame: Frames, chords: Chords) -> tuple[Floats, Floats]:
         _try_peaks(frame, chords, pieces, here, best, best_u)
         keep = np.flatnonzero(here.bound > _proven(best)[pieces.block] ** 2)
         waiting += [_halved(pieces, keep)] if len(keep) else []
+    _polish(frame, chords, best, best_u)
     return best, best_u
 
 
@@ -160,6 +164,14 @@ def _try_peaks(frame: Frames, chords: Chords, pieces: _Pieces, here: _Local, bes
     path, _, _ = derivatives(frame, chords.move.take(block), u)
     _, y, over = _split(path, chords, block)
     _improve(best, best_u, block, u, dot(y, y) + over * over)
+
+
+def _polish(frame: Frames, chords: Chords, best: Floats, best_u: Floats) -> None:
+    """Move each block's best u up to the peak that it lies at the foot of: the search ends a little short of it."""
+    for _ in range(POLISH):
+        room = np.minimum(np.minimum(best_u, 1.0 - best_u), POLISH_REACH)
+        pieces = _Pieces(np.arange(len(best)), best_u.copy(), room)
+        _try_peaks(frame, chords, pieces, _local(frame, chords, pieces), best, best_u)
 
 
 def _split(path: Vectors, chords: Chords, block: Ints) -> tuple[Floats, Vectors, Floats]:

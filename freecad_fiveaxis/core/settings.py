@@ -52,7 +52,9 @@ class PassSettings:
     """Where the planes lie (Lin & Ye, II.B and C)."""
 
     direction: float = option(0.0, "angle", "travel direction of the passes, counter-clockwise from X")
-    scallop: float | None = option(None, "length", "largest scallop left between passes [0.01 where no stepover is given]", above=0)
+    scallop: float | None = option(
+        None, "length", "largest scallop left between passes [0.01 where no stepover is given]", above=0
+    )
     stepover: float | None = option(None, "length", "constant distance of the planes, instead of a scallop", above=0)
     least_interval: float = option(0.05, "length", "planes never come closer than this (steep walls)", above=0)
     max_axis_angle: float = option(
@@ -103,11 +105,15 @@ class FeedSettings:
 class HeadSettings:
     """What the head of the NC file says."""
 
-    tool: float | None = option(None, "count", "tool number [no tool call: the operator has set tool and length]", (MILL, POST), least=1)
+    tool: float | None = option(
+        None, "count", "tool number [no tool call: the operator has set tool and length]", (MILL, POST), least=1
+    )
     spindle: float = option(0.0, "number", "spindle speed, 1/min; 0 leaves the spindle off", (MILL, POST), least=0)
     coolant: Literal["on", "off"] = option("off", "choice", "coolant during the program", (MILL, POST), choices=("on", "off"))
     work_offset: str = option("G54", "text", "work offset, G54 to G59 or G54.1 P1", (MILL, POST))
-    blend: float = option(0.0, "length", "how far the controller may round corners, where it can; 0: exact path", (MILL, POST), least=0)
+    blend: float = option(
+        0.0, "length", "how far the controller may round corners, where it can; 0: exact path", (MILL, POST), least=0
+    )
 
 
 @dataclass(frozen=True)
@@ -117,9 +123,7 @@ class MachineSettings:
     machine: str = option("", "text", "a shipped machine's name or a path to a .fcm", TASKS)
     controller: str | None = option(None, "text", "the dialect of the NC file [the machine's, or linuxcnc]", TASKS)
     origin: Vector | None = option(None, "point", "X,Y,Z of the work zero in the machine frame [the machine's]", TASKS)
-    tool_length: float | None = option(
-        None, "length", "gauge point to tip; machines with a rotary head need it", TASKS, least=0
-    )
+    tool_length: float | None = option(None, "length", "gauge point to tip; machines with a rotary head need it", TASKS, least=0)
     control_point: Literal["tip", "centre"] = option(
         "tip", "choice", "the point of the tool that the words drive", choices=("tip", "centre")
     )

@@ -33,7 +33,9 @@ class _Bar:
     def show(self, stage: str, fraction: float) -> None:
         if stage != self._stage:
             self.close()
-            self._bar = self._tqdm(total=100, desc=f"{stage:24}", leave=False, bar_format="{desc} {bar} {percentage:3.0f}% {elapsed}")
+            self._bar = self._tqdm(
+                total=100, desc=f"{stage:24}", leave=False, bar_format="{desc} {bar} {percentage:3.0f}% {elapsed}"
+            )
             self._stage = stage
         self._bar.n = round(100 * fraction)  # type: ignore[attr-defined]
         self._bar.refresh()  # type: ignore[attr-defined]

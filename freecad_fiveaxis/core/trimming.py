@@ -50,7 +50,7 @@ class _Chords:
     which stand at ``angle`` (c,) from the normal of the segment; ``final`` True for the last piece of an arc. ``before`` and
     ``after`` (c,) its neighbours, -1 for none; ``crosses`` True where it is trimmed against the one after it; ``start`` and
     ``stop`` (c,) what the trims leave of it; ``alive``; ``heir`` the chord before it when it was dropped (itself till then);
-    ``stuck`` True where it should have been dropped and was not. ``radius`` mm of the ball.
+    ``stuck`` True where it should have been dropped and was not; ``tie`` decides between equals. ``radius`` mm of the ball.
     """
 
     origin: Floats
@@ -70,6 +70,7 @@ class _Chords:
     alive: Bools
     heir: Ints
     stuck: Bools
+    tie: Ints
     radius: float
 
 
@@ -112,11 +113,14 @@ def _chords(segments: Segments, junctions: Junctions, at: Ints, radius: float) -
     reach = radius * np.tan(0.5 * delta)
     low[arc], high[arc] = np.where(step[arc] > 0, -reach, 0.0), np.where(step[arc] < arcs[arc], reach, 0.0)
     final = ~real & (step == arcs)
+    start = np.flatnonzero(np.diff(segments.line[where], prepend=-1))
+    tie = np.arange(len(where)) - np.repeat(start, np.diff(start, append=len(where)))
+    tie = (tie.astype(np.uint64) * SPREAD).astype(np.int64)
     before, after = _neighbours(segments, at, head, count)
     crosses = real & (junctions.kind[where] == CONCAVE)
     return _Chords(
         origin + radius * normal, travel, normal, low, high, where, real, angle, final, before, after, crosses, low.copy(),
-        high.copy(), np.ones(len(where), bool), np.arange(len(where)), np.zeros(len(where), bool), radius,
+        high.copy(), np.ones(len(where), bool), np.arange(len(where)), np.zeros(len(where), bool), tie, radius,
     )  # fmt: skip
 
 
@@ -180,16 +184,25 @@ def _meets(chords: _Chords, one: Ints, two: Ints, end: Floats, sense: float) -> 
 
 
 def _first_to_go(chords: _Chords, used: Ints) -> Ints:
-    """Of the used-up chords those that go before any used-up neighbour."""
+    """Of the used-up chords those that go before any used-up neighbour.
+
+    Of two neighbours goes first the one that a smaller ball uses up; but where each is trimmed on one side only, as where
+    two arcs meet over a slot, the one that lies deeper below the plane of the other.
+    """
     trims = (chords.start[used] - chords.low[used]) + (chords.high[used] - chords.stop[used])
     share = (chords.high[used] - chords.low[used]) / trims  # the part of the radius at which the chord is just used up
-    tie = (used.astype(np.uint64) * SPREAD).astype(np.int64)
-    order = np.lexsort((tie, share))
-    rank = np.full(len(chords.at) + 1, len(used))
-    rank[used[order]] = np.arange(len(used))
-    mine = rank[used]
-    first = (mine <= rank[chords.before[used]]) & (mine <= rank[chords.after[used]])  # -1 reads the last, which is no chord
-    return used[first]
+    rank = np.full(len(chords.at), -1)
+    rank[used[np.lexsort((chords.tie[used], share))]] = np.arange(len(used))
+    one = used[(chords.after[used] >= 0) & (rank[chords.after[used]] >= 0)]
+    two = chords.after[one]
+    single = ~(chords.crosses[chords.before[one]] & (chords.before[one] >= 0)) & ~(chords.crosses[two] & (chords.after[two] >= 0))
+    gone = rank[one] < rank[two]
+    one_high = _height(chords, two, _place(chords, one, np.where(single, chords.start[one], 0.0)))
+    two_high = _height(chords, one, _place(chords, two, np.where(single, chords.stop[two], 0.0)))
+    gone = np.where(single & (np.abs(one_high - two_high) > SAME), one_high < two_high, gone)
+    stays = np.zeros(len(chords.at), bool)
+    stays[np.where(gone, two, one)] = True
+    return used[~stays[used]]
 
 
 def _drop(chords: _Chords, gone: Ints) -> Ints:

@@ -23,12 +23,13 @@ from freecad_fiveaxis.core.stl import write_stl
 Solid = tuple[NDArray[np.float64], NDArray[np.int64]]
 
 
-def dome(radius: float = 40.0, height: float = 16.0, plinth: float = 12.0, rings: int = 28, sectors: int = 96) -> Solid:
+def dome(radius: float = 40.0, height: float = 16.0, plinth: float = 12.0, cells: int = 48) -> Solid:
     """A spherical cap on a round plinth: its top passes the pole of every machine whose C axis is vertical."""
-    tilt = np.linspace(0.0, np.arccos(1.0 - height / radius), rings + 1)[1:]
-    loops = [_ring(radius * np.sin(t), plinth + height - radius * (1.0 - np.cos(t)), sectors) for t in tilt]
-    loops.append(_ring(radius * np.sin(tilt[-1]), 0.0, sectors))
-    return _loft(loops, top=(0.0, 0.0, plinth + height), foot=(0.0, 0.0, 0.0))
+    u, v = _square(2.0, 2.0, cells, cells)
+    share = np.maximum(np.abs(u), np.abs(v))  # squares become circles
+    turn, tilt = np.arctan2(v, u), share * np.arccos(1.0 - height / radius)
+    x, y = radius * np.sin(tilt) * np.cos(turn), radius * np.sin(tilt) * np.sin(turn)
+    return _standing(x, y, plinth + height - radius * (1.0 - np.cos(tilt)))
 
 
 def blade(length: float = 90.0, chord: float = 44.0, thickness: float = 9.0, twist: float = 0.5) -> Solid:
@@ -48,7 +49,8 @@ def blade(length: float = 90.0, chord: float = 44.0, thickness: float = 9.0, twi
 
 def saddle(side: float = 70.0, rise: float = 9.0, middle: float = 25.0, cells: int = 44) -> Solid:
     """A hyperbolic paraboloid on a square block: convex one way, concave the other."""
-    return _block(side, side, cells, cells, lambda x, y: middle + rise * (x * x - y * y) / (side / 2) ** 2)
+    x, y = _square(side, side, cells, cells)
+    return _standing(x, y, middle + rise * (x * x - y * y) / (side / 2) ** 2)
 
 
 def half_cylinder(radius: float = 60.0, length: float = 80.0, sectors: int = 60, slices: int = 8) -> Solid:
@@ -83,11 +85,6 @@ PARTS: dict[str, Callable[[], Solid]] = {
 }
 
 
-def _ring(radius: float, z: float, sectors: int) -> NDArray[np.float64]:
-    angle = np.linspace(0.0, 2.0 * np.pi, sectors, endpoint=False)
-    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), np.full(sectors, z)])
-
-
 def _loft(loops: list[NDArray[np.float64]], top: tuple[float, ...], foot: tuple[float, ...]) -> Solid:
     """Closed loops joined by quads cut in two, the first and the last closed by fans to ``top`` and ``foot``."""
     n, count = len(loops[0]), len(loops)
@@ -97,16 +94,23 @@ def _loft(loops: list[NDArray[np.float64]], top: tuple[float, ...], foot: tuple[
     rows = np.arange(count - 1)[:, None] * n
     a, b, c, d = (r.ravel() for r in (rows + here, rows + after, rows + n + after, rows + n + here))
     last = (count - 1) * n
-    fans = [np.column_stack([here, after, np.full(n, len(vertex) - 2)]), np.column_stack([after, here, np.full(n, len(vertex) - 1)])]
+    fans = [
+        np.column_stack([here, after, np.full(n, len(vertex) - 2)]),
+        np.column_stack([after, here, np.full(n, len(vertex) - 1)]),
+    ]
     fans[1][:, :2] += last
     face = np.concatenate([np.column_stack([a, d, c]), np.column_stack([a, c, b]), *fans])
     return _outward(vertex, face)
 
 
-def _block(length: float, width: float, nx: int, ny: int, height: Callable[..., NDArray[np.float64]]) -> Solid:
-    """A block whose top is a height field."""
+def _square(length: float, width: float, nx: int, ny: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     x, y = np.meshgrid(np.linspace(-length / 2, length / 2, nx + 1), np.linspace(-width / 2, width / 2, ny + 1), indexing="ij")
-    top = np.column_stack([x.ravel(), y.ravel(), height(x, y).ravel()])
+    return x, y
+
+
+def _standing(x: NDArray[np.float64], y: NDArray[np.float64], z: NDArray[np.float64]) -> Solid:
+    """A grid of points as the top of a solid that stands on z = 0 with vertical walls."""
+    top = np.column_stack([x.ravel(), y.ravel(), z.ravel()])
     number = np.arange(len(top)).reshape(x.shape)
     a, b, c, d = (part.ravel() for part in (number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]))
     rim = np.concatenate([number[:-1, 0], number[-1, :-1], number[:0:-1, -1], number[0, :0:-1]])
@@ -114,7 +118,11 @@ def _block(length: float, width: float, nx: int, ny: int, height: Callable[..., 
     vertex = np.concatenate([top, top[rim] * (1.0, 1.0, 0.0), [(0.0, 0.0, 0.0)]])
     rim2, under2, centre = np.roll(rim, -1), np.roll(under, -1), np.full(len(rim), len(vertex) - 1)
     cells = [np.column_stack([a, b, c]), np.column_stack([a, c, d])]
-    walls = [np.column_stack([rim, under, under2]), np.column_stack([rim, under2, rim2]), np.column_stack([under2, under, centre])]
+    walls = [
+        np.column_stack([rim, under, under2]),
+        np.column_stack([rim, under2, rim2]),
+        np.column_stack([under2, under, centre]),
+    ]
     return _outward(vertex, np.concatenate([*cells, *walls]))
 
 

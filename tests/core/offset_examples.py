@@ -32,7 +32,9 @@ def joined(*paths, same_pass=False):
     segment = np.cumsum([0] + [len(path.point) // 2 for path in paths])
     columns = {name: np.concatenate([getattr(path, name) for path in paths]) for name in ("point", "normal", "face", "coedge")}
     line = np.repeat(np.arange(len(paths)), np.diff(segment) * 2)
-    return ContactPath(**columns, segment=np.repeat(np.arange(segment[-1]), 2), polyline=line, pass_=0 * line if same_pass else line)
+    return ContactPath(
+        **columns, segment=np.repeat(np.arange(segment[-1]), 2), polyline=line, pass_=0 * line if same_pass else line
+    )
 
 
 def hull(points):

@@ -18,7 +18,9 @@ from freecad_fiveaxis.core.mesh import from_triangles
 from freecad_fiveaxis.core.settings import build_settings
 from freecad_fiveaxis.core.stl import write_stl
 
-TABLE_2 = "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
+TABLE_2 = (
+    "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
+)
 
 
 @pytest.fixture
@@ -72,7 +74,14 @@ def test_the_inputs_of_a_report_are_a_job_file_that_makes_the_same_bytes(roof, t
 def test_paths_in_a_job_file_are_relative_to_it(roof, tmp_path, monkeypatch):
     (tmp_path / "sub").mkdir()
     monkeypatch.chdir(tmp_path / "sub")
-    job_file = {"task": "mill", "source": "roof.stl", "machine": "trunnion_ac", "stepover": 10, "tolerance": 100, "output": "roof.ngc"}
+    job_file = {
+        "task": "mill",
+        "source": "roof.stl",
+        "machine": "trunnion_ac",
+        "stepover": 10,
+        "tolerance": 100,
+        "output": "roof.ngc",
+    }
     (tmp_path / "job.json").write_text(json.dumps(job_file))
     assert run("run", "../job.json", "--quiet") == 0
     assert (tmp_path / "roof.ngc").exists()

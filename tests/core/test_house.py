@@ -65,7 +65,9 @@ def test_imports_follow_the_street():
 
 
 def test_every_file_names_its_licence():
-    files = [path for suffix in ("*.py", "*.sh") for path in ROOT.rglob(suffix) if not {".venv", "out", "build"} & set(path.parts)]
+    files = [
+        path for suffix in ("*.py", "*.sh") for path in ROOT.rglob(suffix) if not {".venv", "out", "build"} & set(path.parts)
+    ]
     assert len(files) > 40
     assert not [str(path) for path in files if "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text()[:200]]
 

@@ -26,7 +26,9 @@ def facet_sections(mesh, offsets, angle):
         for i, corner in enumerate(mesh.vertex[mesh.face]):
             d = corner @ across - offset
             ends = [
-                corner[a] + d[a] / (d[a] - d[b]) * (corner[b] - corner[a]) for a, b in ((0, 1), (1, 2), (2, 0)) if (d[a] < 0) != (d[b] < 0)
+                corner[a] + d[a] / (d[a] - d[b]) * (corner[b] - corner[a])
+                for a, b in ((0, 1), (1, 2), (2, 0))
+                if (d[a] < 0) != (d[b] < 0)
             ]
             if ends and np.linalg.norm(ends[1] - ends[0]) > 1e-9:
                 found[k, i] = np.linalg.norm(ends[1] - ends[0])
@@ -133,7 +135,11 @@ def test_the_facet_by_facet_comparison_would_notice_a_missing_segment():
 
 def test_planes_on_the_faces_edges_and_vertices_of_a_cube():
     mesh = from_triangles(box(low=(-1.0, -1.0, -1.0)))
-    for angle, offsets in ((0.0, [-1.0, 0.0, 1.0]), (np.pi / 4, np.sqrt(2.0) * np.array([-1.0, 0.0, 1.0])), (np.pi / 2, [-1, 0, 1])):
+    for angle, offsets in (
+        (0.0, [-1.0, 0.0, 1.0]),
+        (np.pi / 4, np.sqrt(2.0) * np.array([-1.0, 0.0, 1.0])),
+        (np.pi / 2, [-1, 0, 1]),
+    ):
         path = slice_mesh(mesh, offsets, angle)
         check_closed(path, check_path(mesh, path, offsets, angle))
         # the plane through the middle gives one loop; the outer ones touch from one side or the other, and lose nothing
@@ -242,7 +248,9 @@ def test_a_pass_of_several_polylines_goes_along_the_travel():
 
 def test_open_and_closed_polylines_in_one_pass_are_told_apart():
     sheet = field(8, lambda x, y: -1.0 + 0.0 * x) - [4.0, 0.0, 0.0]
-    mesh = from_triangles(np.concatenate([box(low=(-2.0, 0.0, 0.0), high=(2.0, 8.0, 1.0)), sheet, box(low=(5, 0, 0), high=(6, 8, 1))]))
+    mesh = from_triangles(
+        np.concatenate([box(low=(-2.0, 0.0, 0.0), high=(2.0, 8.0, 1.0)), sheet, box(low=(5, 0, 0), high=(6, 8, 1))])
+    )
     path = slice_mesh(mesh, [3.3, 4.1], 0.0)
     first = check_path(mesh, path, [3.3, 4.1], 0.0)
     np.testing.assert_allclose(path.point[2 * first][:, 0], [-4.0, -2.0, 5.0] * 2)
@@ -264,7 +272,7 @@ def test_a_wall_without_top_is_cut_in_closed_loops_that_never_turn():
 def test_bodies_that_touch_in_an_edge_end_their_polylines_there():
     mesh = from_triangles(np.concatenate([box(), box(low=(1.0, 1.0, 0.0), high=(2.0, 2.0, 1.0))]))
     for angle in (0.0, 0.3, np.pi / 4):
-        travel, across = vectors(angle)
+        across = vectors(angle)[1]
         offset = float(np.array([1.0, 1.0, 0.0]) @ across)
         offsets = [offset - 0.1, offset, offset + 0.1]
         path = slice_mesh(mesh, offsets, angle)
@@ -313,7 +321,9 @@ def test_quarter_turns_are_exact():
 def test_levels_count_the_planes_at_or_below():
     rng = np.random.default_rng(8)
     for offsets in (np.arange(10.0), np.sort(rng.normal(size=40)), np.array([1.0, 1.0, 2.0]), np.array([3.0]), np.empty(0)):
-        distance = np.concatenate([rng.normal(size=500, scale=4.0), offsets, np.nextafter(offsets, -9e9), np.nextafter(offsets, 9e9)])
+        distance = np.concatenate(
+            [rng.normal(size=500, scale=4.0), offsets, np.nextafter(offsets, -9e9), np.nextafter(offsets, 9e9)]
+        )
         np.testing.assert_array_equal(levels(distance, offsets), [(offsets <= d).sum() for d in distance])
 
 

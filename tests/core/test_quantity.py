@@ -8,7 +8,8 @@ from freecad_fiveaxis.core.quantity import LENGTHS, parse_angle, parse_feed, par
 
 
 @pytest.mark.parametrize(
-    ("text", "mm"), [("12", 12), ("12mm", 12), ("0.5in", 12.7), ('0.5"', 12.7), ("1.2 cm", 12), ("1e-2", 0.01), (3, 3), ("-.5", -0.5)]
+    ("text", "mm"),
+    [("12", 12), ("12mm", 12), ("0.5in", 12.7), ('0.5"', 12.7), ("1.2 cm", 12), ("1e-2", 0.01), (3, 3), ("-.5", -0.5)],
 )
 def test_lengths_come_out_in_mm(text, mm):
     assert parse_length(text) == pytest.approx(mm, rel=1e-15)

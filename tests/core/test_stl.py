@@ -149,7 +149,7 @@ def solid_text(*changes):
         (b"This is a letter, not a part. " * 20, "no STL"),
         (b"%PDF-1.4 " * 20, "no STL"),
         (b"\x89PNG\r\n\x1a\n" + bytes(range(256)), "no STL"),
-        (b"solid ground under our feet\nand a second line that is no facet\n", "facet 1 is malformed: 'and' stands where 'facet'"),
+        (b"solid ground under our feet\nand another line, no facet\n", "facet 1 is malformed: 'and' stands where 'facet'"),
         (solid_text(("outer loop", "outer lop")), "facet 1 is malformed: 'lop' stands where 'loop'"),
         (solid_text(("vertex 0.0", "vertex zero")), "'zero' stands where a number"),
         (solid_text(("vertex 0.0", "vertex 0.0.0")), "'0.0.0' stands where a number"),

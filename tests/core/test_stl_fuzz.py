@@ -56,7 +56,9 @@ def test_random_facets(tmp_path, facets):
 
 
 @quick
-@given(st.sampled_from(VALID), st.lists(st.tuples(st.floats(0, 1), st.integers(0, 2), st.binary(min_size=1, max_size=6)), max_size=4))
+@given(
+    st.sampled_from(VALID), st.lists(st.tuples(st.floats(0, 1), st.integers(0, 2), st.binary(min_size=1, max_size=6)), max_size=4)
+)
 def test_valid_files_with_bytes_changed_added_and_taken_away(tmp_path, data, changes):
     for where, kind, new in changes:
         at = int(where * len(data))
@@ -65,7 +67,12 @@ def test_valid_files_with_bytes_changed_added_and_taken_away(tmp_path, data, cha
 
 
 @quick
-@given(st.lists(st.sampled_from(b"solid endsolid facet normal outer loop vertex endloop endfacet 0 1 -1e3 nan x \n".split(b" ")), max_size=120))
+@given(
+    st.lists(
+        st.sampled_from(b"solid endsolid facet normal outer loop vertex endloop endfacet 0 1 -1e3 nan x \n".split(b" ")),
+        max_size=120,
+    )
+)
 def test_words_of_stl_in_any_order(tmp_path, words):
     read_or_refuse(b"solid " + b" ".join(words), tmp_path)
 

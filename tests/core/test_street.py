@@ -126,7 +126,9 @@ def test_rapids_stay_off_the_part_along_their_real_path(milled):
 @pytest.mark.parametrize("machine", shipped_machines())
 def test_linuxcnc_accepts_every_program(machine, mode, milled, tmp_path):
     (tmp_path / "dome.ngc").write_bytes(milled("dome", machine, feed_mode=mode).made.nc)
-    done = subprocess.run(["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120)
+    done = subprocess.run(
+        ["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120
+    )
     assert done.returncode == 0, done.stderr[-400:]
 
 

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From an STL file to facet adjacency: this project, trimesh (load, then face_adjacency) and meshlib (load) in one run.
+
+Ours includes unit normals, the check of the orientation and the co-edge columns. Peers are optional:
+``pip install trimesh meshlib``.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from benchmarks.parts import bumpy
+from benchmarks.timing import median_seconds, print_table
+from freecad_fiveaxis.core.stl import read_stl, write_stl
+
+COMPARED = (200_000, 1_000_000)  # facets
+GROWING = (20_000, 60_000, 200_000, 600_000, 2_000_000)
+
+
+def peers() -> dict[str, Callable[[str], object]]:
+    """The peers that are installed, each reading a file up to its adjacency."""
+    found: dict[str, Callable[[str], object]] = {}
+    try:
+        import trimesh
+
+        found["trimesh"] = lambda path: trimesh.load(path).face_adjacency
+    except ImportError:
+        print("trimesh is not installed: left out")
+    try:
+        from meshlib import mrmeshpy
+
+        found["meshlib"] = mrmeshpy.loadMesh  # builds its half-edges while it loads
+    except ImportError:
+        print("meshlib is not installed: left out")
+    return found
+
+
+def compare(folder: Path) -> None:
+    """Ours and the peers on the same files."""
+    others = peers()
+    rows = []
+    for facets in COMPARED:
+        path = folder / f"{facets}.stl"
+        write_stl(bumpy(facets), path)
+        own = median_seconds(lambda path=path: read_stl(path), 5)
+        rows.append([f"{facets:,}", "this project", f"{1e3 * own:.0f}", "1.0"])
+        for name, read in others.items():
+            taken = median_seconds(lambda path=path, read=read: read(str(path)), 3)
+            rows.append([f"{facets:,}", name, f"{1e3 * taken:.0f}", f"{taken / own:.1f}"])
+    print_table("STL to adjacency", ("facets", "by", "ms", "times ours"), rows)
+
+
+def grow(folder: Path) -> None:
+    """Cost a facet as parts grow; about the same on every line where the cost is linear."""
+    rows = []
+    for facets in GROWING:
+        path = folder / "growing.stl"
+        write_stl(bumpy(facets), path)
+        taken = median_seconds(lambda path=path: read_stl(path), 3)
+        rows.append([f"{facets:,}", f"{1e3 * taken:.1f}", f"{1e9 * taken / facets:.0f}"])
+    print_table("STL to adjacency, this project", ("facets", "ms", "ns a facet"), rows)
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as name:
+        compare(Path(name))
+        grow(Path(name))
