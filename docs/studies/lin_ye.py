@@ -17,7 +17,7 @@ import numpy as np
 
 DOCUMENT = Path(__file__).resolve().parents[1] / "lin-ye.md"
 IMAGES = DOCUMENT.parent / "images"
-PLACE = re.compile(r"(<!-- table: ([a-z-]+) -->\n).*?(\n<!-- end -->)", re.DOTALL)
+PLACE = re.compile(r"(<!-- table: ([a-z-]+) -->\n)(.*?)(<!-- end -->)", re.DOTALL)
 
 Table = list[str]
 
@@ -31,31 +31,24 @@ def row(*cells: str) -> str:
 
 
 def profiles_table() -> Table:
-    """Random profiles: family by depth."""
+    """Random profiles: family by rig."""
     lines = heading("profiles", "rotary axis", "facet_mean, mm", "step_weighted, mm", "ratio", "better on")
+    head = profiles.head()
     for family in profiles.FAMILIES:
-        for depth in profiles.DEPTHS:
-            worst = profiles.largest(family, depth)
+        made = {profiles.depth_name(depth): profiles.largest_below(family, depth) for depth in profiles.DEPTHS}
+        made["in the head"] = profiles.largest(family, lambda points: head)
+        for name, worst in made.items():
             (conventional, weighted), ratio = np.median(worst, axis=0), worst[:, 1] / worst[:, 0]
             better = f"{np.count_nonzero(ratio < 1.0)} of {len(ratio)}"
-            lines.append(
-                row(
-                    family,
-                    profiles.depth_name(depth),
-                    f"{conventional:.3f}",
-                    f"{weighted:.3f}",
-                    f"{np.median(ratio):.2f}",
-                    better,
-                )
-            )
+            lines.append(row(family, name, f"{conventional:.3f}", f"{weighted:.3f}", f"{np.median(ratio):.2f}", better))
     return lines
 
 
 def finer_table() -> Table:
     """Hills with every step cut into 1, 2 and 4."""
-    lines = heading("steps", *(f"{profiles.depth_name(depth)}" for depth in profiles.DEPTHS))
+    lines = heading("steps", *(profiles.depth_name(depth) for depth in profiles.DEPTHS))
     for cuts in (1, 2, 4):
-        worst = [np.median(profiles.largest("hill", depth, cuts), axis=0) for depth in profiles.DEPTHS]
+        worst = [np.median(profiles.largest_below("hill", depth, cuts), axis=0) for depth in profiles.DEPTHS]
         lines.append(row(str(cuts * profiles.COUNT), *(f"{one:.4f} / {two:.4f}" for one, two in worst)))
     return lines
 
@@ -86,6 +79,18 @@ def pass_table() -> Table:
     return lines
 
 
+def worst_table() -> Table:
+    """The worst block of either method on the A-B table: pass, length of the step on the part, and its deviation by both."""
+    lines = heading("rotary axes", "worst of", "pass", "step, mm", "facet_mean, mm", "step_weighted, mm")
+    for depth in profiles.DEPTHS:
+        both = [parts.mill(parts.PART, "table_ab", method, depth) for method in profiles.METHODS]
+        for method, made in zip(profiles.METHODS, both, strict=True):
+            worst = int(made.deviation.argmax())
+            same = (f"{parts.deviation_at(other, made.start[worst], made.end[worst]):.3f}" for other in both)
+            lines.append(row(profiles.depth_name(depth), method, str(made.pass_[worst]), f"{made.length[worst]:.2f}", *same))
+    return lines
+
+
 def others_table() -> Table:
     """The other parts on both machines: whole maxima, and in brackets the median ratio by passes."""
     lines = heading("part", "machine", *(profiles.depth_name(depth) for depth in profiles.DEPTHS))
@@ -95,7 +100,7 @@ def others_table() -> Table:
             for depth in profiles.DEPTHS:
                 one, two = (parts.mill(part, table, method, depth) for method in profiles.METHODS)
                 ratio = np.median(two.per_pass / one.per_pass)
-                cells.append(f"{one.deviation.max():.3f} / {two.deviation.max():.3f} ({ratio:.2f})")
+                cells.append(f"{one.deviation.max():.4f} / {two.deviation.max():.4f} ({ratio:.2f})")
             lines.append(row(part, table, *cells))
     return lines
 
@@ -108,21 +113,19 @@ TABLES: dict[str, Callable[[], Table]] = {
     "part-ab": lambda: part_table(parts.PART, "table_ab"),
     "part-ac": lambda: part_table(parts.PART, "trunnion_ac"),
     "passes": pass_table,
+    "worst": worst_table,
     "others": others_table,
 }
 
 
 def tables_of(text: str) -> dict[str, Table]:
     """The tables that stand in a document, by name."""
-    found = {}
-    for match in PLACE.finditer(text):
-        found[match[2]] = match[0].split("\n")[1:-1]
-    return found
+    return {match[2]: match[3].splitlines() for match in PLACE.finditer(text)}
 
 
 def renewed(text: str) -> str:
     """The document with all its tables made anew. Raises KeyError for a table that nobody makes."""
-    return PLACE.sub(lambda match: match[1] + "\n".join(TABLES[match[2]]()) + match[3], text)
+    return PLACE.sub(lambda match: match[1] + "\n".join([*TABLES[match[2]](), match[4]]), text)
 
 
 def main() -> None:

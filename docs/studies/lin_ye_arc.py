@@ -38,7 +38,7 @@ def trunnion(centre_distance: float) -> Chain:
 
 
 def arc_words(links: Chain, radius: float, psi: Floats) -> Floats:
-    """Words (n, 5), mm and degrees, that put the driven point on the arc of ``radius`` mm at ``psi`` (n,), the tool normal to it."""
+    """Words (n, 5), mm and degrees: the driven point on the arc of ``radius`` mm at ``psi`` (n,), the tool normal to it."""
     point = radius * np.stack([0.0 * psi, np.cos(psi), np.sin(psi)], axis=1)
     angles = np.stack([0.0 * psi, psi - np.pi / 2], axis=1)
     return q_to_words(np.column_stack([linear_words(links, point, angles), angles]))

@@ -59,6 +59,11 @@ class Cuts:
         return np.array([self.deviation[self.pass_ == number].max() for number in range(1, self.pass_.max() + 1)])
 
     @property
+    def length(self) -> Floats:
+        """Of each block on the part, mm; 0 where it closes a gap."""
+        return np.asarray(np.linalg.norm(self.end - self.start, axis=1))
+
+    @property
     def median(self) -> float:
         """Of the blocks that deviate at all, mm."""
         return float(np.median(self.deviation[self.deviation > LEAST]))
@@ -95,7 +100,7 @@ def origin(part: str, depth: float | None) -> tuple[float, float, float]:
     return float(x - 0.5 * (low[0] + high[0])), float(y - 0.5 * (low[1] + high[1])), float(z - level)
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def mill(part: str, table: str, strategy: str, depth: float | None) -> Cuts:
     """The cutting blocks of one job: ball 10, planes 5 mm apart along X, all passes in one direction."""
     options = {
@@ -111,3 +116,9 @@ def mill(part: str, table: str, strategy: str, depth: float | None) -> Cuts:
     total = np.cumsum(np.linalg.norm(path.tip[row] - path.tip[row_before], axis=1))
     begun = np.concatenate([[0.0], total])[np.searchsorted(pass_, pass_)]
     return Cuts(result.deviation.segment[cut], pass_ + 1, path.contact[row_before], path.contact[row], total - begun)
+
+
+def deviation_at(cuts: Cuts, start: Floats, end: Floats) -> float:
+    """Deviation of the block between two contacts, mm: the same block of another method's job."""
+    off = np.abs(cuts.start - start).max(axis=1) + np.abs(cuts.end - end).max(axis=1)
+    return float(cuts.deviation[off.argmin()])

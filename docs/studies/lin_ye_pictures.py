@@ -23,6 +23,8 @@ from matplotlib.colors import LogNorm
 
 COLOUR = {"facet_mean": BLUE, "step_weighted": ORANGE}
 DPI = 95
+ROOM = 1.45
+"""Height of a panel in largest values: the legend needs room."""
 
 
 def draw_all(folder: Path) -> list[str]:
@@ -92,16 +94,16 @@ def steps() -> Any:
     return figure
 
 
-def depth() -> Any:
-    """Hills: medians over the profiles of both methods' largest deviation, by the depth of the rotary axis."""
-    below = np.concatenate([[0.0, 10.0], np.arange(20.0, 401.0, 20.0)])
-    worst = np.array([np.median(profiles.largest("hill", float(d)), axis=0) for d in below])
+def height() -> Any:
+    """Arcs: medians of both methods' largest deviation, by the height above the rotary axis in radii."""
+    radii = np.linspace(0.0, 4.0, 25)
+    worst = np.array([np.median(profiles.largest_on_arcs(h), axis=0) for h in radii])
     figure, axes = plt.subplots(figsize=(WIDE * 0.6, 3.2), layout="constrained")
     for number, method in enumerate(profiles.METHODS):
-        axes.plot(below, worst[:, number], color=COLOUR[method], label=method)
+        axes.plot(radii, worst[:, number], color=COLOUR[method], label=method)
     axes.set(
-        xlabel="depth of the rotary axis below the profile, mm", ylabel="largest deviation, mm",
-        title=f"Hills: medians of {profiles.PROFILES} profiles", ylim=(0, None), xlim=(0, 400),
+        xlabel="height above the rotary axis, in radii of curvature", ylabel="largest deviation, mm",
+        title=f"Arcs of uneven steps: medians of {profiles.PROFILES}", ylim=(0, None), xlim=(0, 4),
     )  # fmt: skip
     axes.legend()
     return figure
@@ -109,17 +111,16 @@ def depth() -> Any:
 
 def second_pass() -> Any:
     """Fig. 18: deviation along the second pass, for each depth of the rotary axes."""
-    figure, axes = plt.subplots(2, 2, figsize=(WIDE, 4.6), layout="constrained", sharex=True)
+    figure, axes = plt.subplots(2, 2, figsize=(WIDE, 4.8), layout="constrained", sharex=True)
     for panel, below in zip(axes.flat, profiles.DEPTHS, strict=True):
+        most = 0.0
         for method in profiles.METHODS:
             cuts = parts.mill(parts.PART, "table_ab", method, below)
-            mine = cuts.pass_ == 2
-            way, deviation = (np.concatenate([[0.0], column[mine]]) for column in (cuts.along, cuts.deviation))
+            way, deviation = (np.concatenate([[0.0], column[cuts.pass_ == 2]]) for column in (cuts.along, cuts.deviation))
             label = f"{method}, largest {deviation.max():.3f} mm"
             panel.plot(way, deviation, color=COLOUR[method], drawstyle="steps-pre", linewidth=1.0, label=label)
-        panel.set(title=f"axes {profiles.depth_name(below)}", ylim=(0, None))
-        panel.margins(y=0.35)
-        panel.set_ylim(bottom=0.0)
+            most = max(most, deviation.max())
+        panel.set(title=f"axes {profiles.depth_name(below)}", ylim=(0.0, ROOM * most))
         panel.legend(loc="upper center")
     for panel in axes[1]:
         panel.set_xlabel("way along the second pass, mm")
@@ -130,24 +131,25 @@ def second_pass() -> Any:
 
 def whole_part() -> Any:
     """Figs. 19 to 21: deviation over the whole part by either method, and both by passes."""
-    figure, axes = plt.subplots(2, 3, figsize=(WIDE * 1.2, 5.6), layout="constrained", width_ratios=(1, 1, 1.4))
+    figure, axes = plt.subplots(2, 3, figsize=(WIDE * 1.2, 4.8), layout="constrained", width_ratios=(1, 1, 1))
     for row, below in zip(axes, (None, 150.0), strict=True):
         made = {method: parts.mill(parts.PART, "table_ab", method, below) for method in profiles.METHODS}
-        scale = LogNorm(parts.LEAST, max(cuts.deviation.max() for cuts in made.values()))
+        most = max(cuts.deviation.max() for cuts in made.values())
         for panel, (method, cuts) in zip(row, made.items(), strict=False):
-            lines = _blocks(cuts, scale)
+            lines = _blocks(cuts, LogNorm(parts.LEAST, most))
             panel.add_collection(lines)
             panel.autoscale()
-            panel.set(aspect="equal", title=f"{method}, {profiles.depth_name(below)}", xlabel="X, mm", ylabel="Y, mm")
+            panel.set(aspect="equal", title=f"{method},\naxes {profiles.depth_name(below)}", xlabel="X, mm", ylabel="Y, mm")
             panel.grid(False)
             row[2].plot(
                 np.arange(len(cuts.per_pass)) + 1, cuts.per_pass, ".-", color=COLOUR[method],
                 label=f"{method}, largest {cuts.deviation.max():.3f} mm",
             )  # fmt: skip
-        figure.colorbar(lines, ax=row[1], label="deviation, mm", shrink=0.8)
-        row[2].set(xlabel="pass", ylabel="largest deviation, mm", title=f"by passes, {profiles.depth_name(below)}")
-        row[2].margins(y=0.3)
-        row[2].set_ylim(bottom=0.0)
+        figure.colorbar(lines, ax=list(row[:2]), label="deviation, mm", shrink=0.9, location="left")
+        row[2].set(
+            xlabel="pass", ylabel="largest deviation, mm", title=f"both, by passes,\naxes {profiles.depth_name(below)}",
+            ylim=(0.0, ROOM * most),
+        )  # fmt: skip
         row[2].legend(loc="upper center", fontsize=7.5)
     for panel in axes.flat:
         panel.title.set_size(9)
@@ -160,4 +162,4 @@ def _blocks(cuts: parts.Cuts, scale: LogNorm) -> LineCollection:
     return LineCollection(ends, array=np.maximum(cuts.deviation, parts.LEAST), cmap="viridis_r", norm=scale, linewidths=3.0)
 
 
-PICTURES = {"half-circle": half_circle, "steps": steps, "depth": depth, "pass-2": second_pass, "part": whole_part}
+PICTURES = {"half-circle": half_circle, "steps": steps, "height": height, "pass-2": second_pass, "part": whole_part}

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Both strategies on random profiles that one rotary axis cuts: where eqs. (9) and (10) of Lin & Ye help, and why.
 
-profile   a polyline in the YZ plane, LENGTH long, of COUNT steps whose lengths differ up to eight times.
-hill, hollow, wavy   the families: bent one way up, one way down, or both in turn.
+profile   a polyline in the YZ plane, cut by a ball; its steps have lengths that differ up to eight times.
+hill, hollow, wavy   the families, LENGTH long: bent one way up, one way down, or both in turn.
+arc       a part of a circle of radius ARC; for it alone the radius of curvature is one number.
+rig       what turns the tool: the A axis of a table at some depth, or a head. The other rotary axis stands still.
 depth     of the A axis below the profile's lowest point, mm; None: through the part, at half its height.
 ratio     largest deviation of step_weighted, divided by that of facet_mean, on the same profile.
 """
@@ -10,25 +12,65 @@ ratio     largest deviation of step_weighted, divided by that of facet_mean, on 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
-from lin_ye_arc import BALL, trunnion
+from lin_ye_arc import ARC, BALL, trunnion
 
 from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
 from freecad_fiveaxis.core.deviation import measure
-from freecad_fiveaxis.core.kinematics import linear_words, q_to_words
+from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, linear_words, q_to_words
+from freecad_fiveaxis.core.machine_file import load_machine
 from freecad_fiveaxis.core.mesh import from_triangles
 from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.tool_axis import AxisOptions, tool_axes
 
-LENGTH, COUNT = 100.0, 24
-PROFILES = 20
+METHODS = ("facet_mean", "step_weighted")
+DEPTHS = (None, 60.0, 150.0, 300.0)
+PROFILES, COUNT, LENGTH = 20, 24, 100.0
+OPENING = np.radians(100.0)
+"""Of the arcs."""
+TOOL = 50.0
+"""mm, from the gauge point of the head to the ball's centre."""
 COEDGE_TOLERANCE = 0.01
+"""mm, the default of ``--coedge-tolerance``."""
 SHORT = 1e-9
 """mm; a shorter chord has no direction."""
-DEPTHS = (None, 60.0, 150.0, 300.0)
-METHODS = ("facet_mean", "step_weighted")
+
+
+@dataclass(frozen=True)
+class Rig:
+    """``first`` rad: the rotary word that stands still; the other one leans the tool by ``sense`` x its word towards +Y."""
+
+    links: Chain
+    first: float
+    sense: float
+
+
+def table(axis_z: float) -> Rig:
+    """The trunnion with its A axis at height ``axis_z`` mm and C at rest. A positive A leans the tool towards -Y."""
+    return Rig(trunnion(-axis_z), 0.0, -1.0)
+
+
+def head() -> Rig:
+    """The fork head with C at 90 deg, so that B leans the tool towards +Y."""
+    machine = load_machine("fork_head_bc")
+    return Rig(chain(machine, Setup(machine.origin, TOOL)), 0.5 * np.pi, 1.0)
+
+
+def axis_height(points: Floats, depth: float | None) -> float:
+    """z of the A axis, mm."""
+    low, high = float(points[:, 1].min()), float(points[:, 1].max())
+    return 0.5 * (low + high) if depth is None else low - depth
+
+
+def depth_name(depth: float | None) -> str:
+    """What the tables call it."""
+    return "through the part" if depth is None else f"{depth:g} mm below"
+
+
+# ------------------------------------------------------------------------------------------------ profiles
 
 
 def _hill(y: Floats, rng: np.random.Generator) -> Floats:
@@ -48,70 +90,86 @@ FAMILIES: dict[str, Callable[[Floats, np.random.Generator], Floats]] = {
 }
 
 
-def profile(family: str, seed: int, cuts: int = 1) -> Floats:
-    """Points (COUNT x cuts + 1, 2) mm, y and z, of a random profile; each of its steps cut into ``cuts`` on the same curve."""
-    rng = np.random.default_rng(seed)
+def _shares(rng: np.random.Generator, cuts: int) -> Floats:
+    """Where the steps end, 0 to 1; each random step is cut into ``cuts`` equal ones."""
     step = np.repeat(rng.uniform(1.0, 8.0, COUNT), cuts)
-    y = np.concatenate([[0.0], np.cumsum(step)]) * (LENGTH / step.sum())
+    return np.concatenate([[0.0], np.cumsum(step)]) / step.sum()
+
+
+def profile(family: str, seed: int, cuts: int = 1) -> Floats:
+    """Points (COUNT x cuts + 1, 2) mm, y and z, of a random profile."""
+    rng = np.random.default_rng(seed)
+    y = LENGTH * _shares(rng, cuts)
     return np.column_stack([y, FAMILIES[family](y, rng)])
 
 
-def contact_path(points: Floats) -> ContactPath:
-    """The profile as one pass over facets that are strips along X: entry and exit of each."""
+def arc_profile(seed: int) -> Floats:
+    """Points (COUNT + 1, 2) mm of a random arc about the work zero, its top at z = ARC."""
+    angle = OPENING * (_shares(np.random.default_rng(seed), 1) - 0.5)
+    return ARC * np.column_stack([np.sin(angle), np.cos(angle)])
+
+
+def offset_path(points: Floats) -> OffsetPath:
+    """The ball's centre over the profile, its gaps closed: one pass over facets that are strips along X."""
     step = np.diff(points, axis=0)
     across = np.column_stack([-step[:, 1], step[:, 0]]) / np.linalg.norm(step, axis=1)[:, None]
     place = np.stack([points[:-1], points[1:]], axis=1).reshape(-1, 2)
     facet = np.repeat(np.arange(len(step)), 2)
-    coedge = facet + np.tile([0, 1], len(step))
-    nothing = np.zeros(len(facet), np.int64)
-    return ContactPath(_in_space(place), _in_space(across.repeat(2, axis=0)), facet, coedge, facet, nothing, nothing)
+    coedge, nothing = facet + np.tile([0, 1], len(step)), np.zeros(len(facet), np.int64)
+    contact = ContactPath(_in_space(place), _in_space(across.repeat(2, axis=0)), facet, coedge, facet, nothing, nothing)
+    strip = np.array([[(1.0, *points[0]), (1.0, *points[-1]), (-1.0, *points[0])]])
+    return close_gaps(contact, from_triangles(strip), BALL, COEDGE_TOLERANCE)
 
 
 def _in_space(flat: Floats) -> Floats:
     return np.column_stack([np.zeros(len(flat)), flat])
 
 
-def offset_path(points: Floats) -> OffsetPath:
-    """The ball's centre over the profile, its gaps closed."""
-    y, z = points.T
-    strip = np.array([[[x, y[i], z[i]] for x, i in ((-1.0, 0), (1.0, 0), (1.0, -1))]])
-    return close_gaps(contact_path(points), from_triangles(strip), BALL, COEDGE_TOLERANCE)
+# ------------------------------------------------------------------------------------------------ deviations
 
 
-def height_of_axis(points: Floats, depth: float | None) -> float:
-    """z of the A axis, mm."""
-    low, high = float(points[:, 1].min()), float(points[:, 1].max())
-    return 0.5 * (low + high) if depth is None else low - depth
+def leans(path: OffsetPath, strategy: str) -> Floats:
+    """Angle (n,) rad of the tool from upright, towards +Y."""
+    _, y, z = tool_axes(path, strategy, AxisOptions()).T
+    return np.arctan2(y, z)
 
 
-def deviations(path: OffsetPath, strategy: str, axis_z: float) -> tuple[Floats, Floats]:
-    """Deviation (n,) mm of every block from its chord, measured, and by the estimate of the document.
+def deviations(path: OffsetPath, strategy: str, rig: Rig) -> Floats:
+    """Deviation (n,) mm of the ball's centre from the chord of each block."""
+    lean = leans(path, strategy)
+    angles = np.column_stack([np.full(len(lean), rig.first), rig.sense * lean])
+    return measure(rig.links, q_to_words(np.column_stack([linear_words(rig.links, path.centre, angles), angles]))).segment
 
-    The estimate: ``|alpha (h alpha - 2 s)| / 8``, for a turn alpha (rad), a chord s, and h from the A axis up to the chord,
-    at right angles to it.
+
+def estimated(path: OffsetPath, strategy: str, axis_z: float) -> Floats:
+    """The estimate of the document for a table, (n,) mm: ``|h alpha^2 / 8 - s alpha / 4|``.
+
+    alpha rad: turn of the block towards +Y, negative in a hollow; s: length of its chord; h: from the A axis up to the
+    chord, at right angles to it.
     """
-    axis = tool_axes(path, strategy, AxisOptions())
-    links = trunnion(-axis_z)
-    angles = np.column_stack([np.zeros(len(axis)), np.arctan2(-axis[:, 1], axis[:, 2])])
-    words = q_to_words(np.column_stack([linear_words(links, path.centre, angles), angles]))
-    measured = measure(links, words).segment
-    alpha, chord = -np.diff(angles[:, 1]), np.diff(path.centre, axis=0)
-    middle, length = path.centre[1:] - 0.5 * chord, np.linalg.norm(chord, axis=1)
-    level = (chord[:, 1] * (middle[:, 2] - axis_z) - chord[:, 2] * middle[:, 1]) / np.maximum(length, SHORT)
-    estimate = 0.125 * np.abs(alpha * (level * alpha - 2.0 * length))
-    return measured, np.concatenate([[0.0], estimate])
+    alpha, chord = np.diff(leans(path, strategy)), np.diff(path.centre, axis=0)[:, 1:]
+    y, z = (path.centre[1:, 1:] - 0.5 * chord - (0.0, axis_z)).T
+    length = np.linalg.norm(chord, axis=1)
+    height = (chord[:, 0] * z - chord[:, 1] * y) / np.maximum(length, SHORT)
+    return np.concatenate([[0.0], np.abs(height * alpha**2 / 8.0 - length * alpha / 4.0)])
 
 
-def largest(family: str, depth: float | None, cuts: int = 1) -> Floats:
-    """Largest deviation (PROFILES, 2) mm of both methods."""
-    worst = np.empty((PROFILES, 2))
-    for seed in range(PROFILES):
-        points = profile(family, seed, cuts)
-        path = offset_path(points)
-        worst[seed] = [deviations(path, method, height_of_axis(points, depth))[0].max() for method in METHODS]
-    return worst
+def largest(family: str, rig: Callable[[Floats], Rig], cuts: int = 1) -> Floats:
+    """Largest deviation (PROFILES, 2) mm of both methods, each profile on its own rig."""
+    return np.array([_worst(points, rig(points)) for points in (profile(family, seed, cuts) for seed in range(PROFILES))])
 
 
-def depth_name(depth: float | None) -> str:
-    """What the tables call it."""
-    return "through the part" if depth is None else f"{depth:g} mm below"
+def largest_below(family: str, depth: float | None, cuts: int = 1) -> Floats:
+    """The same on the table, its axis at a depth."""
+    return largest(family, lambda points: table(axis_height(points, depth)), cuts)
+
+
+def largest_on_arcs(height: float) -> Floats:
+    """Largest deviation (PROFILES, 2) mm on arcs whose top is ``height`` radii above the A axis, for the ball's centre."""
+    rig = table((1.0 - height) * (ARC + BALL))
+    return np.array([_worst(arc_profile(seed), rig) for seed in range(PROFILES)])
+
+
+def _worst(points: Floats, rig: Rig) -> list[float]:
+    path = offset_path(points)
+    return [float(deviations(path, method, rig).max()) for method in METHODS]

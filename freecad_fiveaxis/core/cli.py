@@ -16,14 +16,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from .. import __version__
+from freecad_fiveaxis import __version__
+
 from . import job
 from .errors import Cancelled, FiveAxisError, SettingsError
 from .files import read_bytes
 from .findings import Severity
 from .machine_file import load_machine, shipped_machines
 from .post import DIALECTS
-from .progress import Progress, silent
 from .report import as_text
 from .settings import AUDIT, MILL, POST, TASKS, Settings, build_settings, option_fields
 from .terminal import bars
@@ -87,9 +87,8 @@ def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
 def _metavar(rules: Any) -> str | None:
     if rules["choices"]:
         return None
-    return {"length": "MM", "angle": "DEG", "feed": "MM/MIN", "point": "X,Y,Z", "vector": "I,J,K"}.get(
-        rules["kind"], rules["kind"].upper()
-    )
+    marks = {"length": "MM", "angle": "DEG", "feed": "MM/MIN", "point": "X,Y,Z", "vector": "I,J,K"}
+    return marks.get(rules["kind"], str(rules["kind"]).upper())
 
 
 def _help(leaf: Any) -> str:

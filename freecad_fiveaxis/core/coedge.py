@@ -63,6 +63,8 @@ class OffsetPath:
 def close_gaps(contact: ContactPath, mesh: Mesh, radius: float, tolerance: float, progress: Progress = silent) -> OffsetPath:
     """Offset the contact path by the ball's ``radius`` mm and close it at every co-edge (Lin & Ye, eqs. 3 to 5, Fig. 7).
 
+    ``mesh`` is the part that the path was cut from; its normals travel with the path, so nothing is read from it here.
+
     Convex: the arithmetic-mean normal of length R = r / cos(theta / 2) between the two facet normals; where R - r is more
     than ``tolerance`` mm, as many equal steps of theta as keep it within. Concave: both offsets trimmed where they cross.
     Chords keep off the two facets of their co-edge by r, on a convex part off all of it. Segments of no length are left out;
@@ -76,13 +78,16 @@ def close_gaps(contact: ContactPath, mesh: Mesh, radius: float, tolerance: float
     segments = find_segments(contact)
     junctions = find_junctions(segments, radius, tolerance)
     tight = find_used_up(segments, junctions)
-    trimmed = [trim_polylines(segments, junctions, at, radius) for at in _batches(segments, tight)]
+    trimmed = []
+    for at in _batches(segments, tight):
+        progress("closing co-edges", 0.5 * float(at[0]) / len(segments.live))
+        trimmed.append(trim_polylines(segments, junctions, at, radius))
     place = _places(segments, junctions, tight, trimmed)
     path = _Columns(contact, segments, int(place[-1]))
-    for done, (where, rows) in enumerate(_all_rows(segments, junctions, tight, trimmed, place, radius)):
+    for part, (where, rows) in enumerate(_all_rows(segments, junctions, tight, trimmed, place, radius)):
         path.write(where, rows)
-        if done % 32 == 0:
-            progress("closing co-edges", min(1.0, done * CHUNK / max(len(segments.live), 1)))
+        if part % 32 == 0:
+            progress("closing co-edges", min(1.0, 0.5 + 0.25 * part * CHUNK / max(len(segments.live), 1)))
     return OffsetPath(**path.columns(), findings=_findings(contact, trimmed, tolerance))
 
 
@@ -122,7 +127,7 @@ def _all_rows(
     easy = np.flatnonzero(~_is_tight(segments, tight)) if len(tight) else np.arange(m)
     last = np.full(m, -1)
     last[segments.first] = segments.last
-    for low in range(0, len(easy), CHUNK // 2):
+    for low in range(0, len(easy), CHUNK // 2):  # each position makes about two or three rows
         at = easy[low : low + CHUNK // 2]
         count = place[at + 1] - place[at]
         head = np.cumsum(count) - count
@@ -133,10 +138,9 @@ def _all_rows(
         yield where, _easy_rows(segments, junctions, np.repeat(at, count), step, last, radius)
     for part in trimmed:
         start = np.flatnonzero(np.diff(part.line, prepend=-1))
-        yield (
-            np.arange(len(part.line)) + np.repeat(place[segments.first[part.line[start]]] - start, _sizes(start, part.line)),
-            part.rows,
-        )
+        size = np.diff(start, append=len(part.line))
+        shift = place[segments.first[part.line[start]]] - start
+        yield np.arange(len(part.line)) + np.repeat(shift, size), part.rows
 
 
 def _easy_rows(segments: Segments, junctions: Junctions, at: Ints, step: Ints, last: Ints, radius: float) -> Rows:
@@ -196,10 +200,6 @@ class _Columns:
     def columns(self) -> dict[str, Any]:
         """All columns by name."""
         return {name: vector.T for name, vector in self.vectors.items()} | self.lengths | self.labels | {"fill": self.fill}
-
-
-def _sizes(start: Ints, label: Ints) -> Ints:
-    return np.diff(start, append=len(label))
 
 
 def _findings(contact: ContactPath, trimmed: list[Trimmed], tolerance: float) -> tuple[Finding, ...]:

@@ -13,6 +13,7 @@ plane that touches the ball of that radius about the contact of a convex junctio
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -60,7 +61,7 @@ class Segments:
         """Positions (p,) where the polylines end."""
         return np.append(self.first[1:], len(self.live)) - 1
 
-    @property
+    @cached_property
     def line(self) -> Ints:
         """The polyline (m,) of each position, counted from 0."""
         return np.repeat(np.arange(len(self.first)), np.diff(self.first, append=len(self.live)))

@@ -21,7 +21,7 @@ from scipy.spatial import cKDTree
 
 from .mesh import Mesh
 from .records import Bools, Floats, Ints
-from .scallop import TINY, curvature_along, facet_curvature, flat_interval, kink_factor, scallop_height
+from .scallop import TINY, facet_curvature, flat_interval, kink_factor, scallop_height, turned_along
 
 ACROSS = 0.5
 """Largest cosine between a pass and the way to the other one: beyond it the other pass ends there and lies not opposite."""
@@ -107,6 +107,7 @@ class Strip:
         self._rows, self._corner, self._low = rows[order], height[order], low[order]
         self._high = self._corner.max(axis=1)
         self._active, self._taken = np.empty(0, dtype=np.int64), 0
+        self._last: tuple[tuple[float, float], FacetPass] | None = None
         self.ranges = self._covered()
 
     def _covered(self) -> list[tuple[float, float]]:
@@ -122,7 +123,12 @@ class Strip:
         return facet_curvature(self._mesh)
 
     def cut(self, offset: float, step: float) -> FacetPass:
-        """The pass of the plane at ``offset``, mm, with samples at most ``step`` mm apart."""
+        """The pass of the plane at ``offset``, mm, with samples at most ``step`` mm apart; the last one is remembered."""
+        if self._last is None or self._last[0] != (offset, step):
+            self._last = (offset, step), self._cut(offset, step)
+        return self._last[1]
+
+    def _cut(self, offset: float, step: float) -> FacetPass:
         begun = int(np.searchsorted(self._low, offset, side="right"))
         if begun > self._taken:
             self._active = np.concatenate([self._active, np.arange(self._taken, begun)])
@@ -157,7 +163,8 @@ def smallest_interval(here: FacetPass, across: Floats, radius: float, scallop: f
     """
     side = across - (here.normal @ across)[:, None] * here.normal
     slope = np.linalg.norm(side, axis=1)
-    spread = 1.0 + radius * curvature_along(here.tensor, side / np.maximum(slope, LEVEL)[:, None])
+    side /= np.maximum(slope, LEVEL)[:, None]
+    spread = 1.0 + radius * _dot(turned_along(here.tensor, side), side)
     share = slope / np.sqrt(np.maximum(spread, LEVEL))
     return flat_interval(radius, scallop) * float(share.min(initial=1.0 / LEVEL))
 
@@ -188,19 +195,21 @@ def _largest(pairs: _Opposite) -> tuple[int, float]:
 class _Opposite:
     """The samples of one pass with the opposite points of another one.
 
-    ``bound`` (n,) mm: the worst case of the scallop, one edge between the two contacts; 0 where nothing lies opposite.
+    ``bound`` (n,) mm: the worst case of the scallop, an edge between the contacts; 0 where nothing lies opposite.
     """
 
     def __init__(self, one: FacetPass, other: FacetPass, radius: float) -> None:
         self._one, self._other, self._radius = one, other, radius
         there = other.segment[other.tree.query(one.point)[1]]
         self._across, self._chord, opposite = _way_over(one.point, other.start[there], other.way[there])
-        here = curvature_along(one.tensor[:, one.segment], self._across)
-        self._curvature = 0.5 * (here + curvature_along(other.tensor[:, there], self._across))
+        turned = turned_along(0.5 * (one.tensor[:, one.segment] + other.tensor[:, there]), self._across)
+        self._curvature = _dot(turned, self._across)
         first, second = one.normal[one.segment], other.normal[there]
-        self._upward = first + second
-        kink = ((second - first) * self._across).sum(axis=1) - self._curvature * self._chord
-        height = scallop_height(self._chord, radius, self._curvature) * kink_factor(self._chord, radius, kink)
+        self._upward = _unit(first + second)
+        kink = second - first - self._chord[:, None] * turned
+        travel = np.cross(self._across, self._upward)
+        factor = kink_factor(self._chord, radius, _dot(kink, self._across), np.abs(_dot(kink, travel)))
+        height = scallop_height(self._chord, radius, self._curvature) * factor
         self.bound = np.where(opposite, height, 0.0)
 
     def measured(self, rows: Ints) -> Floats:
@@ -210,7 +219,6 @@ class _Opposite:
         From a point midway both c together are the chord that would leave the same scallop.
         """
         chord, curvature, upward = self._chord[rows], self._curvature[rows], self._upward[rows]
-        upward /= np.maximum(np.linalg.norm(upward, axis=1), TINY)[:, None]
         middle = self._one.point[rows] + (0.5 * chord)[:, None] * self._across[rows]
         middle += (0.125 * curvature * chord * chord)[:, None] * upward
         spread = np.maximum(1.0 + self._radius * curvature, LEVEL)
@@ -235,3 +243,11 @@ def _way_over(point: Floats, start: Floats, way: Floats) -> tuple[Floats, Floats
     across -= past[:, None] * along
     chord = np.maximum(np.linalg.norm(across, axis=1), TINY)
     return across / chord[:, None], chord, opposite
+
+
+def _dot(a: Floats, b: Floats) -> Floats:
+    return np.einsum("ij,ij->i", a, b)
+
+
+def _unit(vector: Floats) -> Floats:
+    return vector / np.maximum(np.linalg.norm(vector, axis=1), TINY)[:, None]

@@ -90,8 +90,14 @@ def direction(angle: float) -> tuple[float, float]:
 
 def _planes(offsets: ArrayLike) -> Floats:
     planes = np.asarray(offsets, dtype=np.float64)
-    if planes.ndim != 1 or not np.isfinite(planes).all() or (np.diff(planes) < 0.0).any():
-        raise SettingsError(f"plane offsets must be one ascending row of finite numbers, not {offsets!r}", offsets)
+    if planes.ndim != 1:
+        raise SettingsError(f"plane offsets have shape {planes.shape}: give one ascending row of numbers", planes.shape)
+    if not np.isfinite(planes).all():
+        wrong = float(planes[~np.isfinite(planes)][0])
+        raise SettingsError(f"a plane offset is {wrong}: give finite numbers", wrong)
+    if (np.diff(planes) < 0.0).any():
+        at = int(np.argmax(np.diff(planes) < 0.0))
+        raise SettingsError(f"plane offset {planes[at + 1]:g} follows {planes[at]:g}: give them ascending", float(planes[at + 1]))
     return planes
 
 
@@ -105,28 +111,29 @@ def _contact_path(
     number, plane = 2 * number.take(used), plane.take(used)
     # one block for the labels and one for the rest: numpy asks for large memory pages where an array is large
     face, coedge, segment, polyline, pass_ = label = np.empty((5, 2 * len(end)), dtype=np.int64)
-    place = np.empty((6, 2 * len(end)))
+    point, normal = np.empty((2, 3, 2 * len(end)))
     polyline[:] = np.repeat(np.arange(len(used)), number)
     pass_[:] = np.repeat(plane, number)
-    cosine, sine = heading
     for part in chunks(len(end)):
         rows = slice(2 * part.start, 2 * part.stop)
-        last = end[part]
-        at = np.empty(2 * len(last), dtype=np.int64)
-        at[0::2], at[1::2] = last - 1, last
-        travel, offset = along.take(at), planes.take(pass_[rows])
-        np.subtract(cosine * travel, sine * offset, out=place[0, rows])
-        np.add(sine * travel, cosine * offset, out=place[1, rows])
-        height.take(at, out=place[2, rows], mode="clip")
-        begin = int(last[0]) - 1
-        at -= begin
-        cross.coedge.take(crossing[begin : int(last[-1]) + 1]).take(at, out=coedge[rows], mode="clip")
-        cut = cross.left.take(crossing.take(last))
-        face[rows][0::2] = face[rows][1::2] = cut
-        for axis, both in enumerate(place[3:, rows]):
-            both[0::2] = both[1::2] = mesh.normal[:, axis].take(cut)
+        exits = end[part]
+        at = np.empty(2 * len(exits), dtype=np.int64)
+        at[0::2], at[1::2] = exits - 1, exits
+        _place(along.take(at), planes.take(pass_[rows]), heading, point[:2, rows])
+        height.take(at, out=point[2, rows], mode="clip")
+        cross.coedge.take(crossing.take(at), out=coedge[rows], mode="clip")
+        cut = cross.left.take(crossing.take(exits))
+        for values, both in ((cut, face[rows]), *zip((n.take(cut) for n in mesh.normal.T), normal[:, rows], strict=True)):
+            both[0::2] = both[1::2] = values
         segment[rows] = np.arange(rows.start, rows.stop) >> 1
-    return ContactPath(place[:3].T, place[3:].T, *label)
+    return ContactPath(point.T, normal.T, *label)
+
+
+def _place(along: Floats, offset: Floats, heading: tuple[float, float], out: Floats) -> None:
+    """x and y of points at ``along`` and ``offset``, into the rows of ``out``."""
+    cosine, sine = heading
+    np.subtract(cosine * along, sine * offset, out=out[0])
+    np.add(sine * along, cosine * offset, out=out[1])
 
 
 def _segment_ends(along: Floats, height: Floats, first: Ints) -> tuple[Ints, Ints]:

@@ -42,14 +42,20 @@ def flat_interval(radius: float, scallop: float) -> float:
     return 2.0 * float(np.sqrt(scallop * (2.0 * radius - scallop)))
 
 
-def kink_factor(chord: Floats, radius: float, kink: Floats) -> Floats:
-    """How much (n,) a convex ``kink`` (n,) rad between two contacts raises the scallop, 1 to 4.
+def kink_factor(chord: Floats, radius: float, kink: Floats, along: Floats) -> Floats:
+    """How much (n,) at most a kink between two contacts raises the scallop, 1 to 4.
 
-    Worst case: the edge lies at one of the contacts. Both balls stand equally high over the other facet at
-    ``1 - 1 / (2 (1 + q))`` of the chord, ``q = radius kink / chord``; the height goes with its square.
+    ``kink`` (n,) rad: its part across the passes, positive where convex; ``along`` (n,) rad: its part along them, not 0 where
+    the edge runs aslant. The worst case, an edge along the passes at one of the contacts: both balls stand equally high over
+    the other facet at ``1 - 1 / (2 (1 + q))`` of the chord, ``q = radius kink / chord``; the height goes with its square.
+    Where the edge runs at an angle p to the passes, the ball that rolls over it at the crossing cuts the other facet too,
+    and no point is further than ``1 / (1 + tan p)`` of the chord from a contact.
     """
-    q = radius * np.maximum(kink, 0.0) / np.maximum(chord, TINY)
-    return (2.0 - 1.0 / (1.0 + q)) ** 2
+    convex = np.maximum(kink, 0.0)
+    q = radius * convex / np.maximum(chord, TINY)
+    aslant = 2.0 * convex / np.maximum(convex + along, TINY)
+    share = np.maximum(np.minimum(2.0 - 1.0 / (1.0 + q), aslant), 1.0)
+    return share * share
 
 
 # ------------------------------------------------------------------------------------------------ curvature
@@ -88,9 +94,8 @@ def _smooth_turns(mesh: Mesh) -> tuple[Ints, Ints, Floats]:
     return first, second, 0.5 * twice_turn * np.array([x * x, y * y, z * z, x * y, y * z, z * x])
 
 
-def curvature_along(tensor: Floats, direction: Floats) -> Floats:
-    """Curvature (n,) 1/mm along unit ``direction`` (n, 3) for the tensors (6, n) of :func:`facet_curvature`."""
+def turned_along(tensor: Floats, direction: Floats) -> Floats:
+    """How the normal turns (n, 3), 1/mm, along unit ``direction`` (n, 3), for tensors (6, n) of :func:`facet_curvature`."""
     x, y, z = direction.T
-    diagonal = tensor[0] * x * x + tensor[1] * y * y + tensor[2] * z * z
-    result: Floats = diagonal + 2.0 * (tensor[3] * x * y + tensor[4] * y * z + tensor[5] * z * x)
-    return result
+    xx, yy, zz, xy, yz, zx = tensor
+    return np.array([xx * x + xy * y + zx * z, xy * x + yy * y + yz * z, zx * x + yz * y + zz * z]).T

@@ -50,7 +50,7 @@ GROWTH = 2.0
 WIDEST = 4.0
 """Largest interval in intervals of a flat: in a hollow of nearly the ball's radius it would have no end."""
 
-STRETCH = 30.0
+STRETCH = 60.0
 """Over this many last intervals the rest is spread, so that no last interval is needlessly small."""
 
 SPARE = 0.2

@@ -126,7 +126,7 @@ def _steps(path: OffsetPath) -> tuple[Floats, Floats]:
     size = np.diff(start, append=n)
     first, last = np.repeat(start, size), np.repeat(start + size - 1, size)
     move = np.zeros((3, n)).T
-    move[1:] = path.point[1:] - path.point[:-1]
+    move[1:] = path.centre[1:] - path.centre[:-1]  # while it cuts, the centre moves just as the contact does
     length = np.sqrt(np.einsum("ij,ij->i", move, move))
     cuts = (row > first) & ~path.fill & (length > SHORT)
     move = np.divide(move, length[:, None], out=np.zeros_like(move), where=cuts[:, None])
@@ -146,7 +146,8 @@ def _closed(path: OffsetPath, first: Ints, last: Ints) -> Bools:
 def _taken(move: Floats, at: Ints, first: Ints, last: Ints) -> Floats:
     """Rows ``at`` of ``move``, zero where that lies outside the row's own polyline."""
     inside = (at > first) & (at <= last)
-    return np.asarray(np.where(inside[:, None], move[np.where(inside, at, 0)], 0.0))
+    taken = np.ascontiguousarray(move.T).take(np.where(inside, at, 0), axis=1)
+    return np.asarray(np.where(inside, taken, 0.0).T)
 
 
 def _carried_on(feed: Floats, axis: Floats) -> Floats:

@@ -196,6 +196,7 @@ def _first_to_go(chords: _Chords, used: Ints) -> Ints:
     one = used[(chords.after[used] >= 0) & (rank[chords.after[used]] >= 0)]
     two = chords.after[one]
     single = ~(chords.crosses[chords.before[one]] & (chords.before[one] >= 0)) & ~(chords.crosses[two] & (chords.after[two] >= 0))
+    single &= np.isfinite(chords.start[one]) & np.isfinite(chords.stop[two])
     gone = rank[one] < rank[two]
     one_high = _height(chords, two, _place(chords, one, np.where(single, chords.start[one], 0.0)))
     two_high = _height(chords, one, _place(chords, two, np.where(single, chords.stop[two], 0.0)))
@@ -275,6 +276,7 @@ def _spots(chords: _Chords, segments: Segments, junctions: Junctions) -> _Spot:
     stop, go = _place(chords, one, chords.stop[one]), _place(chords, two, chords.start[two])
     apart = crosses & (np.abs(stop - go).max(axis=0) >= SAME)
     dips = np.minimum(_height(chords, two, stop), _height(chords, one, go)) < -FLAT_GAP
+    dips &= dot(chords.normal[:, one], chords.normal[:, two]) > 0.0  # nothing is above two planes that face each other
     first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
     last = np.append(first[1:], len(one))[: len(first)] - 1
     used = np.stack([np.zeros(len(one), bool), yes, apart & dips, apart], axis=1)

@@ -35,7 +35,7 @@ def weld(column: Reals) -> tuple[Floats, Ints]:
     new = np.zeros(n, dtype=np.bool_)
     np.not_equal(key[1:], key[:-1], out=new[1:])
     row = np.empty(n, dtype=np.int64)
-    row[corner] = np.cumsum(new)
+    row[corner] = np.cumsum(new, out=key.view(np.int64))  # fresh memory would cost more than the sum itself
     new[0] = True
     vertex = column.take(corner.take(np.flatnonzero(new)), axis=1)
     return _separate(column, vertex, row)

@@ -1,173 +1,173 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the example parts: ``python make_parts.py FOLDER`` writes them there as STL files.
+"""Example parts, made by formula: ``python resources/examples/make_parts.py FOLDER`` writes them as STL files.
 
-Every part stands with its base on z = 0, centred on the work zero, as on a rotary table. Each function gives vertices
-(v, 3) mm and facets (f, 3), counter-clockwise seen from outside.
+dome           spherical cap R 40 on a round plinth; its top is the pole of every machine with an upright rotary axis.
+blade          thin twisted blade of lens section, lying, to be milled from above.
+saddle         block with a hyperbolic paraboloid on top: convex one way, concave the other.
+half_cylinder  lying half cylinder, R 60 in Lin & Ye's Fig. 10.
+freeform_233   wavy open patch of 233 facets of uneven size, after Lin & Ye's Fig. 16 (that part itself was never published).
+
+Each function returns ``vertex`` (v, 3) mm and ``face`` (f, 3), counter-clockwise seen from outside. All parts stand on z = 0
+about the z axis; all but freeform_233 are closed (an odd number of facets cannot close).
 """
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import Delaunay
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-
-from freecad_fiveaxis.core.mesh import from_faces
-from freecad_fiveaxis.core.stl import write_stl
-
-Solid = tuple[NDArray[np.float64], NDArray[np.int64]]
+Part = tuple[NDArray[np.float64], NDArray[np.int64]]
 
 
-def dome(radius: float = 40.0, height: float = 16.0, plinth: float = 12.0, cells: int = 48) -> Solid:
-    """A spherical cap on a round plinth: its top passes the pole of every machine whose C axis is vertical."""
-    u, v = _square(2.0, 2.0, cells, cells)
-    share = np.maximum(np.abs(u), np.abs(v))  # squares become circles
-    turn, tilt = np.arctan2(v, u), share * np.arccos(1.0 - height / radius)
-    x, y = radius * np.sin(tilt) * np.cos(turn), radius * np.sin(tilt) * np.sin(turn)
-    return _standing(x, y, plinth + height - radius * (1.0 - np.cos(tilt)))
+def dome(radius: float = 40.0, half_angle: float = 60.0, plinth: float = 10.0, rings: int = 60, sectors: int = 180) -> Part:
+    """Cap of ``half_angle`` deg about +Z with a vertex at the pole, on a cylinder ``plinth`` mm high."""
+    tilt = np.radians(half_angle) * np.arange(1, rings + 1) / rings
+    reach, height = radius * np.sin(tilt), radius * (np.cos(tilt) - np.cos(tilt[-1])) + plinth
+    reach, height = np.append(reach, reach[-1]), np.append(height, 0.0)
+    turn = 2.0 * np.pi * np.arange(sectors) / sectors
+    x, y, z = np.outer(reach, np.cos(turn)), np.outer(reach, np.sin(turn)), np.outer(height, np.ones(sectors))
+    pole = (0.0, 0.0, radius * (1.0 - np.cos(tilt[-1])) + plinth)
+    vertex = np.concatenate([[pole, (0.0, 0.0, 0.0)], np.stack([x, y, z], axis=-1).reshape(-1, 3)])
+    ring = 2 + np.arange((rings + 1) * sectors).reshape(rings + 1, sectors)
+    upper, lower = ring[0], ring[-1]
+    top = np.stack([np.zeros_like(upper), upper, np.roll(upper, -1)], axis=1)
+    bottom = np.stack([np.ones_like(lower), np.roll(lower, -1), lower], axis=1)
+    wall = _quads(ring[:-1], ring[1:], np.roll(ring, -1, axis=1)[1:], np.roll(ring, -1, axis=1)[:-1])
+    return vertex, np.concatenate([top, wall, bottom])
 
 
-def blade(length: float = 90.0, chord: float = 44.0, thickness: float = 9.0, twist: float = 0.5) -> Solid:
-    """A twisted, tapered blade lying on its pressure side; its suction side is milled from above. ``twist`` in rad."""
-    angle = np.linspace(0.0, 2.0 * np.pi, 72, endpoint=False)
-    camber = 0.16 * chord * np.cos(0.5 * np.pi * np.cos(angle))
-    half = 0.5 * thickness * np.sin(angle)
-    loops = []
-    for station in np.linspace(0.0, 1.0, 41):
-        scale, turn = 1.0 - 0.35 * station, twist * (station - 0.5)
-        x, z = 0.5 * chord * scale * np.cos(angle), scale * (camber + half)
-        y = np.full_like(x, length * (station - 0.5))
-        loops.append(np.column_stack([x * np.cos(turn) - z * np.sin(turn), y, x * np.sin(turn) + z * np.cos(turn)]))
-    vertex, face = _loft(loops, top=tuple(loops[0].mean(axis=0)), foot=tuple(loops[-1].mean(axis=0)))
-    return vertex - (0.0, 0.0, vertex[:, 2].min()), face
+def blade(length: float = 100.0, stations: int = 80, points: int = 40) -> Part:
+    """Lens sections along X: chord 44 to 28 mm, thickness 7 to 3 mm, twisted from -15 to 20 deg about X."""
+    share = np.linspace(0.0, 1.0, stations + 1)[:, None]
+    chord, thick, twist = 44.0 - 16.0 * share, 7.0 - 4.0 * share, np.radians(-15.0 + 35.0 * share)
+    over = np.linspace(1.0, -1.0, points + 1)  # +y to -y over the upper side, and back below
+    across = np.concatenate([over, -over[1:-1]])
+    side = np.concatenate([np.ones(points + 1), -np.ones(points - 1)])
+    y, z = 0.5 * chord * across, 0.5 * thick * side * (1.0 - across**2)
+    y, z = y * np.cos(twist) - z * np.sin(twist), y * np.sin(twist) + z * np.cos(twist)
+    x = np.broadcast_to(length * (share - 0.5), y.shape)
+    vertex = np.stack([x, y, z - z.min()], axis=-1).reshape(-1, 3)
+    row = np.arange(len(vertex)).reshape(y.shape)
+    skin = _quads(row[:-1], row[1:], np.roll(row, -1, axis=1)[1:], np.roll(row, -1, axis=1)[:-1])
+    return vertex, np.concatenate([skin, _lens_cap(row[0], points), _lens_cap(row[-1], points)[:, ::-1]])
 
 
-def saddle(side: float = 70.0, rise: float = 9.0, middle: float = 25.0, cells: int = 44) -> Solid:
-    """A hyperbolic paraboloid on a square block: convex one way, concave the other."""
-    x, y = _square(side, side, cells, cells)
-    return _standing(x, y, middle + rise * (x * x - y * y) / (side / 2) ** 2)
+def _lens_cap(ring: NDArray[np.int64], points: int) -> NDArray[np.int64]:
+    """Facets across one end section, upper points joined to the lower ones below them."""
+    upper = ring[: points + 1]
+    lower = np.append(ring[points:], ring[0])[::-1]  # both from +y to -y; the two ends are shared
+    faces = _quads(upper[:-1], upper[1:], lower[1:], lower[:-1])
+    corners = np.sort(faces, axis=1)
+    return faces[(corners[:, 1:] != corners[:, :-1]).all(axis=1)]
 
 
-def half_cylinder(radius: float = 60.0, length: float = 80.0, sectors: int = 60, slices: int = 8) -> Solid:
-    """Half a cylinder lying on its flat side, its axis along X (Lin & Ye, Fig. 10)."""
-    angle = np.linspace(0.0, np.pi, sectors + 1)
-    x = np.linspace(-length / 2, length / 2, slices + 1)
-    arc = [np.column_stack([np.full_like(angle, at), -radius * np.cos(angle), radius * np.sin(angle)]) for at in x]
-    for loop in arc:
-        loop[[0, -1], 2] = 0.0
-    return _loft(arc, top=(x[0], 0.0, radius / 2), foot=(x[-1], 0.0, radius / 2))
+def saddle(length: float = 80.0, width: float = 60.0, base: float = 20.0, bend: float = 160.0, cells: int = 80) -> Part:
+    """Block with the top ``z = base + (x^2 - y^2) / bend``, mm."""
+    x, y = np.linspace(-0.5, 0.5, cells + 1) * length, np.linspace(-0.5, 0.5, cells + 1) * width
+    x, y = np.meshgrid(x, y, indexing="ij")
+    return _block(x, y, base + (x**2 - y**2) / bend)
 
 
-def freeform_233(length: float = 100.0, width: float = 60.0) -> Solid:
-    """An open freeform surface of 233 facets of very different size, as on Lin & Ye's Fig. 16 (never published)."""
+def half_cylinder(radius: float = 60.0, length: float = 80.0, facets: int = 180) -> Part:
+    """Half cylinder along X on its flat side; ``facets`` strips of two facets over the half circle."""
+    turn = np.pi * np.arange(facets + 1) / facets
+    y, z = radius * np.cos(turn), radius * np.sin(turn)
+    z[[0, -1]] = 0.0
+    ends = [np.column_stack([np.full(facets + 1, x), y, z]) for x in (-0.5 * length, 0.5 * length)]
+    near, far = np.arange(facets + 1), np.arange(facets + 1) + facets + 1
+    skin = _quads(near[:-1], far[:-1], far[1:], near[1:])
+    cap = np.stack([np.full(facets - 1, 0), near[1:-1], near[2:]], axis=1)
+    floor = _quads(near[:1], near[-1:], far[-1:], far[:1])
+    return np.concatenate(ends), np.concatenate([skin, cap[:, ::-1], cap + facets + 1, floor])
+
+
+def freeform_233() -> Part:
+    """Open patch of 100 x 60 x 22 mm: 13 x 8 uneven cells, the 12 largest facets cut in three, one at the border in two."""
     rng = np.random.default_rng(233)
-    rim, inner = 25, 105  # a triangulation of n points, h of them on the rim, has 2 n - 2 - h facets
-    along = np.sort(rng.uniform(0.02, 0.98, rim - 4)) * 2.0 * (length + width)
-    corner = np.array([(0, 0), (length, 0), (length, width), (0, width)], float)
-    plan = np.concatenate([corner, _on_rim(along, length, width), _scattered(rng, inner, length, width)])
-    face = Delaunay(plan).simplices.astype(np.int64)
-    x, y = plan[:, 0] - length / 2, plan[:, 1] - width / 2
-    z = 20.0 + 9.0 * np.sin(x / 17.0 + 0.4) * np.cos(y / 21.0) + 5.0 * np.cos(x / 31.0 - y / 25.0) - 0.003 * (x * x + y * y)
-    return _upward(np.column_stack([x, y, z]), face)
+    x, y = np.meshgrid(np.linspace(-50.0, 50.0, 14), np.linspace(-30.0, 30.0, 9), indexing="ij")
+    x[1:-1] += rng.uniform(-2.2, 2.2, x[1:-1].shape)
+    y[:, 1:-1] += rng.uniform(-2.2, 2.2, y[:, 1:-1].shape)
+    point = [np.array(p) for p in zip(x.ravel(), y.ravel(), strict=True)]
+    row = np.arange(x.size).reshape(x.shape)
+    face = _short_diagonals(
+        np.array(point), row[:-1, :-1].ravel(), row[1:, :-1].ravel(), row[1:, 1:].ravel(), row[:-1, 1:].ravel()
+    )
+    for _ in range(12):
+        area = _plan_area(np.array(point), face)
+        a, b, c = face[np.argmax(area)]
+        point.append(np.array([point[a], point[b], point[c]]).mean(axis=0))
+        new = len(point) - 1
+        face = np.concatenate([np.delete(face, np.argmax(area), axis=0), [[a, b, new], [b, c, new], [c, a, new]]])
+    a, b, c = next(np.roll(f, -k) for f in face for k in range(3) if set(np.roll(f, -k)[:2]) == {row[6, 0], row[7, 0]})
+    point.append(0.5 * (point[a] + point[b]))
+    face = face[~(np.sort(face, axis=1) == np.sort([a, b, c])).all(axis=1)]
+    face = np.concatenate([face, [[a, len(point) - 1, c], [len(point) - 1, b, c]]])
+    flat = np.array(point)
+    return np.column_stack([flat, _wave(flat[:, 0], flat[:, 1])]), face
 
 
-PARTS: dict[str, Callable[[], Solid]] = {
-    "dome": dome,
-    "blade": blade,
-    "saddle": saddle,
-    "half_cylinder": half_cylinder,
-    "freeform_233": freeform_233,
-}
+def _wave(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+    bump = 11.0 * np.exp(-((x - 18.0) ** 2 + (y + 6.0) ** 2) / 500.0)
+    height: NDArray[np.float64] = 12.0 + 6.0 * np.sin(x / 17.0) * np.cos(y / 21.0) + bump - 0.06 * y
+    return height
 
 
-def _loft(loops: list[NDArray[np.float64]], top: tuple[float, ...], foot: tuple[float, ...]) -> Solid:
-    """Closed loops joined by quads cut in two, the first and the last closed by fans to ``top`` and ``foot``."""
-    n, count = len(loops[0]), len(loops)
-    vertex = np.concatenate([*loops, [top, foot]])
-    here = np.arange(n)
-    after = np.roll(here, -1)
-    rows = np.arange(count - 1)[:, None] * n
-    a, b, c, d = (r.ravel() for r in (rows + here, rows + after, rows + n + after, rows + n + here))
-    last = (count - 1) * n
-    fans = [
-        np.column_stack([here, after, np.full(n, len(vertex) - 2)]),
-        np.column_stack([after, here, np.full(n, len(vertex) - 1)]),
-    ]
-    fans[1][:, :2] += last
-    face = np.concatenate([np.column_stack([a, d, c]), np.column_stack([a, c, b]), *fans])
-    return _outward(vertex, face)
+def _block(x: NDArray[np.float64], y: NDArray[np.float64], z: NDArray[np.float64]) -> Part:
+    """Closed block under the grid of heights ``z``, down to z = 0."""
+    top = np.stack([x, y, z], axis=-1).reshape(-1, 3)
+    row = np.arange(x.size).reshape(x.shape)
+    border = np.concatenate([row[:-1, 0], row[-1, :-1], row[:0:-1, -1], row[0, :0:-1]])  # counter-clockwise from above
+    below = len(top) + np.arange(len(border))
+    foot = top[border] * (1.0, 1.0, 0.0)
+    skin = _quads(row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:])
+    wall = _quads(border, below, np.roll(below, -1), np.roll(border, -1))
+    centre = len(top) + len(border)
+    floor = np.stack([np.full(len(border), centre), np.roll(below, -1), below], axis=1)
+    return np.concatenate([top, foot, [[0.0, 0.0, 0.0]]]), np.concatenate([skin, wall, floor])
 
 
-def _square(length: float, width: float, nx: int, ny: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    x, y = np.meshgrid(np.linspace(-length / 2, length / 2, nx + 1), np.linspace(-width / 2, width / 2, ny + 1), indexing="ij")
-    return x, y
+def _quads(a: NDArray[np.int64], b: NDArray[np.int64], c: NDArray[np.int64], d: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Two facets for each quadrangle a b c d."""
+    a, b, c, d = (corner.ravel() for corner in (a, b, c, d))
+    return np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
 
 
-def _standing(x: NDArray[np.float64], y: NDArray[np.float64], z: NDArray[np.float64]) -> Solid:
-    """A grid of points as the top of a solid that stands on z = 0 with vertical walls."""
-    top = np.column_stack([x.ravel(), y.ravel(), z.ravel()])
-    number = np.arange(len(top)).reshape(x.shape)
-    a, b, c, d = (part.ravel() for part in (number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]))
-    rim = np.concatenate([number[:-1, 0], number[-1, :-1], number[:0:-1, -1], number[0, :0:-1]])
-    under = len(top) + np.arange(len(rim))
-    vertex = np.concatenate([top, top[rim] * (1.0, 1.0, 0.0), [(0.0, 0.0, 0.0)]])
-    rim2, under2, centre = np.roll(rim, -1), np.roll(under, -1), np.full(len(rim), len(vertex) - 1)
-    cells = [np.column_stack([a, b, c]), np.column_stack([a, c, d])]
-    walls = [
-        np.column_stack([rim, under, under2]),
-        np.column_stack([rim, under2, rim2]),
-        np.column_stack([under2, under, centre]),
-    ]
-    return _outward(vertex, np.concatenate([*cells, *walls]))
+def _short_diagonals(
+    point: NDArray[np.float64], a: NDArray[np.int64], b: NDArray[np.int64], c: NDArray[np.int64], d: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """Two facets for each quadrangle, cut along its shorter diagonal."""
+    other = np.linalg.norm(point[b] - point[d], axis=1) < np.linalg.norm(point[a] - point[c], axis=1)
+    return np.concatenate([_quads(a[~other], b[~other], c[~other], d[~other]), _quads(b[other], c[other], d[other], a[other])])
 
 
-def _on_rim(along: NDArray[np.float64], length: float, width: float) -> NDArray[np.float64]:
-    """Points at a distance along the rim of a rectangle."""
-    stops = np.cumsum([0.0, length, width, length, width])
-    x = np.interp(along, stops, [0.0, length, length, 0.0, 0.0])
-    y = np.interp(along, stops, [0.0, 0.0, width, width, 0.0])
-    return np.column_stack([x, y])
+def _plan_area(point: NDArray[np.float64], face: NDArray[np.int64]) -> NDArray[np.float64]:
+    u, v = point[face[:, 1]] - point[face[:, 0]], point[face[:, 2]] - point[face[:, 0]]
+    area: NDArray[np.float64] = 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    return area
 
 
-def _scattered(rng: np.random.Generator, count: int, length: float, width: float) -> NDArray[np.float64]:
-    """Points inside a rectangle, none too near to another or to the rim."""
-    kept: list[NDArray[np.float64]] = []
-    while len(kept) < count:
-        point = rng.uniform((4.0, 4.0), (length - 4.0, width - 4.0))
-        if all(np.hypot(*(point - other)) > 3.2 for other in kept):
-            kept.append(point)
-    return np.array(kept)
+PARTS = {part.__name__: part for part in (dome, blade, saddle, half_cylinder, freeform_233)}
 
 
-def _upward(vertex: NDArray[np.float64], face: NDArray[np.int64]) -> Solid:
-    a, b, c = (vertex[face[:, k]] for k in range(3))
-    down = np.cross(b - a, c - a)[:, 2] < 0.0
-    return vertex, np.where(down[:, None], face[:, ::-1], face)
+def write_parts(folder: Path) -> list[Path]:
+    """Write every part into ``folder`` as a binary STL file; the paths written."""
+    from freecad_fiveaxis.core.mesh import from_faces
+    from freecad_fiveaxis.core.stl import write_stl
 
-
-def _outward(vertex: NDArray[np.float64], face: NDArray[np.int64]) -> Solid:
-    a, b, c = (vertex[face[:, k]] for k in range(3))
-    volume = float(np.einsum("ij,ij->", a, np.cross(b, c)))
-    return vertex, face[:, ::-1].copy() if volume < 0.0 else face
-
-
-def main(folder: str) -> None:
-    """Write every part into the folder."""
-    Path(folder).mkdir(parents=True, exist_ok=True)
-    for name, make in PARTS.items():
-        mesh = from_faces(*make())
-        write_stl(mesh, Path(folder) / f"{name}.stl")
-        print(f"{name}.stl: {len(mesh.face)} facets, {np.ptp(mesh.vertex, axis=0).round(1).tolist()} mm")
-        for finding in mesh.findings:
-            print(f"  {finding.text}")
+    folder.mkdir(parents=True, exist_ok=True)
+    paths = []
+    for name, part in PARTS.items():
+        paths.append(folder / f"{name}.stl")
+        write_stl(from_faces(*part()), paths[-1])
+    return paths
 
 
 if __name__ == "__main__":
+    sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # the package beside this folder, installed or not
     if len(sys.argv) != 2:
-        sys.exit("usage: make_parts.py FOLDER")
-    main(sys.argv[1])
+        sys.exit("usage: python resources/examples/make_parts.py FOLDER")
+    for path in write_parts(Path(sys.argv[1])):
+        print(path)

@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.trajectory import at, frames, motion, tip
 
 HALF = 0.5**0.5
 SAMPLES = 2001
+FARTHEST = 3000.0  # mm: beyond, a table's linear axis has turned parallel to another one
 POINT = 1e-9  # mm: a shorter chord is a point, as docs/deviation.md says
 
 _X, _Y, _Z = (Axis(letter, False, "head", tuple(row)) for letter, row in zip("XYZ", np.eye(3).tolist(), strict=True))
@@ -42,8 +43,9 @@ def random_blocks(links: Chain, count: int, seed: int) -> tuple[Floats, Floats]:
     move = rng.normal(size=(count, 3))
     move *= (10 ** rng.uniform(-3, np.log10(300), count) * (rng.random(count) > 0.1) / np.linalg.norm(move, axis=1))[:, None]
     end = start + np.concatenate([move, turns], axis=1)
-    on_part = rng.random(count) > 0.25
-    end[on_part, :3] = linear_words(links, forward(links, words_to_q(start))[0] + move, words_to_q(end)[:, 3:])[on_part]
+    linear = linear_words(links, forward(links, words_to_q(start))[0] + move, words_to_q(end)[:, 3:])
+    on_part = (rng.random(count) > 0.25) & (np.abs(linear).max(axis=1) < FARTHEST)
+    end[on_part, :3] = linear[on_part]
     return start, end
 
 

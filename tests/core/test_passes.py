@@ -333,6 +333,7 @@ def test_levels_count_the_planes_at_or_below():
         ([1.0, 0.5], 0.0, None, "ascending"),
         ([np.nan], 0.0, None, "finite"),
         ([[1.0]], 0.0, None, "one ascending row"),
+        (np.array([0.0, 3.0, 2.0]), 0.0, None, "2 follows 3"),
         ([0.5], np.inf, None, "angle"),
         ([0.5], 0.0, np.ones(11, dtype=bool), "12 facets"),
     ],

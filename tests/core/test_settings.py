@@ -5,7 +5,7 @@ import math
 import pytest
 
 from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.settings import READERS, Settings, TASKS, build_settings, flat_options, option_fields
+from freecad_fiveaxis.core.settings import READERS, TASKS, Settings, build_settings, flat_options, option_fields
 
 
 def mill(**options):

@@ -23,6 +23,7 @@ def loading_the_addon_imported_no_numpy_of_ours():
 def the_core_mills_a_solid_that_freecad_made():
     import MeshPart
     import Part
+
     from freecad_fiveaxis.core.cli import main
 
     solid = Part.makeSphere(20).common(Part.makeBox(40, 40, 20, _vector(-20, -20, 0)))

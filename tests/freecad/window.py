@@ -11,7 +11,7 @@ import FreeCADGui
 from PySide import QtCore
 
 sys.path.insert(0, os.path.join(os.environ["FIVEAXIS_ROOT"], "tests", "freecad"))
-import checks  # noqa: E402
+import checks
 
 
 def pump(seconds):

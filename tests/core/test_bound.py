@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The proven bounds: never below the truth, in extended precision too, and not far above it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from five_kinds import KINDS, interleaved, links_of, random_blocks, sampled_deviation
+
+from freecad_fiveaxis.core.bound import bending, close_levers, end_levers, quick_bound, quick_levers
+from freecad_fiveaxis.core.deviation import measure
+from freecad_fiveaxis.core.quartic import REMAINDER
+from freecad_fiveaxis.core.search import ABSOLUTE, FIRST_PIECES, RELATIVE, Chords, _local, _Pieces, _proven, farthest
+from freecad_fiveaxis.core.trajectory import at, derivatives, frames, inner, motion, tip, tip_at
+
+STEPS = 16
+LONG = np.longdouble
+PI = LONG("3.14159265358979323846264338327950288")
+
+
+@pytest.fixture(params=KINDS)
+def links(request):
+    return links_of(request.param)
+
+
+def all_levers(links, start, end):
+    frame = frames(links)
+    move = motion(frame, start, end)
+    ends = [inner(frame, at(move, np.full(len(start), u))) for u in (0.0, 1.0)]
+    return [quick_levers(move), end_levers(move, *(np.hypot(y[0], y[1]) for y in ends)), close_levers(frame, move)]
+
+
+def sampled_bending(links, start, end, order):
+    """Largest difference quotient of the path: a mean of the derivative, so never above its largest value."""
+    path = tip_at(links, start, end, np.linspace(0, 1, STEPS + 1)[None])
+    return np.linalg.norm(np.diff(path, order, axis=1), axis=2).max(axis=1) * STEPS**order
+
+
+@pytest.mark.parametrize("order", [2, 3, 5])
+def test_no_derivative_exceeds_its_bound(links, order):
+    start, end = random_blocks(links, 400, 21)
+    seen = sampled_bending(links, start, end, order)
+    rounding = 1e-12 * (2 * STEPS) ** order
+    for levers in all_levers(links, start, end):
+        assert (bending(levers, order) + rounding >= seen).all()
+    assert (0.5 * bending(levers, order) + rounding < seen).any()  # the comparison can fail
+
+
+def test_closer_levers_bound_the_bending_more_closely(links):
+    start, end = random_blocks(links, 400, 22)
+    quick, ends, close = (bending(levers, 2) for levers in all_levers(links, start, end))
+    assert (close <= quick * (1 + 1e-12)).all()
+    assert (close <= ends * (1 + 1e-12)).all()
+    seen = sampled_bending(links, start, end, 2)
+    turned = seen > 1e-3
+    assert np.median(close[turned] / seen[turned]) < 2.5  # up to 3 where the linear axes make up for the turn
+
+
+def test_quick_bound_is_never_below_the_deviation(links):
+    start, end = random_blocks(links, 500, 23)
+    words = interleaved(start, end)
+    bound = quick_bound(links, words)
+    assert bound.shape == (1000,)
+    assert bound[0] == 0.0
+    assert (bound[1::2] >= sampled_deviation(links, start, end, 301)[0]).all()
+    assert (bound >= measure(links, words).segment * (1 - 1e-12)).all()
+
+
+def test_quick_bound_needs_no_blocks(links):
+    assert quick_bound(links, np.zeros((0, 5))).shape == (0,)
+    assert quick_bound(links, np.zeros((1, 5))).tolist() == [0.0]
+
+
+def test_bound_is_as_close_as_promised(links):
+    found = measure(links, interleaved(*random_blocks(links, 1000, 24)))
+    assert (found.bound >= found.segment).all()
+    assert (found.bound <= found.segment + np.maximum(1e-6, 1e-5 * found.segment)).all()
+
+
+# ------------------------------------------------------------------------------------------------ extended precision
+
+
+def long_turn(vector, axis, angle):
+    axis = np.array(axis, LONG)
+    axis = axis / np.sqrt((axis**2).sum())
+    along = (vector @ axis)[..., None] * axis
+    cos, sin = np.cos(angle)[..., None], np.sin(angle)[..., None]
+    return along + cos * (vector - along) + sin * np.cross(np.broadcast_to(axis, vector.shape), vector)
+
+
+def long_tip(links, words):
+    """The tip from the words alone, by the definition of the chain, in extended precision."""
+    words, slots = words.astype(LONG), np.array(links.slot)
+    angle = words[..., 3:] * (PI / 180)
+    sums = [words[..., :3] @ (links.direction[:3] * (slots == slot)[:, None]).astype(LONG) for slot in range(3)]
+    c1, c2 = links.point1.astype(LONG), links.point2.astype(LONG)
+    y = c2 + long_turn(sums[2] - c2, links.direction[4], angle[..., 1])
+    return sums[0] + c1 + long_turn(sums[1] + y - c1, links.direction[3], angle[..., 0])
+
+
+def long_deviation(links, start, end, samples=400):
+    u = np.linspace(0, 1, samples + 1).astype(LONG)[:, None]
+    path = np.stack([long_tip(links, s.astype(LONG) + u * (e.astype(LONG) - s)) for s, e in zip(start, end, strict=True)])
+    off, chord = path - path[:, :1], path[:, -1:] - path[:, :1]
+    share = np.clip((off * chord).sum(2) / np.maximum((chord**2).sum(2), LONG(1e-40)), 0, 1)
+    return np.sqrt(((off - share[:, :, None] * chord) ** 2).sum(2)).max(axis=1)
+
+
+@pytest.mark.parametrize("turn", [0.0, 1e-9, 1e-6, 1e-3, 1.0, 100.0])
+def test_rounding_never_takes_the_bound_below_the_truth(links, turn):
+    """Blocks so small that the deviation is rounding, and such as turn much, at large coordinates and many turns."""
+    rng = np.random.default_rng(25)
+    start = rng.uniform(-1, 1, (30, 5)) * (2000, 2000, 2000, 36000, 3600)
+    end = start + rng.normal(size=(30, 5)) * (turn, turn, turn, turn, turn)
+    truth = long_deviation(links, start, end)
+    words = interleaved(start, end)
+    assert (measure(links, words).bound[1::2] >= truth).all()
+    assert (quick_bound(links, words)[1::2] >= truth).all()
+
+
+# ------------------------------------------------------------------------------------------------ the two proofs
+
+
+def test_a_quintic_leaves_its_quartic_by_the_remainder():
+    u = np.linspace(0, 1, 100_001)
+    product = np.abs(u * (u - 0.25) * (u - 0.5) * (u - 0.75) * (u - 1)).max() / 120
+    assert product <= REMAINDER <= product * (1 + 1e-4)
+
+
+@pytest.mark.parametrize("pieces", [FIRST_PIECES, 64])
+def test_a_piece_never_exceeds_its_bound(links, pieces):
+    start, end = random_blocks(links, 100, 26)
+    frame = frames(links)
+    move = motion(frame, start, end)
+    ends = [tip(frame, at(move, np.full(100, u))) for u in (0.0, 1.0)]
+    vector = np.array(ends[1]) - np.array(ends[0])
+    size = np.linalg.norm(vector, axis=0)
+    along = tuple(vector * (size > 1e-9) / np.maximum(size, 1e-9))
+    levers = close_levers(frame, move)
+    chords = Chords(move, ends[0], along, np.zeros(100), size, bending(levers, 2), bending(levers, 3), levers.turn)
+    half = np.full(100 * pieces, 0.5 / pieces)
+    block = np.repeat(np.arange(100), pieces)
+    centre = np.tile((np.arange(pieces) + 0.5) / pieces, 100)
+    local = _local(frame, chords, _Pieces(block, centre, half))
+    most = np.zeros(len(block))
+    for shift in np.linspace(-1, 1, 21):
+        p, _, _ = derivatives(frame, move.take(block), centre + shift * half)
+        off = np.array(p) - np.array(ends[0])[:, block]
+        foot = np.clip((off * np.array(along)[:, block]).sum(0), 0, size[block])
+        most = np.maximum(most, ((off - foot * np.array(along)[:, block]) ** 2).sum(0))
+    assert (most <= local.bound * (1 + 1e-9) + 1e-18).all()
+    assert (most > 0.9 * local.bound).any()  # the comparison can fail
+    distance, _, bound = farthest(frame, chords)
+    assert (np.sqrt(np.maximum.reduceat(most, np.arange(0, len(block), pieces))) <= bound).all()
+    assert bound == pytest.approx(_proven(distance))
+    assert (bound - distance <= ABSOLUTE + 1.01 * RELATIVE * distance).all()

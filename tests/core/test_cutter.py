@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cutter and how it is written."""
+
+import numpy as np
+import pytest
+
+from freecad_fiveaxis.core.cutter import Cutter, parse_cutter
+from freecad_fiveaxis.core.errors import SettingsError
+
+
+@pytest.mark.parametrize(
+    "text, diameter, length",
+    [("ball:10", 10, 50), ("ball:0.5in", 12.7, 50), (" Ball:6mm:2cm ", 6, 20), ("ball:.25in:1in", 6.35, 25.4)],
+)
+def test_a_cutter_is_read_with_its_units(text, diameter, length):
+    cutter = parse_cutter(text)
+    assert (cutter.diameter, cutter.length) == pytest.approx((diameter, length))
+    assert cutter.radius == cutter.diameter / 2
+
+
+@pytest.mark.parametrize("text", ["flat:10", "bull:10", "10", "", "ball10"])
+def test_another_shape_is_refused_with_those_on_offer(text):
+    with pytest.raises(SettingsError, match="only ball cutters are on offer") as caught:
+        parse_cutter(text)
+    assert caught.value.value == text
+
+
+@pytest.mark.parametrize(
+    "text", ["ball:", "ball", "ball:10:20:30", "ball:ten", "ball:0", "ball:-3", "ball:10deg", "ball:10:0", "ball:inf"]
+)
+def test_sizes_that_cannot_be_used_are_refused(text):
+    with pytest.raises(SettingsError, match="cutter"):
+        parse_cutter(text)
+
+
+def test_the_tip_lies_one_radius_behind_the_centre():
+    tip = Cutter(10.0).tip_at(np.array([[1.0, 2, 3], [0, 0, 0]]), np.array([[0.0, 0, 1], [0.6, 0, 0.8]]))
+    np.testing.assert_allclose(tip, [[1, 2, -2], [-3, 0, -4]])
