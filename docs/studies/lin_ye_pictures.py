@@ -20,6 +20,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.collections import LineCollection
 from matplotlib.colors import LogNorm
+from matplotlib.ticker import MaxNLocator
 
 COLOUR = {"facet_mean": BLUE, "step_weighted": ORANGE}
 DPI = 95
@@ -150,6 +151,7 @@ def whole_part() -> Any:
             xlabel="pass", ylabel="largest deviation, mm", title=f"both, by passes,\naxes {profiles.depth_name(below)}",
             ylim=(0.0, ROOM * most),
         )  # fmt: skip
+        row[2].xaxis.set_major_locator(MaxNLocator(integer=True))
         row[2].legend(loc="upper center", fontsize=7.5)
     for panel in axes.flat:
         panel.title.set_size(9)

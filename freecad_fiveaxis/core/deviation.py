@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from . import so2008
 from .axis_swing import small_swing, swing
 from .bound import CHUNK, Levers, allowance, bending, close_levers, end_levers
-from .errors import ProgramError, SettingsError
+from .errors import SettingsError
 from .findings import Finding
 from .kinematics import Chain
 from .progress import Progress, silent
@@ -39,6 +39,7 @@ from .trajectory import (
     at,
     axis,
     chained_motion,
+    checked_words,
     flat_length,
     frames,
     inner,
@@ -47,9 +48,6 @@ from .trajectory import (
     tip,
     to_work,
 )
-
-FARTHEST_WORD = 1e6
-"""mm or deg: a kilometre, or 2777 turns. Beyond this a word is a mistake."""
 
 SEARCHED = 2048
 """Blocks searched at a time: their pieces fill a chunk."""
@@ -91,7 +89,7 @@ def measure(links: Chain, words: ArrayLike, method: str = "exact", progress: Pro
     ``words`` (m, 5) mm and **degrees** in the chain's word order, turns not folded. ``method``: ``exact``, or ``so2008`` for
     ``line`` and ``u_line`` by the model of So et al. (module ``so2008``); every other column is exact with either. Distances
     are within 1e-5 of their value or 1e-6 mm; ``bound`` is no more than that above ``segment``, but for rounding. Raises
-    ProgramError for words that are no numbers or beyond :data:`FARTHEST_WORD`, SettingsError for an unknown method.
+    ProgramError for words that cannot be used (``trajectory.checked_words``), SettingsError for an unknown method.
     """
     if method not in METHODS:
         raise SettingsError(f"unknown method {method!r} of the line deviation; use one of {', '.join(METHODS)}", method)
@@ -101,19 +99,6 @@ def measure(links: Chain, words: ArrayLike, method: str = "exact", progress: Pro
         return result
     line, u_line, findings = so2008.line_deviation(links, rows, paced(progress))
     return replace(result, line=line, u_line=u_line, findings=findings)
-
-
-def checked_words(words: ArrayLike) -> Floats:
-    """``words`` as floats (m, 5), or ProgramError with the row that cannot be used."""
-    rows = np.asarray(words, float)
-    if rows.ndim != 2 or rows.shape[1] != 5:
-        raise ProgramError(f"words have shape {rows.shape}; give one row of five words for each block", rows.shape)
-    good = np.abs(rows) <= FARTHEST_WORD  # False for NaN
-    if not good.all():
-        row, word = (int(i) for i in np.argwhere(~good)[0])
-        value = float(rows[row, word])
-        raise ProgramError(f"word {word + 1} of row {row} is {value:g}; words are numbers up to {FARTHEST_WORD:g}", value)
-    return rows
 
 
 def paced(progress: Progress) -> Progress:

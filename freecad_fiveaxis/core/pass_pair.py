@@ -246,8 +246,10 @@ def _way_over(point: Floats, start: Floats, way: Floats) -> tuple[Floats, Floats
 
 
 def _dot(a: Floats, b: Floats) -> Floats:
-    return np.einsum("ij,ij->i", a, b)
+    result: Floats = np.einsum("ij,ij->i", a, b)
+    return result
 
 
 def _unit(vector: Floats) -> Floats:
-    return vector / np.maximum(np.linalg.norm(vector, axis=1), TINY)[:, None]
+    result: Floats = vector / np.maximum(np.linalg.norm(vector, axis=1), TINY)[:, None]
+    return result

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .bound import Levers, bending
+from .bound import ABSOLUTE, RELATIVE, Levers, bending
 from .records import Bools, Floats
 from .trajectory import Motion, Pose, turned
 
@@ -38,9 +38,6 @@ POINT = 1e-9
 
 NOTHING = 5e-7
 """mm: half the accuracy that is promised for the deviation."""
-
-REST, REST_SHARE = 2e-7, 2e-6
-"""mm, and share of the deviation: the bound may exceed the deviation by both, a fifth of the accuracy that is promised."""
 
 MOST_TURN = 0.35
 """rad: beyond this summed travel the quartic is not tried."""
@@ -111,7 +108,7 @@ def bow(way: Chord, nodes: Floats, levers: Levers) -> Bow:
     distance = factor * _lengths(a + s * (b + s * c))
     short_of_peak = 0.25 * left * left / (np.maximum(fall, least_fall) + SMALLEST)
     bound = np.sqrt(distance * distance + short_of_peak) + REMAINDER * bending(levers, 5)
-    close = bound - distance <= REST + REST_SHARE * distance
+    close = bound - distance <= ABSOLUTE + RELATIVE * distance
     foot_inside = np.abs(along[0]) + 0.5 * np.abs(along[1]) + 0.25 * np.abs(along[2]) <= way.length
     proven = close & foot_inside & (fall > least_fall)
     most = 0.125 * bending(levers, 2)

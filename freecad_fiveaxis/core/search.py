@@ -15,6 +15,9 @@ the second and third derivative of the path. Integrated twice:
 
     ``F(u) <= F0 + F0' t + c t^2 + T |t|^3``  for ``t = u - centre``.
 
+The same holds for the distance from the whole line, with p' across it, and ``F <= F_line + o^2`` where the foot lies outside
+by no more than o: the bound of a piece that the foot leaves. The smaller of both counts.
+
 Near a maximum c is negative and F0' small, so that the bound is of third order and the search ends after a few rounds.
 """
 
@@ -24,13 +27,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .bound import ABSOLUTE, RELATIVE
 from .records import Floats, Ints
 from .trajectory import Frames, Motion, Vectors, derivatives, dot
-
-ABSOLUTE = 2e-7
-"""mm: the search ends where no piece can exceed the best by more than this, a fifth of the accuracy that is promised,"""
-RELATIVE = 2e-6
-"""or by more than this share of the best: likewise a fifth."""
 
 FIRST_PIECES = 8
 FIRST_TURN = 0.25
@@ -80,7 +79,7 @@ class _Pieces:
 
 @dataclass(frozen=True, eq=False)
 class _Local:
-    """At the centres of pieces: F, F' and F''/2 for the chord; and what the bounds need, for its line and for itself."""
+    """At the centres of pieces: F, F' and c, mm^2; and the upper bound of F on the whole piece."""
 
     square: Floats
     slope: Floats
@@ -118,6 +117,7 @@ def _branch_and_bound(frame: Frames, chords: Chords) -> tuple[Floats, Floats]:
 
 
 def _proven(best: Floats) -> Floats:
+    """The distance that no piece may exceed: what the search proves, and where it ends."""
     return best * (1.0 + RELATIVE) + ABSOLUTE
 
 

@@ -20,11 +20,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .errors import ProgramError
 from .kinematics import Chain
 from .records import Floats
 
 ROUNDED_TO_ZERO = 4e-16
 """A product of unit vectors below this is rounding of a zero; a zero costs no arithmetic."""
+
+FARTHEST_WORD = 1e6
+"""mm or deg: a kilometre, or 2777 turns. Beyond this a word is a mistake."""
 
 Columns = tuple[Floats, ...]
 Vectors = tuple[Floats, Floats, Floats]
@@ -132,6 +136,19 @@ def length(v: Vectors) -> Floats:
 def flat_length(x: Floats, y: Floats) -> Floats:
     """The length of (x, y): four times as fast as np.hypot, and no component here is near the ends of a float's range."""
     return np.asarray(np.sqrt(x * x + y * y))
+
+
+def checked_words(words: ArrayLike) -> Floats:
+    """``words`` as floats (m, 5). Raises ProgramError for another shape, and for words that are no numbers or too large."""
+    rows = np.asarray(words, float)
+    if rows.ndim != 2 or rows.shape[1] != 5:
+        raise ProgramError(f"words have shape {rows.shape}; give one row of five words for each block", rows.shape)
+    good = np.abs(rows) <= FARTHEST_WORD  # False for NaN
+    if not good.all():
+        row, word = (int(i) for i in np.argwhere(~good)[0])
+        value = float(rows[row, word])
+        raise ProgramError(f"word {word + 1} of row {row} is {value:g}; words are numbers up to {FARTHEST_WORD:g}", value)
+    return rows
 
 
 def motion(frame: Frames, start: Floats, end: Floats) -> Motion:

@@ -51,8 +51,8 @@ def blade(length: float = 100.0, stations: int = 80, points: int = 40) -> Part:
     x = np.broadcast_to(length * (share - 0.5), y.shape)
     vertex = np.stack([x, y, z - z.min()], axis=-1).reshape(-1, 3)
     row = np.arange(len(vertex)).reshape(y.shape)
-    skin = _quads(row[:-1], row[1:], np.roll(row, -1, axis=1)[1:], np.roll(row, -1, axis=1)[:-1])
-    return vertex, np.concatenate([skin, _lens_cap(row[0], points), _lens_cap(row[-1], points)[:, ::-1]])
+    skin = _quads(np.roll(row, -1, axis=1)[:-1], np.roll(row, -1, axis=1)[1:], row[1:], row[:-1])
+    return vertex, np.concatenate([skin, _lens_cap(row[0], points)[:, ::-1], _lens_cap(row[-1], points)])
 
 
 def _lens_cap(ring: NDArray[np.int64], points: int) -> NDArray[np.int64]:
@@ -78,9 +78,9 @@ def half_cylinder(radius: float = 60.0, length: float = 80.0, facets: int = 180)
     z[[0, -1]] = 0.0
     ends = [np.column_stack([np.full(facets + 1, x), y, z]) for x in (-0.5 * length, 0.5 * length)]
     near, far = np.arange(facets + 1), np.arange(facets + 1) + facets + 1
-    skin = _quads(near[:-1], far[:-1], far[1:], near[1:])
-    cap = np.stack([np.full(facets - 1, 0), near[1:-1], near[2:]], axis=1)
-    floor = _quads(near[:1], near[-1:], far[-1:], far[:1])
+    skin = _quads(near[:-1], near[1:], far[1:], far[:-1])
+    cap = np.stack([np.zeros(facets - 1, dtype=np.int64), near[1:-1], near[2:]], axis=1)
+    floor = _quads(far[:1], far[-1:], near[-1:], near[:1])
     return np.concatenate(ends), np.concatenate([skin, cap[:, ::-1], cap + facets + 1, floor])
 
 

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from five_kinds import KINDS, interleaved, links_of, random_blocks, sampled_deviation
 
-from freecad_fiveaxis.core.bound import bending, close_levers, end_levers, quick_bound, quick_levers
+from freecad_fiveaxis.core.bound import ABSOLUTE, RELATIVE, bending, close_levers, end_levers, quick_bound, quick_levers
 from freecad_fiveaxis.core.deviation import measure
+from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.quartic import REMAINDER
-from freecad_fiveaxis.core.search import ABSOLUTE, FIRST_PIECES, RELATIVE, Chords, _local, _Pieces, _proven, farthest
+from freecad_fiveaxis.core.search import FIRST_PIECES, Chords, _local, _Pieces, _proven, farthest
 from freecad_fiveaxis.core.trajectory import at, derivatives, frames, inner, motion, tip, tip_at
 
 STEPS = 16
@@ -69,6 +70,11 @@ def test_quick_bound_is_never_below_the_deviation(links):
 def test_quick_bound_needs_no_blocks(links):
     assert quick_bound(links, np.zeros((0, 5))).shape == (0,)
     assert quick_bound(links, np.zeros((1, 5))).tolist() == [0.0]
+
+
+def test_quick_bound_refuses_words_that_are_no_numbers(links):
+    with pytest.raises(ProgramError, match="word 1 of row 1 is nan"):
+        quick_bound(links, [[0.0] * 5, [np.nan] * 5])
 
 
 def test_bound_is_as_close_as_promised(links):
