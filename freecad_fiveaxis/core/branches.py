@@ -14,6 +14,12 @@ about the square root of their number, all blocks advance together by one step a
 
 Without limits only the two branches are states and every step takes the nearest winding. That way's cost is a lower bound of
 the limited problem's; so when it fits into the limits after whole turns it is the answer there too.
+
+gate      a step where the branch may change without a break: of a rapid, at the pole, or hardly a turn.
+stretch   the steps between gates, each way through them on one branch: one step of a much shorter graph.
+
+Of the ways that change branch at gates only, the shorter graph has the best. Any other way costs a break more than every step
+at its least; so the best one is the best of all where it costs less than that, and mostly no other search is needed.
 """
 
 from __future__ import annotations
@@ -24,6 +30,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .columns import chunks
 from .progress import Progress, silent
 from .records import Bools, Bytes, Floats, Ints
 
@@ -72,8 +79,9 @@ def choose(
         words, branch = _solve(_layers(angles, fits, low, high, wraps), cutting, crossing, progress)
         turns = [_fitting_turns(words[:, axis], low[axis], high[axis]) for axis in range(2)]
         if not any(math.isnan(turn) for turn in turns):
-            for axis, turn in enumerate(turns):
-                words[:, axis] = np.clip(words[:, axis] + TURN * turn, low[axis], high[axis])
+            for word, turn, least, most in zip(words.T, turns, low, high, strict=True):
+                word += TURN * turn
+                np.clip(word, least, most, out=word)
             return words, branch
         wraps = [wrap and not math.isnan(turn) for wrap, turn in zip(wraps, turns, strict=True)]
         low, high = _window(low, high, wraps)
@@ -81,18 +89,24 @@ def choose(
 
 def within_limits(angles: Floats, low: Floats, high: Floats) -> Bools:
     """Whether some winding of both words lies within the limits, (2, n) for each branch; False where NaN."""
-    fits = np.asarray(~np.isnan(angles).any(2))
-    for axis in range(2):
-        if high[axis] - low[axis] < TURN:
-            fits &= _least_word(angles[:, :, axis], low[axis]) <= high[axis] + SLACK
+    fits = np.empty(angles.shape[:2], bool)
+    for rows in chunks(fits.shape[1]):
+        fits[:, rows] = ~np.isnan(angles[:, rows, 0] + angles[:, rows, 1])
+        for axis in range(2):
+            if high[axis] - low[axis] < TURN:
+                fits[:, rows] &= _least_word(angles[:, rows, axis], low[axis]) <= high[axis] + SLACK
     return fits
 
 
 def broken_steps(words: Floats, branch: Bytes, cutting: Bools, crossing: Bools) -> Bools:
     """The breaks (n - 1,) of a way that was chosen."""
-    travel = np.abs(np.diff(words, axis=0))
-    swap = (branch[1:] != branch[:-1]) & ~crossing & (travel.sum(1) > SMALL_TURN)
-    return np.asarray(cutting & (swap | (travel > math.pi + SLACK).any(1)))
+    broken = np.empty(len(cutting), bool)
+    for rows in chunks(len(broken)):
+        travel = np.abs(np.diff(words[rows.start : rows.stop + 1], axis=0))
+        broken[rows] = np.maximum(travel[:, 0], travel[:, 1]) > math.pi + SLACK
+    swap = np.flatnonzero((branch[1:] != branch[:-1]) & ~crossing)
+    broken[swap] |= np.abs(words[swap + 1] - words[swap]).sum(1) > SMALL_TURN
+    return broken & cutting
 
 
 def _limited(low: float, high: float) -> bool:
@@ -129,13 +143,17 @@ def _fitting_turns(word: Floats, low: float, high: float) -> float:
 
 
 def _layers(angles: Floats, fits: Bools, low: Floats, high: Floats, wraps: list[bool]) -> Layers:
+    if not fits.all():
+        angles = np.nan_to_num(angles) if math.isnan(angles.min()) else angles
+    if all(wraps):
+        used = fits.any(1)
+        word = angles.transpose(2, 0, 1)  # a view, unless a branch is left out
+        return Layers(word if used.all() else word[:, used], fits[used], np.flatnonzero(used).astype(np.int8), wraps)
     count = [1 if wraps[axis] else _windings(low[axis], high[axis]) for axis in range(2)]
     branch, *winding = (part.ravel() for part in np.indices((2, count[0], count[1])))
     word, fits = np.empty((2, len(branch), angles.shape[1])), fits[branch]
     for axis in range(2):
         angle = angles[:, :, axis]
-        if not fits.all():
-            angle = np.nan_to_num(angle)
         if wraps[axis]:
             word[axis] = angle[branch]
         else:
@@ -149,44 +167,113 @@ def _solve(layers: Layers, cutting: Bools, crossing: Bools, progress: Progress) 
     """The best states' words (n, 2), unwound where they wrap, and branch (n,)."""
     entry = PREFER_ZERO * np.abs(layers.word[:, :, 0]).sum(0)
     entry[~layers.fits[:, 0]] = math.inf
-    banned = np.where(cutting & ~crossing, BREAK, 0.0)
-    held = np.where(cutting, BREAK, 0.0)
+    state = _by_stretches(layers, entry, cutting, crossing, progress) if all(layers.wraps) else None
+    if state is None:
 
-    def cost(start: int, end: int) -> Floats:
-        return _step_cost(layers, held[start:end], banned[start:end], start, end)
+        def cost(start: int, end: int) -> Floats:
+            return _step_cost(layers, cutting, crossing, slice(start, end), slice(start + 1, end + 1))
 
-    state = least_path(entry, cost, len(cutting), progress)
-    words, at = np.empty((2, len(state))).T, state * len(state) + np.arange(len(state))
+        state = least_path(entry, cost, len(cutting), progress)
+    return _words_of(layers, state), layers.branch[state]
+
+
+def _words_of(layers: Layers, state: Ints) -> Floats:
+    words = np.empty((2, len(state))).T
+    for rows in chunks(len(state)):
+        first, several = int(state[rows.start]), np.ptp(state[rows]) > 0
+        at = (state[rows], np.arange(rows.start, rows.stop)) if several else (first, rows)
+        for axis in range(2):
+            words[rows, axis] = layers.word[axis][at]
     for axis in range(2):
-        words[:, axis] = layers.word[axis].ravel().take(at)
         if layers.wraps[axis]:
-            words[1:, axis] -= TURN * np.cumsum(np.rint(np.diff(words[:, axis]) / TURN))
-    return words, layers.branch[state]
+            _unwind(words[:, axis])
+    return words
 
 
-def _step_cost(layers: Layers, held: Floats, banned: Floats, start: int, end: int) -> Floats:
-    """Cost (s, s, end - start) of the steps that leave rows ``start`` to ``end``, from state to state."""
+def _unwind(word: Floats) -> None:
+    """Give each value (n,) of an angle the winding that is nearest to the one before; in place."""
+    jumps = [rows.start + _jumps(word[rows.start : rows.stop + 1]) for rows in chunks(len(word) - 1)]
+    at = np.concatenate([*jumps, np.empty(0, np.int64)])
+    if len(at):
+        turns = np.cumsum(np.rint((word[at + 1] - word[at]) / TURN))
+        word[at[0] + 1 :] -= TURN * np.repeat(turns, np.diff(at, append=len(word) - 1))
+
+
+def _jumps(word: Floats) -> Ints:
+    return np.flatnonzero(np.abs(np.diff(word)) > math.pi)
+
+
+def _nearest(step: Floats) -> Floats:
+    """The size of steps between angles on their nearest windings; changes ``step``."""
+    step -= TURN * np.rint(step * (1.0 / TURN))
+    return np.abs(step, out=step)
+
+
+def _step_cost(layers: Layers, cutting: Bools, crossing: Bools, start: slice | Ints, end: slice | Ints) -> Floats:
+    """Cost (s, s, m) of the m steps from the rows ``start`` to the rows ``end`` after them, from state to state."""
+    this_word, next_word, held = layers.word[:, :, start], layers.word[:, :, end], np.where(cutting[start], BREAK, 0.0)
+    banned = np.where(crossing[start], 0.0, held)
+    closed = np.where(layers.fits[:, end], 0.0, math.inf)
     count = len(layers.branch)
-    cost = np.empty((count, count, end - start))
-    closed = np.where(layers.fits[:, start + 1 : end + 1], 0.0, math.inf)
+    cost = np.zeros((count, count, len(held)))
     for this, after in np.ndindex(count, count):
         total = cost[this, after]
-        total[:] = 0.0
-        wide = np.zeros(end - start, bool)
-        for axis, word in enumerate(layers.word):
-            step = word[after, start + 1 : end + 1] - word[this, start:end]
+        wide = np.zeros(len(held), bool)
+        for axis in range(2):
+            step = next_word[axis, after] - this_word[axis, this]
             if layers.wraps[axis]:
-                step -= TURN * np.rint(step * (1.0 / TURN))
-            np.abs(step, out=step)
-            if not layers.wraps[axis]:
+                total += _nearest(step)
+            else:
+                np.abs(step, out=step)
                 wide |= step > math.pi + SLACK
-            total += step
+                total += step
         if layers.branch[this] != layers.branch[after]:
             total += np.where(wide, held, banned * (total > SMALL_TURN))
         elif not all(layers.wraps):
             total += wide * held
         total += closed[after]
     return cost
+
+
+def _by_stretches(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools, progress: Progress) -> Ints | None:
+    """The best states (n,) where both words wrap; None where changing branch at gates only is not proven to be the best."""
+    if len(layers.branch) == 1:
+        return np.zeros(len(cutting) + 1, np.int64)
+    starts, costs, least = [], [np.empty((2, 2, 0))], 0.0
+    for rows in chunks(len(cutting)):
+        if rows.start // (rows.stop - rows.start) % 32 == 0:
+            progress("joint path", rows.start / len(cutting))
+        start, cost, step_least = _stretches(layers, cutting, crossing, rows)
+        starts.append(start)
+        costs.append(cost)
+        least += step_least
+    cost, start = np.concatenate(costs, 2), np.concatenate([*starts, [len(cutting)]])
+    state = least_path(entry, lambda first, last: cost[:, :, first:last], cost.shape[2])
+    total = entry[state[0]] + cost[state[:-1], state[1:], np.arange(len(state) - 1)].sum()
+    if not total <= least + BREAK - TURN:  # a step on the nearest windings is half a turn of each word at most
+        return None
+    return np.repeat(state, np.diff(start, append=len(cutting) + 1))
+
+
+def _stretches(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -> tuple[Ints, Floats, float]:
+    """The steps ``rows`` cut into gates and stretches: the first step of each, their costs (2, 2, m), and the sum of all steps'
+    least costs. On a gate's step both branches may follow, on a stretch's only the same one."""
+    ends, after = slice(rows.start, rows.stop + 1), slice(rows.start + 1, rows.stop + 1)
+    first, second = layers.word[:, :, ends]
+    stay = _nearest(np.diff(first)) + _nearest(np.diff(second))
+    stay[~layers.fits[:, after]] = math.inf
+    swap = _nearest(second[::-1, 1:] - second[:, :-1])
+    small = np.minimum(swap[0], swap[1]) <= SMALL_TURN
+    gate = np.flatnonzero(~cutting[rows] | crossing[rows] | small)
+    free = _step_cost(layers, cutting, crossing, rows.start + gate, rows.start + gate + 1)
+    least = np.minimum(stay[0], stay[1])
+    least[gate] = free.min((0, 1))
+    begin = np.unique(np.concatenate([[0], gate, gate + 1]))
+    begin = begin[begin < stay.shape[1]]
+    cost = np.full((2, 2, len(begin)), math.inf)
+    cost[0, 0], cost[1, 1] = np.add.reduceat(stay, begin, axis=1)
+    cost[:, :, np.searchsorted(begin, gate)] = free
+    return rows.start + begin, cost, float(least.sum())
 
 
 def least_path(entry: Floats, cost: StepCost, steps: int, progress: Progress = silent) -> Ints:

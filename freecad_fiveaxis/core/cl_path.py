@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import IntEnum
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 
@@ -63,10 +63,9 @@ class CLPath:
 
 @dataclass(frozen=True)
 class LinkOptions:
-    """``order`` of the passes; ``clearance`` mm of rapids from the part's box; ``feed`` and ``plunge_feed`` mm/min;
-    ``control_point``: what the words drive, the cutter's tip or the ball's centre."""
+    """``clearance`` mm of rapids from the part's box; ``feed`` and ``plunge_feed`` mm/min; ``control_point``: what the words
+    drive, the cutter's tip or the ball's centre."""
 
-    order: Literal["zigzag", "one_way"] = "zigzag"
     clearance: float = 5.0
     feed: float = 1000.0
     plunge_feed: float = 300.0
@@ -77,34 +76,38 @@ class LinkOptions:
             value = getattr(self, name)
             if not least <= value < np.inf:
                 raise SettingsError(f"{name} is {value:g}; give a number {'above' if least else 'of at least'} 0", value)
-        for name, known in (("order", ORDERS), ("control_point", CONTROL_POINTS)):
-            if getattr(self, name) not in known:
-                raise SettingsError(f"{name} is {getattr(self, name)!r}; choose one of {', '.join(known)}", getattr(self, name))
+        if self.control_point not in CONTROL_POINTS:
+            known = ", ".join(CONTROL_POINTS)
+            raise SettingsError(f"control_point is {self.control_point!r}; choose one of {known}", self.control_point)
 
 
 def order_passes(path: OffsetPath, order: str) -> OffsetPath:
     """The passes in the order in which they are cut: as they are (one_way), or every other one backwards (zigzag).
 
     A pass cut backwards has its polylines and its rows reversed; before and after change places. Lead and tilt follow the
-    feed: to have them follow it on the way back too, order first, then take the axes, then link as one_way.
+    feed, so the order comes before the tool axes. Raises SettingsError for an unknown order.
     """
-    if not len(path.point):
+    if order not in ORDERS:
+        raise SettingsError(f"order is {order!r}; choose one of {', '.join(ORDERS)}", order)
+    if order == "one_way" or not len(path.point):
         return path
-    cut = _cut_order(path, order)
-    columns = {name: getattr(path, name)[cut.row] for name in ("face", "coedge", "segment", "polyline", "pass_")}
-    columns |= {name: _rows(getattr(path, name), cut.row) for name in ("point", "centre", "normal")}
-    before, after, turned = _rows(path.before, cut.row), _rows(path.after, cut.row), cut.backwards[:, None]
+    row, backwards = _to_and_fro(path.pass_)
+    fill = path.fill[np.minimum(row + backwards, len(row) - 1)]  # the move between two rows, gone the other way
+    fill[_starts(path.polyline[row])] = False
+    columns = {name: getattr(path, name)[row] for name in ("face", "coedge", "segment", "polyline", "pass_")}
+    columns |= {name: _rows(getattr(path, name), row) for name in ("point", "centre", "normal")}
+    before, after, turned = _rows(path.before, row), _rows(path.after, row), backwards[:, None]
     return replace(
-        path, **columns, fill=cut.fill, before=np.where(turned, after, before), after=np.where(turned, before, after),
-        step_before=np.where(cut.backwards, path.step_after[cut.row], path.step_before[cut.row]),
-        step_after=np.where(cut.backwards, path.step_before[cut.row], path.step_after[cut.row]),
+        path, **columns, fill=fill, before=np.where(turned, after, before), after=np.where(turned, before, after),
+        step_before=np.where(backwards, path.step_after[row], path.step_before[row]),
+        step_after=np.where(backwards, path.step_before[row], path.step_after[row]),
     )  # fmt: skip
 
 
 def link_passes(
     path: OffsetPath, axis: Floats, cutter: Cutter, low: Floats, high: Floats, options: LinkOptions, progress: Progress = silent
 ) -> CLPath:
-    """The whole path of the tool: the passes in their order, with a safe way from each polyline to the next.
+    """The whole path of the tool: the passes as they stand, with a safe way from each polyline to the next.
 
     ``axis`` (n, 3) unit, one for each row of ``path``; ``low``, ``high`` (3,) mm the part's box. From the end of a polyline
     the tool retracts along its axis until the ball is clear of the inflated box, goes straight up to the safe plane, across
@@ -114,23 +117,13 @@ def link_passes(
     if not len(path.point):
         raise SettingsError("there are no passes: no plane cuts a facet that can be reached; check stepover and direction", 0)
     progress("linking passes", 0.0)
-    cut = _cut_order(path, options.order)
-    first, last = cut.row[cut.start], cut.row[np.append(cut.start[1:], len(cut.row)) - 1]
+    first = _starts(path.polyline)
+    last = np.append(first[1:], len(path.point)) - 1
     keep = keepout(low, high, cutter.radius, options.clearance)
     leave, enter = way_out(path.centre[last], axis[last], keep), way_out(path.centre[first], axis[first], keep)
     links = _links(leave, enter, axis[last], axis[first], _goes_on(path.centre, first, last))
     progress("linking passes", 0.5)
-    return replace(_merged(path, axis, cut, links, cutter, options), findings=_below(leave, enter))
-
-
-class _Cut(NamedTuple):
-    """The order of cutting: ``row`` (n,) of the path; ``backwards`` (n,) True where the pass is reversed; ``fill`` (n,) in that
-    order; ``start`` (p,) where the polylines begin in it."""
-
-    row: Ints
-    backwards: Bools
-    fill: Bools
-    start: Ints
+    return replace(_merged(path, axis, first, links, cutter, options), findings=_below(leave, enter))
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,17 +153,17 @@ def _links(leave: WayOut, enter: WayOut, leave_axis: Floats, enter_axis: Floats,
     return _Links(gap, centre[gap, slot], axis[gap, slot], motion, goes_on)
 
 
-def _merged(path: OffsetPath, axis: Floats, cut: _Cut, links: _Links, cutter: Cutter, options: LinkOptions) -> CLPath:
-    """The rows of the path in the order of cutting and the rows between its polylines, each at its place."""
-    n, m = len(cut.row), len(links.before)
-    shift = np.cumsum(np.bincount(links.before, minlength=len(cut.start) + 1))
-    on_path = np.arange(n) + np.repeat(shift[:-1], np.diff(cut.start, append=n))
-    between = np.arange(m) + np.append(cut.start, n)[links.before]
+def _merged(path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: Cutter, options: LinkOptions) -> CLPath:
+    """The rows of the path and the rows between its polylines, which begin at ``start``, each at its place."""
+    n, m = len(path.point), len(links.before)
+    shift = np.cumsum(np.bincount(links.before, minlength=len(start) + 1))
+    on_path = np.arange(n) + np.repeat(shift[:-1], np.diff(start, append=n))
+    between = np.arange(m) + np.append(start, n)[links.before]
 
     def woven(own: Floats, link: Floats) -> Floats:
         rows = np.empty((3, n + m))
         for k in range(3):
-            rows[k, on_path], rows[k, between] = own[:, k].take(cut.row), link[:, k]
+            rows[k, on_path], rows[k, between] = own[:, k], link[:, k]
         return rows.T
 
     def column(own: Ints | Bytes, link: Bytes | int) -> Ints:
@@ -178,15 +171,15 @@ def _merged(path: OffsetPath, axis: Floats, cut: _Cut, links: _Links, cutter: Cu
         values[on_path], values[between] = own, link
         return values
 
-    motion = np.where(cut.fill, Motion.FILL, Motion.CUT)
-    motion[cut.start] = Motion.LINK
+    motion = np.where(path.fill, Motion.FILL, Motion.CUT)
+    motion[start] = Motion.LINK
     motion = column(motion, links.motion)
     feed = np.where(motion == Motion.RAPID, 0.0, options.feed)
-    feed[on_path[cut.start[~links.goes_on]]] = options.plunge_feed
+    feed[on_path[start[~links.goes_on]]] = options.plunge_feed
     tip, link_tip = path.centre, links.centre
     if options.control_point == "tip":
         tip, link_tip = cutter.tip_at(tip, axis), cutter.tip_at(link_tip, links.axis)
-    face, coedge, pass_ = (column(own.take(cut.row), -1) for own in (path.face, path.coedge, path.pass_))
+    face, coedge, pass_ = (column(own, -1) for own in (path.face, path.coedge, path.pass_))
     return CLPath(
         tip=woven(tip, link_tip), axis=woven(axis, links.axis), motion=motion.astype(np.int8), feed=feed,
         contact=woven(path.point, link_tip), normal=woven(path.normal, links.axis), face=face, coedge=coedge, pass_=pass_,
@@ -199,18 +192,12 @@ def _goes_on(centre: Floats, first: Ints, last: Ints) -> Bools:
     return np.concatenate([[False], near])
 
 
-def _cut_order(path: OffsetPath, order: str) -> _Cut:
-    n, row = len(path.pass_), np.arange(len(path.pass_))
-    if order == "one_way":
-        return _Cut(row, np.zeros(n, bool), path.fill, _starts(path.polyline))
-    start = _starts(path.pass_)
-    size = np.diff(start, append=n)
+def _to_and_fro(pass_: Ints) -> tuple[Ints, Bools]:
+    """Row of the path for each row of the zigzag (n,), and which of these are cut backwards (n,)."""
+    start, row = _starts(pass_), np.arange(len(pass_))
+    size = np.diff(start, append=len(pass_))
     backwards = np.repeat(np.arange(len(start)) % 2 == 1, size)
-    row = np.where(backwards, np.repeat(2 * start + size - 1, size) - row, row)
-    fill = path.fill[np.minimum(row + backwards, n - 1)]  # the move between two rows, gone the other way
-    start = _starts(path.polyline[row])
-    fill[start] = False
-    return _Cut(row, backwards, fill, start)
+    return np.where(backwards, np.repeat(2 * start + size - 1, size) - row, row), backwards
 
 
 def _starts(label: Ints) -> Ints:

@@ -23,6 +23,9 @@ from .progress import Progress, silent
 from .records import Bools, Floats, Ints, freeze
 from .trimming import Trimmed, find_used_up, trim_polylines
 
+NOTABLE = 0.01
+"""mm cut into the part or left on it before it is worth a finding: a usual finishing tolerance."""
+
 BATCH = 65536
 """Segments of tight polylines that are trimmed together: bounds the memory that this takes."""
 
@@ -68,7 +71,7 @@ def close_gaps(contact: ContactPath, mesh: Mesh, radius: float, tolerance: float
     Convex: the arithmetic-mean normal of length R = r / cos(theta / 2) between the two facet normals; where R - r is more
     than ``tolerance`` mm, as many equal steps of theta as keep it within. Concave: both offsets trimmed where they cross.
     Chords keep off the two facets of their co-edge by r, on a convex part off all of it. Segments of no length are left out;
-    those under which the ball does not fit are dropped, with a finding where more than ``tolerance`` of material stays.
+    those under which the ball does not fit are dropped, with a finding where more than NOTABLE of material stays or is cut into.
     A closed polyline ends where it began. Raises SettingsError for a radius or tolerance that is not above 0.
     """
     for name, value in (("cutter radius", radius), ("co-edge tolerance", tolerance)):
@@ -81,14 +84,14 @@ def close_gaps(contact: ContactPath, mesh: Mesh, radius: float, tolerance: float
     trimmed = []
     for at in _batches(segments, tight):
         progress("closing co-edges", 0.5 * float(at[0]) / len(segments.live))
-        trimmed.append(trim_polylines(segments, junctions, at, radius))
+        trimmed.append(trim_polylines(segments, junctions, at, radius, tolerance))
     place = _places(segments, junctions, tight, trimmed)
     path = _Columns(contact, segments, int(place[-1]))
     for part, (where, rows) in enumerate(_all_rows(segments, junctions, tight, trimmed, place, radius)):
         path.write(where, rows)
         if part % 32 == 0:
             progress("closing co-edges", min(1.0, 0.5 + 0.25 * part * CHUNK / max(len(segments.live), 1)))
-    return OffsetPath(**path.columns(), findings=_findings(contact, trimmed, tolerance))
+    return OffsetPath(**path.columns(), findings=_findings(contact, trimmed))
 
 
 def _batches(segments: Segments, tight: Ints) -> Iterator[Ints]:
@@ -202,23 +205,23 @@ class _Columns:
         return {name: vector.T for name, vector in self.vectors.items()} | self.lengths | self.labels | {"fill": self.fill}
 
 
-def _findings(contact: ContactPath, trimmed: list[Trimmed], tolerance: float) -> tuple[Finding, ...]:
-    """Where the ball cuts into facets, and where it leaves material, by more than ``tolerance`` mm."""
+def _findings(contact: ContactPath, trimmed: list[Trimmed]) -> tuple[Finding, ...]:
+    """Where the ball cuts into facets, and where it leaves material, by more than NOTABLE."""
     found = []
-    deep = _over([part.cut_into for part in trimmed], [part.depth for part in trimmed], tolerance)
+    deep = _over([part.cut_into for part in trimmed], [part.depth for part in trimmed], NOTABLE)
     if deep:
         text = (
             f"The facets curl tighter than the cutter at {deep.number} segments, and the cutter cuts up to {deep.worst:.3g} mm "
             "into them. Use a smaller cutter or a finer mesh, or check these places before milling."
         )
         code, place = "surface-tighter-than-cutter", _place(contact, deep.segment)
-        found.append(Finding(Severity.WARNING, code, text, deep.worst, tolerance, "mm", place=place))
-    high = _over([part.missed for part in trimmed], [part.height for part in trimmed], tolerance)
+        found.append(Finding(Severity.WARNING, code, text, deep.worst, NOTABLE, "mm", place=place))
+    high = _over([part.missed for part in trimmed], [part.height for part in trimmed], NOTABLE)
     if high:
         much = f"up to {high.worst:.3g} mm of material stays" if np.isfinite(high.worst) else "a whole run of facets stays uncut"
         text = f"The cutter does not fit into the corners at {high.number} facet segments; {much}. Use a smaller cutter there."
         worst, place = high.worst if np.isfinite(high.worst) else None, _place(contact, high.segment)
-        found.append(Finding(Severity.WARNING, "corner-not-reached", text, worst, tolerance, "mm", place=place))
+        found.append(Finding(Severity.WARNING, "corner-not-reached", text, worst, NOTABLE, "mm", place=place))
     return tuple(found)
 
 

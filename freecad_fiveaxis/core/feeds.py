@@ -11,7 +11,8 @@ import math
 
 import numpy as np
 
-from .kinematics import Chain, forward
+from .columns import chunks
+from .kinematics import Chain, forward_tip
 from .records import Bools, Floats, Ints
 
 TRAVEL_ERROR = 1e-3
@@ -33,41 +34,66 @@ def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
     at most 1 + 8 e^2 chords long, and e is at most ``max|p''| / 8`` over the chord, ``|p''| <= w^2 r + 2 w |dq|``, w the
     rotary travel and r the lever arm. Elsewhere the sampled path, extrapolated (Richardson).
     """
-    tip, change = forward(links, q)[0], np.diff(q, axis=0)
-    chord, moved = _length(np.diff(tip, axis=0)), _length(change)
+    tip, travel, curved, pieces = forward_tip(links, q), np.empty(max(len(q) - 1, 0)), [], []
+    for rows in chunks(len(travel)):
+        ends = slice(rows.start, rows.stop + 1)
+        chord, turned, bend = _chords(links, q[ends], tip[ends])
+        at = np.flatnonzero(wanted[rows] & (bend > math.sqrt(TRAVEL_ERROR / 8.0) * chord))
+        travel[rows] = chord
+        curved.append(rows.start + at)
+        pieces.append(np.ceil(np.log2(np.maximum(turned[at] / TURN_PER_PIECE, 1.0))).astype(np.int64))
+    _measure_curved(links, q, tip, travel, np.concatenate([*curved, _NONE]), 2 ** np.concatenate([*pieces, _NONE]))
+    return travel
+
+
+_NONE = np.empty(0, np.int64)
+
+
+def _chords(links: Chain, q: Floats, tip: Floats) -> tuple[Floats, Floats, Floats]:
+    """Of each block its chord (m,) mm, its rotary travel (m,) rad, and how far its tip may be off a straight and even course, mm."""
+    change = np.diff(q, axis=0)
     turned = np.abs(change[:, 3]) + np.abs(change[:, 4])
-    bend = turned * (turned * _lever_arm(links, q) + 2.0 * moved) / 8.0
-    curved = np.flatnonzero(wanted & (bend > np.sqrt(TRAVEL_ERROR / 8.0) * chord))
-    pieces = 2 ** np.ceil(np.log2(np.maximum(turned[curved] / TURN_PER_PIECE, 1.0))).astype(np.int64)
-    for count in np.unique(pieces):
+    bend = turned * (turned * _lever_arm(links, q) + 2.0 * _length(change.T)) / 8.0
+    return _length(np.diff(tip, axis=0).T), turned, bend
+
+
+def _measure_curved(links: Chain, q: Floats, tip: Floats, travel: Floats, curved: Ints, pieces: Ints) -> None:
+    """Put the lengths of the sampled paths of the blocks ``curved`` into ``travel``."""
+    for count in np.unique(pieces).tolist():
         alike = curved[pieces == count]
-        portion = max(1, MOST_SAMPLES // int(count))
+        portion = max(1, MOST_SAMPLES // count)
         for first in range(0, len(alike), portion):
             rows = alike[first : first + portion]
-            chord[rows] = _sampled(links, q[rows], change[rows], tip[rows], tip[rows + 1], int(count))
-    return chord
+            words, place = ([table.T.take(rows + end, axis=1) for end in (0, 1)] for table in (q, tip))
+            travel[rows] = _sampled(links, words, place, count)
 
 
 def _length(vector: Floats) -> Floats:
-    length: Floats = np.sqrt(vector[:, 0] ** 2 + vector[:, 1] ** 2 + vector[:, 2] ** 2)
-    return length
+    """Lengths of vectors by columns, (3 or more, ...): of the first three."""
+    length: Floats = vector[0] * vector[0]
+    length += vector[1] * vector[1]
+    length += vector[2] * vector[2]
+    return np.sqrt(length, out=length)
 
 
 def _lever_arm(links: Chain, q: Floats) -> float:
     """An upper bound, for all rows, of the distance from either rotary line to what it turns, mm."""
     linear = np.abs(links.direction[:3])
-    reach = float(_length(q).max(initial=0.0)) * math.sqrt(linear.sum(axis=0).max() * linear.sum(axis=1).max())
+    reach = float(_length(q.T).max(initial=0.0)) * math.sqrt(linear.sum(axis=0).max() * linear.sum(axis=1).max())
     between = float(np.linalg.norm(links.point2 - links.point1))
     return math.sqrt(2.0) * reach + between + float(np.linalg.norm(links.point2))
 
 
-def _sampled(links: Chain, start: Floats, change: Floats, tip: Floats, tip_end: Floats, pieces: int) -> Floats:
-    """Length of the path through ``2 pieces`` chords, corrected by the one through ``pieces`` chords."""
-    u = np.arange(1, 2 * pieces)[:, None, None] / (2.0 * pieces)
-    inner = forward(links, (start + u * change).reshape(-1, 5))[0].reshape(-1, len(start), 3)
-    path = np.concatenate([tip[None], inner, tip_end[None]])
-    fine: Floats = np.linalg.norm(np.diff(path, axis=0), axis=2).sum(axis=0)
-    coarse: Floats = np.linalg.norm(np.diff(path[::2], axis=0), axis=2).sum(axis=0)
+def _sampled(links: Chain, words: list[Floats], tip: list[Floats], pieces: int) -> Floats:
+    """Length of the path through ``2 pieces`` chords, corrected by the one through ``pieces`` chords; ``words`` [(5, m), (5, m)]
+    and ``tip`` [(3, m), (3, m)] at both ends."""
+    start, end = words
+    u = np.arange(1, 2 * pieces)[:, None] / (2.0 * pieces)
+    between = start[:, None] + u * (end - start)[:, None]
+    inner = forward_tip(links, between.reshape(5, -1).T).T.reshape(3, *between.shape[1:])
+    path = np.concatenate([tip[0][:, None], inner, tip[1][:, None]], axis=1)
+    fine: Floats = _length(np.diff(path, axis=1)).sum(axis=0)
+    coarse: Floats = _length(np.diff(path[:, ::2], axis=1)).sum(axis=0)
     length: Floats = fine + (fine - coarse) / 3.0
     return length
 

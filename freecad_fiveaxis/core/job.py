@@ -14,7 +14,7 @@ from pathlib import Path
 from . import report
 from .apt import read_apt, write_apt
 from .block_table import blocks_csv
-from .cl_path import CLPath, LinkOptions, link_passes
+from .cl_path import CLPath, LinkOptions, link_passes, order_passes
 from .coedge import OffsetPath, close_gaps
 from .deviation import Deviation, measure
 from .errors import SettingsError
@@ -112,10 +112,11 @@ def mill(settings: Settings, mesh: Mesh, machine: Machine, links: Chain, dialect
         least=passes.least_interval, keep=keep, progress=progress,
     )  # fmt: skip
     contact = slice_mesh(mesh, planes, passes.direction, keep, progress)
-    offset = close_gaps(contact, mesh, cutter.radius, settings.cutter.coedge_tolerance, progress)
+    closed = close_gaps(contact, mesh, cutter.radius, settings.cutter.coedge_tolerance, progress)
+    offset = order_passes(closed, link.order)
     axis = tool_axes(offset, settings.tool_axis.tool_axis, _axis_options(settings))
     options = LinkOptions(
-        order=link.order, clearance=link.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
+        clearance=link.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
         control_point=settings.machine.control_point,
     )  # fmt: skip
     path = link_passes(offset, axis, cutter, low, high, options, progress)

@@ -132,7 +132,7 @@ def find_junctions(segments: Segments, radius: float, tolerance: float) -> Junct
         ahead, behind = dot(d1, n2), dot(d2, n1)
         kind[part] = _kinds(segments.following[part], radius * gap, ahead, behind, gap)
         theta[part] = 2.0 * np.arctan2(gap, wide)
-        arcs[part] = _arcs(theta[part], radius, tolerance)
+        arcs[part] = arcs_needed(theta[part], radius, tolerance)
         concave = kind[part] == CONCAVE
         rise = np.where(concave, 0.5 * radius * gap * gap, 0.0)  # r (1 - cos theta)
         trim_end[part] = rise / np.where(concave, ahead, 1.0)
@@ -159,7 +159,7 @@ def _kinds(following: Ints, gap: Floats, ahead: Floats, behind: Floats, sine: Fl
     return np.where(following < 0, END, kind).astype(np.int8)
 
 
-def _arcs(theta: Floats, radius: float, tolerance: float) -> Ints:
+def arcs_needed(theta: Floats, radius: float, tolerance: float) -> Ints:
     """The fewest sub-steps with ``radius / cos(theta / 2k) - radius <= tolerance`` (eq. 4 for each sub-step)."""
     widest = 2.0 * np.arctan2(np.sqrt(tolerance * (2.0 * radius + tolerance)), radius)
     fewest = np.ceil(theta / widest - SAME).astype(np.int64)  # an angle of just k steps needs k, whatever its last digit

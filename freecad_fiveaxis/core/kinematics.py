@@ -18,7 +18,7 @@ from typing import cast
 
 import numpy as np
 
-from .columns import Column, Columns, Matrix, added, chunks, clean, crossed, empty_rows, less, mapped, put, scalar, split
+from .columns import Column, Columns, Matrix, added, chunks, clean, cos_sin, crossed, empty_rows, less, mapped, put, scalar, split
 from .errors import MachineError
 from .machine import Axis, Machine, Vector
 from .records import Bytes, Floats
@@ -106,6 +106,16 @@ def forward(links: Chain, q: Floats) -> tuple[Floats, Floats]:
         put(tip[rows], _tip(k, [mapped(matrix, words) for matrix in k.sums], turns))
         put(axis[rows], k.pair.turn1.of(k.pair.turn2.of_ez(turns[2], turns[3]), turns[0], turns[1]))
     return tip, axis
+
+
+def forward_tip(links: Chain, q: Floats) -> Floats:
+    """The tip (n, 3) mm alone, as forward."""
+    q = np.asarray(q, float)
+    k, tip = _constants(links), empty_rows(len(q), 3)
+    for rows in chunks(len(q)):
+        *words, q1, q2 = split(q[rows])
+        put(tip[rows], _tip(k, [mapped(matrix, words) for matrix in k.sums], _turns(q1, q2)))
+    return tip
 
 
 def inverse(links: Chain, tip: Floats, axis: Floats) -> tuple[Floats, Floats]:
@@ -207,7 +217,7 @@ def _foot(point: Floats, direction: Floats) -> list[float]:
 
 
 def _turns(q1: Floats, q2: Floats) -> Turns:
-    return np.cos(q1), np.sin(q1), np.cos(q2), np.sin(q2)
+    return *cos_sin(q1), *cos_sin(q2)
 
 
 def _tip(k: _Constants, sums: list[list[Column]], turns: Turns) -> list[Column]:

@@ -61,16 +61,21 @@ def from_triangles(corners: ArrayLike) -> Mesh:
     that are not finite or beyond ``LARGEST``, and where no facet has an area.
     """
     array = _numbers(corners, "triangle corners", (3, 3))
-    # one contiguous column each for x, y, z; row k f + i is corner k of facet i, as in a Fortran-ordered ``face``
-    column = np.empty((3, 3 * len(array)), dtype=np.float32 if array.dtype == np.float32 else np.float64)
+    column = np.empty((3, 3, len(array)), dtype=np.float32 if array.dtype == np.float32 else np.float64)
+    for part in chunks(len(array)):
+        column[:, :, part] = array[part].T
+    return from_columns(column)
+
+
+def from_columns(column: Reals) -> Mesh:
+    """The same as :func:`from_triangles` for corners (3, 3, f) float32 or float64: x y z, corner, facet; -0 becomes 0 in them."""
+    _numbers(column.T, "triangle corners", (3, 3))
     with np.errstate(invalid="ignore"):  # a signalling NaN; the check of the range names it
-        for part in chunks(len(array)):
-            for axis, k in np.ndindex(3, 3):
-                first = k * len(array) + part.start
-                # adding zero turns -0.0 into 0.0, so that equal coordinates have equal bits
-                np.add(array[part, k, axis], 0.0, out=column[axis, first : first + part.stop - part.start])
-    _check_range(column, len(array), "facet")
-    vertex, corner = weld(column)
+        column += 0.0  # turns -0.0 into 0.0, so that equal coordinates have equal bits
+    facets = column.shape[2]
+    # row k f + i is corner k of facet i, as in a Fortran-ordered ``face``
+    corners = column.reshape(3, -1)
+    vertex, corner = weld(corners, *_range(corners, facets, "facet"))
     return _build(vertex, corner.reshape(3, -1).T)
 
 
@@ -89,7 +94,7 @@ def from_faces(vertex: ArrayLike, face: ArrayLike) -> Mesh:
     if low < 0 or high >= len(point):
         wrong = low if low < 0 else high
         raise MeshError(f"a facet names vertex {wrong}, but the rows run from 0 to {len(point) - 1}: correct the facets", wrong)
-    _check_range(point.T, len(point), "vertex")
+    _range(point.T, len(point), "vertex")
     used = np.zeros(len(point), dtype=np.bool_)
     used[row] = True
     if not used.all():
@@ -115,12 +120,12 @@ def _numbers(given: ArrayLike, what: str, row: tuple[int, ...]) -> NDArray[Any]:
     return array
 
 
-def _check_range(column: Reals, rows: int, what: str) -> None:
-    """Raise MeshError where one of the three columns holds a coordinate that no part can have."""
+def _range(column: Reals, rows: int, what: str) -> tuple[Reals, Reals]:
+    """Least and largest of each of the three columns, or MeshError where one holds a coordinate that no part can have."""
     with np.errstate(invalid="ignore"):
-        worst = max(float(np.maximum(-c.min(), c.max())) for c in column)
-        if worst <= LARGEST and not np.isnan(column.min(axis=1)).any():
-            return
+        low, high = column.min(axis=1), column.max(axis=1)
+        if np.maximum(-low, high).max() <= LARGEST:  # no NaN: it would come out of all three
+            return low, high
         axis, entry = (int(i[0]) for i in np.nonzero(~(np.abs(column) <= LARGEST)))
     value = float(column[axis, entry])
     where = f"{what} {entry % rows + 1} of {rows} has {'xyz'[axis]} = {value:g}"
@@ -212,78 +217,99 @@ class _Coedges:
     closed: bool
 
 
-def _coedges(vertex: Floats, face: Ints) -> _Coedges:
-    key, half, low = _sorted_half_edges(face, len(vertex))
-    findings: list[Finding] = []
-    closed = True
-    if len(key) % 2 == 0 and np.all(key[0::2] ^ key[1::2] == 1):  # ascending keys, so every edge has its two half-edges
-        ends, one, two = key[0::2], half[0::2], half[1::2]
-    else:
-        first, alone = _partners(key)
-        row = np.concatenate([first, alone])
-        ends, one, two = key[row], half[row], half[first + 1]
-        findings, closed = _edge_findings(key[alone], half[alone], low, vertex, face)
-    number = np.arange(len(one))
-    of_face = np.empty(3 << low, dtype=np.int64)  # as wide as half-edge numbers are, so that they address it
-    of_face[one] = number
-    of_face[two] = number[: len(two)]
-    width = int(len(vertex) - 1).bit_length()
-    return _Coedges(
-        _ends(ends, len(two), width), _sides(one, two, low), of_face.reshape(3, -1)[:, : len(face)].T, findings, closed
-    )
+@dataclass(frozen=True)
+class _HalfEdges:
+    """All half-edges, sorted by edge and sense.
 
-
-def _ends(key: Words, paired: int, width: int) -> Ints:
-    """``coedge_vertex`` (e, 2): from the start to the end of the first half-edge; ``width`` bits a vertex."""
-    ends = np.empty((2, len(key)), dtype=np.int64)
-    ends[0] = key >> np.uint64(width + 1)
-    ends[1] = key >> np.uint64(1) & np.uint64((1 << width) - 1)
-    back = paired + np.flatnonzero(key[paired:] & np.uint64(1))
-    ends[:, back] = ends[::-1, back]
-    return ends.T
-
-
-def _sides(one: Ints, two: Ints, low: int) -> Ints:
-    """``coedge_face`` (e, 2) of half-edges ``one`` (e,) and, for the first rows, their partners ``two``."""
-    sides = np.empty((2, len(one)), dtype=np.int64)
-    np.bitwise_and(one, (1 << low) - 1, out=sides[0])
-    np.bitwise_and(two, (1 << low) - 1, out=sides[1, : len(two)])
-    sides[1, len(two) :] = -1
-    return sides.T
-
-
-def _sorted_half_edges(face: Ints, vertices: int) -> tuple[Words, Ints, int]:
-    """Keys (3 f,) ascending, the half-edge of each, and the width w of a facet number in bits.
-
-    A key holds lower vertex, upper vertex, sense (0 from lower to upper); half-edge k << w | i leaves corner k of facet i.
-    Key and half-edge share one word while they fit, since sorting words is several times faster than argsort.
+    ``word`` (3 f,) ascending: lower vertex, upper vertex, sense (0 from lower to upper), and below them ``low + 2`` bits for
+    the half-edge k << low | i, which leaves corner k of facet i; where that is too wide, ``half`` has the half-edges.
     """
+
+    word: Words
+    half: Ints | None
+    low: int
+
+    def pick(self, row: slice | Ints) -> tuple[Words, Ints]:
+        """Edge with sense, and half-edge, of the given rows."""
+        word = self.word[row]
+        if self.half is not None:
+            return word, self.half[row]
+        bits = self.low + 2
+        return word >> np.uint64(bits), (word & np.uint64((1 << bits) - 1)).view(np.int64)
+
+    def paired(self) -> bool:
+        """True where each edge has two half-edges of opposite senses, which then stand in rows 2 i and 2 i + 1."""
+        if len(self.word) % 2:
+            return False
+        shift = np.uint64(0 if self.half is not None else self.low + 2)
+        rows = (self.word[2 * part.start : 2 * part.stop] for part in chunks(len(self.word) // 2))
+        return all(bool(((row[0::2] ^ row[1::2]) >> shift == 1).all()) for row in rows)
+
+
+def _coedges(vertex: Floats, face: Ints) -> _Coedges:
+    halves = _sorted_half_edges(face, len(vertex))
+    number, closed = len(halves.word) // 2, True
+    findings: list[Finding] = []
+    if halves.paired():
+        paired = ((halves.pick(slice(2 * at.start + k, 2 * at.stop, 2)) for k in range(2)) for at in chunks(number))
+        alone = np.empty(0, dtype=np.int64)
+    else:
+        first, alone = _partners(halves.pick(slice(None))[0])
+        number = len(first)
+        paired = ((halves.pick(first[at] + k) for k in range(2)) for at in chunks(number))
+        findings, closed = _edge_findings(*halves.pick(alone), halves.low, vertex, face)
+    width, facet = int(len(vertex) - 1).bit_length(), (1 << halves.low) - 1
+    ends, sides = np.empty((2, 2, number + len(alone)), dtype=np.int64)
+    of_face = np.empty(3 << halves.low, dtype=np.int64)  # as wide as half-edge numbers are, so that they address it
+    for at, ((edge, one), (_, two)) in zip(chunks(number), paired, strict=True):
+        _put_ends(edge, width, ends[:, at])
+        np.bitwise_and(one, facet, out=sides[0, at])
+        np.bitwise_and(two, facet, out=sides[1, at])
+        of_face[one] = of_face[two] = np.arange(at.start, at.stop)
+    edge, one = halves.pick(alone)
+    _put_ends(edge, width, ends[:, number:])
+    sides[0, number:], sides[1, number:] = one & facet, -1
+    of_face[one] = np.arange(number, number + len(alone))
+    return _Coedges(ends.T, sides.T, of_face.reshape(3, -1)[:, : len(face)].T, findings, closed)
+
+
+def _put_ends(edge: Words, width: int, out: Ints) -> None:
+    """Start and end of half-edges into the two rows of ``out``; ``width`` bits a vertex."""
+    lower, upper = out.view(np.uint64)
+    np.right_shift(edge, np.uint64(width + 1), out=lower)
+    np.right_shift(edge, np.uint64(1), out=upper)
+    upper &= np.uint64((1 << width) - 1)
+    back = np.flatnonzero(edge & np.uint64(1))
+    out[:, back] = out[::-1, back]
+
+
+def _sorted_half_edges(face: Ints, vertices: int) -> _HalfEdges:
+    """Edge and half-edge share one word while they fit, since sorting words is several times faster than argsort."""
     f = len(face)
     width, low = int(vertices - 1).bit_length(), int(f - 1).bit_length()
     fits = 2 * width + 1 + low + 2 <= 64
-    shift = np.uint64(1 + low + 2 if fits else 1)
+    shift = np.uint64(low + 2 if fits else 0)
     column = face.T.view(np.uint64)
-    half = np.arange(f, dtype=np.uint64) + (np.arange(3, dtype=np.uint64) << np.uint64(low))[:, None]
-    key = half if fits else np.empty_like(half)
+    key = np.empty((3, f), dtype=np.uint64)
     for part in chunks(f):
+        number = np.arange(part.start, part.stop, dtype=np.uint64)
         for k in range(3):
             start, end = column[k, part], column[(k + 1) % 3, part]
-            word = np.minimum(start, end) << np.uint64(width)
+            word = np.minimum(start, end, out=key[k, part])
+            word <<= np.uint64(width)
             word |= np.maximum(start, end)
-            word <<= shift
-            back = (start > end).astype(np.uint64)
+            word <<= np.uint64(1)
+            word |= start > end
             if fits:
-                back <<= shift - np.uint64(1)
-                back |= half[k, part]
-            np.bitwise_or(word, back, out=key[k, part])
-    key = key.reshape(-1)
-    if not fits:
-        order = np.argsort(key, kind="stable")
-        return key[order], half.reshape(-1)[order].view(np.int64), low
-    key.sort()
-    half = key & np.uint64((1 << low + 2) - 1)
-    key >>= np.uint64(low + 2)
-    return key, half.view(np.int64), low
+                word <<= shift
+                word |= number
+                word |= np.uint64(k << low)
+    word = key.reshape(-1)
+    if fits:
+        word.sort()
+        return _HalfEdges(word, None, low)
+    order = np.argsort(word, kind="stable")
+    return _HalfEdges(word[order], order // f << low | order % f, low)
 
 
 def _partners(key: Words) -> tuple[Ints, Ints]:

@@ -30,6 +30,8 @@ GROUP = 10_000
 EXACT = 1e15
 """Scaled numbers below this are exact in a double, with room to tell a tie from its neighbours (2^52 = 4.5e15)."""
 MOST_DECIMALS = 9
+_WORDS = {1: "u1", 2: "u2", 4: "u4", 8: "u8"}
+"""Pieces of these widths are copied as numbers, which is faster."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +45,16 @@ class Column:
 
 
 @dataclass(frozen=True, eq=False)
+class Units:
+    """``prefix`` and then ``values`` (n,) counted in units of the last decimal: 12345 with 4 ``decimals`` is 1.2345."""
+
+    prefix: bytes
+    values: Ints
+    decimals: int
+    show: Bools | None = None
+
+
+@dataclass(frozen=True, eq=False)
 class Choice:
     """One of a few texts in each row: ``texts[codes[i]]``, ``codes`` (n,)."""
 
@@ -50,7 +62,7 @@ class Choice:
     texts: Sequence[bytes]
 
 
-Part = Column | Choice | bytes
+Part = Column | Units | Choice | bytes
 
 
 def table(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent) -> bytes:
@@ -86,14 +98,14 @@ def rounded(values: Floats, decimals: int) -> Floats:
 
 
 def _checked_rows(parts: Sequence[Part], end: bytes) -> int:
-    lengths = {len(part.values if isinstance(part, Column) else part.codes) for part in parts if not isinstance(part, bytes)}
+    lengths = {len(part.codes if isinstance(part, Choice) else part.values) for part in parts if not isinstance(part, bytes)}
     if len(lengths) != 1:
         raise ValueError(f"columns of a text table have lengths {sorted(lengths)}; need one length")
     texts = [end]
     for part in parts:
-        texts += [part] if isinstance(part, bytes) else [part.prefix] if isinstance(part, Column) else part.texts
-        if isinstance(part, Column):
-            most = MOST_DECIMALS if part.values.dtype.kind == "f" else 0
+        texts += [part] if isinstance(part, bytes) else part.texts if isinstance(part, Choice) else [part.prefix]
+        if isinstance(part, (Column, Units)):
+            most = MOST_DECIMALS if isinstance(part, Units) or part.values.dtype.kind == "f" else 0
             if not 0 <= part.decimals <= most:
                 raise ValueError(f"a column of {part.values.dtype} has {part.decimals} decimals; give 0 to {most}")
     if any(b"\0" in text for text in texts):
@@ -107,7 +119,7 @@ def _slice(part: Part, start: int) -> Part:
     rows = slice(start, start + CHUNK)
     if isinstance(part, Choice):
         return Choice(part.codes[rows], part.texts)
-    return Column(part.prefix, part.values[rows], part.decimals, None if part.show is None else part.show[rows])
+    return type(part)(part.prefix, part.values[rows], part.decimals, None if part.show is None else part.show[rows])
 
 
 def _chunk(parts: Sequence[Part], rows: int, buffer: bytearray) -> bytes | bytearray:
@@ -139,22 +151,20 @@ def _pieces(part: Part, rows: int) -> list[NDArray[Any]] | None:
         return None
     unit = 10**part.decimals
     whole = scaled // unit if part.decimals else scaled
-    fraction = scaled - whole * unit
     negative = np.signbit(part.values) if part.values.dtype.kind == "f" else part.values < 0
-    hidden = None if part.show is None or part.show.all() else ~part.show
-    top = int(whole.max(initial=0))
-    if top < GROUP and len(part.prefix) <= 2:
-        whole += np.multiply(negative, GROUP, dtype=np.int64)
-        pieces = [_pick(_heads(part.prefix, part.decimals > 0), whole, hidden)]
-    else:
-        pieces = _wide(part, whole, top, negative, hidden)
-    return pieces + _decimals(fraction, part.decimals, hidden)
+    pieces = _integer_part(part.prefix, whole, negative, part.decimals > 0)
+    pieces += _decimals(scaled - whole * unit, part.decimals) if part.decimals else []
+    if part.show is not None:
+        hidden = np.flatnonzero(~part.show)
+        for piece in pieces:
+            piece[hidden] = np.zeros((), piece.dtype)
+    return pieces
 
 
-def _scaled(part: Column) -> Ints | None:
+def _scaled(part: Column | Units) -> Ints | None:
     """|values| in units of the last decimal, rounded as ``%`` rounds; None where a double cannot hold that exactly."""
     if part.values.dtype.kind != "f":
-        whole = np.abs(part.values.astype(np.int64))  # the least int64 stays negative, and goes to %
+        whole = np.abs(part.values, dtype=np.int64)  # the least int64 stays negative, and goes to %
         fits = not len(whole) or (int(whole.max()) < EXACT and int(whole.min()) >= 0)
         return whole if fits else None
     values = np.abs(part.values)
@@ -182,39 +192,43 @@ def _settle_ties(rows: Ints, values: Floats, scaled: Floats, nearest: Floats, sc
     nearest[rows] = np.where(error > 0.0, below + 1.0, np.where(error < 0.0, below, nearest[rows]))
 
 
-def _wide(part: Column, whole: Ints, top: int, negative: Bools, hidden: Bools | None) -> list[NDArray[Any]]:
-    """Prefix with sign, then the integer part by groups of four digits, then the point."""
-    codes = negative.astype(np.int64)
-    pieces = [_texts((part.prefix, part.prefix + b"-", b"")).take(codes if hidden is None else np.where(hidden, 2, codes))]
-    groups = 1
+def _integer_part(prefix: bytes, whole: Ints, negative: Bools, point: bool) -> list[NDArray[Any]]:
+    """Prefix, sign, the integer part by groups of four digits, and the point."""
+    top, groups = int(whole.max(initial=0)), 1
     while top >= GROUP**groups:
         groups += 1
-    for k in range(groups - 1, -1, -1):
-        digits = whole // GROUP**k
-        lead = digits < GROUP  # no digit stands before this group
-        blank = lead & (digits == 0) & (k > 0)
-        index = digits % GROUP + lead * GROUP
-        index[blank] = 2 * GROUP
-        pieces.append(_pick(_groups(), index, hidden))
-    if part.decimals:
-        shown = np.zeros(len(whole), np.int64) if hidden is None else hidden.astype(np.int64)
-        pieces.append(_texts((b".", b"")).take(shown))
+    short = groups == 1
+    pieces = []
+    if len(prefix) > (2 if short and point else 3):  # no room in a head
+        pieces, prefix = [np.repeat(_texts((prefix,)), len(whole))], b""
+    high = whole if short else whole // GROUP ** (groups - 1)
+    index = np.multiply(negative, GROUP, dtype=np.int64)
+    index += high
+    pieces.append(_pick(_heads(prefix, short and point, short), index))
+    for k in range(groups - 2, -1, -1):
+        digits = whole // GROUP**k if k else whole
+        lead = high == 0  # no digit stands before this group
+        index = digits - high * GROUP
+        index += np.multiply(lead, GROUP, dtype=np.int64)
+        if k:
+            index[lead & (digits == 0)] = 2 * GROUP
+        pieces.append(_pick(_groups(point and not k), index))
+        high = digits
     return pieces
 
 
-def _decimals(fraction: Ints, decimals: int, hidden: Bools | None) -> list[NDArray[Any]]:
+def _decimals(fraction: Ints, decimals: int) -> list[NDArray[Any]]:
     pieces = []
     for left in range(decimals, 0, -4):
         rest = 10 ** max(left - 4, 0)
         digits = fraction // rest if rest > 1 else fraction
-        fraction = fraction - digits * rest
-        pieces.append(_pick(_fixed(min(left, 4)), digits, hidden))
+        pieces.append(_pick(_fixed(min(left, 4)), digits))
+        if rest > 1:
+            fraction = fraction - digits * rest
     return pieces
 
 
-def _pick(entries: NDArray[Any], index: Ints, hidden: Bools | None) -> NDArray[Any]:
-    if hidden is not None:
-        index = np.where(hidden, len(entries) - 1, index)
+def _pick(entries: NDArray[Any], index: Ints) -> NDArray[Any]:
     return entries.take(index, mode="clip")  # never out of range; "clip" spares take a copy
 
 
@@ -227,17 +241,27 @@ def _by_percent(parts: Sequence[Part], rows: int) -> bytes:
         elif isinstance(part, Choice):
             columns.append([part.texts[code] for code in part.codes])
         else:
-            form = b"%%.%df" % part.decimals if part.values.dtype.kind == "f" else b"%d"
             shown = [True] * rows if part.show is None else part.show.tolist()
-            pairs = zip(part.values.tolist(), shown, strict=True)
-            columns.append([part.prefix + form % value if show else b"" for value, show in pairs])
+            pairs = zip(_numbers(part), shown, strict=True)
+            columns.append([part.prefix + number if show else b"" for number, show in pairs])
     return b"".join(b"".join(row) for row in zip(*columns, strict=True))
 
 
+def _numbers(part: Column | Units) -> list[bytes]:
+    if part.values.dtype.kind == "f":
+        return [b"%.*f" % (part.decimals, value) for value in part.values.tolist()]
+    if not part.decimals:
+        return [b"%d" % value for value in part.values.tolist()]
+    pairs = [(b"-" if value < 0 else b"", *divmod(abs(value), 10**part.decimals)) for value in part.values.tolist()]
+    return [b"%s%d.%0*d" % (sign, whole, part.decimals, fraction) for sign, whole, fraction in pairs]
+
+
+@lru_cache(maxsize=64)
 def _texts(texts: tuple[bytes, ...]) -> NDArray[Any]:
-    """The texts padded from the left to one width."""
+    """The texts padded from the left to one width, where it can be that of a machine word."""
     width = max(len(text) for text in texts)
-    return np.frombuffer(b"".join(text.rjust(width, b"\0") for text in texts), f"V{width}")
+    width = next((word for word in (1, 2, 4, 8) if width <= word), width)
+    return np.frombuffer(b"".join(text.rjust(width, b"\0") for text in texts), _WORDS.get(width, f"V{width}"))
 
 
 def _digits(width: int) -> NDArray[np.uint8]:
@@ -247,28 +271,42 @@ def _digits(width: int) -> NDArray[np.uint8]:
 
 @lru_cache(maxsize=8)
 def _fixed(width: int) -> NDArray[Any]:
-    """``width`` digits with leading zeros; the last entry is all pads."""
-    entries = np.concatenate([_digits(width), np.zeros((1, width), np.uint8)])
-    return np.ascontiguousarray(entries).view({1: "u1", 2: "u2", 3: "V3", 4: "u4"}[width])[:, 0]
+    """``width`` digits with leading zeros."""
+    return _digits(width).view(_WORDS.get(width, f"V{width}"))[:, 0]
 
 
-@lru_cache(maxsize=1)
-def _groups() -> NDArray[Any]:
-    """Four digits: with leading zeros, then without, then one entry of pads."""
-    full, blank = _digits(4), _digits(4)
+@lru_cache(maxsize=2)
+def _groups(point: bool) -> NDArray[Any]:
+    """Four digits and maybe the point: with leading zeros, then without, then one entry of pads."""
+    entries = np.zeros((2 * GROUP + 1, 8 if point else 4), np.uint8)
+    last = 7 if point else 4
+    entries[:, last:] = ord(".")
+    entries[:-1, last - 4 : last] = np.concatenate([_digits(4), _blank_digits()])
+    entries[-1] = 0
+    return entries.view(_WORDS[entries.shape[1]])[:, 0]
+
+
+def _blank_digits() -> NDArray[np.uint8]:
+    """Four digits with pads for leading zeros."""
+    blank = _digits(4)
     for k in range(3):
         blank[: 10 ** (3 - k), k] = 0
-    return np.concatenate([full, blank, np.zeros((1, 4), np.uint8)]).view("u4")[:, 0]
+    return blank
 
 
 @lru_cache(maxsize=64)
-def _heads(prefix: bytes, point: bool) -> NDArray[Any]:
-    """Prefix, sign, integer part below GROUP and point in eight bytes: positive, negative, then one entry of pads."""
-    blank = _groups()[GROUP : 2 * GROUP].view(np.uint8).reshape(-1, 4)
-    entries = np.zeros((2 * GROUP + 1, 8), np.uint8)
+def _heads(prefix: bytes, point: bool, zero: bool) -> NDArray[Any]:
+    """Prefix, sign, integer part below GROUP and maybe the point in eight bytes: positive, then negative.
+
+    Without ``zero`` the number 0 has no digit, because other groups follow.
+    """
+    blank = _blank_digits()
+    if not zero:
+        blank[0] = 0
+    entries = np.zeros((2 * GROUP, 8), np.uint8)
     last = 7 if point else 8
-    entries[: 2 * GROUP, last - 4 : last] = np.concatenate([blank, blank])
-    entries[: 2 * GROUP, last:] = ord(".")
+    entries[:, last - 4 : last] = np.concatenate([blank, blank])
+    entries[:, last:] = ord(".")
     width = np.tile((blank > 0).sum(1), 2)
     for k, byte in enumerate(reversed((*prefix, ord("-")))):
         rows = np.arange(GROUP, 2 * GROUP) if k == 0 else np.arange(2 * GROUP)

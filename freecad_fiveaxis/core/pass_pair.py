@@ -155,6 +155,11 @@ class Strip:
         """Forget the facets that end before ``offset``: no plane comes back to them."""
         self._active = self._active[self._high[self._active] > offset]
 
+    def rewind(self, offset: float) -> None:
+        """Go back to ``offset``."""
+        self._taken = int(np.searchsorted(self._low, offset, side="right"))
+        self._active = np.flatnonzero(self._high[: self._taken] > offset)
+
 
 def smallest_interval(here: FacetPass, across: Floats, radius: float, scallop: float) -> float:
     """The smallest interval along a pass, mm: eq. (2) of Lin & Ye for the local slope and curvature.
@@ -208,7 +213,9 @@ class _Opposite:
         self._upward = _unit(first + second)
         kink = second - first - self._chord[:, None] * turned
         travel = np.cross(self._across, self._upward)
-        factor = kink_factor(self._chord, radius, _dot(kink, self._across), np.abs(_dot(kink, travel)))
+        down, up = np.abs(_dot(second, self._across)), np.abs(_dot(first, self._across))
+        far = np.maximum(down, up) / np.maximum(down + up, TINY)  # where the planes of both facets meet
+        factor = kink_factor(self._chord, radius, _dot(kink, self._across), np.abs(_dot(kink, travel)), far)
         height = scallop_height(self._chord, radius, self._curvature) * factor
         self.bound = np.where(opposite, height, 0.0)
 

@@ -11,22 +11,24 @@ F         is chosen such that the **tip over the part** moves at the CL path's f
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from .cl_path import Motion
+from .columns import chunks, empty_rows
 from .errors import ProgramError
 from .feeds import feed_minutes, rapid_minutes, tip_travel
 from .findings import Finding, Severity
 from .joint_path import JointPath
-from .kinematics import Chain
+from .kinematics import Chain, words_to_q
 from .number_text import rounded
 from .post.dialect import Dialect, feed_distance
 from .progress import Progress, silent
 from .records import Bools, Bytes, Floats, Ints, freeze
 
-CHUNK = 8192
-"""Blocks timed at a time: their columns stay in the cache."""
+PORTION = 65536
+"""Blocks timed at a time: enough for each kind of curved block to be worked on in long columns, few enough to stay in the cache."""
 FEED_SLACK = 1e-9
 """F is rounded down, but a relative rounding error of this size must not cost a whole step (999.9999 for 1000)."""
 
@@ -69,26 +71,29 @@ def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_tim
     motion[:1] = Motion.RAPID
     _check_feeds(row, motion, tip_feed)
     scale = _FeedScale(dialect, inverse_time)
-    asked, held, seconds = _time_blocks(words, motion, tip_feed, links, scale, progress)
-    feed = np.where(motion == Motion.RAPID, 0.0, scale.rounded_down(asked))
-    line = dialect.first_line + np.arange(len(row))
-    findings += _feed_findings(asked, held, scale)
-    return Program(links.letters, words, feed, np.full(len(row), inverse_time), motion, seconds, row, line, findings)
+    times = _time_blocks(words, motion, tip_feed, links, scale, progress)
+    line = np.arange(dialect.first_line, dialect.first_line + len(row))
+    findings += _feed_findings(times.asked, times.held, scale)
+    modes = np.full(len(row), inverse_time)
+    return Program(links.letters, words, times.feed, modes, motion, times.seconds, row, line, findings)
 
 
 def _round_words(q: Floats, dialect: Dialect) -> Floats:
     """Words (n, 5) mm and degrees: the doubles nearest to what is printed."""
-    words = np.empty((5, len(q))).T
-    for k in range(5):
-        words[:, k] = rounded(q[:, k] if k < 3 else np.degrees(q[:, k]), dialect.decimals(k))
+    words = empty_rows(len(q), 5)
+    for rows in chunks(len(q)):
+        for k in range(5):
+            words[rows, k] = rounded(q[rows, k] if k < 3 else np.degrees(q[rows, k]), dialect.decimals(k))
     return words
 
 
 def _moving(words: Floats) -> Ints:
     moving = np.zeros(len(words), np.bool_)
     moving[:1] = True
-    for k in range(5):
-        moving[1:] |= words[1:, k] != words[:-1, k]
+    for rows in chunks(len(words) - 1):
+        start, end = words[rows], words[rows.start + 1 : rows.stop + 1]
+        for k in range(5):
+            moving[rows.start + 1 : rows.stop + 1] |= start[:, k] != end[:, k]
     return np.flatnonzero(moving)
 
 
@@ -132,27 +137,38 @@ class _FeedScale:
         return rounded(np.maximum(count, 1.0) * step, self.decimals)
 
 
-def _time_blocks(
-    words: Floats, motion: Bytes, tip_feed: Floats, links: Chain, scale: _FeedScale, progress: Progress
-) -> tuple[Floats, Bools, Floats]:
-    """The F (m,) that each block asks for (0 for rapids), whether an axis holds it back, and its time in s by the rounded F."""
-    asked, held, seconds = np.zeros(len(words)), np.zeros(len(words), np.bool_), np.zeros(len(words))
-    for first in range(1, len(words), CHUNK):
-        if first // CHUNK % 32 == 0:
-            progress("feeds", first / len(words))
-        rows = slice(first, min(first + CHUNK, len(words)))
+class _Times(NamedTuple):
+    """``asked`` (m,) the F that each block asks for (0 for rapids); ``held`` (m,) whether an axis holds it back; ``feed`` (m,) F as
+    rounded (0 for rapids); ``seconds`` (m,) by that F."""
+
+    asked: Floats
+    held: Bools
+    feed: Floats
+    seconds: Floats
+
+
+def _time_blocks(words: Floats, motion: Bytes, tip_feed: Floats, links: Chain, scale: _FeedScale, progress: Progress) -> _Times:
+    count = len(words)
+    times = _Times(np.zeros(count), np.zeros(count, np.bool_), np.zeros(count), np.zeros(count))
+    for first in range(1, count, PORTION):
+        progress("feeds", first / count)
+        rows = slice(first, min(first + PORTION, count))
         ends = words[first - 1 : rows.stop]
-        q = np.concatenate([ends[:, :3], np.radians(ends[:, 3:])], axis=1)
-        change, feeding = np.diff(q, axis=0), motion[rows] != Motion.RAPID
-        travel = tip_travel(links, q, feeding)
-        minutes, slowed = feed_minutes(links, change, travel, np.where(feeding, tip_feed[rows], 1.0))
+        q, rapid = words_to_q(ends), np.flatnonzero(motion[rows] == Motion.RAPID)
+        change, wanted, along = np.diff(q, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - first, np.bool_)
+        wanted[rapid], along[rapid] = 1.0, False
+        minutes, held = feed_minutes(links, change, tip_travel(links, q, along), wanted)
         distance = scale.distance(np.diff(ends, axis=0))
-        asked[rows] = np.where(feeding, distance / minutes, 0.0)
-        held[rows] = slowed & feeding
-        seconds[rows] = 60.0 * distance / scale.rounded_down(asked[rows])
-        rapid = np.flatnonzero(~feeding)
-        seconds[rows.start + rapid] = 60.0 * rapid_minutes(links, change[rapid])
-    return asked, held, seconds
+        asked = distance / minutes
+        asked[rapid] = 0.0
+        held[rapid] = False
+        feed = scale.rounded_down(asked)
+        seconds = 60.0 * distance / feed
+        seconds[rapid] = 60.0 * rapid_minutes(links, change[rapid])
+        feed[rapid] = 0.0
+        for whole, part in zip(times, (asked, held, feed, seconds), strict=True):
+            whole[rows] = part
+    return times
 
 
 def _feed_findings(asked: Floats, held: Bools, scale: _FeedScale) -> tuple[Finding, ...]:

@@ -114,7 +114,7 @@ def poses(k: RotaryPair, axis: Floats) -> tuple[Floats, list[Pose]]:
             q1, cos1, sin1 = _first(k, n, t, across, *_standing(k, way, half))
             cos2 = np.asarray(dot((k.cos_best, -way * k.sin_best), (cos, sin)))
             sin2 = np.asarray(dot((k.sin_best, way * k.cos_best), (cos, sin)))
-            branches.append(((q1, _half_open(k.best + way * delta)), (cos1, sin1, cos2, sin2)))
+            branches.append(((q1, _half_open(np.asarray(k.best + way * delta))), (cos1, sin1, cos2, sin2)))
     return k.reach * sin, branches
 
 
@@ -150,6 +150,7 @@ def _first(k: RotaryPair, n: Floats, t: Floats, across: Floats, from_n: Column, 
 
 
 def _half_open(angle: Floats) -> Floats:
-    """An angle of less than a turn and a half brought into (-pi, pi]."""
-    angle = np.where(angle <= -np.pi, angle + 2.0 * np.pi, angle)
-    return np.where(angle > np.pi, angle - 2.0 * np.pi, angle)
+    """An angle of less than a turn and a half brought into (-pi, pi]; changes it in place."""
+    angle[np.flatnonzero(angle <= -np.pi)] += 2.0 * np.pi
+    angle[np.flatnonzero(angle > np.pi)] -= 2.0 * np.pi
+    return angle

@@ -19,6 +19,9 @@ from .records import Floats, Ints
 CREASE = np.radians(30.0)
 """Facets that meet at a larger angle meet in a sharp edge of the part; below it they approximate a smooth surface."""
 
+FINE_KINK = 0.15
+"""``q`` of :func:`kink_factor` below which the kink may be the sum of many edges and the worst place is taken for theirs."""
+
 TINY = 1e-12
 """mm: points nearer than this coincide; keeps divisions safe and is far below any coordinate's rounding."""
 
@@ -42,19 +45,21 @@ def flat_interval(radius: float, scallop: float) -> float:
     return 2.0 * float(np.sqrt(scallop * (2.0 * radius - scallop)))
 
 
-def kink_factor(chord: Floats, radius: float, kink: Floats, along: Floats) -> Floats:
+def kink_factor(chord: Floats, radius: float, kink: Floats, along: Floats, far: Floats) -> Floats:
     """How much (n,) at most a kink between two contacts raises the scallop, 1 to 4.
 
     ``kink`` (n,) rad: its part across the passes, positive where convex; ``along`` (n,) rad: its part along them, not 0 where
-    the edge runs aslant. The worst case, an edge along the passes at one of the contacts: both balls stand equally high over
-    the other facet at ``1 - 1 / (2 (1 + q))`` of the chord, ``q = radius kink / chord``; the height goes with its square.
-    Where the edge runs at an angle p to the passes, the ball that rolls over it at the crossing cuts the other facet too,
-    and no point is further than ``1 / (1 + tan p)`` of the chord from a contact.
+    the edge runs aslant; ``far`` (n,): the larger distance of the edge from a contact, 0.5 to 1 chord. Both balls stand
+    equally high over the wider facet at ``far - (2 far - 1) / (2 (1 + q))`` of the chord, ``q = radius kink / chord``; the
+    height goes with its square. Where the edge runs at an angle p to the passes, the ball that rolls over it at the
+    crossing cuts the other facet too, and no point is further than ``1 / (1 + tan p)`` of the chord from a contact.
     """
     convex = np.maximum(kink, 0.0)
     q = radius * convex / np.maximum(chord, TINY)
+    fine = np.minimum(q, FINE_KINK)
+    known = 2.0 * far - (2.0 * far - 1.0) / (1.0 + q)
     aslant = 2.0 * convex / np.maximum(convex + along, TINY)
-    share = np.maximum(np.minimum(2.0 - 1.0 / (1.0 + q), aslant), 1.0)
+    share = np.maximum(np.minimum(np.maximum(known, 2.0 - 1.0 / (1.0 + fine)), aslant), 1.0)
     return share * share
 
 

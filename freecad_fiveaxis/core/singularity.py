@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .columns import chunks
+from .columns import chunks, cos_sin
 from .kinematics import Chain
 from .records import Bools, Floats, freeze
 from .rotary_pair import RotaryPair
@@ -55,18 +55,20 @@ def find_singular(links: Chain, words: Floats, cone: float) -> Singularity:
     """The singular blocks among ``words`` (m, 5) mm and **degrees**; ``cone`` half angle of the singular cone, rad."""
     pair = RotaryPair.of(links.direction[3], links.direction[4])
     count = len(words)
-    least, rotary, axis = np.zeros(count), np.zeros(count), np.zeros(count)
+    least, rotary, axis, singular = np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count, bool)
+    measure = _cone_measure(pair, cone)
     for rows in chunks(max(count - 1, 0)):
         ends = slice(rows.start, rows.stop + 1)
         first, second = np.deg2rad(words[ends, 3]), np.deg2rad(words[ends, 4]) - pair.best
         blocks = slice(rows.start + 1, rows.stop + 1)
         turn1, turn2 = np.diff(first), np.diff(second)
-        sine = np.sin(second)
+        sine = cos_sin(second)[1]
         least[blocks] = pair.reach * _least_sine(second, np.abs(sine))
         rotary[blocks] = np.abs(turn1) + np.abs(turn2)
         axis[blocks] = _axis_travel(pair, second, sine, turn1, turn2)
-    large = (rotary >= LEAST_TRAVEL) & (rotary >= TRAVEL_RATIO * axis)
-    return Singularity(least, rotary, axis, large & (least < _cone_measure(pair, cone)))
+        large = (rotary[blocks] >= LEAST_TRAVEL) & (rotary[blocks] >= TRAVEL_RATIO * axis[blocks])
+        singular[blocks] = large & (least[blocks] < measure)
+    return Singularity(least, rotary, axis, singular)
 
 
 def _cone_measure(pair: RotaryPair, cone: float) -> float:
@@ -80,7 +82,9 @@ def _cone_measure(pair: RotaryPair, cone: float) -> float:
 def _least_sine(angle: Floats, sine: Floats) -> Floats:
     """Least |sin| between successive angles (n + 1,), whose |sin| are ``sine``: |sin| is concave between its zeros."""
     half_turn = np.floor(angle * (1.0 / math.pi))
-    return np.where(half_turn[1:] == half_turn[:-1], np.minimum(sine[1:], sine[:-1]), 0.0)
+    least = np.minimum(sine[1:], sine[:-1])
+    least[np.flatnonzero(half_turn[1:] != half_turn[:-1])] = 0.0
+    return np.asarray(least)
 
 
 def _axis_travel(pair: RotaryPair, second: Floats, sine: Floats, turn1: Floats, turn2: Floats) -> Floats:
@@ -90,17 +94,23 @@ def _axis_travel(pair: RotaryPair, second: Floats, sine: Floats, turn1: Floats, 
     - 2 sin(turn1) (w0 x w1)``: the chord of the second turn alone, then what the first one adds.
     """
     sin_b = pair.reach / math.sqrt(1.0 - pair.cos_g**2)
-    half1, half2 = np.sin(0.5 * turn1), np.sin(0.5 * turn2)
     across = -sin_b * sine
-    chord2 = (2.0 * sin_b * half2) ** 2
+    chord2 = 4.0 * sin_b**2 * _half_sine_squared(turn2)
+    half1 = _half_sine_squared(turn1)
     if pair.straight:
-        chord2 += 4.0 * half1**2 * across[1:] * across[:-1]
+        chord2 += 4.0 * half1 * across[1:] * across[:-1]
     else:
         lean = _lean(pair, sin_b, second)
         inner = lean[1:] * lean[:-1] + across[1:] * across[:-1]
         outer = across[:-1] * lean[1:] - lean[:-1] * across[1:]
-        chord2 += 4.0 * half1**2 * inner - 2.0 * pair.sign * np.sin(turn1) * outer
+        chord2 += 4.0 * half1 * inner - 2.0 * pair.sign * cos_sin(turn1)[1] * outer
     return np.asarray(2.0 * np.arcsin(0.5 * np.sqrt(np.clip(chord2, 0.0, 4.0))))
+
+
+def _half_sine_squared(angle: Floats) -> Floats:
+    """``sin^2(angle / 2)``, through the tangent as in columns.cos_sin."""
+    square = np.tan(0.5 * angle) ** 2
+    return np.asarray(square / (1.0 + square))
 
 
 def _lean(pair: RotaryPair, sin_b: float, second: Floats) -> Floats:

@@ -50,11 +50,17 @@ GROWTH = 2.0
 WIDEST = 4.0
 """Largest interval in intervals of a flat: in a hollow of nearly the ball's radius it would have no end."""
 
-STRETCH = 60.0
-"""Over this many last intervals the rest is spread, so that no last interval is needlessly small."""
+STRETCH = 60
+"""So many last intervals share what a further plane takes, so that no last interval is needlessly small."""
+
+REPEATS = 3
+"""Marches over the last intervals until they fit; more only where the scallop jumps from facet to facet."""
 
 SPARE = 0.2
 """Share of an interval that is planned to be left beyond the last plane; half an interval may be."""
+
+TINY_HEIGHT = 1e-9
+"""Share of the scallop that stands for none at all."""
 
 INSIDE = 1e-3
 """Share of the least interval by which a trial plane stays inside the part, where it surely cuts facets."""
@@ -152,81 +158,88 @@ class _March:
         return np.array(self._planes), self._findings()
 
     def _cover(self, low: float, high: float) -> None:
-        """Planes from ``low`` to ``high``, the outermost at most half an interval inside."""
-        inside = INSIDE * min(self._least, high - low)
-        offset = low + 0.5 * min(self._step(low + inside, high - inside).interval, high - low)
-        self._share, self._fit_below = 1.0, STRETCH
-        interval: float | None = 0.0
-        while interval is not None:
-            offset += interval
-            self._planes.append(offset)
-            self._report(offset)
+        """Planes from ``low`` to ``high``, the outermost at most half an interval inside.
+
+        Where the last full interval ends too far from the end for that, the march goes back and takes a share of each
+        interval on the way there, so that one more plane fits and no single interval is needlessly small.
+        """
+        edge = min(self._step(low + self._inside(low, high), high).interval, high - low)
+        start, share = low + 0.5 * edge, 1.0
+        kept: list[float] = []
+        steps: list[_Step] = []
+        for repeat in range(REPEATS + 1):
+            offsets, more, beyond = self._march(start, high, share)
+            if beyond <= 0.5 or repeat == REPEATS or len(offsets) == 1:
+                break
+            taken = share * (len(offsets) - 1) + beyond
+            if len(offsets) > STRETCH:
+                kept, steps = kept + offsets[:-STRETCH], steps + more[: len(offsets) - STRETCH]
+                start, share = offsets[-STRETCH], _share(share * (STRETCH - 1) + beyond)
+            elif not kept:
+                inset, share = _inset((start - low) / edge + taken)
+                start = low + inset * edge
+            else:
+                share = _share(taken)
+            self._strip.rewind(start)
+        if beyond > 0.5:
+            last = self._step(offsets[-1], high)
+            more.append(last)
+            offsets.append(offsets[-1] + min(last.interval, (high - offsets[-1]) / (1.0 + SPARE)))
+        self._planes += kept + offsets
+        self._bound += [step for step in steps + more if step.height > self._scallop]
+
+    def _march(self, offset: float, end: float, share: float) -> tuple[list[float], list[_Step], float]:
+        """Offsets from ``offset`` on, the steps between them, and the part of an interval that is left beyond the last one."""
+        offsets, steps = [offset], list[_Step]()
+        while True:
+            self._report(len(self._planes) + len(offsets), offset)
             self._strip.pass_by(offset)
-            interval = None
-            if high - offset > 2.0 * inside:
-                step = self._step(offset, high - inside)
-                interval = self._fitted(step, offset, high)
-                if interval is not None and step.height > self._scallop:
-                    self._bound.append(step)
+            if end - offset <= 2.0 * self._inside(offset, end):
+                return offsets, steps, 0.0
+            step = self._step(offset, end)
+            full = step.interval
+            if step.ends:
+                full *= math.sqrt(max(AIM * self._scallop / max(step.height, INSIDE * self._scallop), 1.0))
+            interval = max(share * full, min(full, self._least))
+            if interval >= end - offset:
+                return offsets, steps, (end - offset) / full
+            offset += interval
+            offsets.append(offset)
+            steps.append(step)
+
+    def _inside(self, low: float, high: float) -> float:
+        return INSIDE * min(self._least, high - low)
 
     def _step(self, offset: float, end: float) -> _Step:
-        """The interval from the pass at ``offset`` to the next one, not beyond ``end``: trial, measure, correct."""
+        """The interval from the pass at ``offset`` to the next one, before ``end``: trial, measure, correct."""
         here = self._strip.cut(offset, self._sample)
-        most = min(end - offset, WIDEST * self._flat)
+        rest = end - self._inside(offset, end) - offset
+        most = min(rest, WIDEST * self._flat)
         predicted = smallest_interval(here, self._strip.across, self._radius, AIM * self._scallop)
         trial = min(max(self._bias * predicted, self._least), most)
         good, bad = _Step(0.0, 0.0, np.zeros(3), False), math.inf
         for left in reversed(range(TRIALS)):
-            there = self._strip.cut(offset + trial, self._sample)
-            height, place = scallop_between(here, there, self._radius)
+            height, place = scallop_between(here, self._strip.cut(offset + trial, self._sample), self._radius)
             if height <= TOP * self._scallop or trial <= self._least or (not left and not good.interval):
-                good = _Step(trial, height, place, trial >= end - offset)
+                good = _Step(trial, height, place, trial >= rest)
             else:
                 bad = trial
             found = good.interval == trial and height >= BOTTOM * self._scallop
-            if found or good.interval >= most or bad - good.interval <= FINE * bad:
+            if found or good.interval >= most or good.interval >= (1.0 - FINE) * bad:
                 break
-            change = math.sqrt(AIM * self._scallop / max(height, 1e-9 * self._scallop))
-            trial *= min(max(change, 1.0 / GROWTH), GROWTH)
-            if not good.interval < trial < bad:
-                trial = 0.5 * (good.interval + bad)
+            trial = self._next_trial(trial, height, good.interval, bad)
             trial = min(max(trial, self._least), most)
         self._bias = min(max(good.interval / max(predicted, self._least), 1.0 / WIDEST), WIDEST)
         return good
 
-    def _fitted(self, step: _Step, offset: float, end: float) -> float | None:
-        """The interval to take from the pass at ``offset`` where the part ends at ``end``; None where no plane is needed.
+    def _next_trial(self, trial: float, height: float, good: float, bad: float) -> float:
+        """The interval at which the square law puts the scallop that is aimed at, or the middle of the bracket."""
+        change = math.sqrt(AIM * self._scallop / max(height, TINY_HEIGHT * self._scallop))
+        trial *= min(max(change, 1.0 / GROWTH), GROWTH)
+        return trial if good < trial < bad else 0.5 * (good + bad)
 
-        The last plane must stand within half an interval of the end. Where it would not, the intervals on the way there
-        shrink a little together, so that one more plane fits.
-        """
-        full = step.interval
-        if step.ends:
-            full *= math.sqrt(max(AIM * self._scallop / max(step.height, INSIDE * self._scallop), 1.0))
-        count = (end - offset) / full
-        if count <= 0.5:
-            return None
-        if count < 1.0:
-            return (end - offset) / (1.0 + SPARE)
-        if count < self._fit_below:
-            self._fit_below = 0.5 * count
-            count = 1.0 + self._count(offset + full, end)
-            self._share = count / (math.floor(count - 2.0 * SPARE) + 1.0 + SPARE)
-        return max(full * min(self._share, 1.0), min(full, self._least))
-
-    def _count(self, offset: float, end: float) -> float:
-        """How many intervals lie between, by the prediction alone; the last one in part."""
-        count = 0.0
-        while True:
-            here = self._strip.cut(offset, self._sample)
-            predicted = smallest_interval(here, self._strip.across, self._radius, AIM * self._scallop)
-            interval = min(max(self._bias * predicted, self._least), WIDEST * self._flat)
-            if offset + interval >= end or count > 2.0 * STRETCH:  # many more than thought: nothing to spread
-                return count + (end - offset) / interval
-            offset, count = offset + interval, count + 1.0
-
-    def _report(self, offset: float) -> None:
-        _check_count(len(self._planes), "scallop", self._scallop)
+    def _report(self, planes: int, offset: float) -> None:
+        _check_count(planes, "scallop", self._scallop)
         now = time.monotonic()
         if now - self._told > PERIOD:
             low, high = self._strip.ranges[0][0], self._strip.ranges[-1][1]
@@ -245,3 +258,20 @@ class _March:
         )
         value, limit = worst.height, self._scallop
         return (Finding(Severity.WARNING, "least-interval", text, value=value, limit=limit, unit="mm", place=(x, y, z)),)
+
+
+def _share(count: float) -> float:
+    """The share of each interval to take so that ``count`` full ones end with less than half of one left."""
+    beyond = count % 1.0
+    if 0.25 * SPARE < beyond < 0.5 - 0.25 * SPARE:
+        return 1.0
+    return min(count / (math.floor(count - 2.0 * SPARE) + 1.0 + SPARE), 1.0)
+
+
+def _inset(count: float) -> tuple[float, float]:
+    """For a part ``count`` full intervals wide: how many the first plane stands inside, and the share of each to take."""
+    planes = math.floor(count - SPARE)
+    spare = count - planes
+    if spare > 1.0 - SPARE:
+        return 0.5 * SPARE, (count - SPARE) / (planes + 1.0)
+    return 0.5 * spare, 1.0

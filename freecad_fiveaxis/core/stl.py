@@ -14,14 +14,15 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from io import BufferedReader, BytesIO
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .errors import MeshError
-from .files import read_bytes, write_whole
-from .mesh import Mesh, from_triangles
+from .errors import FileError, MeshError
+from .files import write_whole
+from .mesh import Mesh, from_columns
 from .progress import Progress, silent
 from .records import Floats
 
@@ -29,7 +30,7 @@ HEADER = 84  # bytes: header text and count
 RECORD = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
 
 _PIECE = 1 << 22  # bytes of ASCII read at a time; its words take about ten times that
-_ROWS = 8192  # facets of ASCII written at a time
+_ROWS = 8192  # facets read or written at a time
 _CONTROL = re.compile(rb"[\0-\x08\x0e-\x1f\x7f-\xff]")  # bytes that no text holds
 _SOLID = re.compile(rb"\b(?:end[ \t]*)?solid\b[^\r\n]*")
 _WORDS = {0: b"facet", 1: b"normal", 5: b"outer", 6: b"loop", 19: b"endloop", 20: b"endfacet"}
@@ -47,11 +48,12 @@ def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
     facet (see :func:`~freecad_fiveaxis.core.mesh.from_triangles`).
     """
     progress("read STL", 0.0)
-    data = read_bytes(path, "STL file")
     try:
-        corners = _binary_corners(data) if _is_binary(data) else _ascii_corners(data, progress)
+        content = _content(path)
+        if isinstance(content, bytes):
+            content = np.ascontiguousarray(_ascii_corners(content, progress).T)
         progress("weld", 0.5)
-        mesh = from_triangles(corners)
+        mesh = from_columns(content)
     except MeshError as problem:
         raise MeshError(f"{Path(path).name}: {problem}", problem.value) from problem
     progress("weld", 1.0)
@@ -67,33 +69,60 @@ def write_stl(mesh: Mesh, path: str | os.PathLike[str], ascii: bool = False) -> 
     write_whole(path, b"".join(_ascii_pieces(mesh) if ascii else _binary_pieces(mesh)))
 
 
-# ------------------------------------------------------------------------------------------------ binary
+def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:
+    """The corner columns of a binary file, or the text of an ASCII one."""
+    try:
+        with open(path, "rb") as file:
+            stream = file if file.seekable() else BytesIO(file.read())
+            facets = int.from_bytes(stream.read(HEADER)[80:], "little")
+            size = stream.seek(0, os.SEEK_END)
+            if size == HEADER + RECORD.itemsize * facets:
+                stream.seek(HEADER)
+                return _binary_columns(stream, facets)
+            stream.seek(0)
+            data = stream.read()
+    except OSError as problem:
+        raise FileError(f"STL file {os.fspath(path)} cannot be read: {problem.strerror or problem}", path) from problem
+    _check_text(data, facets)
+    return data
 
 
-def _is_binary(data: bytes) -> bool:
-    """True for a binary file of the right size, False for what may be ASCII; MeshError for anything else."""
+def _check_text(data: bytes, facets: int) -> None:
+    """Raise MeshError for what cannot be ASCII; ``facets`` is what it would announce as a binary file."""
     size = len(data)
     if not data[:HEADER].strip() and not data.strip():
         raise MeshError("the file is empty; export the part again", size)
-    count = int.from_bytes(data[80:HEADER], "little")
-    if size >= HEADER and size == HEADER + RECORD.itemsize * count:
-        return True
     if data[:HEADER].lstrip()[:5].lower() == b"solid" and b"\0" not in data:
-        return False
+        return
     if size < HEADER or not _CONTROL.search(data[:1024]):
         raise MeshError(f"this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header", size)
     held = (size - HEADER) / RECORD.itemsize
     raise MeshError(
-        f"the header announces {count} facets, but the file holds {held:g}: it is cut off, damaged or no STL; export it again",
-        count,
+        f"the header announces {facets} facets, but the file holds {held:g}: it is cut off, damaged or no STL; export it again",
+        facets,
     )
 
 
-def _binary_corners(data: bytes) -> NDArray[np.float32]:
-    """Corners (f, 3, 3). One aligned copy first: the records are 50 bytes long, and numpy is slow on odd addresses."""
+# ------------------------------------------------------------------------------------------------ binary
+
+
+def _binary_columns(stream: BufferedReader | BytesIO, facets: int) -> NDArray[np.float32]:
+    """Corners (3, 3, f): x y z, corner, facet.
+
+    Read in portions that stay in the cache. Each is first copied to aligned memory: the records are 50 bytes long, and
+    numpy is slow on odd addresses.
+    """
     packed = np.dtype([("normal", "V12"), ("corner", "V36"), ("attribute", "V2")])
-    corners = np.ascontiguousarray(np.frombuffer(data, dtype=packed, offset=HEADER)["corner"])
-    return corners.view("<f4").reshape(-1, 3, 3).astype(np.float32, copy=False)
+    portion, aligned = np.empty(_ROWS, dtype=packed), np.empty(_ROWS, dtype="V36")
+    corner = aligned.view("<f4").reshape(-1, 3, 3).T
+    column = np.empty((3, 3, facets), dtype=np.float32)
+    for first in range(0, facets, _ROWS):
+        rows = min(_ROWS, facets - first)
+        if stream.readinto(portion[:rows].data.cast("B")) != rows * RECORD.itemsize:
+            raise MeshError("the file became shorter while it was read; export it again", first)
+        aligned[:rows] = portion["corner"][:rows]
+        column[:, :, first : first + rows] = corner[:, :, :rows]
+    return column
 
 
 def _binary_pieces(mesh: Mesh) -> Iterator[bytes]:

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Offset polylines where the trims of concave junctions use up whole segments.
 
-chord      a straight piece of an offset polyline: the offset of a facet segment, or one of the k + 1 pieces of an arc. Each
-           lies in a plane of its own: the offset plane of the facet, or a plane that touches the ball about the arc's contact.
 crossing   where the line of one chord meets the plane of the other, both ways; both points lie on the line in which the two
            planes cross, so the path between them keeps off both facets.
 used up    a chord whose trims from its two ends overlap. It is dropped and its neighbours are trimmed against each other:
@@ -14,19 +12,16 @@ shrinks; all that do not disturb each other are dropped in one round.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from .junction import CONCAVE, CONVEX, FLAT, FLAT_GAP, GRAZING, SAME, Junctions, Rows, Segments, arc_weights, direction, dot
+from .chord import Chords, height_above, make_chords, place_on
+from .junction import FLAT, FLAT_GAP, GRAZING, SAME, Junctions, Rows, Segments, arc_weights, arcs_needed, direction, dot
 from .records import Bools, Floats, Ints
 
 ROUNDS = 1000
 """A run of used-up chords is halved in most rounds; only one that tightens steadily needs a round for each chord."""
-
-SPREAD = np.uint64(0x9E3779B97F4A7C15)
-"""Multiplier that spreads row numbers (golden ratio), so that ties do not fall in order of the path."""
 
 
 class Trimmed(NamedTuple):
@@ -42,38 +37,6 @@ class Trimmed(NamedTuple):
     height: Floats
 
 
-@dataclass(eq=False)
-class _Chords:
-    """Chords in the order of the path; ``low`` to ``high`` (c,) mm is the chord on its line ``origin`` + t ``along`` (3, c).
-
-    ``normal`` (3, c) of its plane; ``at`` (c,) its position among the live segments; ``real`` False for the pieces of an arc,
-    which stand at ``angle`` (c,) from the normal of the segment; ``final`` True for the last piece of an arc. ``before`` and
-    ``after`` (c,) its neighbours, -1 for none; ``crosses`` True where it is trimmed against the one after it; ``start`` and
-    ``stop`` (c,) what the trims leave of it; ``alive``; ``heir`` the chord before it when it was dropped (itself till then);
-    ``stuck`` True where it should have been dropped and was not; ``tie`` decides between equals. ``radius`` mm of the ball.
-    """
-
-    origin: Floats
-    along: Floats
-    normal: Floats
-    low: Floats
-    high: Floats
-    at: Ints
-    real: Bools
-    angle: Floats
-    final: Bools
-    before: Ints
-    after: Ints
-    crosses: Bools
-    start: Floats
-    stop: Floats
-    alive: Bools
-    heir: Ints
-    stuck: Bools
-    tie: Ints
-    radius: float
-
-
 def find_used_up(segments: Segments, junctions: Junctions) -> Ints:
     """Polylines in which the trims of some segment overlap."""
     start = np.zeros(len(segments.live))
@@ -83,72 +46,16 @@ def find_used_up(segments: Segments, junctions: Junctions) -> Ints:
     return np.unique(segments.line[overlap])
 
 
-def trim_polylines(segments: Segments, junctions: Junctions, at: Ints, radius: float) -> Trimmed:
+def trim_polylines(segments: Segments, junctions: Junctions, at: Ints, radius: float, tolerance: float) -> Trimmed:
     """The offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is used up."""
-    chords = _chords(segments, junctions, at, radius)
+    quarter = int(arcs_needed(np.array([0.5 * np.pi]), radius, tolerance)[0])
+    chords = make_chords(segments, junctions, at, radius, quarter)
     _drop_used_up(chords)
     rows, line = _rows(chords, segments, junctions)
     return Trimmed(rows, line, *_what_is_left(chords, segments))
 
 
-def _chords(segments: Segments, junctions: Junctions, at: Ints, radius: float) -> _Chords:
-    convex = junctions.kind[at] == CONVEX
-    count = np.where(convex, junctions.arcs[at] + 2, 1)
-    head = np.cumsum(count) - count
-    where = np.repeat(at, count)
-    step = np.arange(len(where)) - np.repeat(head, count) - 1  # -1: the segment itself; 0 to k: the pieces of its arc
-    real, arcs, theta = step < 0, junctions.arcs[where], junctions.theta[where]
-    segment = segments.live[where]
-    travel, normal = direction(segments, segment), segments.normal.take(2 * segment, axis=1)
-    origin, high = segments.point.take(2 * segment, axis=1), segments.length[segment]
-    low, angle = np.zeros(len(where)), np.zeros(len(where))
-    arc = np.flatnonzero(~real)
-    origin[:, arc] = segments.point.take(2 * segment[arc] + 1, axis=1)
-    delta = theta[arc] / arcs[arc]
-    angle[arc] = step[arc] * delta
-    far = segments.normal.take(2 * segments.live[segments.following[where[arc]]], axis=1)
-    one, two = normal[:, arc], travel[:, arc]
-    normal[:, arc] = _mixed(arc_weights(theta[arc], angle[arc]), one, far, two)
-    travel[:, arc] = _mixed(_slope(theta[arc], angle[arc]), one, far, two)
-    reach = radius * np.tan(0.5 * delta)
-    low[arc], high[arc] = np.where(step[arc] > 0, -reach, 0.0), np.where(step[arc] < arcs[arc], reach, 0.0)
-    final = ~real & (step == arcs)
-    start = np.flatnonzero(np.diff(segments.line[where], prepend=-1))
-    tie = np.arange(len(where)) - np.repeat(start, np.diff(start, append=len(where)))
-    tie = (tie.astype(np.uint64) * SPREAD).astype(np.int64)
-    before, after = _neighbours(segments, at, head, count)
-    crosses = real & (junctions.kind[where] == CONCAVE)
-    return _Chords(
-        origin + radius * normal, travel, normal, low, high, where, real, angle, final, before, after, crosses, low.copy(),
-        high.copy(), np.ones(len(where), bool), np.arange(len(where)), np.zeros(len(where), bool), tie, radius,
-    )  # fmt: skip
-
-
-def _mixed(weights: tuple[Floats, Floats, Floats], one: Floats, far: Floats, travel: Floats) -> Floats:
-    return np.asarray(weights[0] * one + weights[1] * far + weights[2] * travel)
-
-
-def _slope(theta: Floats, angle: Floats) -> tuple[Floats, Floats, Floats]:
-    """Weights of the direction in which the normal at ``angle`` turns: those of the normal a quarter turn further."""
-    return arc_weights(theta, angle + 0.5 * np.pi)
-
-
-def _neighbours(segments: Segments, at: Ints, head: Ints, count: Ints) -> tuple[Ints, Ints]:
-    """The chords before and after each chord, round the seam of a closed polyline, -1 beyond an open end."""
-    n = int(count.sum())
-    before, after = np.arange(-1, n - 1), np.arange(1, n + 1)
-    place = np.full(len(segments.live), -1)
-    place[at] = head
-    tail = head + count - 1
-    nxt = segments.following[at]
-    after[tail] = np.where(nxt < 0, -1, place[nxt])
-    before[head] = -1
-    joined = nxt >= 0
-    before[after[tail[joined]]] = tail[joined]
-    return before, after
-
-
-def _drop_used_up(chords: _Chords) -> None:
+def _drop_used_up(chords: Chords) -> None:
     """Drop used-up chords, in rounds, until there are none; marks those that are left after all rounds as ``stuck``."""
     fresh, waiting = np.flatnonzero(chords.crosses & (chords.after >= 0)), np.empty(0, np.int64)
     for _ in range(ROUNDS):
@@ -163,18 +70,18 @@ def _drop_used_up(chords: _Chords) -> None:
     chords.start[used], chords.stop[used] = chords.low[used], chords.high[used]
 
 
-def _cross(chords: _Chords, one: Ints) -> None:
+def _cross(chords: Chords, one: Ints) -> None:
     """Trim chords ``one`` and the chords after them against each other."""
     two = chords.after[one]
     chords.stop[one] = _meets(chords, one, two, chords.high[one], 1.0)
     chords.start[two] = _meets(chords, two, one, chords.low[two], -1.0)
 
 
-def _meets(chords: _Chords, one: Ints, two: Ints, end: Floats, sense: float) -> Floats:
+def _meets(chords: Chords, one: Ints, two: Ints, end: Floats, sense: float) -> Floats:
     """Where line ``one`` goes below plane ``two`` when followed in ``sense`` towards its ``end``: the end itself where that
     lies on the plane or above, or where the line comes up to it; nowhere (infinite) where the two planes face each other and
     the line stays below."""
-    tip = _place(chords, one, end)
+    tip = place_on(chords, one, end)
     height = dot(chords.normal[:, two], tip - chords.origin[:, two])
     falls = -sense * dot(chords.along[:, one], chords.normal[:, two])
     below, down = height < -SAME, falls > GRAZING
@@ -183,7 +90,7 @@ def _meets(chords: _Chords, one: Ints, two: Ints, end: Floats, sense: float) -> 
     return np.where(below & ~down & faces, -sense * np.inf, place)
 
 
-def _first_to_go(chords: _Chords, used: Ints) -> Ints:
+def _first_to_go(chords: Chords, used: Ints) -> Ints:
     """Of the used-up chords those that go before any used-up neighbour.
 
     Of two neighbours goes first the one that a smaller ball uses up; but where each is trimmed on one side only, as where
@@ -198,15 +105,15 @@ def _first_to_go(chords: _Chords, used: Ints) -> Ints:
     single = ~(chords.crosses[chords.before[one]] & (chords.before[one] >= 0)) & ~(chords.crosses[two] & (chords.after[two] >= 0))
     single &= np.isfinite(chords.start[one]) & np.isfinite(chords.stop[two])
     gone = rank[one] < rank[two]
-    one_high = _height(chords, two, _place(chords, one, np.where(single, chords.start[one], 0.0)))
-    two_high = _height(chords, one, _place(chords, two, np.where(single, chords.stop[two], 0.0)))
+    one_high = height_above(chords, two, place_on(chords, one, np.where(single, chords.start[one], 0.0)))
+    two_high = height_above(chords, one, place_on(chords, two, np.where(single, chords.stop[two], 0.0)))
     gone = np.where(single & (np.abs(one_high - two_high) > SAME), one_high < two_high, gone)
     stays = np.zeros(len(chords.at), bool)
     stays[np.where(gone, two, one)] = True
     return used[~stays[used]]
 
 
-def _drop(chords: _Chords, gone: Ints) -> Ints:
+def _drop(chords: Chords, gone: Ints) -> Ints:
     """Take chords out; returns the chords that must now be trimmed against the one after them.
 
     Beyond an open end nothing remains to trim against: the neighbour keeps the trim that the dropped chord gave it.
@@ -238,7 +145,7 @@ class _Spot(NamedTuple):
     lift: Ints
 
 
-def _rows(chords: _Chords, segments: Segments, junctions: Junctions) -> tuple[Rows, Ints]:
+def _rows(chords: Chords, segments: Segments, junctions: Junctions) -> tuple[Rows, Ints]:
     """The rows of what is left, and the polyline of each."""
     spot, radius = _spots(chords, segments, junctions), chords.radius
     at, t, real = chords.at[spot.chord], spot.t, chords.real[spot.chord]
@@ -258,24 +165,24 @@ def _rows(chords: _Chords, segments: Segments, junctions: Junctions) -> tuple[Ro
     return rows, segments.line[at]
 
 
-def _spots(chords: _Chords, segments: Segments, junctions: Junctions) -> _Spot:
+def _spots(chords: Chords, segments: Segments, junctions: Junctions) -> _Spot:
     """Where each polyline begins, and for each chord: its end, a lifted point, and the start of the next, where needed."""
-    one = np.flatnonzero(chords.alive)
+    one = np.flatnonzero(chords.alive & ~chords.ghost)
     two = chords.after[one]
-    opened = two < 0
+    opened = (two < 0) | chords.ghost[two]
     two = np.where(opened, one, two)
     left, right = _real_sides(chords, segments, one, opened)
     crosses = chords.crosses[one] & ~opened
     leaves = chords.final[one] & ~crosses & ~opened  # the arc's last point belongs to the segment after it
     real, yes, none = chords.real[one], np.ones(len(one), bool), np.full(len(one), -1)
-    flat = real & ~crosses & (junctions.kind[chords.at[one]] == FLAT)
+    flat = real & ~crosses & ~opened & (junctions.kind[chords.at[one]] == FLAT)
     chord, t = np.where(leaves, two, one), np.where(leaves, chords.start[two], chords.stop[one])
     end = _Spot(chord, t, ~leaves, flat, left, right, ~real, none)
     lift = _Spot(one, chords.stop[one], yes, ~yes, left, right, yes, two)
     start = _Spot(two, chords.start[two], ~yes, ~yes, left, right, yes, none)
-    stop, go = _place(chords, one, chords.stop[one]), _place(chords, two, chords.start[two])
+    stop, go = place_on(chords, one, chords.stop[one]), place_on(chords, two, chords.start[two])
     apart = crosses & (np.abs(stop - go).max(axis=0) >= SAME)
-    dips = np.minimum(_height(chords, two, stop), _height(chords, one, go)) < -FLAT_GAP
+    dips = np.minimum(height_above(chords, two, stop), height_above(chords, one, go)) < -FLAT_GAP
     dips &= dot(chords.normal[:, one], chords.normal[:, two]) > 0.0  # nothing is above two planes that face each other
     first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
     last = np.append(first[1:], len(one))[: len(first)] - 1
@@ -292,22 +199,17 @@ def _spots(chords: _Chords, segments: Segments, junctions: Junctions) -> _Spot:
     return _Spot(*woven)
 
 
-def _height(chords: _Chords, chord: Ints, place: Floats) -> Floats:
-    """Height (c,) of ``place`` (3, c) above the planes of chords, mm."""
-    return dot(chords.normal[:, chord], place - chords.origin[:, chord])
-
-
-def _lifted(chords: _Chords, one: Ints, two: Ints) -> Floats:
+def _lifted(chords: Chords, one: Ints, two: Ints) -> Floats:
     """Half-way from the end of chord ``one`` to the start of chord ``two``, moved out along the mean normal until it is
     above the planes of both (between the two ends of a convex junction: the paper's p + R m)."""
-    middle = 0.5 * (_place(chords, one, chords.stop[one]) + _place(chords, two, chords.start[two]))
+    middle = 0.5 * (place_on(chords, one, chords.stop[one]) + place_on(chords, two, chords.start[two]))
     mean = chords.normal[:, one] + chords.normal[:, two]
     mean /= np.sqrt(dot(mean, mean))
-    low = np.minimum(_height(chords, one, middle), _height(chords, two, middle))
+    low = np.minimum(height_above(chords, one, middle), height_above(chords, two, middle))
     return np.asarray(middle - low / dot(mean, chords.normal[:, one]) * mean)
 
 
-def _real_sides(chords: _Chords, segments: Segments, one: Ints, opened: Bools) -> tuple[Ints, Ints]:
+def _real_sides(chords: Chords, segments: Segments, one: Ints, opened: Bools) -> tuple[Ints, Ints]:
     """The nearest segments that are left before and after the end of each chord, round a seam, else the chord's own."""
     n, row, real = len(one), np.arange(len(one)), chords.real[one]
     first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
@@ -326,11 +228,7 @@ def _real_sides(chords: _Chords, segments: Segments, one: Ints, opened: Bools) -
     return segment[np.where(nothing, row, before)], segment[np.where(nothing, row, after)]
 
 
-def _place(chords: _Chords, chord: Ints, t: Floats) -> Floats:
-    return np.asarray(chords.origin[:, chord] + t * chords.along[:, chord])
-
-
-def _what_is_left(chords: _Chords, segments: Segments) -> tuple[Ints, Floats, Ints, Floats]:
+def _what_is_left(chords: Chords, segments: Segments) -> tuple[Ints, Floats, Ints, Floats]:
     """Segments that the ball cuts into and how deep, mm; segments that were dropped and how far from each it stays, mm.
 
     Measured where two chords that did not meet before are trimmed against each other: from there to the nearest point of
@@ -341,17 +239,20 @@ def _what_is_left(chords: _Chords, segments: Segments) -> tuple[Ints, Floats, In
     heir = chords.heir
     while not np.array_equal(heir, heir[heir]):
         heir = heir[heir]
-    lost, gone = gone[~chords.alive[heir[gone]]], gone[chords.alive[heir[gone]]]
+    beyond = (chords.after < 0) | chords.ghost[chords.after]
+    nothing = ~chords.alive | (chords.ghost & beyond)
+    lost, gone = gone[nothing[heir[gone]]], gone[~nothing[heir[gone]]]
     heir = heir[gone]
     head = (chords.before[heir] < 0) & (heir > gone)  # all before it is gone
     onward = np.where(head | (chords.after[heir] < 0), heir, chords.after[heir])
-    stop = _place(chords, heir, np.where(head, chords.start[heir], chords.stop[heir]))
-    go = np.where(onward == heir, stop, _place(chords, onward, chords.start[onward]))
-    near_stop, far_stop = _distances(chords, segments, gone, stop)
-    near_go, far_go = _distances(chords, segments, gone, go)
-    nearest = np.minimum(np.minimum(near_stop, near_go), _distances(chords, segments, onward, stop)[0])
-    depth = chords.radius - np.minimum(nearest, _distances(chords, segments, heir, go)[0])
-    height = np.minimum(far_stop, far_go).max(axis=0) - chords.radius
+    stop = place_on(chords, heir, np.where(head, chords.start[heir], chords.stop[heir]))
+    go = np.where(onward == heir, stop, place_on(chords, onward, chords.start[onward]))
+    near = [_to_segment(chords, segments, *pair) for pair in ((gone, stop), (gone, go), (onward, stop), (heir, go))]
+    ends = [segments.point.take(2 * segments.live[chords.at[gone]] + side, axis=1) for side in (0, 1)]
+    near += [_to_chord(chords, chord, end) for chord in (heir, onward) for end in ends]
+    depth = chords.radius - np.min(near, axis=0)
+    far = [np.minimum(_length(stop - end), _length(go - end)) for end in ends]
+    height = np.maximum(*far) - chords.radius
     stuck = np.flatnonzero(chords.alive & chords.stuck)
     depth = np.concatenate([depth, np.full(len(stuck), chords.radius)])  # not known, so the worst
     missed, height = np.concatenate([gone, lost]), np.concatenate([height, np.full(len(lost), np.inf)])
@@ -359,11 +260,18 @@ def _what_is_left(chords: _Chords, segments: Segments) -> tuple[Ints, Floats, In
     return segment[np.concatenate([gone, stuck])], depth, segment[missed], height
 
 
-def _distances(chords: _Chords, segments: Segments, chord: Ints, place: Floats) -> tuple[Floats, Floats]:
-    """From ``place`` (3, c) to the nearest point (c,) and to both ends (2, c) of the contact segments of chords, mm."""
+def _to_segment(chords: Chords, segments: Segments, chord: Ints, place: Floats) -> Floats:
+    """From ``place`` (3, c) to the nearest point of the contact segments of chords, (c,) mm."""
     segment = segments.live[chords.at[chord]]
-    along, length = direction(segments, segment), segments.length[segment]
-    off = place - segments.point.take(2 * segment, axis=1)
-    ends = (np.clip(dot(off, along), 0.0, length), np.zeros(len(chord)), length)
-    near, start, stop = (np.sqrt(dot(rest, rest)) for rest in (off - t * along for t in ends))
-    return near, np.stack([start, stop])
+    along, off = direction(segments, segment), place - segments.point.take(2 * segment, axis=1)
+    return _length(off - np.clip(dot(off, along), 0.0, segments.length[segment]) * along)
+
+
+def _to_chord(chords: Chords, chord: Ints, place: Floats) -> Floats:
+    """From ``place`` (3, c) to the nearest point of what is left of chords, (c,) mm."""
+    along, off = chords.along[:, chord], place - chords.origin[:, chord]
+    return _length(off - np.clip(dot(off, along), chords.start[chord], chords.stop[chord]) * along)
+
+
+def _length(vector: Floats) -> Floats:
+    return np.asarray(np.sqrt(dot(vector, vector)))

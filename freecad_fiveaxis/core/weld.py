@@ -17,34 +17,26 @@ Reals = NDArray[np.floating]  # float32 as in an STL file, or float64
 
 _CELLS = 255.0  # of the bounding box along each of its two longer sides, that number the vertices
 _SHORTEST = 1e-30  # mm; a side that no cell can divide in 32-bit floats
-_FACTORS = (0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0xD6E8FEB86659FD93)  # odd, with well mixed bits
+_FACTORS = np.array((0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0xD6E8FEB86659FD93), dtype=np.uint64)  # odd, with well mixed bits
 
 
-def weld(column: Reals) -> tuple[Floats, Ints]:
+def weld(column: Reals, low: Reals, high: Reals) -> tuple[Floats, Ints]:
     """Vertices (v, 3) and the vertex row (n,) of each of the n corners whose x, y, z are the rows of ``column``.
 
-    Sorts words of cell, hash and corner number. The cell (of the bounding box, seen along its shortest side) goes first so
-    that vertices that lie close get close numbers: everything that follows then runs in the cache.
+    ``low`` and ``high`` (3,) bound the corners. Sorts words of cell, hash and corner number. The cell (of the bounding box,
+    seen along its shortest side) goes first so that vertices that lie close get close numbers: everything that follows then
+    runs in the cache.
     """
-    n = column.shape[1]
-    bits = int(n - 1).bit_length()
-    key = _corner_keys(column, bits)
+    bits = int(column.shape[1] - 1).bit_length()
+    key = _corner_keys(column, low, high, bits)
     key.sort()
-    corner = (key & np.uint64((1 << bits) - 1)).view(np.int64)
-    key >>= np.uint64(bits)
-    new = np.zeros(n, dtype=np.bool_)
-    np.not_equal(key[1:], key[:-1], out=new[1:])
-    row = np.empty(n, dtype=np.int64)
-    row[corner] = np.cumsum(new, out=key.view(np.int64))  # fresh memory would cost more than the sum itself
-    new[0] = True
-    vertex = column.take(corner.take(np.flatnonzero(new)), axis=1)
-    return _separate(column, vertex, row)
+    row, first = _number(key, bits)
+    return _separate(column, column.take(first, axis=1), row)
 
 
-def _corner_keys(column: Reals, bits: int) -> Words:
+def _corner_keys(column: Reals, low: Reals, high: Reals, bits: int) -> Words:
     """Words (n,) of 16 bits cell, 48 - ``bits`` bits hash, ``bits`` bits corner number."""
-    low = column.min(axis=1)
-    size = column.max(axis=1).astype(np.float64) - low
+    size = high.astype(np.float64) - low
     scale = np.where(size > _SHORTEST, _CELLS / np.maximum(size, _SHORTEST), 0.0).astype(column.dtype)
     _, j, i = np.argsort(size)
     raw = column.view(np.uint32 if column.dtype == np.float32 else np.uint64)
@@ -52,17 +44,38 @@ def _corner_keys(column: Reals, bits: int) -> Words:
     hash_bits = np.uint64((1 << 48) - (1 << bits))
     key = np.empty(column.shape[1], dtype=np.uint64)
     for part in chunks(len(key)):
-        word = raw[0, part].astype(np.uint64) * np.uint64(_FACTORS[0])
+        word = np.multiply(raw[0, part], _FACTORS[0], out=key[part], dtype=np.uint64)
         for axis in (1, 2):
-            word += raw[axis, part].astype(np.uint64) * np.uint64(_FACTORS[axis])
+            word += np.multiply(raw[axis, part], _FACTORS[axis], dtype=np.uint64)
         word >>= np.uint64(16)  # the upper bits of a product are the well mixed ones
         word &= hash_bits
         cell = ((column[i, part] - low[i]) * scale[i]).astype(np.uint32) << np.uint32(8)
         cell |= ((column[j, part] - low[j]) * scale[j]).astype(np.uint32)
-        word |= cell.astype(np.uint64) << np.uint64(48)
-        np.bitwise_or(word, number[: len(word)], out=key[part])
+        word |= np.left_shift(cell, np.uint64(48), dtype=np.uint64)
+        word |= number[: len(word)]
         number += np.uint64(CHUNK)
     return key
+
+
+def _number(key: Words, bits: int) -> tuple[Ints, Ints]:
+    """Vertex row (n,) of each corner and the first corner (v,) of each vertex, from ascending keys; these lose ``bits`` bits."""
+    row = np.empty(len(key), dtype=np.int64)
+    first: list[Ints] = []
+    before, vertices = np.uint64((1 << 64) - 1), 0  # no key, which has fewer bits
+    for part in chunks(len(key)):
+        word = key[part]
+        corner = (word & np.uint64((1 << bits) - 1)).view(np.int64)
+        word >>= np.uint64(bits)
+        new = np.empty(len(word), dtype=np.bool_)
+        new[0] = word[0] != before
+        np.not_equal(word[1:], word[:-1], out=new[1:])
+        vertex = new.astype(np.int64)
+        np.cumsum(vertex, out=vertex)  # adding up truth values is slower
+        vertex += vertices - 1
+        row[corner] = vertex
+        first.append(corner.take(np.flatnonzero(new)))
+        before, vertices = word[-1], int(vertex[-1]) + 1
+    return row, np.concatenate(first)
 
 
 def _separate(column: Reals, vertex: Reals, row: Ints) -> tuple[Floats, Ints]:

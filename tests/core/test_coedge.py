@@ -249,8 +249,16 @@ def test_a_fillet_wider_than_the_cutter_is_followed():
 def test_a_short_facet_at_the_border_is_dropped_and_still_kept_off():
     path = closed(prism([(-0.5, 0.5), (0, 0), (30, 0)]))
     assert path.segment.tolist() == [1, 1]
-    wall = np.array([1, 0, 1]) / 2**0.5  # its offset plane still ends the pass
-    assert path.centre[0] @ wall == pytest.approx(5, abs=1e-12)
+    np.testing.assert_allclose(path.centre[0], ((25 - 4.5**2) ** 0.5 - 0.5, 0, 5), atol=0.01)  # on the floor, at the border
+    assert np.linalg.norm(path.centre[0] - (-0.5, 0, 0.5)) > 5 - 1e-12
+    back = closed(prism([(-30, 0), (0, 0), (0.5, 0.5)]))
+    np.testing.assert_allclose(back.centre[::-1] * (-1, 1, 1), path.centre, atol=1e-12)
+
+
+def test_a_slot_at_the_border_is_bridged_from_edge_to_edge():
+    path = closed(prism([(4, -1), (4, -6), (5, -1), (13, -1)]))
+    np.testing.assert_allclose(path.centre[0], (4.5, 0, -1 + (25 - 0.25) ** 0.5), atol=0.02)
+    assert np.linalg.norm(path.centre[0] - (4, 0, -1)) > 5 - 1e-12
 
 
 def test_a_dent_too_small_for_the_ball_is_bridged():
@@ -263,6 +271,30 @@ def test_a_hole_that_the_cutter_does_not_enter_leaves_nothing():
     path = closed(prism([(0, 0), (6, 0), (6, 6), (0, 6)], closed=True))
     assert len(path.point) == 0 and codes(path) == ["corner-not-reached"]
     assert path.findings[0].value is None
+
+
+def random_profile(rng):
+    """Ups and downs of any slope, or stairs with walls and slots."""
+    count = rng.integers(3, 25)
+    if rng.random() < 0.5:
+        return np.cumsum(rng.uniform(0.01, 5, count)), rng.normal(0, rng.choice([0.1, 1, 5]), count)
+    x, z = np.cumsum(rng.choice([0.0, 1, 4, 10], count)), np.cumsum(rng.choice([0.0, 0, 1, -1, 5, -5], count))
+    fin = (x[1:-1] == x[:-2]) & (x[2:] == x[1:-1])  # no wall on a wall
+    keep = np.concatenate([[True], ~fin, [True]])
+    return x[keep], z[keep]
+
+
+@pytest.mark.parametrize("seed", range(150))
+def test_random_profiles_are_kept_off_or_it_is_said(seed):
+    rng = np.random.default_rng(seed)
+    contact = prism(list(zip(*random_profile(rng), strict=True)))
+    path = closed(contact, tolerance=rng.choice([0.01, 1.0]))
+    start, step = contact.point[::2], contact.point[1::2] - contact.point[::2]
+    u = np.linspace(0, 1, 7)[:, None, None]
+    chord = (path.centre[:-1] * (1 - u) + path.centre[1:] * u).reshape(-1, 1, 3)
+    t = np.clip(((chord - start) * step).sum(-1) / np.maximum((step * step).sum(-1), 1e-30), 0, 1)
+    near = np.linalg.norm(chord - start - t[..., None] * step, axis=-1).min(initial=5.0)
+    assert near > 5 - 0.01 or "surface-tighter-than-cutter" in codes(path)
 
 
 def test_what_cannot_be_resolved_is_said(monkeypatch):

@@ -143,10 +143,11 @@ def test_half_edges_too_wide_for_one_word_are_paired_all_the_same():
     corners = sphere(rows=14, columns=30)
     mesh = from_triangles(corners)
     many = 1 << 29
-    key, half, low = mesh_module._sorted_half_edges(mesh.face, many)
-    narrow, half_narrow, low_narrow = mesh_module._sorted_half_edges(mesh.face, len(mesh.vertex))
+    wide, packed = (mesh_module._sorted_half_edges(mesh.face, vertices) for vertices in (many, len(mesh.vertex)))
+    (key, half), (narrow, half_narrow) = wide.pick(slice(None)), packed.pick(slice(None))
+    assert wide.half is not None and packed.half is None
     np.testing.assert_array_equal(half, half_narrow)
-    assert low == low_narrow
+    assert wide.low == packed.low and wide.paired() and packed.paired()
     np.testing.assert_array_equal(np.diff(key) > 0, np.diff(narrow) > 0)
 
 
