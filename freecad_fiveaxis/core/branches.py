@@ -89,8 +89,8 @@ def choose(
 
 def within_limits(angles: Floats, low: Floats, high: Floats) -> Bools:
     """Whether some winding of both words lies within the limits, (2, n) for each branch; False where NaN."""
-    fits = np.empty(angles.shape[:2], bool)
-    for rows in chunks(fits.shape[1]):
+    fits = np.empty((2, angles.shape[1]), bool)
+    for rows in chunks(angles.shape[1]):
         fits[:, rows] = ~np.isnan(angles[:, rows, 0] + angles[:, rows, 1])
         for axis in range(2):
             if high[axis] - low[axis] < TURN:
@@ -146,9 +146,9 @@ def _layers(angles: Floats, fits: Bools, low: Floats, high: Floats, wraps: list[
     if not fits.all():
         angles = np.nan_to_num(angles) if math.isnan(angles.min()) else angles
     if all(wraps):
-        used = fits.any(1)
+        open_ = fits.any(1)
         word = angles.transpose(2, 0, 1)  # a view, unless a branch is left out
-        return Layers(word if used.all() else word[:, used], fits[used], np.flatnonzero(used).astype(np.int8), wraps)
+        return Layers(word if open_.all() else word[:, open_], fits[open_], np.flatnonzero(open_).astype(np.int8), wraps)
     count = [1 if wraps[axis] else _windings(low[axis], high[axis]) for axis in range(2)]
     branch, *winding = (part.ravel() for part in np.indices((2, count[0], count[1])))
     word, fits = np.empty((2, len(branch), angles.shape[1])), fits[branch]
@@ -192,15 +192,13 @@ def _words_of(layers: Layers, state: Ints) -> Floats:
 
 def _unwind(word: Floats) -> None:
     """Give each value (n,) of an angle the winding that is nearest to the one before; in place."""
-    jumps = [rows.start + _jumps(word[rows.start : rows.stop + 1]) for rows in chunks(len(word) - 1)]
-    at = np.concatenate([*jumps, np.empty(0, np.int64)])
+    jumps = [np.empty(0, np.int64)]
+    for rows in chunks(len(word) - 1):
+        jumps.append(rows.start + np.flatnonzero(np.abs(np.diff(word[rows.start : rows.stop + 1])) > math.pi))
+    at = np.concatenate(jumps)
     if len(at):
         turns = np.cumsum(np.rint((word[at + 1] - word[at]) / TURN))
         word[at[0] + 1 :] -= TURN * np.repeat(turns, np.diff(at, append=len(word) - 1))
-
-
-def _jumps(word: Floats) -> Ints:
-    return np.flatnonzero(np.abs(np.diff(word)) > math.pi)
 
 
 def _nearest(step: Floats) -> Floats:
@@ -240,8 +238,8 @@ def _by_stretches(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools
     if len(layers.branch) == 1:
         return np.zeros(len(cutting) + 1, np.int64)
     starts, costs, least = [], [np.empty((2, 2, 0))], 0.0
-    for rows in chunks(len(cutting)):
-        if rows.start // (rows.stop - rows.start) % 32 == 0:
+    for count, rows in enumerate(chunks(len(cutting))):
+        if count % 32 == 0:
             progress("joint path", rows.start / len(cutting))
         start, cost, step_least = _stretches(layers, cutting, crossing, rows)
         starts.append(start)

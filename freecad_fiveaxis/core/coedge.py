@@ -9,7 +9,7 @@ R         length of the co-edge normal, r / cos(theta / 2) (eq. 4), at which the
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -63,10 +63,38 @@ class OffsetPath:
         )  # fmt: skip
 
 
-def close_gaps(contact: ContactPath, mesh: Mesh, radius: float, tolerance: float, progress: Progress = silent) -> OffsetPath:
+def lasting_rows(path: OffsetPath, rows: Ints) -> Ints:
+    """Those of ``rows`` (ascending) that have a neighbour among them: a row alone cuts nothing."""
+    begins = _begins(path, rows)
+    size = np.diff(np.flatnonzero(begins), append=len(rows))
+    return rows[np.repeat(size > 1, size)]
+
+
+def take_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
+    """Some rows of a path, ascending: a polyline ends where rows are left out, and what is left of it begins a new one."""
+    begins = _begins(path, rows)
+    columns = {name: getattr(path, name)[rows] for name in ("face", "coedge", "segment", "pass_", "step_before", "step_after")}
+    columns |= {name: _taken(getattr(path, name), rows) for name in ("point", "centre", "normal", "before", "after")}
+    return replace(path, **columns, polyline=np.cumsum(begins) - 1, fill=path.fill[rows] & ~begins)
+
+
+def _begins(path: OffsetPath, rows: Ints) -> Bools:
+    """Which rows begin a polyline when the others are left out."""
+    return np.asarray((np.diff(rows, prepend=-2) != 1) | (np.diff(path.polyline[rows], prepend=-1) != 0))
+
+
+def _taken(table: Floats, rows: Ints) -> Floats:
+    return np.ascontiguousarray(table.T).take(rows, axis=1).T
+
+
+def close_gaps(
+    contact: ContactPath, mesh: Mesh, radius: float, tolerance: float, keep: Bools | None = None, progress: Progress = silent
+) -> OffsetPath:
     """Offset the contact path by the ball's ``radius`` mm and close it at every co-edge (Lin & Ye, eqs. 3 to 5, Fig. 7).
 
     ``mesh`` is the part that the path was cut from; its normals travel with the path, so nothing is read from it here.
+    ``keep`` (f,): facets to cut. The others only limit how near the ball may come: what stands over them is left out after
+    the trimming, so that no ball enters a wall that is not cut itself.
 
     Convex: the arithmetic-mean normal of length R = r / cos(theta / 2) between the two facet normals; where R - r is more
     than ``tolerance`` mm, as many equal steps of theta as keep it within. Concave: both offsets trimmed where they cross.
@@ -86,12 +114,13 @@ def close_gaps(contact: ContactPath, mesh: Mesh, radius: float, tolerance: float
         progress("closing co-edges", 0.5 * float(at[0]) / len(segments.live))
         trimmed.append(trim_polylines(segments, junctions, at, radius, tolerance))
     place = _places(segments, junctions, tight, trimmed)
-    path = _Columns(contact, segments, int(place[-1]))
+    path = _Columns(contact, segments, int(place[-1]), keep)
     for part, (where, rows) in enumerate(_all_rows(segments, junctions, tight, trimmed, place, radius)):
         path.write(where, rows)
         if part % 32 == 0:
             progress("closing co-edges", min(1.0, 0.5 + 0.25 * part * CHUNK / max(len(segments.live), 1)))
-    return OffsetPath(**path.columns(), findings=_findings(contact, trimmed))
+    whole = OffsetPath(**path.columns(), findings=_findings(contact, trimmed, keep))
+    return whole if keep is None else take_rows(whole, lasting_rows(whole, np.flatnonzero(path.kept)))
 
 
 def _batches(segments: Segments, tight: Ints) -> Iterator[Ints]:
@@ -164,8 +193,10 @@ def _easy_rows(segments: Segments, junctions: Junctions, at: Ints, step: Ints, l
 class _Columns:
     """The columns of an offset path while they are filled in."""
 
-    def __init__(self, contact: ContactPath, segments: Segments, n: int) -> None:
+    def __init__(self, contact: ContactPath, segments: Segments, n: int, keep: Bools | None) -> None:
         self.contact, self.segments = contact, segments
+        self.cut = None if keep is None else keep[contact.face[::2]]  # which segments lie in facets that are kept
+        self.kept = np.ones(n, bool)
         self.vectors = {name: np.empty((3, n)) for name in ("point", "centre", "normal", "before", "after")}
         self.lengths = {name: np.empty(n) for name in ("step_before", "step_after")}
         self.labels = {name: np.empty(n, np.int64) for name in ("face", "coedge", "segment", "polyline", "pass_")}
@@ -175,6 +206,8 @@ class _Columns:
         """Work out the rows in short form and put them in their place."""
         segments, vectors = self.segments, self.vectors
         segment = rows.base >> 1
+        if self.cut is not None:
+            rows = self._without_neighbours(where, rows)
         point = segments.point.take(rows.base, axis=1)
         normal = segments.normal.take(rows.base, axis=1)
         normal *= rows.w1
@@ -200,15 +233,24 @@ class _Columns:
         self.labels["coedge"][where] = np.where(rows.shift != 0.0, -1, coedge)  # a trimmed contact lies inside its facet
         self.fill[where] = rows.fill
 
+    def _without_neighbours(self, where: Ints | slice, rows: Rows) -> Rows:
+        """Mark the rows that are kept, and let the segments on their sides be kept ones."""
+        assert self.cut is not None
+        left, right = self.cut.take(rows.left), self.cut.take(rows.right)
+        between = (left != right) & ((rows.w2 != 0.0) | (rows.w3 != 0.0))  # on its way round an edge to a left-out facet
+        self.kept[where] = self.cut.take(rows.base >> 1) & ~between
+        return rows._replace(left=np.where(left, rows.left, rows.right), right=np.where(right, rows.right, rows.left))
+
     def columns(self) -> dict[str, Any]:
         """All columns by name."""
         return {name: vector.T for name, vector in self.vectors.items()} | self.lengths | self.labels | {"fill": self.fill}
 
 
-def _findings(contact: ContactPath, trimmed: list[Trimmed]) -> tuple[Finding, ...]:
+def _findings(contact: ContactPath, trimmed: list[Trimmed], keep: Bools | None) -> tuple[Finding, ...]:
     """Where the ball cuts into facets, and where it leaves material, by more than NOTABLE."""
     found = []
-    deep = _over([part.cut_into for part in trimmed], [part.depth for part in trimmed], NOTABLE)
+    wanted = np.ones(len(contact.face) // 2, bool) if keep is None else keep[contact.face[::2]]
+    deep = _over([part.cut_into for part in trimmed], [part.depth for part in trimmed], wanted)
     if deep:
         text = (
             f"The facets curl tighter than the cutter at {deep.number} segments, and the cutter cuts up to {deep.worst:.3g} mm "
@@ -216,7 +258,7 @@ def _findings(contact: ContactPath, trimmed: list[Trimmed]) -> tuple[Finding, ..
         )
         code, place = "surface-tighter-than-cutter", _place(contact, deep.segment)
         found.append(Finding(Severity.WARNING, code, text, deep.worst, NOTABLE, "mm", place=place))
-    high = _over([part.missed for part in trimmed], [part.height for part in trimmed], NOTABLE)
+    high = _over([part.missed for part in trimmed], [part.height for part in trimmed], wanted)
     if high:
         much = f"up to {high.worst:.3g} mm of material stays" if np.isfinite(high.worst) else "a whole run of facets stays uncut"
         text = f"The cutter does not fit into the corners at {high.number} facet segments; {much}. Use a smaller cutter there."
@@ -226,18 +268,18 @@ def _findings(contact: ContactPath, trimmed: list[Trimmed]) -> tuple[Finding, ..
 
 
 class _Worst(NamedTuple):
-    """How many segments are over a limit, the largest value and its segment."""
+    """How many of the wanted segments are over NOTABLE, the largest value and its segment."""
 
     number: int
     worst: float
     segment: int
 
 
-def _over(segments: list[Ints], values: list[Floats], limit: float) -> _Worst | None:
+def _over(segments: list[Ints], values: list[Floats], wanted: Bools) -> _Worst | None:
     if not segments:
         return None
     segment, value = np.concatenate(segments), np.concatenate(values)
-    over = np.flatnonzero(value > limit)
+    over = np.flatnonzero((value > NOTABLE) & wanted[segment])
     if not len(over):
         return None
     worst = over[value[over].argmax()]

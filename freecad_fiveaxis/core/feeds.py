@@ -50,10 +50,10 @@ _NONE = np.empty(0, np.int64)
 
 
 def _chords(links: Chain, q: Floats, tip: Floats) -> tuple[Floats, Floats, Floats]:
-    """Of each block its chord (m,) mm, its rotary travel (m,) rad, and how far its tip may be off a straight and even course, mm."""
+    """Chord (m,) mm and rotary travel (m,) rad of each block, and how far (mm) its tip may be off a straight and even course."""
     change = np.diff(q, axis=0)
     turned = np.abs(change[:, 3]) + np.abs(change[:, 4])
-    bend = turned * (turned * _lever_arm(links, q) + 2.0 * _length(change.T)) / 8.0
+    bend = turned * (turned * _lever_arms(links, q) + 2.0 * _length(change.T)) / 8.0
     return _length(np.diff(tip, axis=0).T), turned, bend
 
 
@@ -76,12 +76,15 @@ def _length(vector: Floats) -> Floats:
     return np.sqrt(length, out=length)
 
 
-def _lever_arm(links: Chain, q: Floats) -> float:
-    """An upper bound, for all rows, of the distance from either rotary line to what it turns, mm."""
+def _lever_arms(links: Chain, q: Floats) -> Floats:
+    """An upper bound, for each block (m - 1,), of the distance from either rotary line to what it turns, mm: that at its farther
+    end, because the linear words go straight."""
     linear = np.abs(links.direction[:3])
-    reach = float(_length(q.T).max(initial=0.0)) * math.sqrt(linear.sum(axis=0).max() * linear.sum(axis=1).max())
-    between = float(np.linalg.norm(links.point2 - links.point1))
-    return math.sqrt(2.0) * reach + between + float(np.linalg.norm(links.point2))
+    between = float(np.linalg.norm(links.point2 - links.point1)) + float(np.linalg.norm(links.point2))
+    arm = _length(q.T)
+    arm *= math.sqrt(2.0 * linear.sum(axis=0).max() * linear.sum(axis=1).max())
+    arm += between
+    return np.maximum(arm[1:], arm[:-1])
 
 
 def _sampled(links: Chain, words: list[Floats], tip: list[Floats], pieces: int) -> Floats:

@@ -18,6 +18,7 @@ from .cl_path import CLPath, LinkOptions, link_passes, order_passes
 from .coedge import OffsetPath, close_gaps
 from .deviation import Deviation, measure
 from .errors import SettingsError
+from .feasible import feasible_rows
 from .files import check_writable, read_bytes, write_whole
 from .findings import Finding
 from .joint_path import JointPath, solve
@@ -111,10 +112,11 @@ def mill(settings: Settings, mesh: Mesh, machine: Machine, links: Chain, dialect
         mesh, passes.direction, cutter.radius, stepover=passes.stepover, scallop=_scallop(settings),
         least=passes.least_interval, keep=keep, progress=progress,
     )  # fmt: skip
-    contact = slice_mesh(mesh, planes, passes.direction, keep, progress)
-    closed = close_gaps(contact, mesh, cutter.radius, settings.cutter.coedge_tolerance, progress)
-    offset = order_passes(closed, link.order)
-    axis = tool_axes(offset, settings.tool_axis.tool_axis, _axis_options(settings))
+    contact = slice_mesh(mesh, planes, passes.direction, progress=progress)
+    closed = close_gaps(contact, mesh, cutter.radius, settings.cutter.coedge_tolerance, keep, progress)
+    ordered = order_passes(closed, link.order)
+    axis = tool_axes(ordered, settings.tool_axis.tool_axis, _axis_options(settings))
+    offset, axis = feasible_rows(ordered, axis, links)
     options = LinkOptions(
         clearance=link.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
         control_point=settings.machine.control_point,

@@ -19,9 +19,10 @@ import numpy as np
 
 from .branches import POLE_ANGLE, broken_steps, choose, within_limits
 from .cl_path import CLPath, Motion
+from .columns import Matrix, chunks, cos_sin, mapped, split
 from .errors import ReachError, SettingsError
 from .findings import Finding, Severity
-from .kinematics import Chain, inverse_axis, linear_words
+from .kinematics import Chain, inverse_axis, joint_words
 from .linking import SAFE_MARGIN
 from .progress import Progress, silent
 from .records import Bools, Bytes, Floats, Ints, freeze
@@ -70,10 +71,10 @@ def solve(path: CLPath, links: Chain, low: Floats, high: Floats, clearance: floa
     if len(path.tip) == 0:
         return JointPath(path, np.empty(0, np.int64), np.empty((0, 5)), np.empty(0, np.int8), np.empty(0))
     path = _begun_by_rapid(path)
-    angles, pole, across = _angles(links, path)
+    pole, crossing = _near_pole(path.axis, links.direction[3])
+    angles = _angles(links, path.axis, pole)
     fits = _reachable(links, path, angles, pole)
     cutting = path.motion[1:] != Motion.RAPID
-    crossing = _crossings(path.axis, across, pole, links)
     words, branch = choose(angles, fits, links.low[3:], links.high[3:], cutting, crossing, progress)
     _place_turns(path, pole, words, branch)
     breaks = np.flatnonzero(broken_steps(words, branch, cutting, crossing))
@@ -93,21 +94,43 @@ def _begun_by_rapid(path: CLPath) -> CLPath:
     return replace(path, motion=motion, feed=feed)
 
 
-def _angles(links: Chain, path: CLPath) -> tuple[Floats, Bools, Floats]:
-    """Rotary words (2, n, 2) of both branches, pole rows filled; which rows are pole rows (n,); the axis across the first rotary
-    axis, as two columns (2, n)."""
+def _near_pole(axis: Floats, first: Floats) -> tuple[Bools, Bools]:
+    """Which rows (n,) are pole rows, and which steps (n - 1,) are crossings: those whose great arc from axis to axis passes the
+    pole, or begins or ends there, within CROSSING_ANGLE. ``first``: direction of the first rotary axis.
+
+    In the gnomonic view along ``first`` great arcs are straight: the arc passes the pole where the segment from
+    ``across / along`` to the next passes the origin. All is multiplied by both values of ``along``, so nothing divides.
+    """
+    frame: Matrix = [*np.linalg.svd(first[None])[2][1:].tolist(), first.tolist()]
+    pole, crossing = np.empty(len(axis), bool), np.empty(len(axis) - 1, bool)
+    for rows in chunks(len(axis)):
+        x, y, z = (np.asarray(column) for column in mapped(frame, split(axis[rows.start : rows.stop + 1])))
+        square = x * x + y * y
+        pole[rows] = square[: rows.stop - rows.start] <= POLE_ANGLE**2
+        near = square <= math.sin(CROSSING_ANGLE) ** 2
+        at = np.flatnonzero(x[1:] * x[:-1] + y[1:] * y[:-1] < 0.0)
+        passed = np.zeros(len(x) - 1, bool)
+        passed[at] = _passes_origin(*(column[at + end] for column in (x, y, z) for end in (0, 1)))
+        crossing[rows] = passed | near[1:] | near[:-1]
+    return pole, crossing
+
+
+def _passes_origin(x0: Floats, x1: Floats, y0: Floats, y1: Floats, z0: Floats, z1: Floats) -> Bools:
+    """Of segments that face the origin, those within CROSSING_ANGLE of it."""
+    chord = np.hypot(x1 * z0 - x0 * z1, y1 * z0 - y0 * z1)
+    facing = (z0 * z1 > 0.0) & (x0 * x1 + y0 * y1 + z0 * z1 > 0.0)
+    return np.asarray(facing & (np.abs(x0 * y1 - y0 * x1) <= math.tan(CROSSING_ANGLE) * chord))
+
+
+def _angles(links: Chain, axis: Floats, pole: Bools) -> Floats:
+    """Rotary words (2, n, 2) of both branches, pole rows filled."""
     first = links.direction[3]
-    frame = np.linalg.svd(first[None])[2][1:]
-    across = frame @ path.axis.T
-    pole = np.hypot(across[0], across[1]) <= POLE_ANGLE
-    axis: Floats = path.axis
-    if pole.any():
-        axis = axis.copy()
-        axis[pole] = np.copysign(1.0, axis[pole] @ first)[:, None] * first
     angles, _ = inverse_axis(links, axis)
-    if pole.any():
+    rows = np.flatnonzero(pole)
+    if len(rows):
+        angles[:, rows] = inverse_axis(links, np.copysign(1.0, axis[rows] @ first)[:, None] * first)[0]
         _fill_poles(angles, pole, links)
-    return angles, pole, across
+    return angles
 
 
 def _fill_poles(angles: Floats, pole: Bools, links: Chain) -> None:
@@ -137,29 +160,13 @@ def _reachable(links: Chain, path: CLPath, angles: Floats, pole: Bools) -> Bools
     return fits
 
 
-def _crossings(axis: Floats, across: Floats, pole: Bools, links: Chain) -> Bools:
-    """Steps (n - 1,) whose great arc from axis to axis passes the pole, or begins or ends there, within CROSSING_ANGLE.
-
-    In the gnomonic view along the first rotary axis great arcs are straight: the arc passes the pole where the segment from
-    ``across / along`` to the next passes the origin. All is multiplied by both values of ``along``, so nothing divides.
-    """
-    along = axis @ links.direction[3]
-    near = np.hypot(across[0], across[1]) <= math.sin(CROSSING_ANGLE)
-    (x0, x1), (y0, y1), (z0, z1) = ((c[:-1], c[1:]) for c in (across[0], across[1], along))
-    facing = (x0 * x1 + y0 * y1 < 0.0) & (z0 * z1 > 0.0) & (x0 * x1 + y0 * y1 + z0 * z1 > 0.0)
-    passed = np.zeros(len(facing), bool)
-    at = np.flatnonzero(facing)
-    x0, x1, y0, y1, z0, z1 = (c[at] for c in (x0, x1, y0, y1, z0, z1))
-    chord = np.hypot(x1 * z0 - x0 * z1, y1 * z0 - y0 * z1)
-    passed[at] = np.abs(x0 * y1 - y0 * x1) <= math.tan(CROSSING_ANGLE) * chord
-    return np.asarray(passed | near[1:] | near[:-1])
-
-
 def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> None:
     """Move the turn of each run of pole rows to its best step; the travel stays the same. Changes words and branch in place.
 
     A turn of more than pi that has no rapid stays spread over its steps as it was found: in one step it would be a break.
     """
+    if not pole.any():
+        return
     bounds = np.flatnonzero(np.diff(np.concatenate([[False], pole, [False]]).astype(np.int8))).reshape(-1, 2)
     bounds = bounds[(bounds[:, 0] > 0) & (bounds[:, 1] < len(pole))] - (1, 0)
     if len(bounds) == 0:
@@ -182,11 +189,9 @@ def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> Non
 
 
 def _finish(drive: Drive, links: Chain, findings: tuple[Finding, ...]) -> JointPath:
-    q = np.empty((5, len(drive.row))).T
-    q[:, 3:] = drive.angles
-    q[:, :3] = linear_words(links, drive.path.tip, drive.angles)
-    lost = np.flatnonzero(np.isnan(q[:, :3]).any(1))
-    if len(lost):
+    q = joint_words(links, drive.path.tip, drive.angles)
+    if np.isnan(q[:, :3].min()):
+        lost = np.flatnonzero(np.isnan(q[:, :3]).any(1))
         first, second = np.degrees(drive.angles[lost[0]])
         raise ReachError(
             f"the linear axes lie in one plane at {links.letters[3]} {first:.3f} {links.letters[4]} {second:.3f} deg and cannot "
@@ -195,7 +200,9 @@ def _finish(drive: Drive, links: Chain, findings: tuple[Finding, ...]) -> JointP
         )
     findings += _limit_findings(drive.path, links, q)
     pair = RotaryPair.of(links.direction[3], links.direction[4])
-    sine = pair.reach * np.abs(np.sin(q[:, 4] - pair.best))
+    sine = np.empty(len(q))
+    for rows in chunks(len(q)):
+        sine[rows] = pair.reach * np.abs(cos_sin(q[rows, 4] - pair.best)[1])
     return JointPath(drive.path, drive.row, q, drive.branch, sine, findings)
 
 
@@ -204,7 +211,7 @@ def _limit_findings(path: CLPath, links: Chain, q: Floats) -> tuple[Finding, ...
     findings = []
     for axis in range(3):
         for sign, limit in ((-1.0, float(links.low[axis])), (1.0, float(links.high[axis]))):
-            worst = int((sign * q[:, axis]).argmax())
+            worst = int(q[:, axis].argmax() if sign > 0.0 else q[:, axis].argmin())
             if sign * (q[worst, axis] - limit) > LINEAR_SLACK:
                 count = int((sign * (q[:, axis] - limit) > LINEAR_SLACK).sum())
                 text = (

@@ -146,14 +146,20 @@ def inverse_axis(links: Chain, axis: Floats) -> tuple[Floats, Floats]:
 
 
 def linear_words(links: Chain, tip: Floats, angles: Floats) -> Floats:
-    """The linear words X Y Z (n, 3) mm that put the tip (n, 3) mm, work frame, in place at rotary words (n, 2) rad.
+    """The linear words X Y Z (n, 3) mm alone, as joint_words."""
+    return joint_words(links, tip, angles)[:, :3]
 
-    NaN rows where the linear axes lie in a plane, which only happens to those on different sides of a rotary axis.
+
+def joint_words(links: Chain, tip: Floats, angles: Floats) -> Floats:
+    """The words (n, 5) mm and rad that put the tip (n, 3) mm, work frame, in place at rotary words ``angles`` (n, 2) rad.
+
+    NaN linear words where the linear axes lie in a plane, which only happens to those on different sides of a rotary axis.
     """
     tip, angles = np.asarray(tip, float), np.asarray(angles, float)
-    k, words = _constants(links), empty_rows(len(tip), 3)
+    k, words = _constants(links), empty_rows(len(tip), 5)
     for rows in chunks(len(tip)):
-        put(words[rows], _linear(links, k, split(tip[rows]), _turns(*split(angles[rows]))))
+        rotary = split(angles[rows])
+        put(words[rows], [*_linear(links, k, split(tip[rows]), _turns(*rotary)), *rotary])
     return words
 
 

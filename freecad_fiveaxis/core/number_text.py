@@ -97,6 +97,18 @@ def rounded(values: Floats, decimals: int) -> Floats:
     return result
 
 
+def nearest_whole(values: Floats) -> Ints:
+    """The whole numbers nearest to ``values`` below EXACT, ties to even, in the memory of ``values``, which are lost.
+
+    From 2^52 to 2^53 the last bit of a double is worth 1: adding 1.5 2^52 rounds, and leaves the number in the lower bits.
+    """
+    shift = np.array(1.5 * 2.0**52)
+    values += shift
+    whole = values.view(np.int64)
+    whole -= shift.view(np.int64)
+    return whole
+
+
 def _checked_rows(parts: Sequence[Part], end: bytes) -> int:
     lengths = {len(part.codes if isinstance(part, Choice) else part.values) for part in parts if not isinstance(part, bytes)}
     if len(lengths) != 1:
@@ -119,7 +131,10 @@ def _slice(part: Part, start: int) -> Part:
     rows = slice(start, start + CHUNK)
     if isinstance(part, Choice):
         return Choice(part.codes[rows], part.texts)
-    return type(part)(part.prefix, part.values[rows], part.decimals, None if part.show is None else part.show[rows])
+    show = None if part.show is None else part.show[rows]
+    if isinstance(part, Units):
+        return Units(part.prefix, part.values[rows], part.decimals, show)
+    return Column(part.prefix, part.values[rows], part.decimals, show)
 
 
 def _chunk(parts: Sequence[Part], rows: int, buffer: bytearray) -> bytes | bytearray:
@@ -147,12 +162,13 @@ def _pieces(part: Part, rows: int) -> list[NDArray[Any]] | None:
     if isinstance(part, Choice):
         return [_texts(tuple(part.texts)).take(part.codes)] if any(part.texts) else []
     scaled = _scaled(part)
-    if scaled is None:
+    top = float(scaled.view(np.uint64).max(initial=0))  # the least int64 has no absolute value, and comes out huge
+    if not top < EXACT:
         return None
     unit = 10**part.decimals
     whole = scaled // unit if part.decimals else scaled
     negative = np.signbit(part.values) if part.values.dtype.kind == "f" else part.values < 0
-    pieces = _integer_part(part.prefix, whole, negative, part.decimals > 0)
+    pieces = _integer_part(part.prefix, whole, int(top) // unit, negative, part.decimals > 0)
     pieces += _decimals(scaled - whole * unit, part.decimals) if part.decimals else []
     if part.show is not None:
         hidden = np.flatnonzero(~part.show)
@@ -161,23 +177,22 @@ def _pieces(part: Part, rows: int) -> list[NDArray[Any]] | None:
     return pieces
 
 
-def _scaled(part: Column | Units) -> Ints | None:
-    """|values| in units of the last decimal, rounded as ``%`` rounds; None where a double cannot hold that exactly."""
+def _scaled(part: Column | Units) -> Ints:
+    """|values| in units of the last decimal, rounded as ``%`` rounds; not below EXACT where a double cannot hold that exactly."""
     if part.values.dtype.kind != "f":
-        whole = np.abs(part.values, dtype=np.int64)  # the least int64 stays negative, and goes to %
-        fits = not len(whole) or (int(whole.max()) < EXACT and int(whole.min()) >= 0)
-        return whole if fits else None
+        return np.abs(part.values, dtype=np.int64)
     values = np.abs(part.values)
     with np.errstate(over="ignore", invalid="ignore"):
         scaled = values * 10.0**part.decimals
         nearest = np.rint(scaled)
         distance = np.subtract(scaled, nearest)
         np.abs(distance, out=distance)
-        if not scaled.max(initial=0.0) < EXACT:  # NaN comes out of max
-            return None
-    if distance.max(initial=0.0) == 0.5:
-        _settle_ties(np.flatnonzero(distance == 0.5), values, scaled, nearest, 10.0**part.decimals)
-    return nearest.astype(np.int64)
+        tie = distance.max(initial=0.0)
+        if np.isnan(tie):  # a number that is not finite
+            return np.full(len(values), -1, dtype=np.int64)
+        if tie == 0.5:
+            _settle_ties(np.flatnonzero(distance == 0.5), values, scaled, nearest, 10.0**part.decimals)
+        return nearest.astype(np.int64)
 
 
 def _settle_ties(rows: Ints, values: Floats, scaled: Floats, nearest: Floats, scale: float) -> None:
@@ -192,9 +207,9 @@ def _settle_ties(rows: Ints, values: Floats, scaled: Floats, nearest: Floats, sc
     nearest[rows] = np.where(error > 0.0, below + 1.0, np.where(error < 0.0, below, nearest[rows]))
 
 
-def _integer_part(prefix: bytes, whole: Ints, negative: Bools, point: bool) -> list[NDArray[Any]]:
-    """Prefix, sign, the integer part by groups of four digits, and the point."""
-    top, groups = int(whole.max(initial=0)), 1
+def _integer_part(prefix: bytes, whole: Ints, top: int, negative: Bools, point: bool) -> list[NDArray[Any]]:
+    """Prefix, sign, the integer part (``top`` is the largest) by groups of four digits, and the point."""
+    groups = 1
     while top >= GROUP**groups:
         groups += 1
     short = groups == 1

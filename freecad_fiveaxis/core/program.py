@@ -28,7 +28,7 @@ from .progress import Progress, silent
 from .records import Bools, Bytes, Floats, Ints, freeze
 
 PORTION = 65536
-"""Blocks timed at a time: enough for each kind of curved block to be worked on in long columns, few enough to stay in the cache."""
+"""Blocks timed at a time: few enough to stay in the cache, enough to sample the curved ones of each kind in long columns."""
 FEED_SLACK = 1e-9
 """F is rounded down, but a relative rounding error of this size must not cost a whole step (999.9999 for 1000)."""
 
@@ -64,9 +64,8 @@ def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_tim
     A row whose words are all those of the row before it is left out (row 0 never). Row 0 is a rapid, because no time can be
     given for a move that starts nowhere. Raises ProgramError where another row that is no rapid has no feed above 0.
     """
-    words = _round_words(joints.q, dialect)
-    row = _moving(words)
-    words, motion, tip_feed = words.T.take(row, axis=1).T, joints.path.motion[row], joints.path.feed[row]
+    words, row = _round_words(joints.q, dialect)
+    motion, tip_feed = joints.path.motion.take(row), joints.path.feed.take(row)
     findings = _first_findings(motion)
     motion[:1] = Motion.RAPID
     _check_feeds(row, motion, tip_feed)
@@ -78,23 +77,20 @@ def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_tim
     return Program(links.letters, words, times.feed, modes, motion, times.seconds, row, line, findings)
 
 
-def _round_words(q: Floats, dialect: Dialect) -> Floats:
-    """Words (n, 5) mm and degrees: the doubles nearest to what is printed."""
-    words = empty_rows(len(q), 5)
+def _round_words(q: Floats, dialect: Dialect) -> tuple[Floats, Ints]:
+    """Words (m, 5) mm and degrees, the doubles nearest to what is printed, of the rows that move; and these rows (m,)."""
+    words, kept, count = empty_rows(len(q), 5), [np.empty(0, np.int64)], 0
+    before = np.full(5, np.nan)  # equals nothing: row 0 is never left out
     for rows in chunks(len(q)):
+        part = np.empty((5, rows.stop - rows.start + 1))
+        part[:, 0] = before
         for k in range(5):
-            words[rows, k] = rounded(q[rows, k] if k < 3 else np.degrees(q[rows, k]), dialect.decimals(k))
-    return words
-
-
-def _moving(words: Floats) -> Ints:
-    moving = np.zeros(len(words), np.bool_)
-    moving[:1] = True
-    for rows in chunks(len(words) - 1):
-        start, end = words[rows], words[rows.start + 1 : rows.stop + 1]
-        for k in range(5):
-            moving[rows.start + 1 : rows.stop + 1] |= start[:, k] != end[:, k]
-    return np.flatnonzero(moving)
+            part[k, 1:] = rounded(q[rows, k] if k < 3 else np.degrees(q[rows, k]), dialect.decimals(k))
+        moving = np.flatnonzero((part[:, 1:] != part[:, :-1]).any(axis=0))
+        words[count : count + len(moving)] = part.take(moving + 1, axis=1).T
+        kept.append(rows.start + moving)
+        before, count = part[:, -1], count + len(moving)
+    return words[:count], np.concatenate(kept)
 
 
 def _check_feeds(row: Ints, motion: Bytes, tip_feed: Floats) -> None:
@@ -126,9 +122,9 @@ class _FeedScale:
     def largest(self) -> float:
         return self.dialect.largest_inverse if self.inverse_time else self.dialect.largest_feed
 
-    def distance(self, change: Floats) -> Floats:
-        """What F times minutes gives: 1, or the distance in mm (deg) that the controller measures."""
-        return np.ones(len(change)) if self.inverse_time else feed_distance(self.dialect, change)
+    def distance(self, words: Floats) -> Floats:
+        """What F times minutes gives in the blocks between rows of ``words`` (n, 5): 1, or what F is measured over, mm (deg)."""
+        return np.ones(len(words) - 1) if self.inverse_time else feed_distance(self.dialect, np.diff(words, axis=0))
 
     def rounded_down(self, asked: Floats) -> Floats:
         """F at most ``asked`` and at most the controller's largest, but at least one step."""
@@ -138,8 +134,8 @@ class _FeedScale:
 
 
 class _Times(NamedTuple):
-    """``asked`` (m,) the F that each block asks for (0 for rapids); ``held`` (m,) whether an axis holds it back; ``feed`` (m,) F as
-    rounded (0 for rapids); ``seconds`` (m,) by that F."""
+    """``asked`` (m,) the F that each block asks for, ``feed`` (m,) as rounded (both 0 for rapids); ``held`` (m,) whether an axis
+    holds it back; ``seconds`` (m,) by the rounded F."""
 
     asked: Floats
     held: Bools
@@ -158,7 +154,7 @@ def _time_blocks(words: Floats, motion: Bytes, tip_feed: Floats, links: Chain, s
         change, wanted, along = np.diff(q, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - first, np.bool_)
         wanted[rapid], along[rapid] = 1.0, False
         minutes, held = feed_minutes(links, change, tip_travel(links, q, along), wanted)
-        distance = scale.distance(np.diff(ends, axis=0))
+        distance = scale.distance(ends)
         asked = distance / minutes
         asked[rapid] = 0.0
         held[rapid] = False

@@ -12,11 +12,13 @@ import math
 
 import numpy as np
 
+from .columns import chunks, dot
 from .errors import ReachError, SettingsError
 from .findings import Finding, Severity
 from .kinematics import Chain, inverse_axis
 from .mesh import Mesh
 from .records import Bools, Floats
+from .rotary_pair import BEYOND
 
 LEVEL = 1e-4
 """rad: STL files keep coordinates to 1e-7 of their size, so the normals of small facets, those of walls too, are this far off."""
@@ -24,8 +26,8 @@ LEVEL = 1e-4
 WORD_ERROR = 1e-9
 """rad: a word that misses its limit by less is on it; rounding of the inverse, far below any controller's step."""
 
-CHUNK = 16384
-"""Rows at a time, so that the columns of the inverse kinematics stay in the cache."""
+FLAT = 1e-8
+"""Where a cosine is so near to 1 or -1, its rounding (1e-16) is worth more than WORD_ERROR / 100 of angle."""
 
 TURN = 2.0 * math.pi
 
@@ -46,8 +48,12 @@ def reachable_facets(mesh: Mesh, links: Chain, max_axis_angle: float) -> tuple[B
     steep = (up < math.cos(min(max_axis_angle + LEVEL, math.pi))) & ~down
     rest = np.flatnonzero(~(down | steep))
     beyond = np.zeros(len(up), dtype=np.bool_)
-    beyond[rest] = ~axes_within_limits(links, mesh.normal[rest])
+    for part in chunks(len(rest)):
+        rows = rest[part]
+        beyond[rows] = ~axes_within_limits(links, mesh.normal.T.take(rows, axis=1).T)
     keep: Bools = ~(down | steep | beyond)
+    if keep.all():
+        return keep, ()
     area = facet_areas(mesh)
     if not keep.any():
         raise ReachError(_nothing_left(area, down, steep, beyond, max_axis_angle), math.degrees(max_axis_angle))
@@ -57,15 +63,44 @@ def reachable_facets(mesh: Mesh, links: Chain, max_axis_angle: float) -> tuple[B
 
 def axes_within_limits(links: Chain, axis: Floats) -> Bools:
     """True (n,) where the machine can take up the unit tool axis (n, 3) with both rotary words within their limits."""
+    ends = _second_alone(links)
+    if ends is not None:
+        least, most = ends
+        along = np.asarray(dot(links.direction[3].tolist(), list(axis.T)))
+        return (along >= least) & (along <= most)
     within = np.empty(len(axis), dtype=np.bool_)
-    for start in range(0, len(axis), CHUNK):
-        part = slice(start, start + CHUNK)
+    for part in chunks(len(axis)):
         words, sine = inverse_axis(links, axis[part])
         first = _turned_within(words[:, :, 0], links.low[3], links.high[3])
-        first |= (sine == 0.0) & (links.low[3] <= links.high[3])  # at the pole any first word will do
+        first |= sine == 0.0  # at the pole any first word will do
         second = _turned_within(words[:, :, 1], links.low[4], links.high[4])
         within[part] = (first & second).any(axis=0)
     return within
+
+
+def _second_alone(links: Chain) -> tuple[float, float] | None:
+    """Least and largest component along the first rotary axis that the second one can give the tool axis within its limits.
+
+    Where the first axis turns all the way, an axis with such a component is within reach, and no other: the first never
+    changes the component, and turns the rest anywhere. By Rodrigues it is ``mean + reach cos(word - top)``. None where the
+    first axis is limited, or the second one's limit lies where the cosine is too flat to tell.
+    """
+    if links.high[3] - links.low[3] < TURN or links.low[4] > links.high[4]:
+        return None
+    first, second = links.direction[3], links.direction[4]
+    mean = float(first @ second) * float(second[2])
+    cosine, sine = float(first[2]) - mean, float(first[0] * second[1] - first[1] * second[0])
+    reach, top = math.hypot(cosine, sine), math.atan2(sine, cosine)
+    low, high = links.low[4] - WORD_ERROR - top, links.high[4] + WORD_ERROR - top
+    if high - low >= TURN:
+        return mean - (1.0 + BEYOND) * reach, mean + (1.0 + BEYOND) * reach
+    at_top = math.floor(high / TURN) >= low / TURN  # a whole turn lies between
+    at_bottom = math.floor(high / TURN - 0.5) >= low / TURN - 0.5
+    ends = math.cos(low), math.cos(high)
+    most, least = 1.0 if at_top else max(ends), -1.0 if at_bottom else min(ends)
+    if (not at_top and abs(most) > 1.0 - FLAT) or (not at_bottom and abs(least) > 1.0 - FLAT):
+        return None
+    return mean + (least - BEYOND) * reach, mean + (most + BEYOND) * reach
 
 
 def _turned_within(word: Floats, low: float, high: float) -> Bools:
@@ -80,10 +115,14 @@ def _turned_within(word: Floats, low: float, high: float) -> Bools:
 def facet_areas(mesh: Mesh) -> Floats:
     """Area (f,) of each facet, mm2."""
     x, y, z = mesh.vertex.T
-    a, b, c = mesh.face.T
-    ux, uy, uz = x[b] - x[a], y[b] - y[a], z[b] - z[a]
-    vx, vy, vz = x[c] - x[a], y[c] - y[a], z[c] - z[a]
-    area: Floats = 0.5 * np.sqrt((uy * vz - uz * vy) ** 2 + (uz * vx - ux * vz) ** 2 + (ux * vy - uy * vx) ** 2)
+    area = np.empty(len(mesh.face))
+    for part in chunks(len(area)):
+        a, b, c = mesh.face[part].T
+        ax, ay, az = x.take(a), y.take(a), z.take(a)
+        ux, uy, uz = x.take(b) - ax, y.take(b) - ay, z.take(b) - az
+        vx, vy, vz = x.take(c) - ax, y.take(c) - ay, z.take(c) - az
+        double = (uy * vz - uz * vy) ** 2 + (uz * vx - ux * vz) ** 2 + (ux * vy - uy * vx) ** 2
+        np.multiply(0.5, np.sqrt(double, out=double), out=area[part])
     return area
 
 

@@ -19,7 +19,7 @@ from .bound import quick_bound
 from .branches import POLE_ANGLE, SLACK, TURN
 from .cl_path import CLPath, Motion
 from .findings import Finding, Severity
-from .kinematics import Chain, branch_of, forward, inverse_axis, linear_words, q_to_words
+from .kinematics import Chain, branch_of, forward, inverse_axis, joint_words, q_to_words
 from .linking import keepout, way_out
 from .records import Bools, Bytes, Floats, Ints
 
@@ -182,13 +182,13 @@ def _insert(
 
 def subdivide_rapids(drive: Drive, links: Chain, tolerance: float) -> Drive:
     """Cut rapids that turn a rotary axis until the real tip provably stays within ``tolerance`` (mm) of the chord."""
-    travel = np.abs(np.diff(drive.angles, axis=0)).sum(1)
-    arrival = np.flatnonzero((drive.path.motion[1:] == Motion.RAPID) & (travel > STILL)) + 1
+    arrival = np.flatnonzero(drive.path.motion[1:] == Motion.RAPID) + 1
+    arrival = arrival[np.abs(drive.angles[arrival] - drive.angles[arrival - 1]).sum(1) > STILL]
     pieces = np.ones(len(arrival), np.int64)
     todo = np.arange(len(arrival))
     while len(todo):
         tip, angles, first = _evenly(drive, arrival[todo], pieces[todo])
-        bound = quick_bound(links, q_to_words(np.column_stack([linear_words(links, tip, angles), angles])))
+        bound = quick_bound(links, q_to_words(joint_words(links, tip, angles)))
         bound[first] = 0.0  # from the end of one rapid to the start of the next
         worst = np.maximum.reduceat(bound, first)
         todo, worst = todo[worst > tolerance], worst[worst > tolerance]

@@ -123,7 +123,8 @@ def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> Iterator[_Piece]:
         one, two = (level.take(v) for v in mesh.coedge_vertex[part].T)
         crossed = one != two
         if used is not None:
-            crossed &= used[mesh.coedge_face[part]].any(axis=1)
+            first, second = mesh.coedge_face[part].T
+            crossed &= used.take(first) | used.take(second)
         cut = np.flatnonzero(crossed)
         one, two = one.take(cut), two.take(cut)
         cut += part.start

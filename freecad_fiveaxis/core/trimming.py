@@ -120,7 +120,7 @@ def _drop(chords: Chords, gone: Ints) -> Ints:
     """
     before, after = chords.before[gone], chords.after[gone]
     chords.alive[gone] = False
-    chords.heir[gone] = np.where(before >= 0, before, after)
+    chords.heir[gone] = np.where(before >= 0, before, np.where(after >= 0, after, gone))
     chords.after[before[before >= 0]] = after[before >= 0]
     chords.before[after[after >= 0]] = before[after >= 0]
     fresh = before[(before >= 0) & (after >= 0)]
@@ -237,7 +237,7 @@ def _what_is_left(chords: Chords, segments: Segments) -> tuple[Ints, Floats, Int
     """
     gone = np.flatnonzero(~chords.alive & chords.real)
     heir = chords.heir
-    while not np.array_equal(heir, heir[heir]):
+    for _ in range(len(heir).bit_length()):  # each round doubles how far an heir's heir is followed
         heir = heir[heir]
     beyond = (chords.after < 0) | chords.ghost[chords.after]
     nothing = ~chords.alive | (chords.ghost & beyond)

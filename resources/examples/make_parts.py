@@ -7,8 +7,8 @@ saddle         block with a hyperbolic paraboloid on top: convex one way, concav
 half_cylinder  lying half cylinder, R 60 in Lin & Ye's Fig. 10.
 freeform_233   wavy open patch of 233 facets of uneven size, after Lin & Ye's Fig. 16 (that part itself was never published).
 
-Each function returns ``vertex`` (v, 3) mm and ``face`` (f, 3), counter-clockwise seen from outside. All parts stand on z = 0
-about the z axis; all but freeform_233 are closed (an odd number of facets cannot close).
+Each function returns ``vertex`` (v, 3) mm and ``face`` (f, 3), counter-clockwise seen from outside. The solids stand on z = 0
+about the z axis; freeform_233 is open, for an odd number of facets cannot close.
 """
 
 from __future__ import annotations

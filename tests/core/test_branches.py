@@ -9,8 +9,9 @@ import math
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import branches
+from freecad_fiveaxis.core import branches, columns
 from freecad_fiveaxis.core.branches import BREAK, SMALL_TURN, TURN, broken_steps, choose, least_path, within_limits
+from freecad_fiveaxis.core.progress import silent
 
 FREE = (-math.inf, math.inf)
 
@@ -156,3 +157,49 @@ def test_the_scan_on_two_levels_agrees_with_one_row_after_the_other(steps, count
     total = entry[state[0]] + cost[state[:-1], state[1:], np.arange(steps)].sum()
     assert len(state) == steps + 1
     assert total == pytest.approx(value.min(), abs=1e-9)
+
+
+def long_case(rng, rows, jump):
+    """Angles that go on evenly on both branches, like those of a machine of orthogonal axes, or less so the larger ``jump`` is."""
+    steps = rng.normal(0.0, 0.3, (2, rows, 2))
+    steps[1] = steps[0] * [1.0, -1.0] + rng.normal(0.0, jump, (rows, 2))
+    angles = np.cumsum(steps, 1) + [[[0.3, 0.8]], [[0.3 + math.pi, -0.8]]]
+    return angles - TURN * np.ceil((angles - math.pi) / TURN)
+
+
+@pytest.mark.parametrize(
+    ("jump", "gates", "lost", "shorter"), [(0.0, 0.1, 0.002, True), (0.3, 0.1, 0.002, True), (0.0, 0.01, 0.05, False)]
+)
+@pytest.mark.parametrize("chunk", [7, 64, 16384])
+def test_the_shorter_graph_of_gates_and_stretches_has_the_best_way_or_none(jump, gates, lost, shorter, chunk, monkeypatch):
+    monkeypatch.setattr(columns, "CHUNK", chunk)
+    rng, changes = np.random.default_rng(11), 0
+    free = np.array([-math.inf] * 2), np.array([math.inf] * 2)
+    for _ in range(5):
+        angles = long_case(rng, 2000, jump)
+        cutting, crossing, fits = rng.random(1999) > gates, rng.random(1999) < gates, np.ones((2, 2000), bool)
+        out = np.flatnonzero(rng.random(2000) < lost)
+        fits[rng.integers(0, 2, len(out)), out] = False
+        layers = branches._layers(angles, fits, *free, [True, True])
+        entry = np.where(fits[:, 0], 0.0, math.inf)
+        cost = branches._step_cost(layers, cutting, crossing, slice(0, 1999), slice(1, 2000))
+        best = least_path(entry, lambda first, last, cost=cost: cost[:, :, first:last], 1999)
+        state = branches._by_stretches(layers, entry, cutting, crossing, silent)
+        assert (state is not None) is shorter
+        if state is not None:
+            at, changes = np.arange(1999), changes + np.count_nonzero(np.diff(state))
+            assert cost[state[:-1], state[1:], at].sum() == pytest.approx(cost[best[:-1], best[1:], at].sum(), abs=1e-8)
+    assert changes > 3 or not shorter
+
+
+def test_a_break_that_has_to_be_made_inside_a_stretch_is_found():
+    """Branch 0 ends and branch 1 begins within one cut: no gate helps, so the shorter graph must not answer."""
+    angles = np.zeros((2, 60, 2))
+    angles[0], angles[1] = [0.0, 1.0], [math.pi, -1.0]
+    fits = np.ones((2, 60), bool)
+    fits[0, 40:] = fits[1, :20] = False
+    free = np.array([-math.inf] * 2), np.array([math.inf] * 2)
+    cutting, crossing = np.ones(59, bool), np.zeros(59, bool)
+    words, branch = choose(angles, fits, *free, cutting, crossing)
+    assert fits[branch, np.arange(60)].all()
+    assert broken_steps(words, branch, cutting, crossing).sum() == 1

@@ -410,4 +410,4 @@ def test_progress_can_stop_it():
 
     mesh = field(FIELDS["bowl"])
     with pytest.raises(Stop):
-        close_gaps(slice_mesh(mesh, np.array([0.5]), 0.0), mesh, 5.0, 0.01, stop)
+        close_gaps(slice_mesh(mesh, np.array([0.5]), 0.0), mesh, 5.0, 0.01, progress=stop)

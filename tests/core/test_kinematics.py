@@ -10,9 +10,19 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from freecad_fiveaxis.core import kinematics
-from freecad_fiveaxis.core.columns import CHUNK
+from freecad_fiveaxis.core.columns import CHUNK, cos_sin
 from freecad_fiveaxis.core.errors import MachineError
-from freecad_fiveaxis.core.kinematics import Setup, branch_of, chain, forward, inverse, inverse_axis, linear_words
+from freecad_fiveaxis.core.kinematics import (
+    Setup,
+    branch_of,
+    chain,
+    forward,
+    forward_tip,
+    inverse,
+    inverse_axis,
+    joint_words,
+    linear_words,
+)
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.machine_file import load_machine, shipped_machines
 
@@ -459,3 +469,24 @@ def test_a_quarter_turn_by_hand():
     tip, axis = forward(links, np.array([(10.0, 0.0, 0.0, math.pi / 2, 0.0), (0.0, 0.0, 5.0, 0.0, math.pi / 2)]))
     np.testing.assert_allclose(tip, [(0, 10, 0), (0, -5, 0)], atol=ROUNDING)
     np.testing.assert_allclose(axis, [(0, 0, 1), (0, -1, 0)], atol=ROUNDING)
+
+
+def test_cosine_and_sine_through_the_tangent_are_right_to_rounding_at_any_angle():
+    quarters = np.arange(-9, 10) * 0.5 * np.pi
+    angle = np.concatenate([np.random.default_rng(4).uniform(-50.0, 50.0, 20_000), quarters, quarters + 1e-9, quarters - 1e-9])
+    cos, sin = cos_sin(angle)
+    np.testing.assert_allclose(cos, np.cos(angle), rtol=0, atol=5e-16)
+    np.testing.assert_allclose(sin, np.sin(angle), rtol=0, atol=5e-16)
+    small = np.array([0.0, 1e-300, -1e-9, 1e-5])
+    np.testing.assert_allclose(cos_sin(small)[1], small, rtol=1e-10)
+
+
+@pytest.mark.parametrize("name", shipped_machines())
+def test_the_tip_alone_and_all_words_are_those_of_forward_and_linear_words(name):
+    links = chain(load_machine(name), Setup((1.0, 2.0, 3.0), 100.0))
+    q = np.random.default_rng(3).uniform(-1.0, 1.0, (50, 5)) * [100.0, 100.0, 100.0, 3.0, 1.0]
+    tip = forward_tip(links, q)
+    np.testing.assert_array_equal(tip, forward(links, q)[0])
+    words = joint_words(links, tip, q[:, 3:])
+    np.testing.assert_array_equal(words[:, 3:], q[:, 3:])
+    np.testing.assert_allclose(words, q, rtol=0, atol=1e-9)

@@ -278,3 +278,11 @@ def test_whoever_watches_can_stop_the_work() -> None:
     links = trunnion()
     with pytest.raises(Stop):
         build_program(joints_of(wander(5), links), links, DIALECTS["linuxcnc"], True, stop)
+
+
+def test_a_blocks_travel_does_not_depend_on_the_blocks_around_it() -> None:
+    links, q = trunnion(), wander(200, seed=8, turn=0.01)
+    q[150] += (5000.0, 0, 0, 0, 0)  # a far row must not change how others are measured
+    whole = feeds.tip_travel(links, q, np.ones(199, bool))
+    alone = np.array([feeds.tip_travel(links, q[i : i + 2], np.array([True]))[0] for i in range(199)])
+    np.testing.assert_allclose(whole, alone, rtol=1e-12)

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from io import SEEK_END, BytesIO
 from typing import Any
 
@@ -10,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.number_text import Choice, Column, Part, rounded, table_parts
+from freecad_fiveaxis.core.number_text import EXACT, Choice, Column, Part, Units, nearest_whole, rounded, table_parts
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools
@@ -62,28 +64,32 @@ def _mode(program: Program, dialect: Dialect) -> list[Part]:
     return [Choice(codes, (b"", f"{dialect.per_minute} ".encode(), f"{dialect.inverse_time} ".encode()))]
 
 
-def _axes(program: Program, dialect: Dialect) -> list[Part]:
+def _axes(program: Program, dialect: Dialect) -> Sequence[Part]:
     order = sorted(range(5), key=lambda column: dialect.order.index(program.letters[column]))
-    values = [rounded(program.words[:, column], dialect.decimals(column)) for column in order]
-    shows = [_changed(value) for value in values] if dialect.modal else [None] * 5
-    if shows[0] is not None:  # a block without any change still needs an axis word
-        shows[0] |= ~np.logical_or.reduce(shows)
-    return [
-        Column(b" " + program.letters[column].encode(), value, dialect.decimals(column), show)
-        for column, value, show in zip(order, values, shows, strict=True)
-    ]
+    words = [_word(program, column, dialect) for column in order]
+    if not dialect.modal:
+        return words
+    shows = [_changed(word.values) for word in words]
+    shows[0] |= ~np.logical_or.reduce(shows)  # a block without any change still needs an axis word
+    return [replace(word, show=show) for word, show in zip(words, shows, strict=True)]
+
+
+def _word(program: Program, column: int, dialect: Dialect) -> Column | Units:
+    """One axis word: counted in steps where a whole number can hold that, so that it is rounded only once."""
+    prefix, decimals = b" " + program.letters[column].encode(), dialect.decimals(column)
+    steps = program.words[:, column] * 10.0**decimals
+    if not np.maximum(-steps.min(), steps.max()) < EXACT:  # NaN comes out of max
+        return Column(prefix, rounded(program.words[:, column], decimals), decimals)
+    return Units(prefix, nearest_whole(steps), decimals)
 
 
 def _feed(program: Program, dialect: Dialect, feeding: Bools) -> list[Part]:
-    rows = np.flatnonzero(feeding)
-    feed, inverse = program.feed[rows], program.inverse_time[rows]
-    needed = inverse | _changed(feed) | _changed(inverse) if dialect.modal else np.ones(len(rows), np.bool_)
-    shows = []
-    for kind in (inverse, ~inverse):
-        show = np.zeros(len(feeding), np.bool_)
-        show[rows[needed & kind]] = True
-        shows.append(show)
-    pairs = zip(shows, (dialect.inverse_decimals, dialect.feed_decimals), strict=True)
+    inverse = feeding & program.inverse_time
+    per_minute = feeding & ~program.inverse_time
+    if dialect.modal and per_minute.any():
+        rows = np.flatnonzero(feeding)
+        per_minute[rows] &= _changed(program.feed[rows]) | _changed(program.inverse_time[rows])
+    pairs = ((inverse, dialect.inverse_decimals), (per_minute, dialect.feed_decimals))
     return [Column(b" F", program.feed, decimals, show) for show, decimals in pairs if show.any()]
 
 

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What of an offset path the tool can take up once its axis is chosen; the rest is left out, with findings.
+
+leaning in   the axis points below the surface at the contact: the shank would stand in the part.
+beyond       no branch of the machine takes up the axis within its rotary limits (lead and tilt may lead there, though the
+             facet's own normal is within reach).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from .coedge import OffsetPath, lasting_rows, take_rows
+from .findings import Finding, Severity
+from .kinematics import Chain
+from .reach import axes_within_limits
+from .records import Bools, Floats
+
+LEAN = 1e-6
+"""rad below the surface that rounding may make of an axis that lies in it."""
+
+
+_LEANING = (
+    "The tool leans into the part over {length:.1f} mm of the passes, the first at {at}; they are left out. Choose another tool "
+    "axis, lead or tilt, or cut these places in another set-up."
+)
+_BEYOND = (
+    "The tool axis is beyond the rotary limits over {length:.1f} mm of the passes, the first at {at}; they are left out. Use less "
+    "lead or tilt, clamp the part in another position, or take another machine."
+)
+
+
+def feasible_rows(path: OffsetPath, axis: Floats, links: Chain) -> tuple[OffsetPath, Floats]:
+    """The rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is left out."""
+    leaning = (path.normal * axis).sum(axis=1) < -LEAN
+    beyond = ~leaning & ~axes_within_limits(links, axis)
+    out = leaning | beyond
+    if not out.any():
+        return path, axis
+    found = (_left_out(path, leaning, "axis-into-part", _LEANING), _left_out(path, beyond, "axis-beyond-limits", _BEYOND))
+    rows = lasting_rows(path, np.flatnonzero(~out))
+    left = take_rows(path, rows)
+    findings = path.findings + tuple(finding for finding in found if finding is not None)
+    return replace(left, findings=findings), np.ascontiguousarray(axis.T).take(rows, axis=1).T
+
+
+def _left_out(path: OffsetPath, out: Bools, code: str, text: str) -> Finding | None:
+    first = int(out.argmax())
+    if not out[first]:
+        return None
+    steps = np.linalg.norm(np.diff(path.point, axis=0), axis=1)
+    length = float(steps[(out[1:] | out[:-1]) & (np.diff(path.polyline) == 0)].sum())
+    x, y, z = path.point[first].tolist()
+    said = text.format(length=length, at=f"({x:g}, {y:g}, {z:g}) mm")
+    return Finding(Severity.WARNING, code, said, value=length, limit=0.0, unit="mm", place=(x, y, z))

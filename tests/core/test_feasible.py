@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is left out stays out, and what is cut keeps off what was left out."""
+
+import numpy as np
+import pytest
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.mesh import from_triangles
+from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.stl import write_stl
+
+STEPS = (30.0, 24.0, 14.0)  # heights of the treads, mm; each 20 mm deep along X, 40 mm wide
+
+
+def prism(profile, width):
+    """A solid of a counter-clockwise profile in XZ, from y = -width/2 to width/2; the profile is convex seen from (0, 0)."""
+    x, z = np.array(profile, float).T
+    n, front, back = len(x), -width / 2, width / 2
+    near, far = np.column_stack([x, np.full(n, front), z]), np.column_stack([x, np.full(n, back), z])
+    nxt = np.roll(np.arange(n), -1)
+    walls = [np.stack([near, far[nxt], near[nxt]], 1), np.stack([near, far, far[nxt]], 1)]
+    fan = [(0, i, i + 1) for i in range(1, n - 1)]
+    caps = [near[np.array(fan)], far[np.array(fan)[:, ::-1]]]
+    return np.concatenate([*walls, *caps])
+
+
+@pytest.fixture
+def stairs(tmp_path):
+    """A stepped block whose walls stand upright; seen from its lower back corner every part of the profile is in sight."""
+    profile = [
+        (0.0, 0.0),
+        (60.0, 0.0),
+        (60.0, STEPS[2]),
+        (40.0, STEPS[2]),
+        (40.0, STEPS[1]),
+        (20.0, STEPS[1]),
+        (20.0, STEPS[0]),
+        (0.0, STEPS[0]),
+    ]
+    path = tmp_path / "stairs.stl"
+    write_stl(from_triangles(prism(profile, 40.0)), path)
+    return path
+
+
+def milled(path, **options):
+    given = {"machine": "trunnion_ac", "stepover": 3.0, **options}
+    return job.make(build_settings("mill", str(path), given))
+
+
+def least_distance_to_the_steps(centre):
+    """Of points (n, 3) from the stairs, by hand: the nearest of the three boxes that they are made of."""
+    distance = np.full(len(centre), np.inf)
+    for k, height in enumerate(STEPS):
+        low, high = np.array([20.0 * k, -20.0, 0.0]), np.array([20.0 * (k + 1), 20.0, height])
+        distance = np.minimum(distance, np.linalg.norm(np.maximum(0, np.maximum(low - centre, centre - high)), axis=1))
+    return distance
+
+
+def centres_along_feed(made):
+    """Ball centres on the commanded chords of all feed moves, 9 a move (3 axes: the tool stands upright)."""
+    path = made.path
+    centre = path.tip + 5.0 * path.axis
+    end = np.flatnonzero(path.motion[1:] != Motion.RAPID) + 1
+    u = np.linspace(0, 1, 9)[:, None, None]
+    return ((1 - u) * centre[end - 1] + u * centre[end]).reshape(-1, 3)
+
+
+@pytest.mark.parametrize("options", [{"max_axis_angle": "60"}, {"max_axis_angle": "60", "tool_axis": "fixed", "lead": "5"}])
+def test_the_ball_stops_short_of_a_wall_that_is_left_out(stairs, options):
+    made = milled(stairs, **options)
+    cut = made.path.motion <= Motion.FILL
+    assert set(np.round(made.path.contact[cut, 2], 6)) == set(STEPS)
+    assert least_distance_to_the_steps(centres_along_feed(made)).min() > 5.0 - 1e-6
+
+
+def test_without_the_wall_the_ball_would_run_into_it(stairs):
+    """The same treads, cut as if nothing stood beside them: the comparison above can fail."""
+    made = milled(stairs, max_axis_angle="60")
+    treads = made.path.contact[made.path.motion <= Motion.FILL]
+    into_the_wall = np.array([[20.0 + 1e-3, 0.0, STEPS[1] + 5.0]])
+    assert treads[:, 0].max() > 55.0
+    assert least_distance_to_the_steps(into_the_wall)[0] < 1.0
+
+
+def test_contacts_that_the_tool_would_lean_into_are_left_out_with_their_length(stairs):
+    made = milled(stairs, tool_axis="fixed", axis="0.3,0,1", stepover=5.0)
+    said = {finding.code: finding for finding in made.findings}
+    assert said["axis-into-part"].value > 10.0
+    cut = made.path.motion <= Motion.FILL
+    assert ((made.path.normal * made.path.axis).sum(axis=1)[cut] > -1e-6).all()
+
+
+def test_lead_beyond_the_rotary_limits_leaves_out_and_does_not_refuse(stairs):
+    made = milled(stairs, machine="linuxcnc_xyzac_trt", lead="-20", tilt="20")
+    assert "axis-beyond-limits" in {finding.code for finding in made.findings}
+    words = np.radians(made.program.words[:, 3:])
+    assert (words >= made.links.low[3:] - 1e-6).all() and (words <= made.links.high[3:] + 1e-6).all()
+
+
+def test_where_nothing_is_left_out_no_row_is_lost(stairs):
+    made = milled(stairs)
+    assert not {"axis-into-part", "axis-beyond-limits"} & {finding.code for finding in made.findings}
