@@ -211,8 +211,7 @@ def _step_cost(layers: Layers, cutting: Bools, crossing: Bools, start: slice | I
     """Cost (s, s, m) of the m steps from the rows ``start`` to the rows ``end`` after them, from state to state."""
     this_word, next_word, held = layers.word[:, :, start], layers.word[:, :, end], np.where(cutting[start], BREAK, 0.0)
     banned = np.where(crossing[start], 0.0, held)
-    closed = np.where(layers.fits[:, end], 0.0, math.inf)
-    count = len(layers.branch)
+    closed, count = np.where(layers.fits[:, end], 0.0, math.inf), len(layers.branch)
     cost = np.zeros((count, count, len(held)))
     for this, after in np.ndindex(count, count):
         total = cost[this, after]
@@ -237,14 +236,12 @@ def _by_stretches(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools
     """The best states (n,) where both words wrap; None where changing branch at gates only is not proven to be the best."""
     if len(layers.branch) == 1:
         return np.zeros(len(cutting) + 1, np.int64)
-    starts, costs, least = [], [np.empty((2, 2, 0))], 0.0
+    starts, costs, least = [np.empty(0, np.int64)], [np.empty((2, 2, 0))], 0.0
     for count, rows in enumerate(chunks(len(cutting))):
         if count % 32 == 0:
             progress("joint path", rows.start / len(cutting))
         start, cost, step_least = _stretches(layers, cutting, crossing, rows)
-        starts.append(start)
-        costs.append(cost)
-        least += step_least
+        starts, costs, least = [*starts, start], [*costs, cost], least + step_least
     cost, start = np.concatenate(costs, 2), np.concatenate([*starts, [len(cutting)]])
     state = least_path(entry, lambda first, last: cost[:, :, first:last], cost.shape[2])
     total = entry[state[0]] + cost[state[:-1], state[1:], np.arange(len(state) - 1)].sum()

@@ -14,7 +14,7 @@ from pathlib import Path
 from . import report
 from .apt import read_apt, write_apt
 from .block_table import blocks_csv
-from .cl_path import CLPath, LinkOptions, link_passes, order_passes
+from .cl_path import CLPath, LinkOptions, Motion, link_passes, order_passes
 from .coedge import OffsetPath, close_gaps
 from .deviation import Deviation, measure
 from .errors import SettingsError
@@ -128,9 +128,10 @@ def mill(settings: Settings, mesh: Mesh, machine: Machine, links: Chain, dialect
 
 
 def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:
-    """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the path's own box."""
+    """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the feed moves."""
     path = read_apt(read_bytes(settings.source, "CL file"), settings.feeds.feed, progress)
-    low, high = path.tip.min(axis=0), path.tip.max(axis=0)
+    feeding = path.tip[path.motion != Motion.RAPID] if (path.motion != Motion.RAPID).any() else path.tip
+    low, high = feeding.min(axis=0), feeding.max(axis=0)
     return _posted(settings, path, low, high, machine, links, dialect, path.findings, progress)
 
 
@@ -138,7 +139,7 @@ def _posted(
     settings: Settings, path: CLPath, low: Floats, high: Floats, machine: Machine, links: Chain, dialect: Dialect,
     found: tuple[Finding, ...], progress: Progress,
 ) -> Posted:  # fmt: skip
-    joints = solve(path, links, low, high, settings.links.clearance, progress)
+    joints = solve(path, links, low, high, settings.links.clearance, settings.cutter.cutter.radius, progress)
     program = build_program(joints, links, dialect, settings.feeds.feed_mode == "g93", progress)
     nc = write_nc(program, dialect, _title(settings), _head(settings), progress)
     findings = found + joints.findings + program.findings

@@ -57,11 +57,14 @@ class JointPath:
         freeze(self, len(self.path.tip), row="i", q="f5", branch="m", sine="f")
 
 
-def solve(path: CLPath, links: Chain, low: Floats, high: Floats, clearance: float, progress: Progress = silent) -> JointPath:
+def solve(
+    path: CLPath, links: Chain, low: Floats, high: Floats, clearance: float, radius: float = 0.0, progress: Progress = silent
+) -> JointPath:
     """Drive ``path`` on the machine with the least rotary travel and the fewest breaks.
 
     ``low``, ``high`` (3,) mm: the part's box in the work frame; the tool retracts out of it by ``clearance`` (mm) before it
-    rewinds. Rapids that turn a rotary axis are cut into blocks whose real tip curve stays within half the clearance of the
+    rewinds; ``radius`` mm of the ball, which the rewinds keep off the part too. Rotary words may jump on rapids that go above
+    the part; a rapid beside it drives on as a cut does. Rapids that turn a rotary axis are cut into blocks whose real tip curve stays within half the clearance of the
     chord, and within the safe plane's margin. Each break gives a warning, each linear axis beyond its limits an error. Raises
     ReachError where the machine cannot take up an axis within its rotary limits, SettingsError for a clearance that is not
     positive.
@@ -74,15 +77,21 @@ def solve(path: CLPath, links: Chain, low: Floats, high: Floats, clearance: floa
     pole, crossing = _near_pole(path.axis, links.direction[3])
     angles = _angles(links, path.axis, pole)
     fits = _reachable(links, path, angles, pole)
-    cutting = path.motion[1:] != Motion.RAPID
+    cutting = ~_above(path, high[2] + clearance)
     words, branch = choose(angles, fits, links.low[3:], links.high[3:], cutting, crossing, progress)
     _place_turns(path, pole, words, branch)
     breaks = np.flatnonzero(broken_steps(words, branch, cutting, crossing))
     start = Drive(path, np.arange(len(words)), words, branch)
-    drive, gaps = insert_rewinds(start, links, breaks, np.asarray(low), np.asarray(high), clearance)
+    drive, gaps = insert_rewinds(start, links, breaks, np.asarray(low), np.asarray(high), clearance, radius)
     drive = subdivide_rapids(drive, links, min(0.5 * clearance, SAFE_MARGIN))
     progress("joint path", 1.0)
     return _finish(drive, links, rewind_findings(start, drive, links, breaks, gaps))
+
+
+def _above(path: CLPath, height: float) -> Bools:
+    """The steps (n - 1,) that are rapids with both ends at least that high: a tool that swings there meets nothing."""
+    high = path.tip[:, 2] >= height
+    return (path.motion[1:] == Motion.RAPID) & high[1:] & high[:-1]
 
 
 def _begun_by_rapid(path: CLPath) -> CLPath:

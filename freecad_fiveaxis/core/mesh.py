@@ -76,6 +76,7 @@ def from_columns(column: Reals) -> Mesh:
     # row k f + i is corner k of facet i, as in a Fortran-ordered ``face``
     corners = column.reshape(3, -1)
     vertex, corner = weld(corners, *_range(corners, facets, "facet"))
+    del column, corners  # nobody needs them any more, and the rest needs room
     return _build(vertex, corner.reshape(3, -1).T)
 
 

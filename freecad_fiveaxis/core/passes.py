@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .columns import CHUNK, chunks
+from .columns import chunks
 from .errors import SettingsError
 from .findings import Finding
 from .mesh import Mesh
@@ -107,7 +107,6 @@ def _contact_path(
     """Entry and exit of each segment from the chains of crossings (see :func:`~.slicing.chain`)."""
     along, height = cross.along.take(crossing), cross.height.take(crossing)
     end, number = _segment_ends(along, height, first)
-    place = _place(along, np.repeat(planes.take(plane), np.diff(first, append=len(along))), heading)
     used = np.flatnonzero(number)
     number, plane = 2 * number.take(used), plane.take(used)
     # one block for the labels and one for the rest: numpy asks for large memory pages where an array is large
@@ -115,28 +114,26 @@ def _contact_path(
     point, normal = np.empty((2, 3, 2 * len(end)))
     polyline[:] = np.repeat(np.arange(len(used)), number)
     pass_[:] = np.repeat(plane, number)
-    marks, facet = cross.coedge.take(crossing), cross.left.take(crossing)
-    twice = np.arange(2 * CHUNK) >> 1
     for part in chunks(len(end)):
         rows = slice(2 * part.start, 2 * part.stop)
-        both = twice[: rows.stop - rows.start]
-        np.add(both, part.start, out=segment[rows])
         exits = end[part]
-        at = exits.take(both)
-        at[0::2] -= 1
-        for values, out in zip((*place, height, marks), (*point, coedge), strict=True):
-            values.take(at, out=out[rows], mode="clip")
-        cut = facet.take(exits)
-        cut.take(both, out=face[rows], mode="clip")
-        for part_of_normal, out in zip(mesh.normal.T, normal, strict=True):
-            part_of_normal.take(cut).take(both, out=out[rows], mode="clip")
+        at = np.empty(2 * len(exits), dtype=np.int64)
+        at[0::2], at[1::2] = exits - 1, exits
+        _place(along.take(at), planes.take(pass_[rows]), heading, point[:2, rows])
+        height.take(at, out=point[2, rows], mode="clip")
+        cross.coedge.take(crossing.take(at), out=coedge[rows], mode="clip")
+        cut = cross.left.take(crossing.take(exits))
+        for values, both in ((cut, face[rows]), *zip((n.take(cut) for n in mesh.normal.T), normal[:, rows], strict=True)):
+            both[0::2] = both[1::2] = values
+        segment[rows] = np.arange(rows.start, rows.stop) >> 1
     return ContactPath(point.T, normal.T, *label)
 
 
-def _place(along: Floats, offset: Floats, heading: tuple[float, float]) -> tuple[Floats, Floats]:
-    """x and y of points at ``along`` and ``offset``."""
+def _place(along: Floats, offset: Floats, heading: tuple[float, float], out: Floats) -> None:
+    """x and y of points at ``along`` and ``offset``, into the rows of ``out``."""
     cosine, sine = heading
-    return cosine * along - sine * offset, sine * along + cosine * offset
+    np.subtract(cosine * along, sine * offset, out=out[0])
+    np.add(sine * along, cosine * offset, out=out[1])
 
 
 def _segment_ends(along: Floats, height: Floats, first: Ints) -> tuple[Ints, Ints]:

@@ -12,8 +12,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .bound import quick_bound
 from .branches import POLE_ANGLE, SLACK, TURN
@@ -57,16 +59,18 @@ class Place:
     angles: Floats
 
 
-def insert_rewinds(drive: Drive, links: Chain, breaks: Ints, low: Floats, high: Floats, clearance: float) -> tuple[Drive, Floats]:
+def insert_rewinds(
+    drive: Drive, links: Chain, breaks: Ints, low: Floats, high: Floats, clearance: float, radius: float
+) -> tuple[Drive, Floats]:
     """Retract, rewind and re-engage within each step of ``breaks`` (b,), the steps' first rows.
 
-    ``low``, ``high`` (3,) mm: the part's box. Returns the longer drive and the lengths (b,) mm that stay uncut because neither
+    ``low``, ``high`` (3,) mm: the part's box; ``radius`` mm of the ball. Returns the longer drive and the lengths (b,) mm that stay uncut because neither
     the old nor the new words reach them.
     """
     if len(breaks) == 0:
         return drive, np.empty(0)
     leave, enter = _places(drive, links, breaks)
-    tip, keep = _way_round(drive.path, leave, enter, low, high, clearance)
+    tip, keep = _way_round(drive.path, leave, enter, low, high, clearance, radius)
     motion = np.broadcast_to(np.array(ROUND, np.int8), keep.shape)
     axis, angles = (np.repeat(np.stack(pair, 1), 4, axis=1) for pair in ((leave.axis, enter.axis), (leave.angles, enter.angles)))
     contact = tip.copy()
@@ -133,14 +137,15 @@ def _part_way(points: Floats, breaks: Ints, share: Floats) -> Floats:
     return np.asarray(points[breaks] + share[:, None] * (points[breaks + 1] - points[breaks]))
 
 
-def _way_round(path: CLPath, leave: Place, enter: Place, low: Floats, high: Floats, clearance: float) -> tuple[Floats, Bools]:
+def _way_round(
+    path: CLPath, leave: Place, enter: Place, low: Floats, high: Floats, clearance: float, radius: float
+) -> tuple[Floats, Bools]:
     """Eight tips (b, 8, 3) of each rewind, from leave to enter as in ROUND; and which of them are needed (b, 8).
 
-    The part's box grows by the clearance and by the largest distance between contact and driven point, because that point may
-    be the ball's centre; the rapids' height is kept where it is higher.
+    The part's box grows by the clearance and by the ball's diameter: from the driven point, be it tip or centre, the ball
+    reaches no further. The rapids' height is kept where it is higher.
     """
-    radius = float(np.linalg.norm(path.tip - path.contact, axis=1).max())
-    keep = keepout(low, high, radius, clearance)
+    keep = keepout(low, high, 2.0 * radius, clearance)
     keep = keep._replace(safe=max(keep.safe, float(path.tip[path.motion == Motion.RAPID, 2].max())))
     out, back = way_out(leave.tip, leave.axis, keep), way_out(enter.tip, enter.axis, keep)
     tip = np.concatenate([leave.tip[:, None], out.station, back.station[:, ::-1], enter.tip[:, None]], 1)
@@ -163,10 +168,13 @@ def _entered_by_link(drive: Drive, breaks: Ints, enter: Place) -> Drive:
 def _insert(
     drive: Drive, links: Chain, at: Ints, tip: Floats, axis: Floats, angles: Floats, motion: Bytes, contact: Floats
 ) -> Drive:
-    """Rows put in before the rows ``at``. Links and rapids touch nothing; other rows cut what the row that they lead to cuts."""
+    """Rows put in before the rows ``at``, which ascend.
+
+    Links and rapids touch nothing; other rows cut what the row that they lead to cuts.
+    """
     path = drive.path
     cuts = motion < Motion.LINK
-    new = {
+    new: dict[str, Any] = {
         "tip": tip,
         "axis": axis,
         "motion": np.where(cuts, path.motion[at], motion),
@@ -175,9 +183,17 @@ def _insert(
         "normal": np.where(cuts[:, None], path.normal[at], axis),
     }
     new |= {name: np.where(cuts, getattr(path, name)[at], -1) for name in ("face", "coedge", "pass_")}
-    longer = replace(path, **{name: np.insert(getattr(path, name), at, rows, axis=0) for name, rows in new.items()})
-    branch = np.insert(drive.branch, at, branch_of(links, angles[:, 1]))
-    return Drive(longer, np.insert(drive.row, at, drive.row[at]), np.insert(drive.angles, at, angles, axis=0), branch)
+    source = np.repeat(np.arange(len(drive.row)), np.bincount(at, minlength=len(drive.row)) + 1)
+    place = at + np.arange(len(at))
+
+    def woven(own: NDArray[Any], rows: NDArray[Any]) -> Any:  # as np.insert, without working out the places every time
+        columns = own.T.take(source, axis=-1)
+        columns[..., place] = rows.T
+        return columns.T
+
+    longer = replace(path, **{name: woven(getattr(path, name), rows) for name, rows in new.items()})
+    branch = woven(drive.branch, branch_of(links, angles[:, 1]))
+    return Drive(longer, drive.row.take(source), woven(drive.angles, angles), branch)
 
 
 def subdivide_rapids(drive: Drive, links: Chain, tolerance: float) -> Drive:

@@ -11,7 +11,7 @@ With a scallop each interval starts from the smallest one along the pass before 
 and curvature. Then the scallop between that pass and the trial pass is measured and the trial plane moved until the
 largest scallop between the two is just below what was asked. The strips outside the outermost passes are at most half
 an interval wide, or the least interval. Where passes end aslant, the corner between two ends belongs to the border,
-not to the scallop between them: up to twice the scallop may stand there.
+not to the scallop between them: where the border runs nearly along the passes up to four times the scallop may stand there.
 """
 
 from __future__ import annotations

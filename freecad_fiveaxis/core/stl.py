@@ -49,11 +49,7 @@ def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
     """
     progress("read STL", 0.0)
     try:
-        content = _content(path)
-        if isinstance(content, bytes):
-            content = np.ascontiguousarray(_ascii_corners(content, progress).T)
-        progress("weld", 0.5)
-        mesh = from_columns(content)
+        mesh = from_columns(_columns(path, progress))
     except MeshError as problem:
         raise MeshError(f"{Path(path).name}: {problem}", problem.value) from problem
     progress("weld", 1.0)
@@ -67,6 +63,14 @@ def write_stl(mesh: Mesh, path: str | os.PathLike[str], ascii: bool = False) -> 
     folder cannot be written.
     """
     write_whole(path, b"".join(_ascii_pieces(mesh) if ascii else _binary_pieces(mesh)))
+
+
+def _columns(path: str | os.PathLike[str], progress: Progress) -> NDArray[np.float32] | Floats:
+    """Corners (3, 3, f): x y z, corner, facet."""
+    content = _content(path)
+    columns = np.ascontiguousarray(_ascii_corners(content, progress).T) if isinstance(content, bytes) else content
+    progress("weld", 0.5)
+    return columns
 
 
 def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:

@@ -313,4 +313,4 @@ def test_the_work_can_be_stopped():
         raise Cancelled("stopped")
 
     with pytest.raises(Cancelled):
-        solve(circling(1), links_of("trunnion_ac"), LOW, HIGH, CLEARANCE, stop)
+        solve(circling(1), links_of("trunnion_ac"), LOW, HIGH, CLEARANCE, progress=stop)

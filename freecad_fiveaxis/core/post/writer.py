@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.columns import chunks
 from freecad_fiveaxis.core.number_text import EXACT, Choice, Column, Part, Units, nearest_whole, rounded, table_parts
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
@@ -77,10 +78,13 @@ def _axes(program: Program, dialect: Dialect) -> Sequence[Part]:
 def _word(program: Program, column: int, dialect: Dialect) -> Column | Units:
     """One axis word: counted in steps where a whole number can hold that, so that it is rounded only once."""
     prefix, decimals = b" " + program.letters[column].encode(), dialect.decimals(column)
-    steps = program.words[:, column] * 10.0**decimals
-    if not np.maximum(-steps.min(), steps.max()) < EXACT:  # NaN comes out of max
-        return Column(prefix, rounded(program.words[:, column], decimals), decimals)
-    return Units(prefix, nearest_whole(steps), decimals)
+    words, steps = program.words[:, column], np.empty(len(program.words))
+    for part in chunks(len(steps)):
+        step = np.multiply(words[part], 10.0**decimals, out=steps[part])
+        if not np.maximum(-step.min(), step.max()) < EXACT:  # NaN comes out of max
+            return Column(prefix, rounded(words, decimals), decimals)
+        nearest_whole(step)
+    return Units(prefix, steps.view(np.int64), decimals)
 
 
 def _feed(program: Program, dialect: Dialect, feeding: Bools) -> list[Part]:
