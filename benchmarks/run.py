@@ -11,6 +11,7 @@ HERE = Path(__file__).parent
 def main(names):
     """Run the named benchmarks (``slicing`` for bench_slicing.py), or all."""
     sys.path[:0] = [str(HERE), str(HERE.parent)]
+    sys.argv[1:] = []  # a benchmark's own arguments are for when it is run alone
     for path in sorted(HERE.glob("bench_*.py")):
         if not names or path.stem.removeprefix("bench_") in names:
             print(f"\n== {path.stem.removeprefix('bench_')} ==", flush=True)
@@ -18,4 +19,4 @@ def main(names):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main(list(sys.argv[1:]))

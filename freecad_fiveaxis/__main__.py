@@ -3,7 +3,9 @@
 
 import sys
 
-from freecad_fiveaxis.core.cli import main
-
 if __name__ == "__main__":
+    try:
+        from freecad_fiveaxis.core.cli import main
+    except KeyboardInterrupt:  # before main could take care of it
+        sys.exit(130)
     sys.exit(main())

@@ -2,7 +2,10 @@
 """The command line, its options made from :mod:`settings`.
 
 exit 0    done.    exit 1    done, with findings of severity error.    exit 2    the input cannot be used: a message on
-stderr, no output file.    exit 130    stopped by the user, no output file.
+stderr, no output file; or the report cannot be shown: the message says which files are written.    exit 130    stopped by
+the user, no output file.
+
+The core is imported where it is used: numpy takes its time to load, and the user may stop that as well.
 """
 
 from __future__ import annotations
@@ -12,46 +15,39 @@ import json
 import math
 import os
 import sys
-from collections.abc import Sequence
-from pathlib import Path
-from typing import Any
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from freecad_fiveaxis import __version__
 
-from . import job
-from .errors import Cancelled, FiveAxisError, SettingsError
-from .files import read_bytes
+from .errors import Cancelled, FileError, FiveAxisError, SettingsError
+from .files import check_readable, read_bytes
 from .findings import Severity
-from .machine_file import load_machine, shipped_machines
-from .post import DIALECTS
-from .report import as_text
-from .settings import AUDIT, MILL, POST, TASKS, Settings, build_settings, option_fields
-from .terminal import bars
-from .tool_axis import STRATEGIES
+from .terminal import bars, show
+
+if TYPE_CHECKING:
+    from .settings import Settings
 
 DONE, DONE_WITH_ERRORS, UNUSABLE, STOPPED = 0, 1, 2, 130
 ABOUT = {
-    MILL: ("PART.stl", "mill a part: from an STL file to a proven NC program"),
-    POST: ("PATH.apt", "post a CL file (APT) to a proven NC program"),
-    AUDIT: ("PROGRAM.ngc", "audit a finished NC program of any origin"),
+    "mill": ("PART.stl", "mill a part: from an STL file to a proven NC program"),
+    "post": ("PATH.apt", "post a CL file (APT) to a proven NC program"),
+    "audit": ("PROGRAM.ngc", "audit a finished NC program of any origin"),
 }
 SHORT = {"output": ("-o", "--output")}
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line; returns the exit code."""
-    arguments = _parser().parse_args(argv)
     try:
+        arguments = _parser().parse_args(argv)
         return int(arguments.act(arguments))
     except (KeyboardInterrupt, Cancelled):
-        print("stopped; nothing was written", file=sys.stderr)
+        show("stopped; nothing was written", sys.stderr)
         return STOPPED
     except FiveAxisError as error:
-        print(f"fiveaxis: {error}", file=sys.stderr)
+        show(f"fiveaxis: {error}", sys.stderr)
         return UNUSABLE
-    except BrokenPipeError:  # the reader of our text went away: no error of ours
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return DONE
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -73,6 +69,8 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
+    from .settings import option_fields
+
     parser.add_argument("source", metavar=what)
     for cls, leaf in option_fields(task):
         title = (cls.__doc__ or "").strip().rstrip(".")
@@ -106,6 +104,8 @@ def _help(leaf: Any) -> str:
 
 
 def _run_task(arguments: argparse.Namespace) -> int:
+    from .settings import build_settings, option_fields
+
     names = {leaf.name for _, leaf in option_fields(arguments.task)}
     options = {name: value for name, value in vars(arguments).items() if name in names and value is not None}
     return _run(build_settings(arguments.task, arguments.source, options), arguments.quiet)
@@ -120,6 +120,8 @@ def read_job(path: str) -> Settings:
 
     Raises SettingsError where it is no such thing. A report's ``inputs`` are a job file too.
     """
+    from .settings import TASKS, build_settings, option_fields
+
     try:
         given = json.loads(read_bytes(path, "job file"))
     except (ValueError, RecursionError) as error:
@@ -141,34 +143,46 @@ def _beside(job_file: str, value: Any) -> Any:
 
 
 def _run(settings: Settings, quiet: bool) -> int:
+    from . import job
+    from .report import as_text
+
     job.check_outputs(settings)
-    if settings.task != AUDIT and not settings.output.output:
+    if settings.task != "audit" and not settings.output.output:
         raise SettingsError("no NC file named; give one with -o OUT.ngc", None)
-    if not Path(settings.source).is_file():
-        raise SettingsError(f"{settings.source} does not exist; name the file to read", settings.source)
+    check_readable(settings.source)
     with bars(quiet) as progress:
         result = job.run(settings, progress)
         written = job.write_outputs(result, progress)
     if not quiet:
-        print(as_text(job.figures(result)))
-        for path in written:
-            print(f"wrote {path}")
+        _show_report([as_text(job.figures(result)), *(f"wrote {path}" for path in written)], written)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in result.findings) else DONE
 
 
+def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:
+    try:
+        show("\n".join(parts), sys.stdout)
+    except FileError as error:
+        raise FileError(f"{error}; these files are written: {', '.join(written) or 'none asked for'}", error.value) from error
+
+
 def _machines(arguments: argparse.Namespace) -> int:
-    for name in shipped_machines():
-        print(f"{name:24} {load_machine(name).description}")
-    return DONE
+    from .machine_file import load_machine, shipped_machines
+
+    return _list((name, load_machine(name).description) for name in shipped_machines())
 
 
 def _controllers(arguments: argparse.Namespace) -> int:
-    for name, dialect in DIALECTS.items():
-        print(f"{name:24} {dialect.description}")
-    return DONE
+    from .post import DIALECTS
+
+    return _list((name, dialect.description) for name, dialect in DIALECTS.items())
 
 
 def _strategies(arguments: argparse.Namespace) -> int:
-    for name, strategy in STRATEGIES.items():
-        print(f"{name:24} {(strategy.__doc__ or '').strip().splitlines()[0]}")
+    from .tool_axis import STRATEGIES
+
+    return _list((name, (strategy.__doc__ or "").strip().splitlines()[0]) for name, strategy in STRATEGIES.items())
+
+
+def _list(rows: Iterable[tuple[str, str]]) -> int:
+    show("\n".join(f"{name:24} {text}" for name, text in rows), sys.stdout)
     return DONE

@@ -16,13 +16,16 @@ from .records import Floats
 KINDS = ("ball",)
 """The cutter shapes on offer."""
 
-SANE = 1e6
-"""mm; a cutter of a kilometre is a slip of the pen."""
+LEAST, MOST = 1e-3, 1e4
+"""mm; a cutter below a micrometre or above ten metres is a slip of the pen."""
 
 
 @dataclass(frozen=True)
 class Cutter:
-    """A ball-end cutter, mm: ``diameter`` and ``length`` (cutting edge, tip upwards)."""
+    """A ball-end cutter, mm: ``diameter`` and ``length`` (cutting edge, tip upwards), each from LEAST to MOST.
+
+    Raises SettingsError where one of them is not.
+    """
 
     diameter: float
     length: float = 50.0
@@ -30,8 +33,8 @@ class Cutter:
     def __post_init__(self) -> None:
         for name in ("diameter", "length"):
             value = getattr(self, name)
-            if not 0.0 < value < SANE:
-                raise SettingsError(f"cutter {name} is {value:g} mm; give a length above 0", value)
+            if not LEAST <= value <= MOST:
+                raise SettingsError(f"cutter {name} is {value:g} mm; give {LEAST:g} to {MOST:g} mm", value)
 
     @property
     def radius(self) -> float:

@@ -27,8 +27,8 @@ _LEANING = (
     "axis, lead or tilt, or cut these places in another set-up."
 )
 _BEYOND = (
-    "The tool axis is beyond the rotary limits over {length:.1f} mm of the passes, the first at {at}; they are left out. Use less "
-    "lead or tilt, clamp the part in another position, or take another machine."
+    "The tool axis is beyond the rotary limits over {length:.1f} mm of the passes, the first at {at}; they are left out. Use "
+    "less lead or tilt, clamp the part in another position, or take another machine."
 )
 
 

@@ -5,14 +5,24 @@ from __future__ import annotations
 
 import contextlib
 import os
+import stat
 import tempfile
 from pathlib import Path
 
 from .errors import FileError
 
 
+def is_name(text: str | os.PathLike[str]) -> bool:
+    """Whether a file can have that name (or path) at all: no NUL, no character that the system cannot write."""
+    try:
+        return b"\0" not in os.fsencode(text)
+    except UnicodeEncodeError:
+        return False
+
+
 def read_bytes(path: str | os.PathLike[str], what: str) -> bytes:
     """The whole file. Raises FileError that says what is missing or unreadable."""
+    _check_name(path)
     try:
         return Path(path).read_bytes()
     except OSError as error:
@@ -21,6 +31,7 @@ def read_bytes(path: str | os.PathLike[str], what: str) -> bytes:
 
 def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
     """Write beside, then rename: nobody ever sees half a file. Raises FileError; an old file then stays as it was."""
+    _check_name(path)
     target = Path(path)
     part = None
     try:
@@ -36,18 +47,37 @@ def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
         raise FileError(f"{target} cannot be written: {error.strerror or error}; choose another folder", path) from error
 
 
+def check_readable(path: str | os.PathLike[str]) -> None:
+    """Fail early where there is no file to read. Raises FileError."""
+    _check_name(path)
+    try:
+        mode = os.stat(path).st_mode
+    except FileNotFoundError as error:
+        raise FileError(f"{path} does not exist; name the file to read", path) from error
+    except OSError as error:
+        raise FileError(f"{path} cannot be read: {error.strerror or error}", path) from error
+    if not stat.S_ISREG(mode):
+        raise FileError(f"{path} is {'a folder' if stat.S_ISDIR(mode) else 'no ordinary file'}; name the file to read", path)
+
+
 def check_writable(path: str | os.PathLike[str]) -> None:
     """Fail early, before the long work, where a result could not be written. Raises FileError."""
+    _check_name(path)
     folder = Path(path).parent
-    if Path(path).is_dir():
+    if os.path.isdir(path):
         raise FileError(f"{path} is a folder; name a file", path)
-    if not folder.is_dir():
+    if not os.path.isdir(folder):
         raise FileError(f"folder {folder} does not exist; make it first", path)
     try:
         with tempfile.TemporaryFile(dir=folder):
             pass
     except OSError as error:
         raise FileError(f"folder {folder} cannot be written: {error.strerror or error}; choose another one", path) from error
+
+
+def _check_name(path: str | os.PathLike[str]) -> None:
+    if not is_name(path):
+        raise FileError(f"{os.fspath(path)!r} cannot be the name of a file; give another", path)
 
 
 def _umask() -> int:

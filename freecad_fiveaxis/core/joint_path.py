@@ -63,11 +63,11 @@ def solve(
     """Drive ``path`` on the machine with the least rotary travel and the fewest breaks.
 
     ``low``, ``high`` (3,) mm: the part's box in the work frame; the tool retracts out of it by ``clearance`` (mm) before it
-    rewinds; ``radius`` mm of the ball, which the rewinds keep off the part too. Rotary words may jump on rapids that go above
-    the part; a rapid beside it drives on as a cut does. Rapids that turn a rotary axis are cut into blocks whose real tip curve stays within half the clearance of the
-    chord, and within the safe plane's margin. Each break gives a warning, each linear axis beyond its limits an error. Raises
-    ReachError where the machine cannot take up an axis within its rotary limits, SettingsError for a clearance that is not
-    positive.
+    rewinds; ``radius`` mm of the ball, which the rewinds keep off the part too. Rotary words may jump on rapids that go
+    above the part; a rapid beside it drives on as a cut does. Rapids that turn a rotary axis are cut into blocks whose real
+    tip curve stays within half the clearance of the chord, and within the safe plane's margin. Each break gives a warning,
+    each linear axis beyond its limits an error. Raises ReachError where the machine cannot take up an axis within its
+    rotary limits, SettingsError for a clearance that is not positive.
     """
     if not clearance > 0.0:
         raise SettingsError(f"clearance {clearance} mm must be positive: rapids and rewinds need room about the part", clearance)
@@ -91,7 +91,7 @@ def solve(
 def _above(path: CLPath, height: float) -> Bools:
     """The steps (n - 1,) that are rapids with both ends at least that high: a tool that swings there meets nothing."""
     high = path.tip[:, 2] >= height
-    return (path.motion[1:] == Motion.RAPID) & high[1:] & high[:-1]
+    return np.asarray((path.motion[1:] == Motion.RAPID) & high[1:] & high[:-1])
 
 
 def _begun_by_rapid(path: CLPath) -> CLPath:

@@ -22,6 +22,8 @@ VERSION = 1
 def as_json(figures: Figures) -> str:
     """The report for scripts; infinite and missing numbers are null, severities lower-case words.
 
+    Bytes of a file name that are no Unicode (Python's lone surrogates) become escapes, which JSON readers give back.
+
     Keys: version, summary (see :func:`~freecad_fiveaxis.core.figures.summary`), worst_blocks, findings, inputs.
     """
     report = {
@@ -31,7 +33,8 @@ def as_json(figures: Figures) -> str:
         "findings": figures.findings,
         "inputs": figures.inputs,
     }
-    return json.dumps(plain(report), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    text = json.dumps(plain(report), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    return text.encode("utf-8", "backslashreplace").decode("utf-8")
 
 
 def plain(value: object) -> Any:

@@ -64,8 +64,8 @@ def insert_rewinds(
 ) -> tuple[Drive, Floats]:
     """Retract, rewind and re-engage within each step of ``breaks`` (b,), the steps' first rows.
 
-    ``low``, ``high`` (3,) mm: the part's box; ``radius`` mm of the ball. Returns the longer drive and the lengths (b,) mm that stay uncut because neither
-    the old nor the new words reach them.
+    ``low``, ``high`` (3,) mm: the part's box; ``radius`` mm of the ball. Returns the longer drive and the lengths (b,) mm that
+    stay uncut because neither the old nor the new words reach them.
     """
     if len(breaks) == 0:
         return drive, np.empty(0)

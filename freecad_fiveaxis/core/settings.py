@@ -20,10 +20,20 @@ from typing import Any, Literal
 from . import quantity
 from .cutter import Cutter, parse_cutter
 from .errors import SettingsError
+from .files import is_name
 from .machine import Vector
 
 MILL, POST, AUDIT = "mill", "post", "audit"
 TASKS = (MILL, POST, AUDIT)
+
+LONGEST = 1e6
+"""mm; a length, a coordinate or a number of a vector beyond this is a slip of the pen."""
+FARTHEST = 1e4
+"""mm; no machine has more room for its rapids."""
+SLOWEST, FASTEST = 1e-3, 1e6
+"""mm/min; what a feed can be."""
+SHORTEST = 1e-9
+"""Length of a vector whose direction is lost in rounding."""
 
 
 def option(
@@ -53,10 +63,12 @@ class PassSettings:
 
     direction: float = option(0.0, "angle", "travel direction of the passes, counter-clockwise from X")
     scallop: float | None = option(
-        None, "length", "largest scallop left between passes [0.01 where no stepover is given]", above=0
+        None, "length", "largest scallop left between passes [0.01 where no stepover is given]", above=0, most=LONGEST
     )
-    stepover: float | None = option(None, "length", "constant distance of the planes, instead of a scallop", above=0)
-    least_interval: float = option(0.05, "length", "planes never come closer than this (steep walls)", above=0)
+    stepover: float | None = option(
+        None, "length", "constant distance of the planes, instead of a scallop", above=0, most=LONGEST
+    )
+    least_interval: float = option(0.05, "length", "planes never come closer than this (steep walls)", above=0, most=LONGEST)
     max_axis_angle: float = option(
         math.pi / 2, "angle", "facets steeper than this are left out", above=0, most=math.pi / 2 + 1e-9
     )
@@ -66,8 +78,10 @@ class PassSettings:
 class CutterSettings:
     """The cutter and how co-edges are closed."""
 
-    cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in")
-    coedge_tolerance: float = option(0.01, "length", "largest R - r at a convex co-edge before an arc is used", above=0)
+    cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in", (MILL, POST))
+    coedge_tolerance: float = option(
+        0.01, "length", "largest R - r at a convex co-edge before an arc is used", above=0, most=LONGEST
+    )
 
 
 @dataclass(frozen=True)
@@ -75,7 +89,7 @@ class ToolAxisSettings:
     """How the tool stands at each contact."""
 
     tool_axis: str = option("facet_mean", "text", "tool-axis strategy (see `strategies`)")
-    axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of the strategy `fixed`, tip to holder")
+    axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of the strategy `fixed`, tip to holder", least=-LONGEST, most=LONGEST)
     lead: float = option(0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 3, most=math.pi / 3)
     tilt: float = option(0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 3, most=math.pi / 3)
 
@@ -87,15 +101,15 @@ class LinkSettings:
     order: Literal["zigzag", "one_way"] = option(
         "zigzag", "choice", "passes run to and fro, or all in one direction", choices=("zigzag", "one_way")
     )
-    clearance: float = option(5.0, "length", "rapids stay this far off the part's bounding box", above=0)
+    clearance: float = option(5.0, "length", "rapids stay this far off the part's bounding box", above=0, most=FARTHEST)
 
 
 @dataclass(frozen=True)
 class FeedSettings:
     """Feeds of the tip over the part."""
 
-    feed: float = option(1000.0, "feed", "feed of the tip over the part, mm/min", (MILL, POST), above=0)
-    plunge_feed: float = option(300.0, "feed", "feed of the approach, mm/min", above=0)
+    feed: float = option(1000.0, "feed", "feed of the tip over the part, mm/min", (MILL, POST), least=SLOWEST, most=FASTEST)
+    plunge_feed: float = option(300.0, "feed", "feed of the approach, mm/min", least=SLOWEST, most=FASTEST)
     feed_mode: Literal["g93", "g94"] = option(
         "g93", "choice", "inverse time, or units a minute", (MILL, POST), choices=("g93", "g94")
     )
@@ -106,13 +120,15 @@ class HeadSettings:
     """What the head of the NC file says."""
 
     tool: float | None = option(
-        None, "count", "tool number [no tool call: the operator has set tool and length]", (MILL, POST), least=1
+        None, "count", "tool number [no tool call: the operator has set tool and length]", (MILL, POST), least=1, most=99_999
     )
-    spindle: float = option(0.0, "number", "spindle speed, 1/min; 0 leaves the spindle off", (MILL, POST), least=0)
+    spindle: float = option(0.0, "number", "spindle speed, 1/min; 0 leaves the spindle off", (MILL, POST), least=0, most=999_999)
     coolant: Literal["on", "off"] = option("off", "choice", "coolant during the program", (MILL, POST), choices=("on", "off"))
-    work_offset: str = option("G54", "text", "work offset, G54 to G59 or G54.1 P1", (MILL, POST))
+    work_offset: str = option(
+        "G54", "text", "work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300", (MILL, POST)
+    )
     blend: float = option(
-        0.0, "length", "how far the controller may round corners, where it can; 0: exact path", (MILL, POST), least=0
+        0.0, "length", "how far the controller may round corners, where it can; 0: exact path", (MILL, POST), least=0, most=999
     )
 
 
@@ -122,8 +138,12 @@ class MachineSettings:
 
     machine: str = option("", "text", "a shipped machine's name or a path to a .fcm", TASKS)
     controller: str | None = option(None, "text", "the dialect of the NC file [the machine's, or linuxcnc]", TASKS)
-    origin: Vector | None = option(None, "point", "X,Y,Z of the work zero in the machine frame [the machine's]", TASKS)
-    tool_length: float | None = option(None, "length", "gauge point to tip; machines with a rotary head need it", TASKS, least=0)
+    origin: Vector | None = option(
+        None, "point", "X,Y,Z of the work zero in the machine frame [the machine's]", TASKS, least=-LONGEST, most=LONGEST
+    )
+    tool_length: float | None = option(
+        None, "length", "gauge point to tip; machines with a rotary head need it", TASKS, least=0, most=LONGEST
+    )
     control_point: Literal["tip", "centre"] = option(
         "tip", "choice", "the point of the tool that the words drive", choices=("tip", "centre")
     )
@@ -134,7 +154,9 @@ class MachineSettings:
 class ProofSettings:
     """What is proven of every block."""
 
-    tolerance: float = option(0.01, "length", "largest deviation of the tip from the commanded segment", TASKS, above=0)
+    tolerance: float = option(
+        0.01, "length", "largest deviation of the tip from the commanded segment", TASKS, above=0, most=LONGEST
+    )
     method: Literal["exact", "so2008"] = option(
         "exact", "choice", "line deviation: exact, or the model of So et al. 2008", TASKS, choices=("exact", "so2008")
     )
@@ -181,6 +203,7 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
 
     Raises SettingsError for an unknown option, a value out of range, or a contradiction.
     """
+    _text(source, "source")
     known = {leaf.name for _, leaf in option_fields(task)}
     for name in options:
         if name not in known:
@@ -203,6 +226,10 @@ def _check_together(settings: Settings) -> None:
         raise SettingsError("no machine given; name one with --machine (see `machines`)", "")
     if settings.passes.scallop is not None and settings.passes.stepover is not None:
         raise SettingsError("scallop and stepover exclude each other; give one of them", settings.passes.stepover)
+    tool = settings.tool_axis
+    if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
+        given = ",".join(f"{number:g}" for number in tool.axis)
+        raise SettingsError(f"axis {given} has no direction; give I,J,K of the fixed tool axis, as 0,0,1", tool.axis)
 
 
 def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
@@ -214,20 +241,27 @@ def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
         value = READERS[rules["kind"]](given, name)
     except TypeError as error:
         raise SettingsError(f"{name} {given!r} is not of the right kind", given) from error
-    if isinstance(value, float) and not (rules["least"] <= value <= rules["most"] and value > rules["above"]):
+    numbers = [number for number in (value if isinstance(value, tuple) else (value,)) if isinstance(number, float)]
+    if not all(rules["least"] <= number <= rules["most"] and number > rules["above"] for number in numbers):
         raise SettingsError(f"{name} {given} is out of range; {_range_text(rules)}", given)
     return value
 
 
 def _range_text(rules: Mapping[str, Any]) -> str:
-    unit = (180 / math.pi, " deg") if rules["kind"] == "angle" else (1.0, " mm" if rules["kind"] == "length" else "")
+    factor, unit = 180 / math.pi if rules["kind"] == "angle" else 1.0, UNITS.get(rules["kind"], "")
     parts = [(rules["above"], "above"), (rules["least"], "at least"), (rules["most"], "at most")]
-    return "it must be " + " and ".join(f"{word} {bound * unit[0]:g}{unit[1]}" for bound, word in parts if math.isfinite(bound))
+    bounds = [f"{word} {bound * factor:.7g}{unit}" for bound, word in parts if math.isfinite(bound)]
+    return f"{'each of its numbers' if rules['kind'] in ('point', 'vector') else 'it'} must be " + " and ".join(bounds)
+
+
+UNITS = {"length": " mm", "point": " mm", "angle": " deg", "feed": " mm/min"}
 
 
 def _text(given: Any, name: str) -> str:
     if not isinstance(given, str) or not given:
         raise SettingsError(f"{name} {given!r} is not a text", given)
+    if not is_name(given):
+        raise SettingsError(f"{name} {given!r} holds a character that no name can have; give another", given)
     return given
 
 

@@ -1,14 +1,41 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Progress on a terminal: a bar a stage, by tqdm where it is installed and by a plain line where it is not."""
+"""The terminal: text that always comes out, and progress as a bar a stage, by tqdm or by a plain line where tqdm is missing."""
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import Any
+from contextlib import contextmanager, suppress
+from typing import Any, TextIO
 
+from .errors import FileError
 from .progress import Progress, silent
+
+
+def show(text: str, stream: TextIO | None) -> None:
+    """Print a text at once; a character that the stream cannot take (a file name that is no Unicode) comes as an escape.
+
+    A reader that has gone away, or no stream at all, is no error. Raises FileError where the text cannot be written.
+    """
+    if stream is None:
+        return
+    encoding = getattr(stream, "encoding", None) or "utf-8"
+    try:
+        print(text.encode(encoding, "backslashreplace").decode(encoding), file=stream, flush=True)
+    except BrokenPipeError:
+        _silence(stream)
+    except OSError as error:
+        _silence(stream)
+        raise FileError(f"the text cannot be shown: {error.strerror or error}", text) from error
+
+
+def _silence(stream: TextIO) -> None:
+    """What is still in the stream's buffer would fail again when Python ends."""
+    with suppress(OSError, ValueError, AttributeError):  # a stream without a file number has no such end
+        away = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(away, stream.fileno())
+        os.close(away)
 
 
 @contextmanager

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from mesh_shapes import box, field, sphere
 
-from freecad_fiveaxis.core import mesh as mesh_module
 from freecad_fiveaxis.core import weld as weld_module
 from freecad_fiveaxis.core.errors import MeshError
 from freecad_fiveaxis.core.findings import Severity
+from freecad_fiveaxis.core.half_edges import sorted_half_edges
 from freecad_fiveaxis.core.mesh import from_faces, from_triangles
 
 
@@ -143,7 +143,7 @@ def test_half_edges_too_wide_for_one_word_are_paired_all_the_same():
     corners = sphere(rows=14, columns=30)
     mesh = from_triangles(corners)
     many = 1 << 29
-    wide, packed = (mesh_module._sorted_half_edges(mesh.face, vertices) for vertices in (many, len(mesh.vertex)))
+    wide, packed = (sorted_half_edges(mesh.face, vertices) for vertices in (many, len(mesh.vertex)))
     (key, half), (narrow, half_narrow) = wide.pick(slice(None)), packed.pick(slice(None))
     assert wide.half is not None and packed.half is None
     np.testing.assert_array_equal(half, half_narrow)

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from freecad_fiveaxis.core import number_text
-from freecad_fiveaxis.core.number_text import Choice, Column, rounded, table, table_parts
+from freecad_fiveaxis.core.number_text import EXACT, Choice, Column, Units, nearest_whole, rounded, table, table_parts
 
 
 def by_percent(columns: list[Column], end: bytes = b"\n") -> bytes:
@@ -105,3 +105,32 @@ def test_unusable_columns_are_refused(parts: list[Column]) -> None:
 def test_the_comparison_sees_one_wrong_digit() -> None:
     columns = [Column(b"X", np.array([1.00004999]), 4)]
     assert table(columns) != by_percent([Column(b"X", np.array([1.0001]), 4)])
+
+
+@pytest.mark.parametrize("decimals", [0, 1, 4, 6, 9])
+@pytest.mark.parametrize("size", [3, 10**5, 10**8, 10**13])
+def test_units_are_printed_as_the_number_they_count(decimals: int, size: int) -> None:
+    random = np.random.default_rng(size % 1000 + decimals)
+    units = random.integers(-size, size, 300)
+    units[:4] = 0, -1, 10**decimals, -(10**decimals) + 1
+    show = random.random(300) < 0.6
+    rows = []
+    for unit, shown in zip(units.tolist(), show.tolist(), strict=True):
+        whole, fraction = divmod(abs(unit), 10**decimals)
+        number = f"{'-' if unit < 0 else ''}{whole}" + (f".{fraction:0{decimals}d}" if decimals else "")
+        rows.append(f" X{number}" + (f"LONG{number}" if shown else "") + "\n")
+    text = table([Units(b" X", units, decimals), Units(b"LONG", units, decimals, show)])
+    assert text == "".join(rows).encode()
+    beside_a_nan = table(
+        [Units(b" X", units, decimals), Units(b"LONG", units, decimals, show), Column(b"", np.full(300, np.nan))]
+    )
+    assert beside_a_nan == text.replace(b"\n", b"nan\n")
+
+
+def test_the_nearest_whole_number_is_that_of_rint() -> None:
+    random = np.random.default_rng(5)
+    values = np.concatenate([random.uniform(-size, size, 1000) for size in (2.0, 1e6, 0.99 * EXACT)])
+    values = np.concatenate([values, [0.5, 1.5, -0.5, -1.5, 2.5, -0.0, EXACT - 0.5, 0.5 - EXACT]])
+    np.testing.assert_array_equal(nearest_whole(values.copy()), np.rint(values).astype(np.int64))
+    beyond = np.array([2.0**52 + 1.0])
+    assert nearest_whole(beyond.copy())[0] != int(beyond[0])

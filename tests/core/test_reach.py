@@ -130,3 +130,19 @@ def test_nothing_left_is_an_error_that_names_the_reasons():
 def test_a_largest_axis_angle_out_of_range_is_refused(angle):
     with pytest.raises(SettingsError, match="largest axis angle"):
         reachable_facets(ball(4, 6), links(), angle)
+
+
+@pytest.mark.parametrize("second", [(1, 0, 0), (0, math.sqrt(0.5), math.sqrt(0.5)), (0.6, 0.0, 0.8), (0.0, 0.8, -0.6)])
+def test_a_free_first_axis_changes_no_answer(second):
+    """Without limits of the first axis the answer comes from one component; two halves of its turn go the long way."""
+    random = np.random.default_rng(3)
+    axis = random.normal(size=(3000, 3))
+    axis[:200, :2] *= 1e-7
+    axis[200:300, 2] = 0.0
+    axis /= np.linalg.norm(axis, axis=1)[:, None]
+    spans = [(-120, 30), (0, 90), (-90, 0), (-1e-5, 2e-5), (100, 260), (-400, -100), (-360, 360), (170, 190), (179, 180)]
+    for tilt in spans:
+        free, one, other = (
+            axes_within_limits(links(turn=turn, tilt=tilt, second=second), axis) for turn in ((-180, 180), (-180, 1), (1, 180))
+        )
+        np.testing.assert_array_equal(free, one | other)

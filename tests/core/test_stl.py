@@ -3,11 +3,14 @@
 
 import os
 import struct
+import threading
+from io import BytesIO
 
 import numpy as np
 import pytest
 from mesh_shapes import box, sphere
 
+from freecad_fiveaxis.core import stl
 from freecad_fiveaxis.core.errors import FileError, FiveAxisError, MeshError
 from freecad_fiveaxis.core.mesh import from_triangles
 from freecad_fiveaxis.core.stl import read_stl, write_stl
@@ -195,3 +198,23 @@ def test_progress_is_told_and_may_stop_the_reading(tmp_path):
 
     with pytest.raises(FiveAxisError, match="stopped"):
         read_stl(tmp_path / "part.stl", stop)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="named pipes are a POSIX thing")
+@pytest.mark.parametrize("data", [binary(box()), "\n".join(ascii_lines(box())).encode()])
+def test_a_pipe_is_read_like_a_file(tmp_path, data):
+    pipe = tmp_path / "pipe.stl"
+    os.mkfifo(pipe)
+    writer = threading.Thread(target=pipe.write_bytes, args=(data,))
+    writer.start()
+    mesh = read_stl(pipe)
+    writer.join()
+    same_triangles(mesh, box())
+
+
+def test_a_file_that_shrinks_while_it_is_read_is_an_error():
+    whole = binary(box())
+    facets = len(box())
+    assert stl._binary_columns(BytesIO(whole[84:]), facets).shape == (3, 3, facets)
+    with pytest.raises(MeshError, match="shorter"):
+        stl._binary_columns(BytesIO(whole[84:-1]), facets)

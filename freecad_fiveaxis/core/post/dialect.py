@@ -30,6 +30,8 @@ class Dialect:
     rotary axes move together: True: over all axes, a degree counted as a millimetre; False: over X Y Z alone. Where
     only rotary axes move, F is in degrees a minute in both.
     ``modal``: words that do not change are left out (never the motion word). ``order``: the order of the axis words.
+    ``work_offsets``: the work offsets that the controller has, as a regular expression and in words for messages; the
+    default is Fanuc's, whose basic machines have 48 of the additional ones.
     ``number_step``: blocks are numbered N10 N20 ... by this step, 0 for none, starting again after ``number_most``.
     """
 
@@ -60,6 +62,10 @@ class Dialect:
     exact_path: str = ""
     blend_path: str = ""
     work_offset: str = "{offset}"
+    work_offsets: tuple[str, str] = (
+        r"G5[4-9]|G54\.1 ?P([1-9][0-9]?|[12][0-9]{2}|300)",
+        "G54 to G59, or G54.1 P1 to G54.1 P300",
+    )
     tool_call: str = "T{tool} M6"
     tool_length: str = "G43 H{tool}"
     spindle_on: str = "S{speed:.0f} M3"
@@ -76,6 +82,12 @@ class Dialect:
         """Decimals of word ``column`` (0 to 2 linear, 3 and 4 rotary)."""
         return self.linear_decimals if column < 3 else self.rotary_decimals
 
+    def check_offset(self, offset: str) -> None:
+        """Raises SettingsError, with those on offer, where the controller has no such work offset."""
+        pattern, words = self.work_offsets
+        if not re.fullmatch(pattern, offset):
+            raise SettingsError(f"work offset {offset!r} is unknown to {self.name}; give {words}", offset)
+
     def remark(self, text: str) -> str:
         """A comment of printable ASCII that no controller takes for an instruction: no brackets, no ``;`` ``%`` or comma.
 
@@ -89,8 +101,8 @@ class Dialect:
 @dataclass(frozen=True)
 class PostOptions:
     """What the head of a program says. ``tool`` number, None: the operator has set tool and length; ``speed`` of the spindle
-    1/min, 0: off; ``coolant``; ``offset`` G54 to G59 or G54.1 P1; ``program`` number; ``blend`` mm: how far corners may be
-    rounded, 0: exact path (where the controller has the choice)."""
+    1/min, 0: off; ``coolant``; ``offset`` one of the dialect's ``work_offsets``; ``program`` number; ``blend`` mm: how far
+    corners may be rounded, 0: exact path (where the controller has the choice)."""
 
     tool: int | None = None
     speed: float = 0.0
@@ -104,8 +116,10 @@ class PostOptions:
             raise SettingsError(f"tool number is {self.tool}; give 1 to 99999", self.tool)
         if not 0.0 <= self.speed < 1e6:
             raise SettingsError(f"spindle speed is {self.speed:g} 1/min; give 0 to 999999", self.speed)
-        if not re.fullmatch(r"G5[4-9](\.[1-9])?( ?P\d{1,3})?", self.offset):
-            raise SettingsError(f"work offset is {self.offset!r}; give G54 to G59, or G54.1 P1", self.offset)
+        if not re.fullmatch(r"G5[4-9](\.[1-9])?( ?P[0-9]{1,3})?", self.offset):
+            raise SettingsError(
+                f"work offset is {self.offset!r}; give G54 to G59, or another that the controller has", self.offset
+            )
         if not 0 < self.program < 10_000:
             raise SettingsError(f"program number is {self.program}; give 1 to 9999", self.program)
         if not 0.0 <= self.blend < 1000.0:
@@ -113,7 +127,8 @@ class PostOptions:
 
 
 def slot_texts(dialect: Dialect, title: str, options: PostOptions, inverse_time: bool) -> dict[str, str]:
-    """The text of every slot."""
+    """The text of every slot. Raises SettingsError where the controller has no such work offset."""
+    dialect.check_offset(options.offset)
     no_tool = dialect.remark("tool and length offset as the operator has set them")
     return {
         "title": dialect.remark(f"title {title}"),
