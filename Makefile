@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# make demo   mills a real part whose top passes the singularity; results in out/
+# make demo   mills a saddle whose middle passes the singularity; results in out/
 # make test   every ring of tests; make bench   speeds as ratios to peers in the same run
 PYTHON := .venv/bin/python
 FIVEAXIS := $(PYTHON) -m freecad_fiveaxis

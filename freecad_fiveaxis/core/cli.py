@@ -16,6 +16,7 @@ import math
 import os
 import sys
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from freecad_fiveaxis import __version__
@@ -43,11 +44,16 @@ def main(argv: Sequence[str] | None = None) -> int:
         arguments = _parser().parse_args(argv)
         return int(arguments.act(arguments))
     except (KeyboardInterrupt, Cancelled):
-        show("stopped; nothing was written", sys.stderr)
+        _complain("stopped; nothing was written")
         return STOPPED
     except FiveAxisError as error:
-        show(f"fiveaxis: {error}", sys.stderr)
+        _complain(f"fiveaxis: {error}")
         return UNUSABLE
+
+
+def _complain(line: str) -> None:
+    with suppress(FileError):  # where stderr cannot be written, the exit code is all that is left
+        show(line, sys.stderr)
 
 
 def _parser() -> argparse.ArgumentParser:

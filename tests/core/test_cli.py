@@ -199,3 +199,117 @@ def test_the_module_runs_as_a_program():
     assert done.returncode == 0 and "trunnion_ac" in done.stdout
     done = subprocess.run([sys.executable, "-m", "freecad_fiveaxis", "mill"], capture_output=True, text=True, timeout=60)
     assert done.returncode == 2
+
+
+def program(*words, head="", **how):
+    """The command line in a process of its own; ``head``: Python to run before."""
+    code = f"{head}\nimport sys\nfrom freecad_fiveaxis.core.cli import main\nsys.exit(main(sys.argv[1:]))"
+    how = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "timeout": 60} | how
+    return subprocess.run([sys.executable, "-c", code, *(os.fspath(word) for word in words)], **how)
+
+
+@pytest.mark.parametrize("controller", ["linuxcnc", "fanuc"])
+@pytest.mark.parametrize("offset", ["G57.3", "G59.4", "G53", "G54.1 P0", "G54.1 P301", "g54", "G54 P1", "G54.1P\u0661"])
+def test_a_work_offset_that_the_controller_has_not_is_refused(controller, offset, roof, tmp_path, capsys):
+    words = ("--machine", "trunnion_ac", "--stepover", "20", "--controller", controller, "--work-offset", offset)
+    error = refused(capsys, tmp_path, "mill", roof, *words, "-o", tmp_path / "a.ngc")
+    assert "work offset" in error and "G54 to G59" in error
+
+
+@pytest.mark.parametrize("offset", ["G54", "G59", "G54.1 P1", "G54.1P48", "G54.1 P300"])
+def test_the_work_offsets_of_a_fanuc_stand_in_its_head(offset, roof, tmp_path):
+    words = ("--machine", "trunnion_ac", "--stepover", "20", "--controller", "fanuc", "--work-offset", offset, "--quiet")
+    assert run("mill", roof, *words, "-o", tmp_path / "a.ngc") != cli.UNUSABLE
+    assert offset in (tmp_path / "a.ngc").read_text().splitlines()
+
+
+def test_a_file_name_that_is_no_unicode_is_milled_reported_and_run_again(roof, tmp_path):
+    source = os.path.join(os.fsencode(tmp_path), b"bad\xff.stl")
+    try:
+        os.rename(roof, source)
+    except OSError:
+        pytest.skip("this file system takes Unicode names only")
+    words = ("--machine", "trunnion_ac", "--stepover", "20", "--tolerance", "100")
+    done = program("mill", source, *words, "-o", tmp_path / "1.ngc", "--report", tmp_path / "1.json")
+    assert done.returncode == 0, done.stderr
+    assert b"bad\\udcff.stl" in done.stdout
+    inputs = json.loads((tmp_path / "1.json").read_text("utf-8"))["inputs"]
+    assert os.fsencode(inputs["source"]) == source
+    (tmp_path / "job.json").write_text(json.dumps(inputs | {"output": str(tmp_path / "2.ngc"), "report": []}))
+    assert run("run", tmp_path / "job.json", "--quiet") == 0
+    assert (tmp_path / "1.ngc").read_bytes() == (tmp_path / "2.ngc").read_bytes()
+
+
+@pytest.mark.parametrize("bad", ["a\0b", "a\ud800b"])
+@pytest.mark.parametrize("name", ["source", "output", "cl", "report", "blocks", "machine"])
+def test_a_name_that_no_file_can_have_is_refused_in_a_job_file(name, bad, roof, tmp_path, capsys):
+    given = {"task": "mill", "source": "roof.stl", "machine": "trunnion_ac", "output": "a.ngc"} | {name: bad}
+    (tmp_path / "job.json").write_text(json.dumps(given))
+    assert name in refused(capsys, tmp_path, "run", tmp_path / "job.json")
+
+
+def test_a_name_that_no_file_can_have_is_refused_as_an_option(roof, tmp_path, capsys):
+    assert "output" in refused(capsys, tmp_path, "mill", roof, "--machine", "trunnion_ac", "-o", f"{tmp_path}/a\0.ngc")
+    refused(capsys, tmp_path, "run", f"{tmp_path}/job\0.json")
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full")
+def test_where_stdout_is_full_one_line_says_that_the_files_are_written(tmp_path):
+    (tmp_path / "t2.ngc").write_text(TABLE_2)
+    words = ("audit", tmp_path / "t2.ngc", "--machine", "mikron_ucp710", "--blocks", tmp_path / "t2.csv")
+    with open("/dev/full", "w") as full:
+        done = program(*words, stdout=full)
+        lists = program("machines", stdout=full)
+    assert done.returncode == lists.returncode == cli.UNUSABLE
+    assert done.stderr.count(b"\n") == lists.stderr.count(b"\n") == 1
+    assert b"No space left" in done.stderr and b"t2.csv" in done.stderr and (tmp_path / "t2.csv").exists()
+
+
+def test_a_reader_that_goes_away_does_not_change_the_exit_code(tmp_path):
+    (tmp_path / "t2.ngc").write_text(TABLE_2)
+    reader, writer = os.pipe()
+    os.close(reader)
+    with os.fdopen(writer, "w") as gone:
+        done = program("audit", tmp_path / "t2.ngc", "--machine", "mikron_ucp710", stdout=gone)
+    assert (done.returncode, done.stderr) == (cli.DONE_WITH_ERRORS, b"")
+
+
+STOP_AT = """
+import sys
+class Stop:
+    def find_spec(self, name, path=None, target=None):
+        if name == {name!r}:
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, Stop())
+"""
+
+
+@pytest.mark.parametrize("name", ["numpy", "freecad_fiveaxis.core.settings", "freecad_fiveaxis.core.job"])
+def test_an_interrupt_while_the_core_is_loaded_stops_quietly(name, roof, tmp_path):
+    words = ("mill", roof, "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc")
+    done = program(*words, head=STOP_AT.format(name=name))
+    assert done.returncode == cli.STOPPED and done.stderr == b"stopped; nothing was written\n"
+
+
+def test_an_interrupt_before_the_command_line_is_loaded_stops_quietly():
+    head = STOP_AT.format(name="freecad_fiveaxis.core.cli")
+    code = head + "import runpy\nrunpy.run_module('freecad_fiveaxis', run_name='__main__')"
+    done = subprocess.run([sys.executable, "-c", code, "machines"], capture_output=True, timeout=60)
+    assert (done.returncode, done.stdout, done.stderr) == (cli.STOPPED, b"", b"")
+
+
+def test_a_source_that_is_a_folder_or_cannot_be_a_file_is_named_for_what_it_is(roof, tmp_path, capsys):
+    for source, said in ((tmp_path, "is a folder"), (roof / "x", "Not a directory"), (tmp_path / ("a" * 300), "name too long"),
+                         (tmp_path / "gone", "does not exist")):  # fmt: skip
+        assert said in refused(capsys, tmp_path, "mill", source, "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc")
+
+
+def test_an_output_whose_name_is_too_long_is_refused_before_the_work(roof, tmp_path, capsys):
+    long = tmp_path / ("a" * 300)
+    assert "name too long" in refused(capsys, tmp_path, "mill", roof, "--machine", "trunnion_ac", "-o", long)
+
+
+def test_the_cutter_is_an_option_of_post_too(roof, tmp_path):
+    words = ("--machine", "trunnion_ac", "--tolerance", "100", "--quiet")
+    assert run("mill", roof, "--stepover", "20", *words, "-o", tmp_path / "a.ngc", "--cl", tmp_path / "a.apt") == 0
+    assert run("post", tmp_path / "a.apt", "--cutter", "ball:6", *words, "-o", tmp_path / "b.ngc") == 0

@@ -36,3 +36,15 @@ def test_sizes_that_cannot_be_used_are_refused(text):
 def test_the_tip_lies_one_radius_behind_the_centre():
     tip = Cutter(10.0).tip_at(np.array([[1.0, 2, 3], [0, 0, 0]]), np.array([[0.0, 0, 1], [0.6, 0, 0.8]]))
     np.testing.assert_allclose(tip, [[1, 2, -2], [-3, 0, -4]])
+
+
+@pytest.mark.parametrize(
+    "sizes", [(1e5, 50.0), (1e-4, 50.0), (10.0, 1e5), (10.0, 0.0), (float("nan"), 50.0), (10.0, float("nan"))]
+)
+def test_sizes_out_of_range_are_refused_with_the_range(sizes):
+    with pytest.raises(SettingsError, match="give 0.001 to 10000 mm"):
+        Cutter(*sizes)
+
+
+def test_the_ends_of_the_range_belong_to_it():
+    assert Cutter(1e-3, 1e4).length == 1e4 and Cutter(1e4, 1e-3).radius == 5e3

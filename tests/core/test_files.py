@@ -4,7 +4,7 @@ import os
 import pytest
 
 from freecad_fiveaxis.core.errors import FileError
-from freecad_fiveaxis.core.files import check_writable, read_bytes, write_whole
+from freecad_fiveaxis.core.files import check_readable, check_writable, is_name, read_bytes, write_whole
 
 
 def test_a_file_is_written_whole_and_nothing_stays_beside_it(tmp_path):
@@ -45,3 +45,31 @@ def test_an_impossible_target_is_refused_before_the_work(tmp_path, name):
 def test_a_missing_file_is_named(tmp_path):
     with pytest.raises(FileError, match=r"STL file .*gone\.stl cannot be read: No such file"):
         read_bytes(tmp_path / "gone.stl", "STL file")
+
+
+@pytest.mark.parametrize("name", ["a\0b", "a\ud800b"])
+def test_a_name_that_no_file_can_have_is_an_error_of_ours(tmp_path, name):
+    assert not is_name(name)
+    path = os.path.join(tmp_path, name)
+    for act in (check_readable, check_writable, lambda one: read_bytes(one, "file"), lambda one: write_whole(one, b"")):
+        with pytest.raises(FileError, match="cannot be the name of a file"):
+            act(path)
+    assert os.listdir(tmp_path) == []
+
+
+@pytest.mark.parametrize("name", [b"bad\xff", "Stück".encode()])
+def test_a_name_of_any_other_bytes_is_written_and_read(tmp_path, name):
+    path = os.fsdecode(os.path.join(os.fsencode(tmp_path), name))
+    assert is_name(path)
+    try:
+        write_whole(path, b"new")
+    except FileError:
+        pytest.skip("this file system takes Unicode names only")
+    check_readable(path)
+    assert read_bytes(path, "file") == b"new"
+
+
+def test_what_is_no_file_to_read_is_named_for_what_it_is(tmp_path):
+    for path, said in ((tmp_path, "is a folder"), (tmp_path / "gone", "does not exist"), (os.devnull, "no ordinary file")):
+        with pytest.raises(FileError, match=said):
+            check_readable(path)

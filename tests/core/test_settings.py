@@ -68,3 +68,50 @@ def test_every_option_is_listed_once_with_help_a_known_kind_and_a_default():
 
 def test_defaults_work_for_a_mill_job():
     assert isinstance(mill(), Settings)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "bound"),
+    [("clearance", "1e9", "at most 10000 mm"), ("origin", "1e9,0,0", "at most 1000000 mm"), ("origin", [0, -1e9, 0], "at least -1000000 mm"),
+     ("tool_length", "1e9", "at most 1000000 mm"), ("feed", "1e-300", "at least 0.001 mm/min"), ("feed", "1e300", "at most 1000000 mm/min"),
+     ("plunge_feed", "0", "at least 0.001 mm/min"), ("axis", "0,0,1e300", "at most 1000000"), ("tolerance", "1e7", "at most 1000000 mm"),
+     ("scallop", "1e9", "at most 1000000 mm"), ("stepover", "1e9", "at most 1000000 mm"), ("least_interval", "1e9", "at most 1000000 mm"),
+     ("coedge_tolerance", "1e9", "at most 1000000 mm"), ("tool", "100000", "at most 99999"), ("spindle", "1e6", "at most 999999"),
+     ("blend", "1000", "at most 999 mm"), ("lead", "61", "at most 60 deg"), ("max_axis_angle", "91", "at most 90 deg"),
+     ("cutter", "ball:1e9", "0.001 to 10000 mm"), ("cutter", "ball:10:1e9", "0.001 to 10000 mm")],
+)  # fmt: skip
+def test_what_is_out_of_range_is_refused_with_the_option_and_its_range(name, value, bound):
+    with pytest.raises(SettingsError) as error:
+        mill(**{name: value})
+    assert name.replace("_", "-") in str(error.value) and bound in str(error.value)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [{"clearance": 1e4}, {"origin": "1e6,-1e6,0"}, {"tool_length": 1e6}, {"feed": "0.001"}, {"feed": 1e6}, {"axis": "-1e6,0,0"}, {"tool": 99999},
+     {"spindle": 999999}, {"blend": 999}, {"lead": 60}, {"max_axis_angle": 90}],
+)  # fmt: skip
+def test_the_ends_of_a_range_belong_to_it(options):
+    mill(**options)
+
+
+@pytest.mark.parametrize("axis", ["0,0,0", "1e-300,0,0"])
+def test_a_fixed_axis_without_a_direction_is_refused_before_the_work(axis):
+    with pytest.raises(SettingsError, match=r"^axis .* has no direction; give I,J,K"):
+        mill(tool_axis="fixed", axis=axis)
+    mill(axis=axis)  # another strategy does not use it
+
+
+def test_the_cutter_belongs_to_the_tasks_that_add_rapids():
+    def tasks(name):
+        return {task for task in TASKS for _, leaf in option_fields(task) if leaf.name == name}
+
+    assert tasks("cutter") == {"mill", "post"} and tasks("coedge_tolerance") == {"mill"}
+    settings = build_settings("post", "a.apt", {"machine": "trunnion_ac", "cutter": "ball:6"})
+    assert settings.cutter.cutter.diameter == 6.0
+
+
+@pytest.mark.parametrize("source", ["a\0b", "a\ud800b", ""])
+def test_a_source_that_no_file_can_be_is_refused(source):
+    with pytest.raises(SettingsError, match="source"):
+        build_settings("mill", source, {"machine": "trunnion_ac"})
