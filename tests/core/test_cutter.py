@@ -42,7 +42,7 @@ def test_the_tip_lies_one_radius_behind_the_centre():
     "sizes", [(1e5, 50.0), (1e-4, 50.0), (10.0, 1e5), (10.0, 0.0), (float("nan"), 50.0), (10.0, float("nan"))]
 )
 def test_sizes_out_of_range_are_refused_with_the_range(sizes):
-    with pytest.raises(SettingsError, match="give 0.001 to 10000 mm"):
+    with pytest.raises(SettingsError, match=r"give 0\.001 to 10000 mm"):
         Cutter(*sizes)
 
 
