@@ -15,10 +15,9 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.timing import print_table, run_seconds
-from freecad_fiveaxis.core.bound import quick_bound
-from freecad_fiveaxis.core.deviation import measure
+from freecad_fiveaxis.core.deviation import measure, quick_bound
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, linear_words, words_to_q
-from freecad_fiveaxis.core.machine_file import load_machine
+from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.records import Floats
 
 BLOCKS = 200_000

@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.timing import median_seconds, print_table
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, inverse, inverse_axis, linear_words
-from freecad_fiveaxis.core.machine_file import load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import load_machine, shipped_machines
 from freecad_fiveaxis.core.records import Floats
 
 POINTS = 500_000

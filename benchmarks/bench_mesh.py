@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.parts import bumpy
 from benchmarks.timing import median_seconds, print_table, run_seconds
-from freecad_fiveaxis.core.stl import read_stl, write_stl
+from freecad_fiveaxis.core.mesh import read_stl, write_stl
 
 COMPARED = (200_000, 1_000_000)  # facets
 GROWING = (20_000, 60_000, 200_000, 600_000, 2_000_000)

@@ -18,8 +18,8 @@ from timing import print_table
 
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.files import write_whole
+from freecad_fiveaxis.core.mesh import write_stl
 from freecad_fiveaxis.core.settings import Settings, build_settings
-from freecad_fiveaxis.core.stl import write_stl
 
 GROWTH = (20_000, 60_000, 200_000, 600_000, 2_000_000)
 ROWS_FOR_PERCENT = 200_000

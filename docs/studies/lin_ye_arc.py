@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from freecad_fiveaxis.core.deviation import lin_ye_deviation, measure
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, linear_words, q_to_words
-from freecad_fiveaxis.core.machine_file import load_machine
+from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.trajectory import tip_at
 

@@ -25,11 +25,10 @@ from lin_ye_arc import MACHINE
 
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.machine_file import save_machine
+from freecad_fiveaxis.core.machine import Machine, save_machine
+from freecad_fiveaxis.core.mesh import read_stl
 from freecad_fiveaxis.core.records import Floats, Ints
 from freecad_fiveaxis.core.settings import build_settings
-from freecad_fiveaxis.core.stl import read_stl
 
 ROOT = Path(__file__).resolve().parents[2]
 PART = "freeform_233"

@@ -20,7 +20,7 @@ from lin_ye_arc import ARC, BALL, trunnion
 from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
 from freecad_fiveaxis.core.deviation import measure
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, linear_words, q_to_words
-from freecad_fiveaxis.core.machine_file import load_machine
+from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.mesh import from_triangles
 from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.records import Floats

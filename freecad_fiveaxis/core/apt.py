@@ -17,7 +17,8 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from .cl_path import CLPath, Motion
+from freecad_fiveaxis.core.cl_path import CLPath, Motion
+
 from .cutter import Cutter
 from .errors import ProgramError
 from .findings import Finding, Severity

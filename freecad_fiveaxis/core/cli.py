@@ -149,8 +149,9 @@ def _beside(job_file: str, value: Any) -> Any:
 
 
 def _run(settings: Settings, quiet: bool) -> int:
+    from freecad_fiveaxis.core.report import as_text
+
     from . import job
-    from .report import as_text
 
     job.check_outputs(settings)
     if settings.task != "audit" and not settings.output.output:
@@ -172,7 +173,7 @@ def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:
 
 
 def _machines(arguments: argparse.Namespace) -> int:
-    from .machine_file import load_machine, shipped_machines
+    from freecad_fiveaxis.core.machine import load_machine, shipped_machines
 
     return _list((name, load_machine(name).description) for name in shipped_machines())
 

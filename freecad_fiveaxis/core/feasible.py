@@ -12,10 +12,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from .coedge import OffsetPath, lasting_rows, take_rows
+from freecad_fiveaxis.core.coedge import OffsetPath, lasting_rows, take_rows
+from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.passes import axes_within_limits
+
 from .findings import Finding, Severity
-from .kinematics import Chain
-from .reach import axes_within_limits
 from .records import Bools, Floats
 
 LEAN = 1e-6

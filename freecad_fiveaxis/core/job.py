@@ -11,34 +11,29 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import report
+from freecad_fiveaxis.core.cl_path import CLPath, LinkOptions, Motion, link_passes, order_passes
+from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
+from freecad_fiveaxis.core.deviation import Deviation, measure
+from freecad_fiveaxis.core.joint_path import JointPath, solve
+from freecad_fiveaxis.core.kinematics import Chain, Setup, chain
+from freecad_fiveaxis.core.machine import Machine, load_machine
+from freecad_fiveaxis.core.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.nc_reader import read_nc
+from freecad_fiveaxis.core.passes import ContactPath, place_planes, reachable_facets, slice_mesh
+from freecad_fiveaxis.core.program import Program, build_program
+from freecad_fiveaxis.core.report import Figures, as_html, as_json, as_text, blocks_csv, judge
+
 from .apt import read_apt, write_apt
-from .block_table import blocks_csv
-from .cl_path import CLPath, LinkOptions, Motion, link_passes, order_passes
-from .coedge import OffsetPath, close_gaps
-from .deviation import Deviation, measure
 from .errors import SettingsError
 from .feasible import feasible_rows
 from .files import check_writable, read_bytes, write_whole
 from .findings import Finding
-from .joint_path import JointPath, solve
-from .kinematics import Chain, Setup, chain
-from .machine import Machine
-from .machine_file import load_machine
-from .mesh import Mesh
-from .nc_reader import read_nc
-from .passes import ContactPath, slice_mesh
 from .post import Dialect, PostOptions, find_dialect
 from .post.writer import write_nc
-from .program import Program, build_program
 from .progress import Progress, silent
-from .reach import reachable_facets
 from .records import Floats
-from .report_html import as_html
 from .settings import MILL, POST, Settings, flat_options
 from .singularity import Singularity, find_singular
-from .spacing import place_planes
-from .stl import read_stl
 from .tool_axis import AxisOptions, find_strategy, tool_axes
 
 DEFAULT_CONTROLLER = "linuxcnc"
@@ -151,14 +146,14 @@ def prove(made: Made, progress: Progress = silent) -> Result:
     proof, words = made.settings.proof, made.program.words
     deviation = measure(made.links, words, proof.method, progress)
     singularity = find_singular(made.links, words, made.machine.singular_cone)
-    judged = report.judge(made.links, made.program, deviation, singularity, proof.tolerance)
+    judged = judge(made.links, made.program, deviation, singularity, proof.tolerance)
     return Result(made, deviation, singularity, made.findings + deviation.findings + judged)
 
 
-def figures(result: Result) -> report.Figures:
+def figures(result: Result) -> Figures:
     """What the report is made from."""
     made = result.made
-    return report.Figures(
+    return Figures(
         title=_title(made.settings), kind=made.settings.task, machine=made.machine, links=made.links,
         program=made.program, deviation=result.deviation, singularity=result.singularity,
         tolerance=made.settings.proof.tolerance, findings=result.findings, inputs=flat_options(made.settings),
@@ -180,7 +175,7 @@ def check_outputs(settings: Settings) -> None:
             raise SettingsError(f"report {path} needs one of the endings {', '.join(REPORTS)}", path)
 
 
-REPORTS = {".json": report.as_json, ".html": as_html, ".htm": as_html, ".txt": report.as_text}
+REPORTS = {".json": as_json, ".html": as_html, ".htm": as_html, ".txt": as_text}
 
 
 def write_outputs(result: Result, progress: Progress = silent) -> list[str]:

@@ -17,11 +17,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal
 
+from freecad_fiveaxis.core.machine import Vector
+
 from . import quantity
 from .cutter import Cutter, parse_cutter
 from .errors import SettingsError
 from .files import is_name
-from .machine import Vector
 
 MILL, POST, AUDIT = "mill", "post", "audit"
 TASKS = (MILL, POST, AUDIT)

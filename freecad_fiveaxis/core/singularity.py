@@ -23,10 +23,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .columns import chunks, cos_sin
-from .kinematics import Chain
+from freecad_fiveaxis.core.kinematics import Chain, RotaryPair, chunks, cos_sin
+
 from .records import Bools, Floats, freeze
-from .rotary_pair import RotaryPair
 
 TRAVEL_RATIO = 4.0
 """Rotary travel that counts as large, in axis travels."""

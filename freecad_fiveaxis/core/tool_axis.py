@@ -18,7 +18,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .coedge import OffsetPath
+from freecad_fiveaxis.core.coedge import OffsetPath
+
 from .errors import SettingsError
 from .records import Bools, Floats, Ints
 

@@ -20,8 +20,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from freecad_fiveaxis.core.kinematics import Chain
+
 from .errors import ProgramError
-from .kinematics import Chain
 from .records import Floats
 
 ROUNDED_TO_ZERO = 4e-16

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from freecad_fiveaxis.core.kinematics import Setup, branch_of, chain, forward, inverse
-from freecad_fiveaxis.core.machine_file import load_machine, machine_folder, save_machine, shipped_machines
+from freecad_fiveaxis.core.machine import load_machine, save_machine, shipped_machines
+from freecad_fiveaxis.core.machine.machine_file import machine_folder
 
 ROWS = 500
 CLOSE = 1e-9  # mm and rad

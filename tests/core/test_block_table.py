@@ -11,7 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from report_examples import TRUNNION, TRUNNION_BC, by_hand, dome, empty, table2
 
-from freecad_fiveaxis.core.block_table import blocks_csv, header, letter_order, round_up
+from freecad_fiveaxis.core.report import blocks_csv
+from freecad_fiveaxis.core.report.block_table import header, letter_order, round_up
 
 NAMES = "feed,u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
 

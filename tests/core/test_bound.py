@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from five_kinds import KINDS, interleaved, links_of, random_blocks, sampled_deviation
 
-from freecad_fiveaxis.core.bound import ABSOLUTE, RELATIVE, bending, close_levers, end_levers, quick_bound, quick_levers
-from freecad_fiveaxis.core.deviation import measure
+from freecad_fiveaxis.core.deviation import measure, quick_bound
+from freecad_fiveaxis.core.deviation.bound import ABSOLUTE, RELATIVE, bending, close_levers, end_levers, quick_levers
+from freecad_fiveaxis.core.deviation.quartic import REMAINDER
+from freecad_fiveaxis.core.deviation.search import FIRST_PIECES, Chords, _local, _Pieces, _proven, farthest
 from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.quartic import REMAINDER
-from freecad_fiveaxis.core.search import FIRST_PIECES, Chords, _local, _Pieces, _proven, farthest
 from freecad_fiveaxis.core.trajectory import at, derivatives, frames, inner, motion, tip, tip_at
 
 STEPS = 16

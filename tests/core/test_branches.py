@@ -9,8 +9,9 @@ import math
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import branches, columns
-from freecad_fiveaxis.core.branches import BREAK, SMALL_TURN, TURN, broken_steps, choose, least_path, within_limits
+from freecad_fiveaxis.core.joint_path import branches
+from freecad_fiveaxis.core.joint_path.branches import BREAK, SMALL_TURN, TURN, broken_steps, choose, least_path, within_limits
+from freecad_fiveaxis.core.kinematics import columns
 from freecad_fiveaxis.core.progress import silent
 
 FREE = (-math.inf, math.inf)

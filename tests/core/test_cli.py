@@ -13,10 +13,9 @@ import pytest
 
 from freecad_fiveaxis.core import cli, job
 from freecad_fiveaxis.core.errors import Cancelled
-from freecad_fiveaxis.core.machine_file import shipped_machines
-from freecad_fiveaxis.core.mesh import from_triangles
+from freecad_fiveaxis.core.machine import shipped_machines
+from freecad_fiveaxis.core.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.settings import build_settings
-from freecad_fiveaxis.core.stl import write_stl
 
 TABLE_2 = (
     "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"

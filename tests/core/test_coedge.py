@@ -5,8 +5,7 @@ import numpy as np
 import pytest
 from offset_examples import ball, clearance, distance, field, hull, joined, own_clearance, prism
 
-from freecad_fiveaxis.core import coedge, junction, trimming
-from freecad_fiveaxis.core.coedge import close_gaps
+from freecad_fiveaxis.core.coedge import close_gaps, coedge, junction, trimming
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.mesh import from_faces

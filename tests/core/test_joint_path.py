@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.errors import Cancelled, ReachError, SettingsError
 from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.joint_path import solve
 from freecad_fiveaxis.core.kinematics import Setup, branch_of, chain, forward, inverse_axis
-from freecad_fiveaxis.core.machine_file import load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import load_machine, shipped_machines
 
 LOW, HIGH, CLEARANCE = np.array([-25.0, -25.0, -30.0]), np.array([25.0, 25.0, 5.0]), 4.0
 

@@ -9,22 +9,22 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from freecad_fiveaxis.core import kinematics
-from freecad_fiveaxis.core.columns import CHUNK, cos_sin
 from freecad_fiveaxis.core.errors import MachineError
 from freecad_fiveaxis.core.kinematics import (
+    CHUNK,
     Setup,
     branch_of,
     chain,
+    cos_sin,
     forward,
     forward_tip,
     inverse,
     inverse_axis,
     joint_words,
+    kinematics,
     linear_words,
 )
-from freecad_fiveaxis.core.machine import Axis, Machine
-from freecad_fiveaxis.core.machine_file import load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
 
 X, Y, Z = np.eye(3)
 ROWS = 1000

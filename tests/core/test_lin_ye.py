@@ -129,7 +129,7 @@ def test_on_arcs_the_methods_are_even_at_about_1_25_radii():
 
 
 def test_the_part_has_the_papers_233_facets():
-    from freecad_fiveaxis.core.stl import read_stl
+    from freecad_fiveaxis.core.mesh import read_stl
 
     assert len(read_stl(str(parts.workshop() / f"{parts.PART}.stl")).face) == 233
 

@@ -11,8 +11,8 @@ from dataclasses import replace
 import pytest
 
 from freecad_fiveaxis.core.errors import FileError, MachineError
-from freecad_fiveaxis.core.machine import FARTHEST, Axis, Machine
-from freecad_fiveaxis.core.machine_file import load_machine, machine_folder, save_machine, shipped_machines
+from freecad_fiveaxis.core.machine import FARTHEST, Axis, Machine, load_machine, save_machine, shipped_machines
+from freecad_fiveaxis.core.machine.machine_file import machine_folder
 
 
 @pytest.fixture

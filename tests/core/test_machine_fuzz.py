@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from freecad_fiveaxis.core.errors import FileError, MachineError
 from freecad_fiveaxis.core.kinematics import Setup, chain, forward, inverse
-from freecad_fiveaxis.core.machine_file import load_machine, machine_folder, save_machine
+from freecad_fiveaxis.core.machine import load_machine, save_machine
+from freecad_fiveaxis.core.machine.machine_file import machine_folder
 
 SHIPPED = [path.read_bytes() for path in sorted(machine_folder().glob("*.fcm"))]
 QUICK = settings(max_examples=150, deadline=None, database=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])

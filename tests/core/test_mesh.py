@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 from mesh_shapes import box, field, sphere
 
-from freecad_fiveaxis.core import weld as weld_module
 from freecad_fiveaxis.core.errors import MeshError
 from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.half_edges import sorted_half_edges
 from freecad_fiveaxis.core.mesh import from_faces, from_triangles
+from freecad_fiveaxis.core.mesh import weld as weld_module
+from freecad_fiveaxis.core.mesh.half_edges import sorted_half_edges
 
 
 def codes(mesh):

@@ -8,7 +8,7 @@ from mesh_shapes import box, field, sphere
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.mesh import from_faces, from_triangles
 from freecad_fiveaxis.core.passes import direction, slice_mesh
-from freecad_fiveaxis.core.slicing import levels
+from freecad_fiveaxis.core.passes.slicing import levels
 
 ANGLES = [0.0, 0.3, np.pi / 2, 2.0, np.pi, -1.1]
 

@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import feeds
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Severity
@@ -18,7 +17,7 @@ from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.post.dialect import feed_distance
 from freecad_fiveaxis.core.post.writer import write_nc
-from freecad_fiveaxis.core.program import Program, build_program
+from freecad_fiveaxis.core.program import Program, build_program, feeds
 from freecad_fiveaxis.core.records import Floats
 
 LINEAR_RATE, ROTARY_RATE = 10_000.0, np.radians(7200.0)  # mm/min, rad/min

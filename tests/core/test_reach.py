@@ -12,7 +12,8 @@ from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.kinematics import Setup, chain, forward
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.mesh import from_triangles
-from freecad_fiveaxis.core.reach import axes_within_limits, facet_areas, reachable_facets
+from freecad_fiveaxis.core.passes import axes_within_limits, reachable_facets
+from freecad_fiveaxis.core.passes.reach import facet_areas
 
 INF = math.inf
 

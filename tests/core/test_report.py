@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from report_examples import TABLE2, TRUNNION, by_hand, dome, empty, figures_of, table2
 
-from freecad_fiveaxis.core.figures import axis_rates, summary
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.report import as_json, as_text, markers, verdict
-from freecad_fiveaxis.core.report_json import plain
-from freecad_fiveaxis.core.report_text import duration, number
+from freecad_fiveaxis.core.report.figures import axis_rates, summary
+from freecad_fiveaxis.core.report.json_text import plain
+from freecad_fiveaxis.core.report.text import duration, number
 
 CALM = np.array([[0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [2, 0, 0, 0, 0.1], [2.5, 0, 0, 0, 0.2]], float)
 

@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 from report_examples import TRUNNION, TRUNNION_BC, by_hand, dome, empty, figures_of, table2
 
 from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.plot_style import spans, thin
-from freecad_fiveaxis.core.report_html import as_html
-from freecad_fiveaxis.core.report_plots import plots
-from freecad_fiveaxis.core.report_views import SAMPLES, _driven, _on_plane, _to_segment
+from freecad_fiveaxis.core.report import as_html
+from freecad_fiveaxis.core.report.plot_style import spans, thin
+from freecad_fiveaxis.core.report.plots import plots
+from freecad_fiveaxis.core.report.views import SAMPLES, _driven, _on_plane, _to_segment
 
 VOID = {"meta", "img", "br"}
 NASTY = "<script>alert('x')</script> & \"part\".stl"

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from freecad_fiveaxis.core.kinematics import Setup, chain, forward, inverse_axis, words_to_q
-from freecad_fiveaxis.core.machine_file import load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import load_machine, shipped_machines
 from freecad_fiveaxis.core.singularity import LEAST_TRAVEL, find_singular
 
 CONE = math.radians(5.0)

@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 from five_kinds import KINDS, interleaved, links_of
 
-from freecad_fiveaxis.core import so2008
-from freecad_fiveaxis.core.deviation import measure
+from freecad_fiveaxis.core.deviation import measure, so2008
+from freecad_fiveaxis.core.deviation.so2008 import line_deviation, model_tip
 from freecad_fiveaxis.core.kinematics import Setup, chain, linear_words
-from freecad_fiveaxis.core.machine_file import load_machine
-from freecad_fiveaxis.core.so2008 import line_deviation, model_tip
+from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.trajectory import tip_at
 
 TABLE_2 = np.array([[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]])

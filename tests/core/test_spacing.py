@@ -10,9 +10,9 @@ from scipy.spatial import cKDTree
 from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.mesh import from_faces
-from freecad_fiveaxis.core.passes import slice_mesh
-from freecad_fiveaxis.core.scallop import facet_curvature, flat_interval, kink_factor, scallop_height, turned_along
-from freecad_fiveaxis.core.spacing import AIM, place_planes
+from freecad_fiveaxis.core.passes import place_planes, slice_mesh
+from freecad_fiveaxis.core.passes.scallop import facet_curvature, flat_interval, kink_factor, scallop_height, turned_along
+from freecad_fiveaxis.core.passes.spacing import AIM
 
 RADIUS, SCALLOP, LEAST = 5.0, 0.01, 0.02
 LENGTH, WIDTH = 13.0, 11.0  # of the patches, along and across the passes
@@ -327,7 +327,7 @@ def test_settings_out_of_range_are_named_with_their_remedy(wrong, named):
 
 
 def test_progress_rises_to_one_and_can_stop_the_work(monkeypatch):
-    monkeypatch.setattr("freecad_fiveaxis.core.spacing.PERIOD", -1.0)
+    monkeypatch.setattr("freecad_fiveaxis.core.passes.spacing.PERIOD", -1.0)
     told = []
     place_planes(box(), 0.0, RADIUS, scallop=0.1, least=LEAST, progress=lambda stage, share: told.append(share))
     assert len(told) > 5 and told == sorted(told) and told[0] > 0 and told[-1] <= 1

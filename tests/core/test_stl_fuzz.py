@@ -8,9 +8,8 @@ from mesh_shapes import box
 from test_stl import ascii_lines, binary
 
 from freecad_fiveaxis.core.errors import MeshError
-from freecad_fiveaxis.core.mesh import Mesh, from_triangles
+from freecad_fiveaxis.core.mesh import Mesh, from_triangles, read_stl
 from freecad_fiveaxis.core.passes import slice_mesh
-from freecad_fiveaxis.core.stl import read_stl
 
 quick = settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
 VALID = [binary(box()), binary(box(), b"solid "), "\n".join(ascii_lines(box())).encode()]

@@ -13,7 +13,7 @@ import pytest
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.kinematics import forward, words_to_q
-from freecad_fiveaxis.core.machine_file import load_machine, save_machine, shipped_machines
+from freecad_fiveaxis.core.machine import load_machine, save_machine, shipped_machines
 from freecad_fiveaxis.core.nc_reader import read_nc
 from freecad_fiveaxis.core.settings import build_settings
 

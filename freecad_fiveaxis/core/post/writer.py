@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.columns import chunks
+from freecad_fiveaxis.core.kinematics import chunks
 from freecad_fiveaxis.core.number_text import EXACT, Choice, Column, Part, Units, nearest_whole, rounded, table_parts
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cutter-location (CL) path: order, links, retracts.
+
+motion    what the move that arrives at a row does: CUT cuts a facet, FILL closes a gap at a co-edge, LINK goes at feed
+          away from or to the part along the tool axis, RAPID goes above the part.
+zigzag    every other pass is cut backwards, so that it begins near the end of the one before.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import IntEnum
+from typing import Literal
+
+import numpy as np
+
+from freecad_fiveaxis.core.coedge import OffsetPath
+from freecad_fiveaxis.core.cutter import Cutter
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+
+from .linking import SAME, WayOut, keepout, way_out
+
+ORDERS = ("zigzag", "one_way")
+CONTROL_POINTS = ("tip", "centre")
+
+
+class Motion(IntEnum):
+    """What the move that arrives at a row does."""
+
+    CUT = 0
+    FILL = 1
+    LINK = 2
+    RAPID = 3
+
+
+@dataclass(frozen=True, eq=False)
+class CLPath:
+    """The whole path of the tool in the work frame; row i is the end of move i, row 0 the first position.
+
+    ``tip`` (n, 3) the point that the words drive, mm: the cutter's tip, or its centre where the control point is the
+    centre; ``axis`` (n, 3) unit, tip to holder; ``motion`` (n,) of :class:`Motion`; ``feed`` (n,) mm/min of the tip over
+    the part (0 for RAPID); ``contact`` (n, 3) mm; ``normal`` (n, 3) unit, the offset's; ``face``, ``coedge``, ``pass_``
+    (n,), -1 where there is none. Off the part contact is ``tip`` and normal is the axis; the LINK row that ends an approach
+    stands on the part.
+    """
+
+    tip: Floats
+    axis: Floats
+    motion: Bytes
+    feed: Floats
+    contact: Floats
+    normal: Floats
+    face: Ints
+    coedge: Ints
+    pass_: Ints
+    findings: tuple[Finding, ...] = ()
+
+    def __post_init__(self) -> None:
+        freeze(self, None, tip="f3", axis="f3", motion="m", feed="f", contact="f3", normal="f3", face="i", coedge="i", pass_="i")
+
+
+@dataclass(frozen=True)
+class LinkOptions:
+    """``clearance`` mm of rapids from the part's box; ``feed`` and ``plunge_feed`` mm/min; ``control_point``: what the words
+    drive, the cutter's tip or the ball's centre."""
+
+    clearance: float = 5.0
+    feed: float = 1000.0
+    plunge_feed: float = 300.0
+    control_point: Literal["tip", "centre"] = "tip"
+
+    def __post_init__(self) -> None:
+        for name, least in (("clearance", 0.0), ("feed", np.nextafter(0.0, 1.0)), ("plunge_feed", np.nextafter(0.0, 1.0))):
+            value = getattr(self, name)
+            if not least <= value < np.inf:
+                raise SettingsError(f"{name} is {value:g}; give a number {'above' if least else 'of at least'} 0", value)
+        if self.control_point not in CONTROL_POINTS:
+            known = ", ".join(CONTROL_POINTS)
+            raise SettingsError(f"control_point is {self.control_point!r}; choose one of {known}", self.control_point)
+
+
+def order_passes(path: OffsetPath, order: str) -> OffsetPath:
+    """The passes in the order in which they are cut: as they are (one_way), or every other one backwards (zigzag).
+
+    A pass cut backwards has its polylines and its rows reversed; before and after change places. Lead and tilt follow the
+    feed, so the order comes before the tool axes. Raises SettingsError for an unknown order.
+    """
+    if order not in ORDERS:
+        raise SettingsError(f"order is {order!r}; choose one of {', '.join(ORDERS)}", order)
+    if order == "one_way" or not len(path.point):
+        return path
+    row, backwards = _to_and_fro(path.pass_)
+    fill = path.fill[np.minimum(row + backwards, len(row) - 1)]  # the move between two rows, gone the other way
+    fill[_starts(path.polyline[row])] = False
+    columns = {name: getattr(path, name)[row] for name in ("face", "coedge", "segment", "polyline", "pass_")}
+    columns |= {name: _rows(getattr(path, name), row) for name in ("point", "centre", "normal")}
+    before, after, turned = _rows(path.before, row), _rows(path.after, row), backwards[:, None]
+    return replace(
+        path, **columns, fill=fill, before=np.where(turned, after, before), after=np.where(turned, before, after),
+        step_before=np.where(backwards, path.step_after[row], path.step_before[row]),
+        step_after=np.where(backwards, path.step_before[row], path.step_after[row]),
+    )  # fmt: skip
+
+
+def link_passes(
+    path: OffsetPath, axis: Floats, cutter: Cutter, low: Floats, high: Floats, options: LinkOptions, progress: Progress = silent
+) -> CLPath:
+    """The whole path of the tool: the passes as they stand, with a safe way from each polyline to the next.
+
+    ``axis`` (n, 3) unit, one for each row of ``path``; ``low``, ``high`` (3,) mm the part's box. From the end of a polyline
+    the tool retracts along its axis until the ball is clear of the inflated box, goes straight up to the safe plane, across
+    (there the axis turns), straight down, and along its new axis to the next start. A polyline that starts where the last
+    one ended goes on without a retract. Raises SettingsError where there are no passes.
+    """
+    if not len(path.point):
+        raise SettingsError("there are no passes: no plane cuts a facet that can be reached; check stepover and direction", 0)
+    progress("linking passes", 0.0)
+    first = _starts(path.polyline)
+    last = np.append(first[1:], len(path.point)) - 1
+    keep = keepout(low, high, cutter.radius, options.clearance)
+    leave, enter = way_out(path.centre[last], axis[last], keep), way_out(path.centre[first], axis[first], keep)
+    links = _links(leave, enter, axis[last], axis[first], _goes_on(path.centre, first, last))
+    progress("linking passes", 0.5)
+    return replace(_merged(path, axis, first, links, cutter, options), findings=_below(leave, enter))
+
+
+@dataclass(frozen=True, eq=False)
+class _Links:
+    """The rows between polylines: ``before`` (m,) counts the polyline that each leads to (the number of polylines for the
+    last); ``centre``, ``axis`` (m, 3); ``motion`` (m,); ``goes_on`` (p,) True where a polyline has no rows before it."""
+
+    before: Ints
+    centre: Floats
+    axis: Floats
+    motion: Bytes
+    goes_on: Bools
+
+
+def _links(leave: WayOut, enter: WayOut, leave_axis: Floats, enter_axis: Floats, goes_on: Bools) -> _Links:
+    """Six possible rows in each gap: clear, beside, up; over, beside, down to the approach."""
+    gaps = len(goes_on) + 1
+    centre, axis = np.zeros((gaps, 6, 3)), np.zeros((gaps, 6, 3))
+    needed = np.zeros((gaps, 6), bool)
+    centre[1:, :3], axis[1:, :3], needed[1:, :3] = leave.station, leave_axis[:, None], leave.needed
+    centre[:-1, 3:], axis[:-1, 3:] = enter.station[:, ::-1], enter_axis[:, None]
+    needed[:-1, 4:] = enter.needed[:, ::-1][:, :2]
+    needed[:-1, 3] = True
+    needed[:-1][goes_on] = False
+    gap, slot = np.nonzero(needed)
+    motion = np.where(slot == 0, Motion.LINK, Motion.RAPID).astype(np.int8)
+    return _Links(gap, centre[gap, slot], axis[gap, slot], motion, goes_on)
+
+
+def _merged(path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: Cutter, options: LinkOptions) -> CLPath:
+    """The rows of the path and the rows between its polylines, which begin at ``start``, each at its place."""
+    n, m = len(path.point), len(links.before)
+    shift = np.cumsum(np.bincount(links.before, minlength=len(start) + 1))
+    on_path = np.arange(n) + np.repeat(shift[:-1], np.diff(start, append=n))
+    between = np.arange(m) + np.append(start, n)[links.before]
+
+    def woven(own: Floats, link: Floats) -> Floats:
+        rows = np.empty((3, n + m))
+        for k in range(3):
+            rows[k, on_path], rows[k, between] = own[:, k], link[:, k]
+        return rows.T
+
+    def column(own: Ints | Bytes, link: Bytes | int) -> Ints:
+        values = np.empty(n + m, np.int64)
+        values[on_path], values[between] = own, link
+        return values
+
+    motion = np.where(path.fill, Motion.FILL, Motion.CUT)
+    motion[start] = Motion.LINK
+    motion = column(motion, links.motion)
+    feed = np.where(motion == Motion.RAPID, 0.0, options.feed)
+    feed[on_path[start[~links.goes_on]]] = options.plunge_feed
+    tip, link_tip = path.centre, links.centre
+    if options.control_point == "tip":
+        tip, link_tip = cutter.tip_at(tip, axis), cutter.tip_at(link_tip, links.axis)
+    face, coedge, pass_ = (column(own, -1) for own in (path.face, path.coedge, path.pass_))
+    return CLPath(
+        tip=woven(tip, link_tip), axis=woven(axis, links.axis), motion=motion.astype(np.int8), feed=feed,
+        contact=woven(path.point, link_tip), normal=woven(path.normal, links.axis), face=face, coedge=coedge, pass_=pass_,
+    )  # fmt: skip
+
+
+def _goes_on(centre: Floats, first: Ints, last: Ints) -> Bools:
+    """Which polylines start where the one before them ended."""
+    near = np.abs(centre[first[1:]] - centre[last[:-1]]).max(axis=1, initial=0.0) < SAME
+    return np.concatenate([[False], near])
+
+
+def _to_and_fro(pass_: Ints) -> tuple[Ints, Bools]:
+    """Row of the path for each row of the zigzag (n,), and which of these are cut backwards (n,)."""
+    start, row = _starts(pass_), np.arange(len(pass_))
+    size = np.diff(start, append=len(pass_))
+    backwards = np.repeat(np.arange(len(start)) % 2 == 1, size)
+    return np.where(backwards, np.repeat(2 * start + size - 1, size) - row, row), backwards
+
+
+def _starts(label: Ints) -> Ints:
+    """Rows where a new label begins."""
+    return np.flatnonzero(np.diff(label, prepend=label[:1] - 1))
+
+
+def _rows(table: Floats, row: Ints) -> Floats:
+    return np.ascontiguousarray(table.T).take(row, axis=1).T
+
+
+def _below(leave: WayOut, enter: WayOut) -> tuple[Finding, ...]:
+    """A finding where the tool leaves or comes from below the part."""
+    under = np.concatenate([leave.needed[:, 1], enter.needed[:, 1]])
+    if not under.any():
+        return ()
+    place = np.concatenate([leave.station[:, 1], enter.station[:, 1]])[under][0]
+    text = (
+        f"{np.count_nonzero(under)} retracts or approaches pass below the part, because the tool looks down there. "
+        "Check that nothing holds the part from below, or choose a tool axis that looks up."
+    )
+    where = (float(place[0]), float(place[1]), float(place[2]))
+    return (Finding(Severity.WARNING, "retract-below-part", text, value=float(np.count_nonzero(under)), unit="1", place=where),)

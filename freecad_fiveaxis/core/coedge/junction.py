@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where one facet segment of a contact polyline meets the next, and what that does to their offsets.
+
+junction   the place where a segment ends and the next one begins, on a co-edge; in a closed polyline the last one is the seam.
+flat       both offsets meet (nearly): one point.          convex    a gap opens: an arc about the contact.
+concave    each offset ends inside the other: both are trimmed to where they cross.       end   the end of an open polyline.
+theta      the angle between the two facet normals.        arcs      k, the number of equal sub-steps of theta in an arc.
+
+An offset plane is a facet's plane moved out by the radius. Every chord made here lies in an offset plane of a facet, or in a
+plane that touches the ball of that radius about the contact of a convex junction.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.passes import ContactPath
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+
+END, FLAT, CONVEX, CONCAVE = range(4)
+
+FLAT_GAP = 1e-6
+"""mm between the two offsets of a contact below which one point serves both: the point is on both offset planes, and this far
+below the step of any controller beside the contact."""
+
+SAME = 1e-9
+"""mm; two places nearer than this are one place: coordinates of a part are rounded to about 1e-13 mm."""
+
+GRAZING = 1e-6
+"""A path that runs along a co-edge within this angle (rad) does not say on which side of it the facets rise: taken as convex."""
+
+KNIFE = 1e-6
+"""rad; nearer than this to half a turn two normals do not span a plane. The arc then goes round in the direction of travel."""
+
+CHUNK = 16384
+"""Rows handled at a time: a few dozen columns of these stay in the processor's cache."""
+
+
+@dataclass(frozen=True, eq=False)
+class Segments:
+    """The segments of a contact path that have a length.
+
+    ``point`` and ``normal`` (3, n) of the contact path; ``length`` (s,) mm of each of its segments; ``live`` (m,) the
+    segments that are longer than SAME; ``following`` (m,) position in ``live`` of the next one, -1 at the end of an open
+    polyline, the first one again at the end of a closed one; ``first`` (p,) positions where the polylines begin.
+    """
+
+    point: Floats
+    normal: Floats
+    length: Floats
+    live: Ints
+    following: Ints
+    first: Ints
+
+    @property
+    def last(self) -> Ints:
+        """Positions (p,) where the polylines end."""
+        return np.append(self.first[1:], len(self.live)) - 1
+
+    @cached_property
+    def line(self) -> Ints:
+        """The polyline (m,) of each position, counted from 0."""
+        return np.repeat(np.arange(len(self.first)), np.diff(self.first, append=len(self.live)))
+
+
+@dataclass(frozen=True, eq=False)
+class Junctions:
+    """The junction after each live segment, (m,) each.
+
+    ``kind``; ``rows`` how many rows it makes; ``arcs`` k; ``theta`` rad; ``trim_end`` (at most 0) and ``trim_start`` (at
+    least 0) mm by which a concave junction moves the end of the segment before it and the start of the one after it.
+    """
+
+    kind: Bytes
+    rows: Ints
+    arcs: Ints
+    theta: Floats
+    trim_end: Floats
+    trim_start: Floats
+
+
+class Rows(NamedTuple):
+    """Rows of an offset path in short form, (n,) each.
+
+    Contact: row ``base`` of the contact path, moved by ``shift`` mm along its segment. Normal: ``w1`` x the normal of that row
+    + ``w2`` x the normal of segment ``far`` + ``w3`` x the direction of the row's segment. Centre: contact + ``reach`` x
+    normal. ``left``, ``right``: the segments on either side. ``fill`` as in OffsetPath. Rows ``lifted`` (l,) have their
+    centre at ``centre`` (3, l) instead.
+    """
+
+    base: Ints
+    far: Ints
+    left: Ints
+    right: Ints
+    w1: Floats
+    w2: Floats
+    w3: Floats
+    reach: Floats
+    shift: Floats
+    fill: Bools
+    lifted: Ints
+    centre: Floats
+
+
+def find_segments(contact: ContactPath) -> Segments:
+    """The segments of a contact path in their order, without those that have no length (a plane through a vertex)."""
+    point, normal = np.ascontiguousarray(contact.point.T), np.ascontiguousarray(contact.normal.T)
+    length = np.sqrt(sum((row[1::2] - row[::2]) ** 2 for row in point))
+    live = np.flatnonzero(length > SAME)
+    label = contact.polyline.take(2 * live)
+    first = np.flatnonzero(np.diff(label, prepend=label[:1] - 1))
+    last = np.append(first[1:], len(live))[: len(first)] - 1
+    seam = np.abs(point.take(2 * live[last] + 1, axis=1) - point.take(2 * live[first], axis=1)).max(axis=0, initial=0.0)
+    following = np.arange(1, len(live) + 1)
+    following[last] = np.where((seam < SAME) & (last > first), first, -1)
+    return Segments(point, normal, length, live, following, first)
+
+
+def find_junctions(segments: Segments, radius: float, tolerance: float) -> Junctions:
+    """Kind, trims and arcs of every junction, for a ball of ``radius`` mm and R - r at most ``tolerance`` mm."""
+    m = len(segments.live)
+    kind, rows, arcs = np.empty(m, np.int8), np.empty(m, np.int64), np.empty(m, np.int64)
+    theta, trim_end, trim_start = np.empty(m), np.empty(m), np.empty(m)
+    for low in range(0, m, CHUNK):
+        part = slice(low, min(low + CHUNK, m))
+        n1, n2, d1, d2 = _sides(segments, part)
+        gap, wide = np.sqrt(dot(n1 - n2, n1 - n2)), np.sqrt(dot(n1 + n2, n1 + n2))
+        ahead, behind = dot(d1, n2), dot(d2, n1)
+        kind[part] = _kinds(segments.following[part], radius * gap, ahead, behind, gap)
+        theta[part] = 2.0 * np.arctan2(gap, wide)
+        arcs[part] = arcs_needed(theta[part], radius, tolerance)
+        concave = kind[part] == CONCAVE
+        rise = np.where(concave, 0.5 * radius * gap * gap, 0.0)  # r (1 - cos theta)
+        trim_end[part] = rise / np.where(concave, ahead, 1.0)
+        trim_start[part] = rise / np.where(concave, behind, 1.0)
+        meet = radius * (n1 - n2) + trim_end[part] * d1 - trim_start[part] * d2
+        rows[part] = np.where(concave & (np.abs(meet).max(axis=0) >= SAME), 2, 1)
+        rows[part] += np.where(kind[part] == CONVEX, arcs[part] + 1, 0)
+    return Junctions(kind, rows, arcs, theta, trim_end, trim_start)
+
+
+def _sides(segments: Segments, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
+    """Normals before and after the junctions, then directions before and after, (3, k) each."""
+    nxt = segments.following[part]
+    nxt = np.where(nxt < 0, np.arange(part.start, part.stop), nxt)
+    sides = [segments.live[part], segments.live.take(nxt)]
+    one, two = (segments.normal.take(2 * segment, axis=1) for segment in sides)
+    return one, two, direction(segments, sides[0]), direction(segments, sides[1])
+
+
+def _kinds(following: Ints, gap: Floats, ahead: Floats, behind: Floats, sine: Floats) -> Bytes:
+    """The profile turns towards the normals (concave) where the path before runs into the facet after, and the other way."""
+    concave = (ahead < -GRAZING * sine) & (behind > GRAZING * sine)
+    kind = np.where(gap < FLAT_GAP, FLAT, np.where(concave, CONCAVE, CONVEX))
+    return np.where(following < 0, END, kind).astype(np.int8)
+
+
+def arcs_needed(theta: Floats, radius: float, tolerance: float) -> Ints:
+    """The fewest sub-steps with ``radius / cos(theta / 2k) - radius <= tolerance`` (eq. 4 for each sub-step)."""
+    widest = 2.0 * np.arctan2(np.sqrt(tolerance * (2.0 * radius + tolerance)), radius)
+    fewest = np.ceil(theta / widest - SAME).astype(np.int64)  # an angle of just k steps needs k, whatever its last digit
+    return np.asarray(np.maximum(fewest, 1))
+
+
+def direction(segments: Segments, segment: Ints) -> Floats:
+    """Unit direction of travel (3, k) of segments of the contact path."""
+    step = segments.point.take(2 * segment + 1, axis=1) - segments.point.take(2 * segment, axis=1)
+    return np.asarray(step / segments.length.take(segment))
+
+
+def dot(one: Floats, two: Floats) -> Floats:
+    """Scalar products of the columns of two (3, k) arrays."""
+    return np.asarray(one[0] * two[0] + one[1] * two[1] + one[2] * two[2])
+
+
+def arc_weights(theta: Floats, angle: Floats) -> tuple[Floats, Floats, Floats]:
+    """w1, w2, w3 of the unit normal at ``angle`` from the first of two normals that are ``theta`` apart (rad, not 0)."""
+    knife = np.pi - theta < KNIFE
+    sine = np.where(knife, 1.0, np.sin(theta))
+    first = np.where(knife, np.cos(angle), np.sin(theta - angle) / sine)
+    second = np.where(knife, 0.0, np.sin(angle) / sine)
+    return first, second, np.where(knife, np.sin(angle), 0.0)
+
+
+def junction_rows(segments: Segments, junctions: Junctions, at: Ints, step: Ints, radius: float) -> Rows:
+    """Row ``step`` (counted from 0) of the junction at position ``at``, (k,) each.
+
+    Convex, eqs. 4 and 5 and Fig. 7 (k = 1): p + r N1; p + r / cos(delta / 2) n at the middle of each sub-step delta;
+    p + r N2. Concave: where the offset line of the segment before meets the offset plane of the facet after, and where the
+    offset line of the segment after meets the offset plane of the facet before.
+    """
+    kind, count = junctions.kind.take(at), junctions.rows.take(at)
+    before = segments.live.take(at)
+    nxt = segments.following.take(at)
+    after = segments.live.take(np.where(nxt < 0, at, nxt))
+    final = (step > 0) & (step == count - 1)
+    middle = np.flatnonzero((kind == FLAT) | ((kind == CONVEX) & (step > 0) & ~final))
+    w1, w2, w3, reach = np.ones(len(at)), np.zeros(len(at)), np.zeros(len(at)), np.full(len(at), float(radius))
+    theta = np.maximum(junctions.theta.take(at[middle]), np.finfo(float).tiny)
+    half = 0.5 * theta / np.where(kind[middle] == FLAT, 1, junctions.arcs.take(at[middle]))
+    w1[middle], w2[middle], w3[middle] = arc_weights(theta, np.maximum(2 * step[middle] - 1, 1) * half)
+    reach[middle] = radius / np.cos(half)
+    shift = np.where(step > 0, junctions.trim_start.take(at), junctions.trim_end.take(at))
+    base = np.where(final, 2 * after, 2 * before + 1)
+    none = np.empty(0, np.int64)
+    return Rows(base, after, before, after, w1, w2, w3, reach, shift, step > 0, none, np.empty((3, 0)))

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far the tip leaves the commanded segment while the axes move linearly, with a proven bound."""
+
+from .bound import quick_bound
+from .measurement import Deviation, lin_ye_deviation, measure, same_u_deviation
+
+__all__ = ["Deviation", "lin_ye_deviation", "measure", "quick_bound", "same_u_deviation"]

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Forward and inverse kinematics of every machine with two rotary axes."""
+
+from .columns import CHUNK, Matrix, chunks, cos_sin, dot, empty_rows, mapped, split
+from .kinematics import (
+    Chain,
+    Setup,
+    branch_of,
+    chain,
+    forward,
+    forward_tip,
+    inverse,
+    inverse_axis,
+    joint_words,
+    linear_words,
+    q_to_words,
+    words_to_q,
+)
+from .rotary_pair import BEYOND, RotaryPair
+
+__all__ = [
+    "BEYOND",
+    "CHUNK",
+    "Chain",
+    "Matrix",
+    "RotaryPair",
+    "Setup",
+    "branch_of",
+    "chain",
+    "chunks",
+    "cos_sin",
+    "dot",
+    "empty_rows",
+    "forward",
+    "forward_tip",
+    "inverse",
+    "inverse_axis",
+    "joint_words",
+    "linear_words",
+    "mapped",
+    "q_to_words",
+    "split",
+    "words_to_q",
+]

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The machine: an ordered list of axes from the work to the tool.
+
+side      a table axis carries the work, a head axis the tool.
+joint     where an axis stands: mm or rad from its zero. With all joints zero the spindle's gauge point stands at
+          ``gauge_point``, and the ``point`` of each rotary axis is where its line runs then.
+word      what the controller is told: mm for linear axes, degrees for rotary ones (radians inside the core). A rotary word
+          is the joint; a linear word is counted from the work zero to the tip.
+sign      ISO 841: a positive word moves the **tool relative to the work** along, or right-handed about, ``direction``.
+          A machine of the other habit has the reversed direction.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from freecad_fiveaxis.core.errors import MachineError
+
+Vector = tuple[float, float, float]
+
+LINEAR_LETTERS = ("X", "Y", "Z")
+ROTARY_LETTERS = ("A", "B", "C")
+WRAPS = ("unwound", "modulo", "rezero")
+
+UNIT_ROUNDING = 4.0 * sys.float_info.epsilon
+"""A direction whose length is that near 1 is kept as given: dividing it again would only stir its last digits."""
+
+SHORTEST_DIRECTION = 1e-6
+"""A direction shorter than this is taken for a forgotten one, as FreeCAD's Machine editor does."""
+
+
+FARTHEST = 1e6
+"""No point of a machine lies farther from its zero, mm: a kilometre. Beyond it a file has the wrong unit or a slip."""
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One axis. ``direction`` is made unit; ``point`` a point of the axis with all joints zero, machine frame, mm.
+
+    ``low`` and ``high`` in mm or rad, of the joint (for a rotary axis that is its word), infinite where there is no limit;
+    ``max_rate`` mm/min or rad/min. ``wrap``: how the controller takes a rotary word: ``unwound`` (absolute, any number of
+    turns), ``modulo`` or ``rezero``. Raises MachineError for values that no axis can have.
+    """
+
+    letter: str
+    rotary: bool
+    side: Literal["table", "head"]
+    direction: Vector
+    point: Vector = (0.0, 0.0, 0.0)
+    low: float = -math.inf
+    high: float = math.inf
+    max_rate: float = math.inf
+    wrap: str = "unwound"
+
+    def __post_init__(self) -> None:
+        letters = ROTARY_LETTERS if self.rotary else LINEAR_LETTERS
+        kind = "rotary" if self.rotary else "linear"
+        self._need(self.letter in letters, f"a {kind} axis is called one of {' '.join(letters)}", self.letter)
+        self._need(self.side in ("table", "head"), f"side {self.side!r} is neither table nor head", self.side)
+        object.__setattr__(self, "direction", self._unit())
+        object.__setattr__(self, "point", finite_vector(self.point, f"axis {self.letter}: joint origin", FARTHEST))
+        low, high, unit = (math.degrees(self.low), math.degrees(self.high), "deg") if self.rotary else (self.low, self.high, "mm")
+        self._need(low < high, f"limits min {low:g} {unit} is not below max {high:g} {unit}; swap or widen them", self.low)
+        self._need(
+            self.max_rate > 0, f"maximum rate {self.max_rate:g} is not positive; give what the drive reaches", self.max_rate
+        )
+        self._need(self.wrap in WRAPS, f"wrap_strategy {self.wrap!r} is none of {', '.join(WRAPS)}", self.wrap)
+
+    def _need(self, good: bool, problem: str, value: object) -> None:
+        if not good:
+            raise MachineError(f"axis {self.letter}: {problem}", value)
+
+    def _unit(self) -> Vector:
+        x, y, z = finite_vector(self.direction, f"axis {self.letter}: joint axis")
+        length = math.hypot(x, y, z)
+        self._need(
+            length > SHORTEST_DIRECTION, f"joint axis ({x:g}, {y:g}, {z:g}) has no direction; give a unit vector", (x, y, z)
+        )
+        return (x, y, z) if abs(length - 1.0) <= UNIT_ROUNDING else (x / length, y / length, z / length)
+
+
+@dataclass(frozen=True)
+class Machine:
+    """``axes`` from work to tool, the table's before the head's: X, Y, Z and two rotary. ``gauge_point`` mm, machine frame.
+
+    ``singular_cone`` rad: half angle about the first rotary axis within which a block counts as near the pole.
+    ``origin``: where the work zero stands unless the setup says otherwise, machine frame, mm. ``controller``: name of the
+    dialect that the machine speaks unless the settings say otherwise, or empty. Raises MachineError for axes that do not
+    make a five-axis machine.
+    """
+
+    name: str
+    axes: tuple[Axis, ...]
+    gauge_point: Vector = (0.0, 0.0, 0.0)
+    origin: Vector = (0.0, 0.0, 0.0)
+    singular_cone: float = math.radians(5.0)
+    description: str = ""
+    controller: str = ""
+    letters: str = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "axes", tuple(self.axes))
+        object.__setattr__(self, "letters", "".join(axis.letter for axis in self.axes))
+        for name in ("gauge_point", "origin"):
+            object.__setattr__(self, name, finite_vector(getattr(self, name), name, FARTHEST))
+        self._check_axes()
+        if not 0.0 <= self.singular_cone <= math.pi / 2:
+            cone = math.degrees(self.singular_cone)
+            raise MachineError(f"machine {self.name}: singular_cone {cone:g} deg is not between 0 and 90", cone)
+
+    def _check_axes(self) -> None:
+        kinds = [axis.rotary for axis in self.axes]
+        if kinds.count(True) != 2 or kinds.count(False) != 3:
+            count = f"{kinds.count(False)} linear and {kinds.count(True)} rotary axes"
+            raise MachineError(f"machine {self.name} has {count}; needs 3 and 2", self.letters)
+        if len(set(self.letters)) != len(self.letters):
+            raise MachineError(f"machine {self.name} has two axes of the same letter: {self.letters}", self.letters)
+        sides = [axis.side for axis in self.axes]
+        if sides != sorted(sides, reverse=True):
+            raise MachineError(
+                f"machine {self.name}: {self.letters} does not name the table's axes before the head's", self.letters
+            )
+
+    @property
+    def rotary(self) -> tuple[Axis, Axis]:
+        """The two rotary axes, the one nearer to the work first."""
+        first, second = (axis for axis in self.axes if axis.rotary)
+        return first, second
+
+    @property
+    def linear(self) -> tuple[Axis, Axis, Axis]:
+        """The three linear axes in the chain's order."""
+        a, b, c = (axis for axis in self.axes if not axis.rotary)
+        return a, b, c
+
+    @property
+    def has_head(self) -> bool:
+        """True where a rotary axis carries the tool: then the tool length enters the words."""
+        return any(axis.rotary and axis.side == "head" for axis in self.axes)
+
+
+def finite_vector(value: Sequence[float], what: str, most: float = sys.float_info.max) -> Vector:
+    """Three finite numbers, none larger than ``most``, as a tuple of floats; else MachineError naming ``what``."""
+    try:
+        x, y, z = (float(component) for component in value)
+    except (TypeError, ValueError, OverflowError):
+        raise MachineError(f"{what} is not a vector of three numbers", value) from None
+    if not all(math.isfinite(component) and abs(component) <= most for component in (x, y, z)):
+        raise MachineError(f"{what} ({x:g}, {y:g}, {z:g}) is not finite or beyond {most:g}", value)
+    return x, y, z

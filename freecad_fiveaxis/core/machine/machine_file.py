@@ -1,0 +1,358 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Machine files: FreeCAD's own ``.fcm`` (JSON, version 1), in and out, and the machines that come with the program.
+
+unit      lengths are mm, or inches where ``machine.units`` says imperial; angles are degrees; rates are per minute.
+parent    the axis that carries this one, null for the base. The axes of the table, from the base outwards, end at the
+          work, those of the head at the tool. Linear axes that stand beside a rotary one on the same parent are taken to
+          lie nearer to the base; two rotary ones side by side leave the chain open and are refused.
+unlimited a limit of 99999 mm or degrees or beyond means that the axis has none (JSON knows no infinity).
+fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and ``origin`` (machine frame),
+          ``singular_cone`` (degrees) and ``controller``. FreeCAD drops it when it saves; each has a default.
+
+What the program does not use (tool heads, output, post-processor, base frame) is not read. Every key that it uses must be
+there and make sense: a guess about a machine is worse than a question.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import math
+import os
+import re
+import reprlib
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+from freecad_fiveaxis.core.errors import FileError, MachineError
+from freecad_fiveaxis.core.files import read_bytes, write_whole
+
+from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector, finite_vector
+
+SUFFIX = ".fcm"
+VERSION = 1
+UNLIMITED = 99999.0
+INCH = 25.4
+
+UNITS = {"metric": 1.0, "imperial": INCH}
+KINDS = {"linear": False, "rotary": True, "angular": True}  # "angular" is how older files spell it
+ROLES = ("table_linear", "table_rotary", "head_linear", "head_rotary")
+
+VECTOR = re.compile(r"\[\s*\n([^\[\]{}\"]*)\n\s*\]")
+"""A list of numbers that json has spread over lines; a line break never stands inside a string."""
+
+FREECAD_VERSION = "26.3.0"
+"""The first version with a Machine editor; its format is what is written."""
+
+_Object = Mapping[str, Any]
+
+
+def shipped_machines() -> tuple[str, ...]:
+    """The names of the machines that come with the program, sorted."""
+    return tuple(sorted(path.stem for path in machine_folder().glob("*" + SUFFIX)))
+
+
+def machine_folder() -> Path:
+    """Where those machines are: in the package when it is installed, beside it in the source tree."""
+    package = Path(__file__).resolve().parents[2]
+    inside = package / "resources" / "machines"
+    return inside if inside.is_dir() else package.parent / "resources" / "machines"
+
+
+def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
+    """The machine of that shipped name, or of that ``.fcm`` file (anything with a folder or the suffix is a file).
+
+    Raises MachineError with file, key and remedy for an unknown name or an unusable file, FileError for a missing one.
+    """
+    given = os.fspath(name_or_path)
+    if given in shipped_machines():
+        return _load_file(machine_folder() / (given + SUFFIX))
+    if Path(given).suffix.lower() == SUFFIX or os.sep in given or "/" in given:
+        return _load_file(Path(given))
+    names = shipped_machines()
+    near = difflib.get_close_matches(given.lower().replace("-", "_"), names, n=1)
+    hint = f"did you mean {near[0]}? " if near else ""
+    known = f"known: {', '.join(names)}, or give a {SUFFIX} file"
+    raise MachineError(f"no machine is called {reprlib.repr(given)}; {hint}{known}", given)
+
+
+def _load_file(path: Path) -> Machine:
+    content = read_bytes(_usable(path), "machine file")
+    try:
+        return _machine(_parse(content))
+    except MachineError as error:
+        raise MachineError(f"{path}: {error}", error.value) from None
+
+
+def _usable(path: Path) -> Path:
+    if "\0" in str(path):
+        raise FileError(f"{str(path)!r} is no file name: it holds a null character", str(path))
+    return path
+
+
+def _parse(content: bytes) -> Any:
+    try:
+        return json.loads(content.decode("utf-8-sig"), parse_constant=_no_constant, object_pairs_hook=_unique)
+    except MachineError:
+        raise
+    except (ValueError, RecursionError) as error:
+        kind = "is empty" if not content.strip() else f"is not JSON ({error})"
+        raise MachineError(f"the file {kind}; export the machine from FreeCAD again", content[:60]) from None
+
+
+def _no_constant(text: str) -> float:
+    raise MachineError(f"{text} is no usable number; write a finite one", text)
+
+
+def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in found:
+            raise MachineError(f"key {reprlib.repr(key)} stands twice in one object; remove one", key)
+        found[key] = value
+    return found
+
+
+# Reading a key: each function takes the object that holds it and the dotted name of that object, for the message.
+
+
+def _fail(key: str, problem: str, value: object) -> MachineError:
+    return MachineError(f"{key}: {problem}", value)
+
+
+def _get(holder: _Object, where: str, key: str) -> Any:
+    if key not in holder:
+        raise _fail(where + key, f'the key is missing; add "{key}"', None)
+    return holder[key]
+
+
+def _object(holder: _Object, where: str, key: str) -> _Object:
+    value = _get(holder, where, key)
+    if not isinstance(value, dict):
+        raise _fail(where + key, f"{reprlib.repr(value)} is not an object; write {{ ... }}", value)
+    return value
+
+
+def _text(holder: _Object, where: str, key: str) -> str:
+    """A string, its line breaks made spaces."""
+    value = _get(holder, where, key)
+    text = " ".join(value.splitlines()) if isinstance(value, str) else "\0"
+    if not text.isprintable():
+        raise _fail(where + key, f"{reprlib.repr(value)} is not a text that can be shown; write one in quotes", value)
+    return text
+
+
+def _choice(holder: _Object, where: str, key: str, known: Any) -> str:
+    value = _text(holder, where, key)
+    if value not in known:
+        raise _fail(where + key, f"{reprlib.repr(value)} is none of {', '.join(known)}", value)
+    return value
+
+
+def _as_number(value: Any, key: str) -> float:
+    try:
+        number = float("nan") if isinstance(value, bool) or not isinstance(value, (int, float)) else float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise _fail(key, f"{reprlib.repr(value)} is not a finite number", value)
+    return number
+
+
+def _number(holder: _Object, where: str, key: str) -> float:
+    return _as_number(_get(holder, where, key), where + key)
+
+
+def _as_vector(value: Any, key: str, unit: float = 1.0) -> Vector:
+    if not isinstance(value, list) or len(value) != 3:
+        raise _fail(key, f"{reprlib.repr(value)} is not a vector; write [x, y, z]", value)
+    return finite_vector([unit * _as_number(component, key) for component in value], key)
+
+
+# From the file's objects to the machine.
+
+
+def _machine(data: Any) -> Machine:
+    if not isinstance(data, dict):
+        raise MachineError(f'the file holds {reprlib.repr(data)} instead of an object with the key "machine"', data)
+    version = _get(data, "", "version")
+    if isinstance(version, bool) or version != VERSION:
+        raise _fail("version", f"{reprlib.repr(version)} cannot be read; only version {VERSION} can", version)
+    machine = _object(data, "", "machine")
+    unit = UNITS[_choice(machine, "machine.", "units", UNITS)]
+    name = _text(machine, "machine.", "name").strip()
+    if not name:
+        raise _fail("machine.name", "the name is empty; give the machine one", name)
+    axes = _object(machine, "machine.", "axes")
+    found = {letter: _axis(letter, axes, unit) for letter in axes}
+    order = _work_to_tool(found, {letter: _parent(letter, axes) for letter in axes})
+    description = _text(machine, "machine.", "description") if "description" in machine else ""
+    return Machine(name, tuple(found[letter] for letter in order), description=description, **_extra(data, unit))
+
+
+def _extra(data: _Object, unit: float) -> dict[str, Any]:
+    """What stands under ``fiveaxis``, as fields of Machine; what does not keeps its default."""
+    where = "fiveaxis."
+    extra = _object(data, "", "fiveaxis") if "fiveaxis" in data else {}
+    readers: dict[str, Callable[[str], Any]] = {
+        "gauge_point": lambda key: _as_vector(extra[key], where + key, unit),
+        "origin": lambda key: _as_vector(extra[key], where + key, unit),
+        "singular_cone": lambda key: math.radians(_number(extra, where, key)),
+        "controller": lambda key: _text(extra, where, key),
+    }
+    return {key: read(key) for key, read in readers.items() if key in extra}
+
+
+def _axis(letter: str, axes: _Object, unit: float) -> Axis:
+    if letter not in LINEAR_LETTERS + ROTARY_LETTERS:
+        raise _fail("machine.axes", f"{reprlib.repr(letter)} names no axis; use X Y Z and two of A B C", letter)
+    axis, where = _object(axes, "machine.axes.", letter), f"machine.axes.{letter}."
+    rotary = KINDS[_choice(axis, where, "type", KINDS)]
+    role = _choice(axis, where, "role", ROLES)
+    if rotary != role.endswith("rotary"):
+        raise _fail(where + "role", f"{role} contradicts the type of the axis; make them agree", role)
+    side: Literal["table", "head"] = "table" if role.startswith("table") else "head"
+    direction, point = _joint(axis, where, rotary, unit)
+    limits = _object(axis, where, "limits")
+    low, high = (_limit(_number(limits, where + "limits.", key), rotary, unit) for key in ("min", "max"))
+    rate = _number(axis, where, "max_velocity")
+    rate = _as_number(math.radians(rate) if rotary else rate * unit, where + "max_velocity")
+    wrap = _text(axis, where, "wrap_strategy") if rotary and "wrap_strategy" in axis else "unwound"
+    return Axis(letter, rotary, side, direction, point, low, high, rate, wrap)
+
+
+def _limit(value: float, rotary: bool, unit: float) -> float:
+    value = value if rotary else value * unit
+    if abs(value) >= UNLIMITED:
+        return math.copysign(math.inf, value)
+    return math.radians(value) if rotary else value
+
+
+def _joint(axis: _Object, where: str, rotary: bool, unit: float) -> tuple[Vector, Vector]:
+    """Direction and point from {"origin", "axis"} or [[origin], [axis]]; old files have a linear axis's the other way round."""
+    joint, where = _get(axis, where, "joint"), where + "joint"
+    if isinstance(joint, list):
+        if len(joint) != 2:
+            raise _fail(where, f"{reprlib.repr(joint)} is not [[origin], [axis]]", joint)
+        joint = {"origin": joint[0], "axis": joint[1]}
+        if not rotary and joint["axis"] == [0, 0, 0]:
+            joint = {"origin": joint["axis"], "axis": joint["origin"]}
+    elif not isinstance(joint, dict):
+        raise _fail(where, f'{reprlib.repr(joint)} is not {{"origin": [x, y, z], "axis": [x, y, z]}}', joint)
+    origin, direction = (_get(joint, where + ".", key) for key in ("origin", "axis"))
+    return _as_vector(direction, where + ".axis"), _as_vector(origin, where + ".origin", unit)
+
+
+def _parent(letter: str, axes: _Object) -> str | None:
+    where = f"machine.axes.{letter}."
+    parent = _get(axes[letter], where, "parent")
+    if parent is not None and (not isinstance(parent, str) or parent not in axes):
+        problem = f"{reprlib.repr(parent)} is no axis of this machine; name one, or null for the base"
+        raise _fail(where + "parent", problem, parent)
+    return parent
+
+
+def _work_to_tool(axes: Mapping[str, Axis], parent: Mapping[str, str | None]) -> list[str]:
+    """The letters from the work over the base to the tool, from the links alone."""
+    for letter, carrier in parent.items():
+        if carrier is not None and axes[carrier].side != axes[letter].side:
+            sides = f"a {axes[letter].side} axis cannot stand on the {axes[carrier].side} axis {carrier}"
+            raise _fail(f"machine.axes.{letter}.parent", f"{sides}; name another, or null for the base", carrier)
+    outwards = _outwards(None, axes, parent)
+    lost = [letter for letter in axes if letter not in outwards]
+    if lost:
+        raise _fail("machine.axes", f"{', '.join(lost)} carry one another in a circle; give one the parent null", lost)
+    table = [letter for letter in outwards if axes[letter].side == "table"]
+    return table[::-1] + [letter for letter in outwards if axes[letter].side == "head"]
+
+
+def _outwards(carrier: str | None, axes: Mapping[str, Axis], parent: Mapping[str, str | None]) -> list[str]:
+    """The letters from ``carrier`` (itself left out) away from the base; chains of linear axes only come first."""
+    chains = [[letter, *_outwards(letter, axes, parent)] for letter in sorted(axes) if parent[letter] == carrier]
+    turning = [chain for chain in chains if any(axes[letter].rotary for letter in chain)]
+    for side in ("table", "head"):
+        rivals = [chain[0] for chain in turning if axes[chain[0]].side == side]
+        if len(rivals) > 1:
+            problem = f'{" and ".join(rivals)} both stand on {carrier or "the base"}; say by "parent" which carries which'
+            raise _fail("machine.axes", problem, rivals)
+    plain = [chain for chain in chains if chain not in turning]
+    return [letter for chain in plain + turning for letter in chain]
+
+
+# From the machine to a file.
+
+
+def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool = False) -> None:
+    """Write the machine as a ``.fcm`` file that FreeCAD's Machine editor loads too.
+
+    What FreeCAD needs and a Machine does not hold gets FreeCAD's default. Raises FileError where the file exists already
+    (unless ``overwrite``) or cannot be written, MachineError for an axis without a maximum rate; then no file is left.
+    """
+    target = _usable(Path(path))
+    text = VECTOR.sub(lambda found: "[" + " ".join(found[1].split()) + "]", json.dumps(_data(machine), indent=4)) + "\n"
+    if os.path.exists(target) and not overwrite:
+        raise FileError(f"{target} exists already; choose another name", str(target))
+    write_whole(target, text.encode())
+
+
+def _data(machine: Machine) -> dict[str, Any]:
+    return {
+        "freecad_version": FREECAD_VERSION,
+        "machine": {
+            "name": machine.name,
+            "manufacturer": "",
+            "description": machine.description,
+            "units": "metric",
+            "kinematics": {
+                "base_frame": {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]},
+                "tcp_supported": False,
+            },
+            "axes": {letter: _axis_data(machine, letter) for letter in sorted(machine.letters)},
+            "toolheads": [{"id": "toolhead1", "name": "Spindle", "toolhead_type": "rotary"}],
+        },
+        "output": {"units": "metric"},
+        "postprocessor": {"file_name": machine.controller or "linuxcnc", "properties": {}},
+        "processing": {"tool_change": True},
+        "version": VERSION,
+        "fiveaxis": {
+            "gauge_point": list(machine.gauge_point),
+            "origin": list(machine.origin),
+            "singular_cone": _degrees(machine.singular_cone),
+            "controller": machine.controller,
+        },
+    }
+
+
+def _axis_data(machine: Machine, letter: str) -> dict[str, Any]:
+    axis = machine.axes[machine.letters.index(letter)]
+    if math.isinf(axis.max_rate):
+        raise MachineError(f"axis {letter} has no maximum rate; give one, the machine file needs it", letter)
+    outwards = [other.letter for other in machine.axes if other.side == axis.side]
+    outwards = outwards[::-1] if axis.side == "table" else outwards
+    place = outwards.index(letter)
+    in_file: Callable[[float], float] = _degrees if axis.rotary else float
+    data = {
+        "type": "rotary" if axis.rotary else "linear",
+        "role": f"{axis.side}_{'rotary' if axis.rotary else 'linear'}",
+        "parent": outwards[place - 1] if place else None,
+        "sequence": place,
+        "joint": {"origin": list(axis.point), "axis": list(axis.direction)},
+        "limits": {"min": max(in_file(axis.low), -UNLIMITED), "max": min(in_file(axis.high), UNLIMITED)},
+        "max_velocity": in_file(axis.max_rate),
+    }
+    if axis.rotary:
+        data.update(solution_preference="shortest", allow_flip=True, wrap_strategy=axis.wrap)
+    return data
+
+
+def _degrees(radians: float) -> float:
+    """The shortest number of degrees that is read back as exactly these radians, where there is one."""
+    degrees = math.degrees(radians)
+    if math.isinf(degrees):
+        return degrees
+    beside = [math.nextafter(degrees, way) for way in (-math.inf, math.inf)]
+    for candidate in (*(round(degrees, digits) for digits in range(15)), degrees, *beside):
+        if math.radians(candidate) == radians:
+            return candidate
+    return degrees

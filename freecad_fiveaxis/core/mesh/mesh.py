@@ -1,0 +1,298 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The triangle mesh and its co-edges.
+
+facet      one triangle, counter-clockwise seen from outside.
+half-edge  one side of a facet, in the facet's own sense.
+co-edge    one edge of the mesh with the two facets that share it (Lin & Ye, Fig. 7); at a border it has one.
+
+A facet without area is left out. Where more than two facets meet in an edge, or two facets run along it in the same
+sense, nothing tells which of them belong together: each gets a border co-edge of its own. A closed mesh whose volume
+is negative is turned outward. Each of these is a finding with its place.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from freecad_fiveaxis.core.errors import MeshError
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.kinematics import chunks
+from freecad_fiveaxis.core.records import Floats, Ints, freeze
+
+from .half_edges import partners, sorted_half_edges
+from .weld import Reals, Words, weld
+
+LARGEST = 1e6  # mm; no machine reaches a kilometre, so the units are wrong
+FLAT = 2.0**-50  # height of a facet over the part's largest coordinate where the coordinates' own rounding (2**-53) makes it up
+HOLLOW = 1e-12  # volume over that of the box around the part where its sign is rounding
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A welded triangle mesh, mm.
+
+    ``vertex`` (v, 3); ``face`` (f, 3) vertex rows; ``normal`` (f, 3) unit, by the right-hand rule from the vertices;
+    ``coedge_vertex`` (e, 2) the ends of each co-edge; ``coedge_face`` (e, 2) the facets on its two sides, the second
+    -1 at a border; ``face_coedge`` (f, 3) the co-edges of each facet: column k joins vertices k and k + 1.
+
+    The first facet of a co-edge runs along it from ``coedge_vertex[:, 0]`` to ``[:, 1]``, the second one back.
+    """
+
+    vertex: Floats
+    face: Ints
+    normal: Floats
+    coedge_vertex: Ints
+    coedge_face: Ints
+    face_coedge: Ints
+    findings: tuple[Finding, ...] = ()
+
+    def __post_init__(self) -> None:
+        freeze(self, None, vertex="f3")
+        freeze(self, None, face="i3", normal="f3", face_coedge="i3")
+        freeze(self, None, coedge_vertex="i2", coedge_face="i2")
+
+
+def from_triangles(corners: ArrayLike) -> Mesh:
+    """Weld loose triangles into a mesh.
+
+    ``corners`` (f, 3, 3) mm: facet, corner, x y z; float32 or float64. Raises MeshError for zero facets, coordinates
+    that are not finite or beyond ``LARGEST``, and where no facet has an area.
+    """
+    array = _numbers(corners, "triangle corners", (3, 3))
+    column = np.empty((3, 3, len(array)), dtype=np.float32 if array.dtype == np.float32 else np.float64)
+    for part in chunks(len(array)):
+        column[:, :, part] = array[part].T
+    return from_columns(column)
+
+
+def from_columns(column: Reals) -> Mesh:
+    """The same as :func:`from_triangles` for corners (3, 3, f) float32 or float64: x y z, corner, facet; -0 becomes 0 in them."""
+    _numbers(column.T, "triangle corners", (3, 3))
+    with np.errstate(invalid="ignore"):  # a signalling NaN; the check of the range names it
+        column += 0.0  # turns -0.0 into 0.0, so that equal coordinates have equal bits
+    facets = column.shape[2]
+    # row k f + i is corner k of facet i, as in a Fortran-ordered ``face``
+    corners = column.reshape(3, -1)
+    vertex, corner = weld(corners, *_range(corners, facets, "facet"))
+    del column, corners  # nobody needs them any more, and the rest needs room
+    return _build(vertex, corner.reshape(3, -1).T)
+
+
+def from_faces(vertex: ArrayLike, face: ArrayLike) -> Mesh:
+    """Mesh of an indexed triangle set: ``vertex`` (v, 3) mm, ``face`` (f, 3) rows of it.
+
+    Nothing is welded; vertices that no facet uses are left out. Raises MeshError as :func:`from_triangles` does, and
+    for a vertex row that does not exist.
+    """
+    point = np.array(_numbers(vertex, "vertices", (3,)), dtype=np.float64, order="F")
+    row = _numbers(face, "facets", (3,))
+    if row.dtype.kind not in "iu":
+        raise MeshError(f"facets are given as {row.dtype} numbers: give integer rows of the vertex table", str(row.dtype))
+    row = np.array(row, dtype=np.int64, order="F")
+    low, high = int(row.min()), int(row.max())
+    if low < 0 or high >= len(point):
+        wrong = low if low < 0 else high
+        raise MeshError(f"a facet names vertex {wrong}, but the rows run from 0 to {len(point) - 1}: correct the facets", wrong)
+    _range(point.T, len(point), "vertex")
+    used = np.zeros(len(point), dtype=np.bool_)
+    used[row] = True
+    if not used.all():
+        row = np.asfortranarray((np.cumsum(used) - 1)[row])
+        point = np.asfortranarray(point[used])
+    return _build(point, row)
+
+
+# ------------------------------------------------------------------------------------------------ input
+
+
+def _numbers(given: ArrayLike, what: str, row: tuple[int, ...]) -> NDArray[Any]:
+    """``given`` as an array of numbers with at least one row of shape ``row``, or MeshError."""
+    try:
+        array = np.asarray(given)
+    except ValueError as problem:
+        raise MeshError(f"the {what} form no regular table: {problem}", None) from problem
+    if array.size == 0:
+        raise MeshError("the mesh has no facets: export a solid or a surface with at least one triangle", 0)
+    if array.dtype.kind not in "iuf" or array.shape[1:] != row:
+        form = f"{array.dtype} of shape {array.shape}"
+        raise MeshError(f"the {what} are {form}: give numbers of shape {('n', *row)}".replace("'", ""), form)
+    return array
+
+
+def _range(column: Reals, rows: int, what: str) -> tuple[Reals, Reals]:
+    """Least and largest of each of the three columns, or MeshError where one holds a coordinate that no part can have."""
+    with np.errstate(invalid="ignore"):
+        low, high = column.min(axis=1), column.max(axis=1)
+        if np.maximum(-low, high).max() <= LARGEST:  # no NaN: it would come out of all three
+            return low, high
+        axis, entry = (int(i[0]) for i in np.nonzero(~(np.abs(column) <= LARGEST)))
+    value = float(column[axis, entry])
+    where = f"{what} {entry % rows + 1} of {rows} has {'xyz'[axis]} = {value:g}"
+    if np.isfinite(value):
+        raise MeshError(f"{where} mm, and no part exceeds {LARGEST:g} mm: check the units of the export", value)
+    raise MeshError(f"{where}: coordinates must be finite numbers; export the mesh again", value)
+
+
+# ------------------------------------------------------------------------------------------------ facets
+
+
+def _build(vertex: Floats, face: Ints) -> Mesh:
+    """Mesh of Fortran-ordered vertices and facets: normals, co-edges, orientation, findings."""
+    normal, flat, inward = _normals(vertex, face)
+    findings: list[Finding] = []
+    if len(flat):
+        findings.append(_flat_finding(vertex, face, flat))
+        face = np.asfortranarray(np.delete(face, flat, axis=0))
+        normal = np.asfortranarray(np.delete(normal, flat, axis=0))
+    edges = _coedges(vertex, face)
+    findings += edges.findings
+    mesh = Mesh(vertex, face, normal, edges.vertex, edges.face, edges.of_face, tuple(findings))
+    return _turned(mesh) if edges.closed and inward else mesh
+
+
+def _flat_finding(vertex: Floats, face: Ints, flat: Ints) -> Finding:
+    if len(flat) == len(face):
+        raise MeshError(f"none of the {len(face)} facets has an area: check the units and the export", len(face))
+    place = _place(vertex, face[flat[0]])
+    text = f"{len(flat)} facets without area were left out, the first at {_at(place)}; passes end where that leaves a crack."
+    return Finding(Severity.NOTE, "degenerate-facets", text, value=float(len(flat)), limit=0.0, unit="1", place=place)
+
+
+def _turned(mesh: Mesh) -> Mesh:
+    """The same facets seen from the other side."""
+    place = _place(mesh.vertex, mesh.face[0])
+    text = f"All {len(mesh.face)} facets looked inward and were turned outward; check the export if only some of them should."
+    finding = Finding(Severity.NOTE, "inward-facets", text, value=float(len(mesh.face)), limit=0.0, unit="1", place=place)
+    return Mesh(
+        mesh.vertex,
+        np.asfortranarray(mesh.face[:, ::-1]),
+        -mesh.normal,
+        np.asfortranarray(mesh.coedge_vertex[:, ::-1]),
+        mesh.coedge_face,
+        np.asfortranarray(mesh.face_coedge[:, [1, 0, 2]]),
+        (*mesh.findings, finding),
+    )
+
+
+def _normals(vertex: Floats, face: Ints) -> tuple[Floats, Ints, bool]:
+    """Unit normals (f, 3), the rows of facets without area, and whether the volume (of a closed mesh) is negative."""
+    low, high = vertex.min(axis=0), vertex.max(axis=0)
+    side, least = float((high - low).max()), FLAT * float(np.maximum(-low, high).max())
+    x, y, z = vertex.T
+    normal = np.empty((3, len(face)))
+    flat = [np.empty(0, dtype=np.int64)]
+    volume = 0.0
+    for part in chunks(len(face)):
+        a, b, c = face[part].T
+        ax, ay, az = x.take(a), y.take(a), z.take(a)
+        bx, by, bz = x.take(b) - ax, y.take(b) - ay, z.take(b) - az
+        cx, cy, cz = x.take(c) - ax, y.take(c) - ay, z.take(c) - az
+        nx, ny, nz = by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx
+        length = np.sqrt(nx * nx + ny * ny + nz * nz)
+        az += (bz + cz) / 3.0 - low[2]
+        volume += float((az * nz).sum()) / 2.0  # the prism between the facet and the lowest point
+        if length.min() <= 3.0 * least * side:  # no edge is longer than sqrt(3) sides
+            edge = np.sqrt(np.maximum(bx * bx + by * by + bz * bz, cx * cx + cy * cy + cz * cz))
+            thin = np.flatnonzero(length <= least * edge)
+            flat.append(thin + part.start)
+            length[thin] = 1.0
+        np.divide(nx, length, out=normal[0, part])
+        np.divide(ny, length, out=normal[1, part])
+        np.divide(nz, length, out=normal[2, part])
+    return normal.T, np.concatenate(flat), volume < -HOLLOW * side**3
+
+
+# ------------------------------------------------------------------------------------------------ co-edges
+
+
+@dataclass(frozen=True)
+class _Coedges:
+    """The co-edge columns of a Mesh (``vertex``, ``face``, ``of_face``), findings, and whether the mesh is closed."""
+
+    vertex: Ints
+    face: Ints
+    of_face: Ints
+    findings: list[Finding]
+    closed: bool
+
+
+def _coedges(vertex: Floats, face: Ints) -> _Coedges:
+    halves = sorted_half_edges(face, len(vertex))
+    number, closed = len(halves.word) // 2, True
+    findings: list[Finding] = []
+    if halves.paired():
+        paired = ((halves.pick(slice(2 * at.start + k, 2 * at.stop, 2)) for k in range(2)) for at in chunks(number))
+        alone = np.empty(0, dtype=np.int64)
+    else:
+        first, alone = partners(halves.pick(slice(None))[0])
+        number = len(first)
+        paired = ((halves.pick(first[at] + k) for k in range(2)) for at in chunks(number))
+        findings, closed = _edge_findings(*halves.pick(alone), halves.low, vertex, face)
+    width, facet = int(len(vertex) - 1).bit_length(), (1 << halves.low) - 1
+    ends, sides = np.empty((2, 2, number + len(alone)), dtype=np.int64)
+    of_face = np.empty(3 << halves.low, dtype=np.int64)  # as wide as half-edge numbers are, so that they address it
+    for at, ((edge, one), (_, two)) in zip(chunks(number), paired, strict=True):
+        _put_ends(edge, width, ends[:, at])
+        np.bitwise_and(one, facet, out=sides[0, at])
+        np.bitwise_and(two, facet, out=sides[1, at])
+        of_face[one] = of_face[two] = np.arange(at.start, at.stop)
+    edge, one = halves.pick(alone)
+    _put_ends(edge, width, ends[:, number:])
+    sides[0, number:], sides[1, number:] = one & facet, -1
+    of_face[one] = np.arange(number, number + len(alone))
+    return _Coedges(ends.T, sides.T, of_face.reshape(3, -1)[:, : len(face)].T, findings, closed)
+
+
+def _put_ends(edge: Words, width: int, out: Ints) -> None:
+    """Start and end of half-edges into the two rows of ``out``; ``width`` bits a vertex."""
+    lower, upper = out.view(np.uint64)
+    np.right_shift(edge, np.uint64(width + 1), out=lower)
+    np.right_shift(edge, np.uint64(1), out=upper)
+    upper &= np.uint64((1 << width) - 1)
+    back = np.flatnonzero(edge & np.uint64(1))
+    out[:, back] = out[::-1, back]
+
+
+# ------------------------------------------------------------------------------------------------ findings
+
+_EDGE_FINDINGS = (
+    ("open-shell", "leave the mesh open", "Close the shell in CAD if it is meant to be solid."),
+    ("inconsistent-winding", "have two facets that run along them in the same sense", "Unify the facet normals."),
+    ("non-manifold-edges", "have more than two facets", "Separate or unite the bodies that meet there."),
+)
+
+
+def _edge_findings(key: Words, half: Ints, low: int, vertex: Floats, face: Ints) -> tuple[list[Finding], bool]:
+    """Findings on the half-edges without a partner, and whether the mesh is closed all the same.
+
+    It is closed when every edge is run along as often in one sense as in the other.
+    """
+    _, group, count = np.unique(key >> np.uint64(1), return_inverse=True, return_counts=True)
+    group = group.reshape(-1)
+    forward = np.bincount(group, weights=(key & np.uint64(1)) == 0)
+    kind = np.minimum(count, 3)[group]
+    facet = half & ((1 << low) - 1)
+    findings = []
+    for number, (code, fault, remedy) in enumerate(_EDGE_FINDINGS, start=1):
+        at = np.flatnonzero(kind == number)
+        if len(at):
+            worst = at[np.argmin(facet[at])]
+            corner = half[worst] >> low
+            place = _place(vertex, face[facet[worst], [corner, (corner + 1) % 3]])
+            edges = int(np.count_nonzero(np.minimum(count, 3) == number))
+            text = f"{edges} edges {fault}, the first at {_at(place)}; passes end there. {remedy}"
+            findings.append(Finding(Severity.WARNING, code, text, value=float(edges), limit=0.0, unit="1", place=place))
+    return findings, bool((2 * forward == count).all())
+
+
+def _place(vertex: Floats, row: Ints) -> tuple[float, float, float]:
+    x, y, z = vertex[row].mean(axis=0)
+    return float(x), float(y), float(z)
+
+
+def _at(place: tuple[float, float, float]) -> str:
+    return "(" + ", ".join(f"{p:g}" for p in place) + ") mm"

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""NC text into words: a letter, a number and the line it stands in, as whole columns.
+
+word      a letter with its number (ISO 6983-1): X-12.5. Blanks may stand anywhere in it, capitals do not matter.
+comment   text in brackets, or from a semicolon to the end of the line.
+block skip  a slash at the start of a line: the operator may switch such lines off.
+%         the first ends the leader of the tape, the next one ends the program.
+
+Nothing but whole-text operations: comments and everything else that is not a word is first overwritten with blanks of the
+same length, so that lines and columns of the file stay known for the messages.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from dataclasses import dataclass
+from typing import NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freecad_fiveaxis.core.errors import ProgramError
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+
+SOLID = re.compile(rb"[^ \n]")
+COMMENTS = ((b"(", rb"\([^()\n]*\)"), (b";", rb";[^\n]*"))
+SLASH = re.compile(rb"^ *(/[0-9]?)", re.MULTILINE)
+COLON = re.compile(rb"^ *(:)(?= *[0-9])", re.MULTILINE)
+EXPONENT = re.compile(rb"(?<=[0-9.])E[+-]?[0-9]")
+SYMBOLS = (b"#", b"[", b"]", b"=", b"<", b">")
+KEYWORDS = tuple(b"GOTO WHILE CALL SUB RETURN REPEAT THEN ELSE ENDIF DO1 DO2 DO3 END1 END2 END3".split())
+"""These show that a line is macro language (Fanuc custom macro B, LinuxCNC O-codes)."""
+TAPE = b"\t\v\f\x11\x12\x13\x14\x1a"
+"""Control characters that old files hold between the words: tabs, reader control, end of file."""
+TEXT = bytes({*range(32, 256), *TAPE, *b"\n\r"})
+LEGAL = b"ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-. \n"
+CLEAN = bytes.maketrans(bytes(range(97, 123)) + TAPE, bytes(range(65, 91)) + b" " * len(TAPE))
+LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + b"\n", b" " * 27)
+SKIPPED = "begin with a slash (block skip); they are read as if the switch were off."
+MACROS = "hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without them."
+
+
+@dataclass(frozen=True, eq=False)
+class Words:
+    """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file."""
+
+    letter: Bytes
+    value: Floats
+    line: Ints
+    findings: tuple[Finding, ...] = ()
+
+    def __post_init__(self) -> None:
+        freeze(self, None, letter="m", value="f", line="i")
+
+
+def read_words(text: bytes) -> Words:
+    """All words of an NC text up to the closing ``%``. Raises ProgramError, naming line and column, for what is no word."""
+    text, findings = _blanked(text)
+    _check_characters(text)
+    compact = text.translate(None, b" ") + b"\n"
+    code = np.frombuffer(compact, np.uint8)
+    is_letter = code >= ord("A")
+    start = np.flatnonzero(is_letter)
+    bad = _malformed(code, is_letter, start)
+    if bad >= 0:
+        _complain(text, compact, bad)
+    value = _numbers(compact, len(start))
+    if not np.isfinite(value).all():
+        _complain(text, compact, int(start[np.flatnonzero(~np.isfinite(value))[0]]))
+    line = _lines(code, start)
+    return Words(code[start].astype(np.int8), value, line, tuple(findings))
+
+
+def _blanked(text: bytes) -> tuple[bytes, list[Finding]]:
+    """The text in capitals, lines ending in LF, with blanks for all that is no word; and what was passed over."""
+    if control := text.translate(None, TEXT):
+        offset = text.index(control[:1])
+        raise ProgramError(f"this is no NC text: byte {control[0]} at offset {offset}; give a plain text file", control[0])
+    text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    forms = [form for begin, form in COMMENTS if begin in text]  # a pattern of one form alone is searched faster
+    if forms:
+        text = re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text)
+    findings: list[Finding] = []
+    text = _without_macros(text.translate(CLEAN), findings)
+    text = _between_marks(text, findings)
+    if b"/" in text:
+        text, lines = _overwritten(text, SLASH, b" ")
+        if lines:
+            findings.append(_finding(Severity.NOTE, "block-skip", f"{len(lines)} lines {SKIPPED}", text, lines[0]))
+    if b":" in text:
+        text, _ = _overwritten(text, COLON, b"O")
+    return text, findings
+
+
+def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[bytes, list[int]]:
+    """The text with each group 1 of the pattern replaced at equal length, and where that was."""
+    spans = [found.span(1) for found in pattern.finditer(text)]
+    buffer = bytearray(text)
+    for first, last in spans:
+        buffer[first:last] = by.ljust(last - first)
+    return bytes(buffer), [first for first, _ in spans]
+
+
+def _without_macros(text: bytes, findings: list[Finding]) -> bytes:
+    """Blanks for the lines that hold macro language."""
+    marks = [mark for mark in (*SYMBOLS, *(KEYWORDS if _has_adjacent_letters(text) else ())) if mark in text]
+    if not marks:
+        return text
+    lines = text.split(b"\n")
+    hit = [k for k, line in enumerate(lines) if any(mark in line for mark in marks)]
+    for k in hit:
+        lines[k] = b" " * len(lines[k])
+    said = f"{len(hit)} lines {MACROS}"
+    findings.append(Finding(Severity.ERROR, "macro-not-interpreted", said, float(len(hit)), line=hit[0] + 1))
+    return b"\n".join(lines)
+
+
+def _has_adjacent_letters(text: bytes) -> bool:
+    letter = np.frombuffer(text, np.uint8) - np.uint8(ord("A")) < 26
+    return bool((letter[1:] & letter[:-1]).any())
+
+
+def _between_marks(text: bytes, findings: list[Finding]) -> bytes:
+    """The text up to the closing ``%`` line; the opening one and the leader before it become blank."""
+    mark = _mark(text, 0)
+    if mark >= 0 and not SOLID.search(text, 0, mark):
+        end = _line_end(text, mark)
+        text = re.sub(rb"[^\n]", b" ", text[:end]) + text[end:]
+        mark = _mark(text, end)
+    if mark < 0:
+        return text
+    if SOLID.search(text, _line_end(text, mark)):
+        findings.append(_finding(Severity.NOTE, "text-after-end", "The text after the closing % is not read.", text, mark))
+    return text[:mark]
+
+
+def _mark(text: bytes, start: int) -> int:
+    """The next ``%`` that begins a line, -1 if there is none."""
+    at = text.find(b"%", start)
+    while at >= 0 and text[text.rfind(b"\n", 0, at) + 1 : at].strip():
+        at = text.find(b"%", at + 1)
+    return at
+
+
+def _line_end(text: bytes, at: int) -> int:
+    end = text.find(b"\n", at)
+    return len(text) if end < 0 else end
+
+
+def _finding(severity: Severity, code: str, said: str, text: bytes, at: int) -> Finding:
+    return Finding(severity, code, said, line=text.count(b"\n", 0, at) + 1)
+
+
+def _check_characters(text: bytes) -> None:
+    if illegal := text.translate(None, LEGAL):
+        shown = illegal[:1].decode("latin-1")
+        hint = {"(": "a bracket without its partner", ")": "a bracket without its partner", ",": "write a decimal point"}
+        _fail(text, text.index(illegal[:1]), f"character {shown!r} cannot be read ({hint.get(shown, 'not part of any word')})")
+    if b"E" in text and (found := EXPONENT.search(text)):
+        _fail(text, found.start(), "a number with an exponent; write it out")
+
+
+def _malformed(code: NDArray[np.uint8], is_letter: Bools, start: Ints) -> int:
+    """Position of the first character that makes no word, -1 if all is well."""
+    before = np.empty(len(code), np.uint8)
+    before[0], before[1:] = ord("\n"), code[:-1]
+    sign = (code == ord("+")) | (code == ord("-"))
+    bad = sign & (before < ord("A"))  # a sign that follows no letter
+    bad |= (before == ord("\n")) & ~is_letter & (code != ord("\n"))  # a line that begins with no letter
+    bad_places = np.flatnonzero(bad)
+    if not len(start):
+        return int(bad_places[0]) if len(bad_places) else -1
+    digits = np.add.reduceat((code - np.uint8(ord("0"))) < 10, start, dtype=np.int32)
+    points = np.add.reduceat(code == ord("."), start, dtype=np.int32)
+    bad_words = start[(digits == 0) | (points > 1)]
+    places = [int(found[0]) for found in (bad_places, bad_words) if len(found)]
+    return min(places, default=-1)
+
+
+def _numbers(compact: bytes, count: int) -> Floats:
+    """All numbers of a text that was found well formed."""
+    if count == 0:
+        return np.empty(0)  # numpy finds one number in blanks
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", DeprecationWarning)  # numpy's way to say that it stopped early
+        value = np.fromstring(compact.translate(LETTERS_TO_BLANKS), np.float64, sep=" ")
+    if len(value) != count:
+        raise ProgramError(f"{len(value)} numbers for {count} words; the text is malformed", count)
+    return value
+
+
+def _lines(code: NDArray[np.uint8], start: Ints) -> Ints:
+    ends = np.flatnonzero(code == ord("\n"))
+    words_so_far = np.searchsorted(start, ends)
+    return np.repeat(np.arange(1, len(ends) + 1), np.diff(words_so_far, prepend=0))
+
+
+def _complain(text: bytes, compact: bytes, at: int) -> NoReturn:
+    """Raise for the malformed word at ``at`` of the text without blanks."""
+    line = compact.count(b"\n", 0, at)
+    within = at - (compact.rfind(b"\n", 0, at) + 1)
+    begin = 0
+    for _ in range(line):
+        begin = text.index(b"\n", begin) + 1
+    places = [found.start() for found in SOLID.finditer(text, begin, _line_end(text, begin))]
+    _fail(text, places[within] if within < len(places) else begin, "a word is a letter and one number")
+
+
+def _fail(text: bytes, at: int, reason: str) -> NoReturn:
+    begin = text.rfind(b"\n", 0, at) + 1
+    line = text.count(b"\n", 0, at) + 1
+    found = text[begin : begin + 200].split(b"\n")[0].decode("latin-1").strip()[:60]
+    raise ProgramError(f"line {line}, column {at - begin + 1}: {reason}: {found!r}", found)

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Passes: where the planes lie, which facets they may cut, and what they cut out of the mesh."""
+
+from .passes import ContactPath, direction, slice_mesh
+from .reach import axes_within_limits, reachable_facets
+from .spacing import place_planes
+
+__all__ = ["ContactPath", "axes_within_limits", "direction", "place_planes", "reachable_facets", "slice_mesh"]

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Parallel vertical planes through a mesh (Lin & Ye, II.B and D). Intersects, nothing else.
+
+pass      all that one plane cuts out of the mesh: one or more polylines.
+polyline  an ordered run of facet segments, each going on where the one before it ended; open or closed.
+segment   the straight piece that one plane cuts out of one facet; two rows of the path: entry and exit.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.findings import Finding
+from freecad_fiveaxis.core.kinematics import chunks
+from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Floats, Ints, freeze
+
+from .slicing import Crossings, chain, find_crossings
+
+QUARTER = 1e-15  # a cosine or sine below it comes from rounding a multiple of pi / 2, and means 0
+
+
+@dataclass(frozen=True, eq=False)
+class ContactPath:
+    """Ordered contact (CC) points: rows 2i and 2i + 1 are entry and exit of facet segment i.
+
+    ``point`` (n, 3) mm; ``normal`` (n, 3) unit normal of the facet; ``face`` (n,) that facet; ``coedge`` (n,) the
+    co-edge on which the point lies, -1 if none; ``segment`` (n,) = i; ``polyline`` (n,) counts the polylines of the whole
+    path; ``pass_`` (n,) counts the planes. Consecutive segments of one polyline share the co-edge where they meet; where a
+    plane passes through a vertex, facets cut at that one point are left out, and the exit and the next entry lie on two
+    co-edges of that vertex. The points are the same bits in any case. In a closed polyline the last exit is the first
+    entry again (same point, and the same co-edge but at a vertex).
+    """
+
+    point: Floats
+    normal: Floats
+    face: Ints
+    coedge: Ints
+    segment: Ints
+    polyline: Ints
+    pass_: Ints
+    findings: tuple[Finding, ...] = ()
+
+    def __post_init__(self) -> None:
+        freeze(self, None, point="f3", normal="f3", face="i", coedge="i", segment="i", polyline="i", pass_="i")
+
+
+def slice_mesh(
+    mesh: Mesh, offsets: ArrayLike, angle: float, keep: ArrayLike | None = None, progress: Progress = silent
+) -> ContactPath:
+    """Cut the mesh by vertical planes.
+
+    Plane k holds the points with ``across . p = offsets[k]`` mm (ascending), ``across = (-sin angle, cos angle, 0)``;
+    the travel is ``(cos angle, sin angle, 0)``, angle in rad. A segment runs along ``across x normal``, so an upward facet
+    is cut in the sense of the travel. ``keep`` (f,) leaves out the facets where it is False; polylines end there.
+    Passes go by plane; the polylines of a pass by where they start along the travel.
+
+    A vertex on a plane counts as above it, so a facet that only touches the plane from above is not cut, and an edge on the
+    plane is cut out of the facet below it. Segments of zero length are left out.
+    Raises SettingsError for offsets that are not finite or not ascending, or a ``keep`` of the wrong length.
+    """
+    planes = _planes(offsets)
+    kept = None if keep is None else np.asarray(keep, dtype=np.bool_)
+    if kept is not None and kept.shape != (len(mesh.face),):
+        raise SettingsError(f"keep has shape {kept.shape}: give one value for each of the {len(mesh.face)} facets", kept.shape)
+    progress("slice", 0.0)
+    cosine, sine = direction(angle)
+    x, y, _ = mesh.vertex.T
+    cross = find_crossings(mesh, planes, cosine * x + sine * y, cosine * y - sine * x, kept)
+    progress("slice", 0.5)
+    crossing, first, plane = chain(cross)
+    progress("slice", 0.8)
+    path = _contact_path(mesh, cross, crossing, first, plane, planes, (cosine, sine))
+    progress("slice", 1.0)
+    return path
+
+
+def direction(angle: float) -> tuple[float, float]:
+    """Cosine and sine of ``angle`` rad, exact at multiples of a quarter turn, so that planes along x or y keep their vertices."""
+    if not math.isfinite(angle):
+        raise SettingsError(f"the direction of the planes is {angle}: give a finite angle", angle)
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return (0.0 if abs(cosine) < QUARTER else cosine, 0.0 if abs(sine) < QUARTER else sine)
+
+
+def _planes(offsets: ArrayLike) -> Floats:
+    planes = np.asarray(offsets, dtype=np.float64)
+    if planes.ndim != 1:
+        raise SettingsError(f"plane offsets have shape {planes.shape}: give one ascending row of numbers", planes.shape)
+    if not np.isfinite(planes).all():
+        wrong = float(planes[~np.isfinite(planes)][0])
+        raise SettingsError(f"a plane offset is {wrong}: give finite numbers", wrong)
+    if (np.diff(planes) < 0.0).any():
+        at = int(np.argmax(np.diff(planes) < 0.0))
+        raise SettingsError(f"plane offset {planes[at + 1]:g} follows {planes[at]:g}: give them ascending", float(planes[at + 1]))
+    return planes
+
+
+def _contact_path(
+    mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, plane: Ints, planes: Floats, heading: tuple[float, float]
+) -> ContactPath:
+    """Entry and exit of each segment from the chains of crossings (see :func:`~.slicing.chain`)."""
+    along, height = cross.along.take(crossing), cross.height.take(crossing)
+    end, number = _segment_ends(along, height, first)
+    used = np.flatnonzero(number)
+    number, plane = 2 * number.take(used), plane.take(used)
+    # one block for the labels and one for the rest: numpy asks for large memory pages where an array is large
+    face, coedge, segment, polyline, pass_ = label = np.empty((5, 2 * len(end)), dtype=np.int64)
+    point, normal = np.empty((2, 3, 2 * len(end)))
+    polyline[:] = np.repeat(np.arange(len(used)), number)
+    pass_[:] = np.repeat(plane, number)
+    for part in chunks(len(end)):
+        rows = slice(2 * part.start, 2 * part.stop)
+        exits = end[part]
+        at = np.empty(2 * len(exits), dtype=np.int64)
+        at[0::2], at[1::2] = exits - 1, exits
+        _place(along.take(at), planes.take(pass_[rows]), heading, point[:2, rows])
+        height.take(at, out=point[2, rows], mode="clip")
+        cross.coedge.take(crossing.take(at), out=coedge[rows], mode="clip")
+        cut = cross.left.take(crossing.take(exits))
+        for values, both in ((cut, face[rows]), *zip((n.take(cut) for n in mesh.normal.T), normal[:, rows], strict=True)):
+            both[0::2] = both[1::2] = values
+        segment[rows] = np.arange(rows.start, rows.stop) >> 1
+    return ContactPath(point.T, normal.T, *label)
+
+
+def _place(along: Floats, offset: Floats, heading: tuple[float, float], out: Floats) -> None:
+    """x and y of points at ``along`` and ``offset``, into the rows of ``out``."""
+    cosine, sine = heading
+    np.subtract(cosine * along, sine * offset, out=out[0])
+    np.add(sine * along, cosine * offset, out=out[1])
+
+
+def _segment_ends(along: Floats, height: Floats, first: Ints) -> tuple[Ints, Ints]:
+    """Rows of the chains' crossings where a segment ends that began in the row before and has a length; number in each chain."""
+    cuts = np.empty(len(along), dtype=np.bool_)
+    np.not_equal(along[1:], along[:-1], out=cuts[1:])
+    cuts[1:] |= height[1:] != height[:-1]
+    cuts[first] = False
+    return np.flatnonzero(cuts), np.add.reduceat(cuts, first, dtype=np.int64) if len(first) else first

@@ -1,0 +1,284 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the parallel planes lie (Lin & Ye, II.B and C).
+
+across     horizontal direction from plane to plane, (-sin angle, cos angle, 0); a plane's offset is across . p.
+interval   distance of two neighbouring planes.
+stepover   a constant interval. The outermost planes lie equally far, at most half an interval, inside the part.
+scallop    largest scallop that may be left; each plane stands as far from the one before it as that allows.
+least      no interval is smaller. A wall that the planes hardly cross would otherwise take passes without end.
+
+With a scallop each interval starts from the smallest one along the pass before it, as in the paper, but for the local slope
+and curvature. Then the scallop between that pass and the trial pass is measured and the trial plane moved until the
+largest scallop between the two is just below what was asked. The strips outside the outermost passes are at most half
+an interval wide, or the least interval. Where passes end aslant, the corner between two ends belongs to the border,
+not to the scallop between them: where the border runs nearly along the passes up to four times the scallop may stand there.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bools, Floats
+
+from .pass_pair import Strip, scallop_between, smallest_interval
+from .scallop import flat_interval
+
+MOST_PLANES = 200_000
+"""More planes than any job can want: a unit or a setting is wrong."""
+
+TOP, AIM, BOTTOM = 0.96, 0.945, 0.92
+"""Shares of the scallop asked for: the measured one must not exceed the first, is aimed at the second, good from the last."""
+
+TRIALS = 16
+"""Trial planes per interval; bisection alone then leaves 1e-4 of the first bracket."""
+
+FINE = 0.03
+"""A bracket this narrow (share of the interval) is closed: the scallop jumps within it, at an edge along the pass."""
+
+SAMPLE = 0.5
+"""Step of the samples on a pass, in intervals of a flat."""
+
+GROWTH = 2.0
+"""A trial interval grows or shrinks at most by this square per step: far from the solution the square law does not hold."""
+
+WIDEST = 4.0
+"""Largest interval in intervals of a flat: in a hollow of nearly the ball's radius it would have no end."""
+
+STRETCH = 60
+"""So many last intervals share what a further plane takes, so that no last interval is needlessly small."""
+
+REPEATS = 4
+"""Marches over the last intervals until they fit; more only where the scallop jumps from facet to facet."""
+
+SPARE = 0.2
+"""Share of an interval that is planned to be left beyond the last plane; half an interval may be."""
+
+TINY_HEIGHT = 1e-9
+"""Share of the scallop that stands for none at all."""
+
+INSIDE = 1e-3
+"""Share of the least interval by which a trial plane stays inside the part, where it surely cuts facets."""
+
+PERIOD = 0.25
+"""Seconds between two reports of progress."""
+
+
+def place_planes(
+    mesh: Mesh,
+    angle: float,
+    radius: float,
+    *,
+    stepover: float | None = None,
+    scallop: float | None = None,
+    least: float = 0.05,
+    keep: Bools | None = None,
+    progress: Progress = silent,
+) -> tuple[Floats, tuple[Finding, ...]]:
+    """Offsets (k,) mm, ascending, of the planes that travel along ``angle`` rad, and what is poor about them.
+
+    ``radius`` of the ball, ``stepover`` or ``scallop``, and ``least``, mm; ``keep`` (f,) the facets that are cut, None for all.
+    Raises SettingsError for values out of range, both or none of stepover and scallop, and too many planes.
+    """
+    _check(angle, radius, stepover, scallop, least)
+    across = np.array((-math.sin(angle), math.cos(angle), 0.0))
+    strip = Strip(mesh, across, np.arange(len(mesh.face)) if keep is None else np.flatnonzero(keep))
+    if not strip.ranges:
+        raise SettingsError(f"no facet lies across planes at {math.degrees(angle):g} deg; turn the direction", angle)
+    if stepover is not None:
+        return _even_planes(strip.ranges[0][0], strip.ranges[-1][1], stepover), ()
+    assert scallop is not None
+    return _March(strip, radius, scallop, least, progress).run()
+
+
+def _check(angle: float, radius: float, stepover: float | None, scallop: float | None, least: float) -> None:
+    if not math.isfinite(angle):
+        raise SettingsError(f"direction {angle} is no angle; give a number of degrees", angle)
+    lengths = {"cutter radius": radius, "least interval": least, "stepover": stepover, "scallop": scallop}
+    for name, value in lengths.items():
+        if value is not None and not 0.0 < value < math.inf:
+            raise SettingsError(f"{name} {value:g} mm is out of range; give more than 0 mm", value)
+    if (stepover is None) == (scallop is None):
+        given = "neither" if stepover is None else f"both stepover {stepover:g} mm and scallop {scallop:g} mm"
+        raise SettingsError(f"{given} given; give either a stepover or a scallop", stepover)
+    if scallop is not None and scallop >= radius:
+        raise SettingsError(
+            f"scallop {scallop:g} mm is not below the cutter radius {radius:g} mm; give a smaller scallop", scallop
+        )
+
+
+def _check_count(planes: float, what: str, value: float) -> None:
+    if planes > MOST_PLANES:
+        remedy = f"more than {MOST_PLANES} planes; give a larger {what} or check the units of the part"
+        raise SettingsError(f"{what} {value:g} mm needs {remedy}", value)
+
+
+def _even_planes(low: float, high: float, stepover: float) -> Floats:
+    """As few planes as leave no more than half a stepover outside the outermost ones, both edges alike."""
+    _check_count((high - low) / stepover, "stepover", stepover)
+    planes = max(math.ceil((high - low) / stepover - INSIDE), 1)
+    first = 0.5 * (low + high - (planes - 1) * stepover)
+    return first + stepover * np.arange(planes, dtype=np.float64)
+
+
+# ------------------------------------------------------------------------------------------------ the march
+
+
+@dataclass(frozen=True)
+class _Step:
+    """One interval, mm, the largest scallop that it leaves, mm, and where; ``ends`` if the part ends before the scallop binds."""
+
+    interval: float
+    height: float
+    place: Floats
+    ends: bool
+
+
+class _March:
+    """Places the planes of all ranges one after the other, for a scallop."""
+
+    def __init__(self, strip: Strip, radius: float, scallop: float, least: float, progress: Progress) -> None:
+        self._strip, self._radius, self._scallop, self._least, self._progress = strip, radius, scallop, least, progress
+        self._flat = flat_interval(radius, scallop)
+        self._sample = SAMPLE * self._flat
+        self._bias = 1.0  # of the prediction, learnt from the interval before
+        self._planes: list[float] = []
+        self._bound: list[_Step] = []  # where the least interval is larger than the scallop allows
+        self._told, self._far = 0.0, 0.0
+        _check_count(sum(high - low for low, high in strip.ranges) / self._flat, "scallop", scallop)
+
+    def run(self) -> tuple[Floats, tuple[Finding, ...]]:
+        for low, high in self._strip.ranges:
+            self._cover(low, high)
+        return np.array(self._planes), self._findings()
+
+    def _cover(self, low: float, high: float) -> None:
+        """Planes from ``low`` to ``high``, the outermost at most half an interval inside.
+
+        Where the last full interval ends too far from the end for that, the march goes back and takes a share of each
+        interval on the way there, so that one more plane fits and no single interval is needlessly small.
+        """
+        edge = min(self._step(low + self._inside(low, high), high).interval, high - low)
+        start, share, kept = low + 0.5 * edge, 1.0, 0
+        planes: list[float] = []
+        steps: list[_Step] = []
+        for _ in range(REPEATS):
+            offsets, more, beyond = self._march(start, high, share)
+            planes, steps = planes[:kept] + offsets, steps[:kept] + more
+            if beyond <= 0.5 or len(planes) == 1:
+                break
+            start, share, kept = self._again(planes, share, beyond, low, edge)
+            self._strip.rewind(start)
+        rest = high - planes[-1]
+        if beyond > 0.5 and rest > self._least:
+            last = self._step(planes[-1], high)
+            steps.append(last)
+            planes.append(planes[-1] + min(last.interval, max(rest / (1.0 + SPARE), self._least)))
+        self._planes += planes
+        self._bound += [step for step in steps if step.height > self._scallop]
+
+    @staticmethod
+    def _again(planes: list[float], share: float, beyond: float, low: float, edge: float) -> tuple[float, float, int]:
+        """Where to march again from, the share of each interval to take, and how many planes before it stay."""
+        redone = min(len(planes) - 1, STRETCH)
+        full = share * redone + beyond
+        if redone < len(planes) - 1:
+            return planes[-1 - redone], _share(full), len(planes) - 1 - redone
+        inset, share = _inset((planes[0] - low) / edge + full)
+        return low + inset * edge, share, 0
+
+    def _march(self, offset: float, end: float, share: float) -> tuple[list[float], list[_Step], float]:
+        """Offsets from ``offset`` on, the steps between them, and the part of an interval that is left beyond the last one."""
+        offsets, steps = [offset], list[_Step]()
+        while True:
+            self._report(len(self._planes) + len(offsets), offset)
+            self._strip.pass_by(offset)
+            if end - offset <= self._least:
+                return offsets, steps, 0.0
+            step = self._step(offset, end)
+            full = step.interval
+            if step.ends:
+                full *= math.sqrt(max(AIM * self._scallop / max(step.height, INSIDE * self._scallop), 1.0))
+            interval = max(share * full, min(full, self._least))
+            if interval >= end - offset:
+                return offsets, steps, (end - offset) / full
+            offset += interval
+            offsets.append(offset)
+            steps.append(step)
+
+    def _inside(self, low: float, high: float) -> float:
+        return INSIDE * min(self._least, high - low)
+
+    def _step(self, offset: float, end: float) -> _Step:
+        """The interval from the pass at ``offset`` to the next one, before ``end``: trial, measure, correct."""
+        here = self._strip.cut(offset, self._sample)
+        rest = end - self._inside(offset, end) - offset
+        most = min(rest, WIDEST * self._flat)
+        predicted = smallest_interval(here, self._strip.across, self._radius, AIM * self._scallop)
+        trial = min(max(self._bias * predicted, self._least), most)
+        good, bad = _Step(0.0, 0.0, np.zeros(3), False), math.inf
+        for left in reversed(range(TRIALS)):
+            height, place = scallop_between(here, self._strip.cut(offset + trial, self._sample), self._radius)
+            if height <= TOP * self._scallop or trial <= self._least or (not left and not good.interval):
+                good = _Step(trial, height, place, trial >= rest)
+            else:
+                bad = trial
+            found = good.interval == trial and height >= BOTTOM * self._scallop
+            if found or good.interval >= most or good.interval >= (1.0 - FINE) * bad:
+                break
+            trial = self._next_trial(trial, height, good.interval, bad)
+            trial = min(max(trial, self._least), most)
+        self._bias = min(max(good.interval / max(predicted, self._least), 1.0 / WIDEST), WIDEST)
+        return good
+
+    def _next_trial(self, trial: float, height: float, good: float, bad: float) -> float:
+        """The interval at which the square law puts the scallop that is aimed at, or the middle of the bracket."""
+        change = math.sqrt(AIM * self._scallop / max(height, TINY_HEIGHT * self._scallop))
+        trial *= min(max(change, 1.0 / GROWTH), GROWTH)
+        return trial if good < trial < bad else 0.5 * (good + bad)
+
+    def _report(self, planes: int, offset: float) -> None:
+        _check_count(planes, "scallop", self._scallop)
+        now = time.monotonic()
+        if now - self._told > PERIOD:
+            low, high = self._strip.ranges[0][0], self._strip.ranges[-1][1]
+            self._far = max(self._far, (offset - low) / (high - low))  # a march that is repeated does not count back
+            self._progress("placing planes", self._far)
+            self._told = now
+
+    def _findings(self) -> tuple[Finding, ...]:
+        if not self._bound:
+            return ()
+        worst = max(self._bound, key=lambda step: step.height)
+        x, y, z = (float(v) for v in worst.place)
+        text = (
+            f"The least interval of {self._least:g} mm binds {len(self._bound)} times and leaves scallops up to "
+            f"{worst.height:.4g} mm where {self._scallop:g} mm are asked: give a smaller least interval or turn the direction "
+            "along the steep walls."
+        )
+        value, limit = worst.height, self._scallop
+        return (Finding(Severity.WARNING, "least-interval", text, value=value, limit=limit, unit="mm", place=(x, y, z)),)
+
+
+def _share(count: float) -> float:
+    """The share of each interval to take so that ``count`` full ones end with less than half of one left."""
+    beyond = count % 1.0
+    if 0.25 * SPARE < beyond < 0.5 - 0.25 * SPARE:
+        return 1.0
+    return min(count / (math.floor(count - 2.0 * SPARE) + 1.0 + SPARE), 1.0)
+
+
+def _inset(count: float) -> tuple[float, float]:
+    """For a part ``count`` full intervals wide: how many the first plane stands inside, and the share of each to take."""
+    planes = math.floor(count - SPARE)
+    spare = count - planes
+    if spare > 1.0 - SPARE:
+        return 0.5 * SPARE, (count - SPARE) / (planes + 1.0)
+    return 0.5 * spare, 1.0

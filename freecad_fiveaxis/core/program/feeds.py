@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How long a block takes, so that the tip moves over the part at the programmed feed.
+
+travel    the length of the tip's real path over the part in one block, mm, while all axes move linearly.
+held back a block that takes longer than its feed asks for, because an axis would exceed its maximum rate.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from freecad_fiveaxis.core.kinematics import Chain, chunks, forward_tip
+from freecad_fiveaxis.core.records import Bools, Floats, Ints
+
+TRAVEL_ERROR = 1e-3
+"""Relative error of a travel: a tenth of what the coarsest feed setting (1 %) can tell."""
+TURN_PER_PIECE = 0.05
+"""Rotary travel (rad) of one piece of a sampled path: extrapolated, the near-cusp of So et al.'s Table 2 then errs by 3e-6."""
+MOST_SAMPLES = 100_000
+"""Pieces that are sampled at a time: bounds the memory, whatever the number of turns."""
+STILL = 1e-4
+"""A travel below this (mm) is rounding of the words: the block only turns about the tip."""
+ASSUMED_RATE = (10_000.0, 10_000.0, 10_000.0, 20.0 * np.pi, 20.0 * np.pi)
+"""Where a machine states no maximum rate: mm/min and rad/min (10 turns a minute) for rapids and for turns about the tip."""
+
+
+def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
+    """Travel (m - 1,) mm of the tip from each row of ``q`` (m, 5) mm and rad to the next; the chord where not ``wanted``.
+
+    The chord where that is near enough by proof: with the tip at most e chords off its straight and even course the arc is
+    at most 1 + 8 e^2 chords long, and e is at most ``max|p''| / 8`` over the chord, ``|p''| <= w^2 r + 2 w |dq|``, w the
+    rotary travel and r the lever arm. Elsewhere the sampled path, extrapolated (Richardson).
+    """
+    tip, travel, curved, pieces = forward_tip(links, q), np.empty(max(len(q) - 1, 0)), [], []
+    for rows in chunks(len(travel)):
+        ends = slice(rows.start, rows.stop + 1)
+        chord, turned, bend = _chords(links, q[ends], tip[ends])
+        at = np.flatnonzero(wanted[rows] & (bend > math.sqrt(TRAVEL_ERROR / 8.0) * chord))
+        travel[rows] = chord
+        curved.append(rows.start + at)
+        pieces.append(np.ceil(np.log2(np.maximum(turned[at] / TURN_PER_PIECE, 1.0))).astype(np.int64))
+    _measure_curved(links, q, tip, travel, np.concatenate([*curved, _NONE]), 2 ** np.concatenate([*pieces, _NONE]))
+    return travel
+
+
+_NONE = np.empty(0, np.int64)
+
+
+def _chords(links: Chain, q: Floats, tip: Floats) -> tuple[Floats, Floats, Floats]:
+    """Chord (m,) mm and rotary travel (m,) rad of each block, and how far (mm) its tip may be off a straight and even course."""
+    change = np.diff(q, axis=0)
+    turned = np.abs(change[:, 3]) + np.abs(change[:, 4])
+    bend = turned * (turned * _lever_arms(links, q) + 2.0 * _length(change.T)) / 8.0
+    return _length(np.diff(tip, axis=0).T), turned, bend
+
+
+def _measure_curved(links: Chain, q: Floats, tip: Floats, travel: Floats, curved: Ints, pieces: Ints) -> None:
+    """Put the lengths of the sampled paths of the blocks ``curved`` into ``travel``."""
+    for count in np.unique(pieces).tolist():
+        alike = curved[pieces == count]
+        portion = max(1, MOST_SAMPLES // count)
+        for first in range(0, len(alike), portion):
+            rows = alike[first : first + portion]
+            words, place = ([table.T.take(rows + end, axis=1) for end in (0, 1)] for table in (q, tip))
+            travel[rows] = _sampled(links, words, place, count)
+
+
+def _length(vector: Floats) -> Floats:
+    """Lengths of vectors by columns, (3 or more, ...): of the first three."""
+    length: Floats = vector[0] * vector[0]
+    length += vector[1] * vector[1]
+    length += vector[2] * vector[2]
+    return np.sqrt(length, out=length)
+
+
+def _lever_arms(links: Chain, q: Floats) -> Floats:
+    """An upper bound, for each block (m - 1,), of the distance from either rotary line to what it turns, mm: that at its farther
+    end, because the linear words go straight."""
+    linear = np.abs(links.direction[:3])
+    between = float(np.linalg.norm(links.point2 - links.point1)) + float(np.linalg.norm(links.point2))
+    arm = _length(q.T)
+    arm *= math.sqrt(2.0 * linear.sum(axis=0).max() * linear.sum(axis=1).max())
+    arm += between
+    return np.maximum(arm[1:], arm[:-1])
+
+
+def _sampled(links: Chain, words: list[Floats], tip: list[Floats], pieces: int) -> Floats:
+    """Length of the path through ``2 pieces`` chords, corrected by the one through ``pieces`` chords; ``words`` [(5, m), (5, m)]
+    and ``tip`` [(3, m), (3, m)] at both ends."""
+    start, end = words
+    u = np.arange(1, 2 * pieces)[:, None] / (2.0 * pieces)
+    between = start[:, None] + u * (end - start)[:, None]
+    inner = forward_tip(links, between.reshape(5, -1).T).T.reshape(3, *between.shape[1:])
+    path = np.concatenate([tip[0][:, None], inner, tip[1][:, None]], axis=1)
+    fine: Floats = _length(np.diff(path, axis=1)).sum(axis=0)
+    coarse: Floats = _length(np.diff(path[:, ::2], axis=1)).sum(axis=0)
+    length: Floats = fine + (fine - coarse) / 3.0
+    return length
+
+
+def rapid_minutes(links: Chain, change: Floats) -> Floats:
+    """Time (n,) of a rapid: all axes together, the slowest at its maximum rate. ``change`` (n, 5) mm and rad."""
+    rate = np.where(np.isfinite(links.rate), links.rate, ASSUMED_RATE)
+    return least_minutes(rate, change)
+
+
+def least_minutes(rate: Floats, change: Floats) -> Floats:
+    """The shortest time (n,) in which no axis exceeds its ``rate`` (5,); ``change`` (n, 5) in the same units."""
+    least: Floats = np.abs(change[:, 0]) / rate[0]
+    for k in range(1, 5):
+        np.maximum(least, np.abs(change[:, k]) / rate[k], out=least)
+    return least
+
+
+def feed_minutes(links: Chain, change: Floats, travel: Floats, feed: Floats) -> tuple[Floats, Bools]:
+    """Time (n,) of feed blocks and which of them are held back.
+
+    ``change`` (n, 5) mm and rad, ``travel`` (n,) mm, ``feed`` (n,) mm/min above 0. A block that only turns about the tip has
+    no travel to time it: it turns as fast as its rotary axes may.
+    """
+    minutes = travel / feed
+    least = least_minutes(links.rate, change)
+    still: Ints = np.flatnonzero(travel < STILL)
+    least[still] = np.maximum(least[still], rapid_minutes(links, change[still]))
+    held: Bools = least > minutes * (1.0 + TRAVEL_ERROR)
+    held[still] = False
+    return np.maximum(minutes, least), held

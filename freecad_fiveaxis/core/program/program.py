@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The NC program as the machine gets it: words rounded to the controller's step, feeds, times.
+
+block     one row: the straight joint move from the row before it to this one. Row 0 is the first position: where the
+          machine comes from is not known, so nothing is claimed of it.
+G94, G93  feed in mm/min, or inverse time: one over the minutes that the block takes.
+F         is chosen such that the **tip over the part** moves at the CL path's feed along its real path, or slower where
+          an axis would exceed its maximum rate. It is rounded down, so that no rate is exceeded by rounding.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.errors import ProgramError
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.joint_path import JointPath
+from freecad_fiveaxis.core.kinematics import Chain, chunks, empty_rows, words_to_q
+from freecad_fiveaxis.core.number_text import rounded
+from freecad_fiveaxis.core.post.dialect import Dialect, feed_distance
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+
+from .feeds import feed_minutes, rapid_minutes, tip_travel
+
+PORTION = 65536
+"""Blocks timed at a time: few enough to stay in the cache, enough to sample the curved ones of each kind in long columns."""
+FEED_SLACK = 1e-9
+"""F is rounded down, but a relative rounding error of this size must not cost a whole step (999.9999 for 1000)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """``letters``: the five words in order: X Y Z, first rotary, second rotary (nearer to the work first), as "XYZCA".
+
+    ``words`` (m, 5) mm and **degrees**, as rounded for the controller, turns not folded; ``feed`` (m,) the F word
+    (mm/min, or 1/min where ``inverse_time``; 0 for rapids); ``inverse_time`` (m,) True under G93; ``motion`` (m,) of
+    :class:`~freecad_fiveaxis.core.cl_path.Motion`; ``seconds`` (m,) the time that the block is meant to take (0 for row 0);
+    ``row`` (m,) row of the JointPath and of the CL path in it, -1 where there is none; ``line`` (m,) line of the NC file,
+    counted from 1.
+    """
+
+    letters: str
+    words: Floats
+    feed: Floats
+    inverse_time: Bools
+    motion: Bytes
+    seconds: Floats
+    row: Ints
+    line: Ints
+    findings: tuple[Finding, ...] = ()
+
+    def __post_init__(self) -> None:
+        freeze(self, None, words="f5", feed="f", inverse_time="b", motion="m", seconds="f", row="i", line="i")
+
+
+def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_time: bool, progress: Progress = silent) -> Program:
+    """The program of a joint path for one controller: rounded words, one block for every row that moves, F words, times.
+
+    A row whose words are all those of the row before it is left out (row 0 never). Row 0 is a rapid, because no time can be
+    given for a move that starts nowhere. Raises ProgramError where another row that is no rapid has no feed above 0.
+    """
+    words, row = _round_words(joints.q, dialect)
+    motion, tip_feed = joints.path.motion.take(row), joints.path.feed.take(row)
+    findings = _first_findings(motion)
+    motion[:1] = Motion.RAPID
+    _check_feeds(row, motion, tip_feed)
+    scale = _FeedScale(dialect, inverse_time)
+    times = _time_blocks(words, motion, tip_feed, links, scale, progress)
+    line = np.arange(dialect.first_line, dialect.first_line + len(row))
+    findings += _feed_findings(times.asked, times.held, scale)
+    modes = np.full(len(row), inverse_time)
+    return Program(links.letters, words, times.feed, modes, motion, times.seconds, row, line, findings)
+
+
+def _round_words(q: Floats, dialect: Dialect) -> tuple[Floats, Ints]:
+    """Words (m, 5) mm and degrees, the doubles nearest to what is printed, of the rows that move; and these rows (m,)."""
+    words, kept, count = empty_rows(len(q), 5), [np.empty(0, np.int64)], 0
+    before = np.full(5, np.nan)  # equals nothing: row 0 is never left out
+    for rows in chunks(len(q)):
+        part = np.empty((5, rows.stop - rows.start + 1))
+        part[:, 0] = before
+        for k in range(5):
+            part[k, 1:] = rounded(q[rows, k] if k < 3 else np.degrees(q[rows, k]), dialect.decimals(k))
+        moving = np.flatnonzero((part[:, 1:] != part[:, :-1]).any(axis=0))
+        words[count : count + len(moving)] = part.take(moving + 1, axis=1).T
+        kept.append(rows.start + moving)
+        before, count = part[:, -1], count + len(moving)
+    return words[:count], np.concatenate(kept)
+
+
+def _check_feeds(row: Ints, motion: Bytes, tip_feed: Floats) -> None:
+    bad = np.flatnonzero((motion != Motion.RAPID) & ~(tip_feed > 0.0))
+    if len(bad):
+        value = float(tip_feed[bad[0]])
+        raise ProgramError(f"row {row[bad[0]]} of the CL path is a feed move with feed {value:g}; give a feed above 0", value)
+
+
+def _first_findings(motion: Bytes) -> tuple[Finding, ...]:
+    if not len(motion) or motion[0] == Motion.RAPID:
+        return ()
+    text = "The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part."
+    return (Finding(Severity.NOTE, "first-position-rapid", text, block=0),)
+
+
+@dataclass(frozen=True)
+class _FeedScale:
+    """What an F word means and how fine it is."""
+
+    dialect: Dialect
+    inverse_time: bool
+
+    @property
+    def decimals(self) -> int:
+        return self.dialect.inverse_decimals if self.inverse_time else self.dialect.feed_decimals
+
+    @property
+    def largest(self) -> float:
+        return self.dialect.largest_inverse if self.inverse_time else self.dialect.largest_feed
+
+    def distance(self, words: Floats) -> Floats:
+        """What F times minutes gives in the blocks between rows of ``words`` (n, 5): 1, or what F is measured over, mm (deg)."""
+        return np.ones(len(words) - 1) if self.inverse_time else feed_distance(self.dialect, np.diff(words, axis=0))
+
+    def rounded_down(self, asked: Floats) -> Floats:
+        """F at most ``asked`` and at most the controller's largest, but at least one step."""
+        step = 10.0**-self.decimals
+        count = np.floor(np.minimum(asked, self.largest) * ((1.0 + FEED_SLACK) / step))
+        return rounded(np.maximum(count, 1.0) * step, self.decimals)
+
+
+class _Times(NamedTuple):
+    """``asked`` (m,) the F that each block asks for, ``feed`` (m,) as rounded (both 0 for rapids); ``held`` (m,) whether an axis
+    holds it back; ``seconds`` (m,) by the rounded F."""
+
+    asked: Floats
+    held: Bools
+    feed: Floats
+    seconds: Floats
+
+
+def _time_blocks(words: Floats, motion: Bytes, tip_feed: Floats, links: Chain, scale: _FeedScale, progress: Progress) -> _Times:
+    count = len(words)
+    times = _Times(np.zeros(count), np.zeros(count, np.bool_), np.zeros(count), np.zeros(count))
+    for first in range(1, count, PORTION):
+        progress("feeds", first / count)
+        rows = slice(first, min(first + PORTION, count))
+        ends = words[first - 1 : rows.stop]
+        q, rapid = words_to_q(ends), np.flatnonzero(motion[rows] == Motion.RAPID)
+        change, wanted, along = np.diff(q, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - first, np.bool_)
+        wanted[rapid], along[rapid] = 1.0, False
+        minutes, held = feed_minutes(links, change, tip_travel(links, q, along), wanted)
+        distance = scale.distance(ends)
+        asked = distance / minutes
+        asked[rapid] = 0.0
+        held[rapid] = False
+        feed = scale.rounded_down(asked)
+        seconds = 60.0 * distance / feed
+        seconds[rapid] = 60.0 * rapid_minutes(links, change[rapid])
+        feed[rapid] = 0.0
+        for whole, part in zip(times, (asked, held, feed, seconds), strict=True):
+            whole[rows] = part
+    return times
+
+
+def _feed_findings(asked: Floats, held: Bools, scale: _FeedScale) -> tuple[Finding, ...]:
+    unit, step = "1/min" if scale.inverse_time else "mm/min", 10.0**-scale.decimals
+    above, below = asked > scale.largest, (asked > 0.0) & (asked * (1.0 + FEED_SLACK) < step)
+    cases = (
+        (held, Severity.NOTE, "feed-held-back", "an axis would exceed its maximum rate; they run slower than programmed.",
+         float(held.sum()), 0.0, "1"),
+        (above, Severity.NOTE, "feed-above-largest", "F would exceed the controller's largest; they run slower than programmed.",
+         float(asked.max(initial=0.0)), scale.largest, unit),
+        (below, Severity.WARNING, "feed-below-step", "F would be below one step; they run faster than programmed. Use G93.",
+         float(asked[below].min(initial=step)), step, unit),
+    )  # fmt: skip
+    found = []
+    for rows, severity, code, text, value, limit, unit_of in cases:
+        blocks = np.flatnonzero(rows)
+        if len(blocks):
+            block = int(blocks[0])
+            text = f"In {len(blocks)} blocks {text}"
+            found.append(Finding(severity, code, text, value, limit, unit_of, block, scale.dialect.first_line + block))
+    return tuple(found)

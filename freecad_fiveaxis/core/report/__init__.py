@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is said about a finished program, and the markers for the 3D view.
+
+The numbers come from ``figures`` (which defines the words), the judgement from ``judgement``; ``text`` writes for the
+terminal, ``json_text`` for scripts, ``html_page`` a page with plots, ``block_table`` the CSV.
+"""
+
+from .block_table import blocks_csv
+from .figures import Figures, summary
+from .html_page import as_html
+from .json_text import as_json
+from .judgement import judge
+from .markers import Marker, markers
+from .text import as_text, verdict
+
+__all__ = ["Figures", "Marker", "as_html", "as_json", "as_text", "blocks_csv", "judge", "markers", "summary", "verdict"]

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The table of blocks: one CSV row for every motion block, rapids too.
+
+block    the row of the Program, counted from 0 (as in ``Finding.block``); row 0 is the first position, all figures 0.
+line     the line of the NC file, counted from 1.
+words    the block's end, mm and degrees, turns not folded; X Y Z and then the machine's two rotary letters sorted.
+bound    rounded up, so that what is read back is still a bound.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.deviation import Deviation
+from freecad_fiveaxis.core.number_text import Choice, Column, Part, table
+from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.singularity import Singularity
+
+DECIMALS = 6
+"""Millimetres, degrees and u: finer than any controller's step, so that a rounded word is written exactly."""
+
+
+def letter_order(letters: str) -> list[int]:
+    """The columns of the words as people read them: X Y Z, then the rotary letters sorted ("XYZCA": 0 1 2 4 3)."""
+    return [0, 1, 2, *sorted((3, 4), key=lambda column: letters[column])]
+
+
+def header(letters: str) -> str:
+    """The column names for the machine's ``letters`` (in the order of the words, as "XYZCA")."""
+    words = ",".join(letters[column] for column in letter_order(letters))
+    return f"block,line,motion,{words},feed,u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
+
+
+def round_up(values: Floats, decimals: int = DECIMALS) -> Floats:
+    """The smallest decimal fractions of so many decimals that are not below ``values`` (n,)."""
+    step = 10.0**decimals
+    count = np.ceil(values * step)
+    return np.where(count / step < values, count + 1.0, count) / step
+
+
+def blocks_csv(program: Program, deviation: Deviation, singularity: Singularity, progress: Progress = silent) -> bytes:
+    """The whole table as ASCII text, lines ending in a line feed. All three records have one row a block."""
+    rows = len(program.words)
+    # adding 0 turns -0 into 0
+    words = [program.words[:, column] + 0.0 for column in letter_order(program.letters)]
+    figures = [deviation.u_line, deviation.line, deviation.u_segment, deviation.segment, round_up(deviation.bound)]
+    numbers = [*words, program.feed, *figures, np.degrees(deviation.axis)]
+    parts: list[Part] = [
+        Column(b"", np.arange(rows)),
+        Column(b",", program.line),
+        b",",
+        Choice(program.motion, [motion.name.lower().encode() for motion in Motion]),
+        *(Column(b",", values, DECIMALS) for values in numbers),
+        Column(b",", singularity.singular.astype(np.int64)),
+    ]
+    return header(program.letters).encode() + b"\n" + table(parts, progress=progress)

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The figures of a finished program in numbers.
+
+feed block    a block that may touch the part: CUT, FILL or LINK (in a foreign program every G1). Every figure of the
+              summary judges the feed blocks and none of the rapids: a rapid is driven in the air, where it may leave its
+              line. The table of blocks (``block_table``) and ``max_rapid_deviation`` show the rapids too.
+proven        the proven bound of every feed block is within the tolerance. ``over_tolerance`` counts the feed blocks
+              whose deviation from the commanded segment exceeds it, ``unproven`` those where only the bound does.
+block         a row of the Program, counted from 0; ``line`` a line of the NC file, counted from 1.
+pass          a run of CUT and FILL blocks between links and rapids.
+peak rate     the largest mean rate of an axis over a feed block; travels and word ranges are those of all blocks.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.deviation import Deviation
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.kinematics import Chain, forward
+from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.singularity import Singularity
+
+from .block_table import letter_order
+
+WORST = 10
+"""So many single blocks are named; more tell nobody anything that the table of blocks does not tell better."""
+_CHUNK = 16384
+
+
+@dataclass(frozen=True, eq=False)
+class Figures:
+    """All that a report shows. ``tolerance`` mm; ``findings`` those of every stage.
+
+    ``program``, ``deviation`` and ``singularity`` have one row a block; ``links`` is the chain that ``program`` is for.
+    """
+
+    title: str
+    kind: str
+    machine: Machine
+    links: Chain
+    program: Program
+    deviation: Deviation
+    singularity: Singularity
+    tolerance: float
+    findings: tuple[Finding, ...] = ()
+    inputs: Mapping[str, object] = field(default_factory=dict)
+
+    @cached_property
+    def feeds(self) -> Ints:
+        """The rows of the feed blocks."""
+        return feed_blocks(self.program)
+
+    @cached_property
+    def worst(self) -> Ints:
+        """The feed blocks of the largest deviation from the segment, largest first."""
+        return worst_first(self.feeds, self.deviation.segment)[:WORST]
+
+    @cached_property
+    def tip(self) -> Floats:
+        """The commanded tip at each block's end (m, 3) mm, work frame."""
+        return self._poses[0]
+
+    @cached_property
+    def axis(self) -> Floats:
+        """The tool axis at each block's end (m, 3) unit, work frame."""
+        return self._poses[1]
+
+    @cached_property
+    def _poses(self) -> tuple[Floats, Floats]:
+        q = self.program.words
+        tip, axis = np.empty((3, len(q))).T, np.empty((3, len(q))).T
+        for start in range(0, len(q), _CHUNK):
+            part = slice(start, start + _CHUNK)
+            tip[part], axis[part] = forward(self.links, inner_words(q[part]))
+        return tip, axis
+
+
+def inner_words(words: Floats) -> Floats:
+    """Program words (m, 5) mm and degrees as the kinematics takes them: mm and radians."""
+    return np.concatenate([words[:, :3], np.radians(words[:, 3:])], axis=1)
+
+
+def feed_blocks(program: Program) -> Ints:
+    """The rows of the feed blocks. Row 0 is none: where the machine comes from is not known."""
+    rows = np.flatnonzero(program.motion != Motion.RAPID)
+    return rows[rows > 0]
+
+
+def travel(program: Program) -> Floats:
+    """How far each word moves in each block (m, 5) mm and degrees, signed; row 0 is 0."""
+    columns = np.ascontiguousarray(program.words.T)  # whole columns are read from here on
+    moved = np.zeros_like(columns)
+    np.subtract(columns[:, 1:], columns[:, :-1], out=moved[:, 1:])
+    return moved.T
+
+
+def worst_first(rows: Ints, values: Floats) -> Ints:
+    """``rows`` by their ``values`` (m,), NaN and then the largest first, the earlier block first among equals."""
+    return rows[np.argsort(-np.nan_to_num(values[rows], nan=np.inf), kind="stable")]
+
+
+def axis_rates(program: Program) -> Floats:
+    """Mean rate of each axis in each block (m, 5) mm/min and deg/min; 0 where no time is known."""
+    minutes, moved = program.seconds[:, None] / 60.0, np.abs(travel(program))
+    return np.divide(moved, minutes, out=np.zeros_like(moved), where=minutes > 0.0)
+
+
+def summary(figures: Figures) -> dict[str, Any]:
+    """The figures in numbers: lengths mm, angles degrees, times s. Limits may be infinite."""
+    program, deviation, feeds = figures.program, figures.deviation, figures.feeds
+    segment, bound = deviation.segment[feeds], deviation.bound[feeds]
+    over = ~(segment <= figures.tolerance)
+    unproven = ~over & ~(bound <= figures.tolerance)
+    worst = figures.worst
+    rapid = deviation.segment[program.motion == Motion.RAPID]
+    return {
+        "title": figures.title,
+        "kind": figures.kind,
+        "machine": figures.machine.name,
+        "tolerance": figures.tolerance,
+        "proven": bool(len(feeds)) and not over.any() and not unproven.any(),
+        "over_tolerance": int(over.sum()),
+        "unproven": int(unproven.sum()),
+        "max_line_deviation": _largest(deviation.line[feeds]),
+        "max_segment_deviation": _largest(segment),
+        "max_bound": _largest(bound),
+        "max_axis_deviation_deg": math.degrees(_largest(deviation.axis[feeds])),
+        "max_rapid_deviation": _largest(rapid),
+        "worst_line": int(program.line[worst[0]]) if len(worst) else None,
+        "worst_block": int(worst[0]) if len(worst) else None,
+        "singular_blocks": int(figures.singularity.singular[feeds].sum()),
+        "blocks": len(program.words),
+        "feed_blocks": len(feeds),
+        "time_s": float(program.seconds.sum()),
+        "findings": {kind.name.lower(): sum(f.severity == kind for f in figures.findings) for kind in reversed(Severity)},
+    } | _travelled(figures)
+
+
+def worst_table(figures: Figures) -> list[dict[str, Any]]:
+    """The worst feed blocks as rows: mm and degrees; the rotary letters tell how far those axes turn in the block."""
+    program, deviation, moved = figures.program, figures.deviation, travel(figures.program)[figures.worst]
+    angles = letter_order(program.letters)[3:]
+    return [
+        {
+            "block": int(row),
+            "line": int(program.line[row]),
+            "motion": Motion(program.motion[row]).name.lower(),
+            "segment_deviation": float(deviation.segment[row]),
+            "u_segment": float(deviation.u_segment[row]),
+            "bound": float(deviation.bound[row]),
+            "line_deviation": float(deviation.line[row]),
+            "axis_deviation_deg": math.degrees(deviation.axis[row]),
+            "turn_deg": {program.letters[i]: float(moved[at, i]) for i in angles},
+            "singular": bool(figures.singularity.singular[row]),
+            "place": deviation.place[row].tolist(),
+        }
+        for at, row in enumerate(figures.worst)
+    ]
+
+
+def _largest(values: Floats) -> float:
+    return float(values.max(initial=0.0))
+
+
+def _travelled(figures: Figures) -> dict[str, object]:
+    program, order = figures.program, letter_order(figures.program.letters)
+    cutting = (program.motion == Motion.CUT) | (program.motion == Motion.FILL)
+    cutting[:1] = False
+    steps = np.linalg.norm(np.diff(figures.tip, axis=0), axis=1)
+    moved = np.abs(travel(program)).sum(axis=0)
+    return {
+        "passes": int((cutting[1:] & ~cutting[:-1]).sum()),
+        "cut_length": float(steps[cutting[1:]].sum()),
+        "rotary_travel_deg": {program.letters[i]: float(moved[i]) for i in order[3:]},
+        "axes": _axes(figures, order, moved),
+    }
+
+
+def _axes(figures: Figures, order: list[int], moved: Floats) -> dict[str, dict[str, object]]:
+    program, links = figures.program, figures.links
+    inner = np.array([1.0, 1.0, 1.0, math.degrees(1.0), math.degrees(1.0)])
+    columns = {
+        "least": np.array([word.min(initial=math.inf) for word in program.words.T]),
+        "largest": np.array([word.max(initial=-math.inf) for word in program.words.T]),
+        "low_limit": links.low * inner,
+        "high_limit": links.high * inner,
+        "travel": moved,
+        "peak_rate": np.array([rate[figures.feeds].max(initial=0.0) for rate in axis_rates(program).T]),
+        "max_rate": links.rate * inner,
+    }
+    return {
+        program.letters[i]: {"unit": "mm" if i < 3 else "deg"} | {name: float(values[i]) for name, values in columns.items()}
+        for i in order
+    }

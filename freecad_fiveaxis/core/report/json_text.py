@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report as JSON, for scripts."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from collections.abc import Iterable, Mapping
+from enum import Enum
+from pathlib import PurePath
+from typing import Any
+
+import numpy as np
+
+from .figures import Figures, summary, worst_table
+
+VERSION = 1
+"""Of the JSON report: raised when a key changes its meaning."""
+
+
+def as_json(figures: Figures) -> str:
+    """The report for scripts; infinite and missing numbers are null, severities lower-case words.
+
+    Bytes of a file name that are no Unicode (Python's lone surrogates) become escapes, which JSON readers give back.
+
+    Keys: version, summary (see :func:`~freecad_fiveaxis.core.report.figures.summary`), worst_blocks, findings, inputs.
+    """
+    report = {
+        "version": VERSION,
+        "summary": summary(figures),
+        "worst_blocks": worst_table(figures),
+        "findings": figures.findings,
+        "inputs": figures.inputs,
+    }
+    text = json.dumps(plain(report), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    return text.encode("utf-8", "backslashreplace").decode("utf-8")
+
+
+def plain(value: object) -> Any:
+    """The same in JSON's own kinds: dict, list, str, int, float, bool and None. Other objects become their text."""
+    if isinstance(value, np.generic | np.ndarray):
+        value = value.tolist()
+    if isinstance(value, Enum):
+        return value.name.lower()
+    if value is None or isinstance(value, str | bool | int):
+        return value
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if dataclasses.is_dataclass(value):
+        return {one.name: plain(getattr(value, one.name)) for one in dataclasses.fields(value)}
+    if isinstance(value, Mapping):
+        return {str(key): plain(one) for key, one in value.items()}
+    if isinstance(value, Iterable) and not isinstance(value, bytes | PurePath):
+        return [plain(one) for one in value]
+    return str(value)

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The markers for the 3D view: where on the part something is worth a look."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.findings import Finding
+from freecad_fiveaxis.core.machine import Vector
+from freecad_fiveaxis.core.records import Bools, Floats, Ints
+
+from .figures import Figures, travel, worst_first
+from .judgement import OVER, SINGULAR
+
+MARKERS = 500
+"""At most so many markers of a kind: more hide the part and slow the view down."""
+
+
+@dataclass(frozen=True)
+class Marker:
+    """Something to show on the part: ``place`` mm in the work frame, ``kind`` a code, ``label`` a few words."""
+
+    place: Vector
+    kind: str
+    label: str
+    finding: Finding | None = None
+
+
+def markers(figures: Figures) -> tuple[Marker, ...]:
+    """What the 3D view shows: places over tolerance, near the pole, and those of the other findings.
+
+    A run of neighbouring blocks has one marker, at its worst block; the first marker is the largest deviation of all.
+    """
+    program, deviation = figures.program, figures.deviation
+    over, near = np.zeros(len(program.words), bool), np.zeros(len(program.words), bool)
+    over[figures.feeds] = ~(deviation.segment[figures.feeds] <= figures.tolerance)
+    near[figures.feeds] = figures.singularity.singular[figures.feeds]
+    turned = np.abs(travel(program)[:, 3:]).max(axis=1, initial=0.0)
+    return (
+        *_marked(figures, "largest-deviation", figures.worst[:1], deviation.segment, "{:.4g} mm"),
+        *_marked(figures, OVER, _run_peaks(over, deviation.segment), deviation.segment, "{:.4g} mm"),
+        *_marked(figures, SINGULAR, _run_peaks(near, turned), turned, "turns {:.4g} deg"),
+        *_placed(figures.findings),
+    )
+
+
+def _run_peaks(chosen: Bools, values: Floats) -> Ints:
+    """The row of the largest value in each run of ``chosen`` rows (m,), the worst first, at most MARKERS."""
+    rows = np.flatnonzero(chosen)
+    run = np.cumsum(np.diff(rows, prepend=rows[:1]) > 1)
+    worst = worst_first(rows, values)
+    _, first = np.unique(run[np.searchsorted(rows, worst)], return_index=True)
+    return worst[np.sort(first)][:MARKERS]
+
+
+def _marked(figures: Figures, kind: str, rows: Ints, values: Floats, label: str) -> list[Marker]:
+    code = SINGULAR if kind == SINGULAR else OVER
+    told = {one.block: one for one in reversed(figures.findings) if one.code == code}
+    made = []
+    for row in rows.tolist():
+        x, y, z = figures.deviation.place[row].tolist()
+        made.append(Marker((x, y, z), kind, f"{label.format(values[row])}, line {figures.program.line[row]}", told.get(row)))
+    return made
+
+
+def _placed(findings: Sequence[Finding]) -> list[Marker]:
+    others = [one for one in findings if one.place is not None and one.code not in (OVER, SINGULAR)]
+    return [Marker(one.place, one.code, one.code.replace("-", " "), one) for one in others[:MARKERS] if one.place]

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Plots of a finished program that a machinist would look at, as SVG. Needs matplotlib; without it there are none.
+
+near     shaded: the blocks near the pole (singular blocks).
+thinned  a program of millions of blocks is drawn by the largest and least value of each of BINS stretches: the worst
+         block is always among them.
+
+Figures are objects of their own (no pyplot, no global state), and the same input gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Floats, Ints
+
+from .figures import Figures, axis_rates
+from .plot_style import BINS, BLUE, FLOOR, GREEN, GREY, ORANGE, RED, SKY, STYLE, WIDE, Told, spans, thin
+from .views import sphere, worst_block
+
+
+@dataclass(frozen=True)
+class Plot:
+    """One picture: ``alt`` says in words what it shows to those who cannot see it."""
+
+    name: str
+    title: str
+    caption: str
+    alt: str
+    svg: bytes
+
+
+def plots(figures: Figures, progress: Progress = silent) -> tuple[Plot, ...]:
+    """All plots that this program has something to show in; none where matplotlib is missing or no block is at feed."""
+    try:
+        import matplotlib
+        from matplotlib.figure import Figure
+    except ImportError:
+        return ()
+    made: list[Plot] = []
+    if not len(figures.feeds):
+        return ()
+    drawn: tuple[Callable[[Any, Figures], Told | None], ...] = (
+        _along,
+        worst_block,
+        _angles,
+        sphere,
+        _rates,
+    )
+    for at, draw in enumerate(drawn):
+        progress("plots", at / len(drawn))
+        with matplotlib.rc_context(STYLE):
+            figure = Figure(figsize=(WIDE, 3.6), layout="constrained")
+            told = draw(figure, figures)
+            if told:
+                made.append(Plot(*told, _svg(figure)))
+    return tuple(made)
+
+
+def _svg(figure: Any) -> bytes:
+    out = io.BytesIO()
+    nothing = dict.fromkeys(("Date", "Creator", "Format", "Type"))
+    figure.savefig(out, format="svg", metadata=nothing)
+    return out.getvalue()
+
+
+def _shade(axes: Any, figures: Figures, x: Floats) -> None:
+    near = np.zeros(len(x), bool)
+    near[figures.feeds] = figures.singularity.singular[figures.feeds]
+    bars, whole = spans(near, x), axes.get_xaxis_transform()
+    if bars:
+        axes.broken_barh(bars, (0, 1), transform=whole, color=ORANGE, alpha=0.3, lw=0, zorder=2.5, label="near the pole")
+
+
+def _lines(axes: Any, x: Floats) -> None:
+    axes.set_xlabel("NC line")
+    axes.set_xlim(x[0] - 0.5, x[-1] + 0.5)
+    axes.xaxis.get_major_locator().set_params(integer=True)
+    axes.xaxis.set_major_formatter("{x:.0f}")
+
+
+def _steps(x: Floats, rows: Ints, values: Floats) -> tuple[Floats, Floats]:
+    """What draws ``values`` (n,) of the blocks ``rows`` (n,) as steps that end at each block's line."""
+    shown = thin(values, least=False)
+    return np.append(x[rows[0] - 1], x[rows[shown]]), np.append(values[0], values[shown])
+
+
+def _legend(axes: Any, columns: int = 6) -> None:
+    handles, labels = axes.get_legend_handles_labels()
+    axes.legend(
+        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=min(len(labels), columns), borderaxespad=0.2,
+        handlelength=1.4, columnspacing=1.2,
+    )  # fmt: skip
+
+
+def _along(figure: Any, figures: Figures) -> Told:
+    axes, deviation, x, rows = figure.subplots(), figures.deviation, figures.program.line.astype(float), figures.feeds
+    segment, bound = np.maximum(deviation.segment[rows], FLOOR), np.maximum(deviation.bound[rows], FLOOR)
+    _shade(axes, figures, x)
+    axes.fill_between(*_steps(x, rows, bound), FLOOR, step="pre", color=SKY, alpha=0.45, lw=0, label="proven bound")
+    axes.plot(*_steps(x, rows, segment), color=BLUE, lw=0.9, drawstyle="steps-pre", label="deviation")
+    over = np.flatnonzero(~(segment <= figures.tolerance))
+    over = over[thin(segment[over], BINS // 4, least=False)]
+    if len(over):
+        axes.plot(x[rows[over]], segment[over], ".", color=RED, ms=5, label="over tolerance")
+    axes.axhline(figures.tolerance, color=RED, ls="--", lw=1.1, label=f"tolerance {figures.tolerance:g} mm")
+    top = max(float(bound.max()), figures.tolerance)
+    axes.set(yscale="log", ylabel="deviation from the segment, mm")
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_formatter("")
+    axes.set_ylim(max(FLOOR, min(figures.tolerance, top) * 1e-3), top * 3.0)
+    _lines(axes, x)
+    _legend(axes)
+    peak = figures.worst[0]
+    alt = (
+        f"Deviation of each feed block against the NC line, logarithmic. Largest {deviation.segment[peak]:.4g} mm at NC line "
+        f"{figures.program.line[peak]}; tolerance {figures.tolerance:g} mm."
+    )
+    caption = (
+        "One step for each feed block: how far the tool tip leaves the straight segment that the program commands. Nothing "
+        "leaves it by more than the proven bound. Rapids are left out."
+    )
+    return "along", "Deviation along the program", caption, alt
+
+
+def _angles(figure: Any, figures: Figures) -> Told:
+    program, x = figures.program, figures.program.line.astype(float)
+    figure.set_size_inches(WIDE, 4.2)
+    panels = figure.subplots(2, 1, sharex=True)
+    said = []
+    for axes, column, colour in zip(panels, (3, 4), (BLUE, GREEN), strict=True):
+        words, letter = program.words[:, column], program.letters[column]
+        shown = thin(words)
+        _shade(axes, figures, x)
+        axes.plot(x[shown], words[shown], color=colour)
+        _limits(axes, figures, column)
+        axes.set_ylabel(f"{letter}, deg")
+        said.append(f"{letter} runs from {words.min():.1f} to {words.max():.1f} deg")
+    _lines(panels[1], x)
+    if panels[0].get_legend_handles_labels()[1]:
+        _legend(panels[0])
+    caption = (
+        "The words as the controller gets them, full turns counted on. Where the tool comes near the pole, "
+        f"{program.letters[3]} turns far within a few lines."
+    )
+    return "angles", "Rotary axes along the program", caption, "; ".join(said) + "."
+
+
+def _limits(axes: Any, figures: Figures, column: int) -> None:
+    """The axis limits, where the words come near them: far limits would flatten the curve."""
+    low, high = axes.get_ylim()
+    room = 0.25 * (high - low)
+    for limit in np.degrees([figures.links.low[column], figures.links.high[column]]):
+        if low - room < limit < high + room:
+            axes.axhline(limit, color=RED, ls="--", lw=1.0, label="limit of the axis")
+
+
+def _rates(figure: Any, figures: Figures) -> Told | None:
+    program, x, rows = figures.program, figures.program.line.astype(float), figures.feeds
+    limit = figures.links.rate * (1.0, 1.0, 1.0, *np.degrees([1.0, 1.0]))
+    share = 100.0 * axis_rates(program)[rows] / limit
+    if not share.any():
+        return None
+    axes, said = figure.subplots(), []
+    _shade(axes, figures, x)
+    for column, colour in zip(range(5), (SKY, GREY, "#111111", BLUE, GREEN), strict=True):
+        peak = float(share[:, column].max())
+        if peak > 0.0:
+            shown = thin(share[:, column], BINS // 6, least=False)
+            label = f"{program.letters[column]} {peak:.0f} %"
+            axes.plot(x[rows[shown]], share[shown, column], color=colour, lw=1.2 if column > 2 else 0.8, label=label)
+            said.append(f"{program.letters[column]} {peak:.0f} %")
+    axes.axhline(100.0, color=RED, ls="--", lw=1.1)
+    axes.set(ylabel="share of the axis's maximum rate, %", ylim=(0.0, max(108.0, 1.05 * float(share.max()))))
+    _lines(axes, x)
+    _legend(axes)
+    caption = (
+        "Largest share in each stretch. At 100 % an axis runs as fast as it can, and the tool goes slower over the part than "
+        "programmed."
+    )
+    return "rates", "How busy each axis is", caption, "Peak share of each axis's maximum rate: " + ", ".join(said) + "."

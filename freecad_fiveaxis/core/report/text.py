@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report for the terminal: the verdict in one sentence, the figures, the worst blocks first, the findings in full."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Mapping, Sequence
+from itertools import groupby
+from typing import Any
+
+from freecad_fiveaxis.core.findings import Finding
+
+from .figures import Figures, summary, worst_table
+
+WIDTH = 100
+"""Columns of the text report."""
+NAMED = 3
+"""So many findings of one kind are written out; the JSON report has all."""
+
+
+def as_text(figures: Figures) -> str:
+    """The report for the terminal, at most WIDTH columns, worst blocks first."""
+    numbers: dict[str, Any] = summary(figures)
+    parts = [
+        [*_wrap(f"{figures.title}: {figures.kind} on {figures.machine.name}"), *_wrap(verdict(figures, numbers))],
+        _worst_lines(figures),
+        _facts(numbers),
+        _axis_lines(numbers["axes"]),
+        _finding_lines(figures.findings),
+    ]
+    return "\n\n".join("\n".join(part) for part in parts if part) + "\n"
+
+
+def verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
+    """One plain sentence: does the program keep to its path? ``numbers``: the summary."""
+    limit, feeds, over = f"{figures.tolerance:g} mm", numbers["feed_blocks"], numbers["over_tolerance"]
+    if not feeds:
+        return "Nothing to prove: the program has no feed blocks."
+    if over:
+        share = "1 block leaves" if over == 1 else f"{over} of {feeds} feed blocks leave"
+        worst = f"line {numbers['worst_line']}, by {numbers['max_segment_deviation']:.4g} mm"
+        return f"{share} the commanded path by more than {limit}; the worst, {worst}."
+    if numbers["unproven"]:
+        return (
+            f"Not proven: no block was found to leave its commanded segment by more than {limit}, but for "
+            f"{numbers['unproven']} of {feeds} feed blocks the proven bound does not exclude it."
+        )
+    whole = "the one feed block does not leave its" if feeds == 1 else f"none of the {feeds} feed blocks leaves its"
+    largest = f"largest deviation {numbers['max_segment_deviation']:.4g} mm, proven bound {numbers['max_bound']:.4g} mm"
+    return f"Proven: {whole} commanded segment by more than {limit} ({largest})."
+
+
+def grouped(findings: Sequence[Finding]) -> list[tuple[Finding, ...]]:
+    """Findings of one code together, the gravest first, in the order in which they came."""
+    first = {one.code: at for at, one in reversed(list(enumerate(findings)))}
+    ordered = sorted(findings, key=lambda one: (-one.severity, first[one.code]))
+    return [tuple(group) for _, group in groupby(ordered, key=lambda one: (one.severity, one.code))]
+
+
+def duration(seconds: float) -> str:
+    """As "1 h 02 min 03 s"; below a minute with one decimal."""
+    if seconds < 60.0:
+        return f"{seconds:.1f} s"
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours} h {minutes:02} min {rest:02} s" if hours else f"{minutes} min {rest:02} s"
+
+
+def number(value: float | None, decimals: int) -> str:
+    """A fixed-point number, or "-" where there is none or no limit."""
+    return f"{round(value, decimals) + 0.0:.{decimals}f}" if value is not None and math.isfinite(value) else "-"
+
+
+def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """The summary as pairs of name and value with unit, the most wanted first."""
+    turned = ", ".join(f"{letter} {value:.1f} deg" for letter, value in numbers["rotary_travel_deg"].items())
+    worst = "" if numbers["worst_line"] is None else f" (NC line {numbers['worst_line']})"
+    return [
+        ("tolerance", f"{numbers['tolerance']:g} mm"),
+        ("largest deviation from the segment", f"{numbers['max_segment_deviation']:.6f} mm{worst}"),
+        ("its proven upper bound", f"{numbers['max_bound']:.6f} mm"),
+        ("blocks over tolerance", f"{numbers['over_tolerance']} of {numbers['feed_blocks']}"),
+        ("largest deviation from the infinite line", f"{numbers['max_line_deviation']:.6f} mm"),
+        ("largest deviation of the tool axis", f"{numbers['max_axis_deviation_deg']:.4f} deg"),
+        ("largest deviation of a rapid", f"{numbers['max_rapid_deviation']:.4f} mm"),
+        ("blocks near the pole", f"{numbers['singular_blocks']}"),
+        ("blocks", f"{numbers['blocks']}, of them {numbers['feed_blocks']} at feed"),
+        ("passes, length cut", f"{numbers['passes']}, {numbers['cut_length']:.1f} mm"),
+        ("time", duration(numbers["time_s"])),
+        ("rotary travel", turned),
+    ]
+
+
+def _wrap(text: str, indent: str = "") -> list[str]:
+    return textwrap.wrap(text, WIDTH, initial_indent=indent, subsequent_indent=indent) or [""]
+
+
+def _facts(numbers: Mapping[str, Any]) -> list[str]:
+    rows = facts(numbers)
+    wide = max(len(name) for name, _ in rows)
+    return [line for name, value in rows for line in _wrap(f"{name:<{wide}}  {value}", "  ")]
+
+
+def _worst_lines(figures: Figures) -> list[str]:
+    rows = worst_table(figures)
+    if not rows:
+        return []
+    letters = list(rows[0]["turn_deg"])
+    head = ["NC line", "motion", "deviation", "bound", "line dev.", "axis dev."]
+    table = [[*head, *(f"{letter} turns" for letter in letters), "near pole"]]
+    for row in rows:
+        values = [number(row[name], 6) for name in ("segment_deviation", "bound", "line_deviation")]
+        turns = [number(row["turn_deg"][letter], 3) for letter in letters]
+        near = "yes" if row["singular"] else "no"
+        table.append([str(row["line"]), row["motion"], *values, number(row["axis_deviation_deg"], 4), *turns, near])
+    return ["Worst blocks, the largest deviation from the commanded segment first (mm, deg):", *_columns(table)]
+
+
+def _axis_lines(axes: Mapping[str, Mapping[str, Any]]) -> list[str]:
+    table = [["axis", "from", "to", "limits", "", "travel", "peak rate", "max rate"]]
+    for letter, row in axes.items():
+        spans = [number(row[name], 3) for name in ("least", "largest", "low_limit", "high_limit")]
+        rates = [number(row[name], 1) for name in ("travel", "peak_rate", "max_rate")]
+        table.append([f"{letter} {row['unit']}", *spans, *rates])
+    return ["Axes (rates per minute; the peak is over feed blocks):", *_columns(table)]
+
+
+def _columns(table: Sequence[Sequence[str]]) -> list[str]:
+    """Right-aligned columns."""
+    wide = [max(len(cell) for cell in column) for column in zip(*table, strict=True)]
+    return ["  " + "  ".join(cell.rjust(width) for cell, width in zip(row, wide, strict=True)) for row in table]
+
+
+def _finding_lines(findings: Sequence[Finding]) -> list[str]:
+    if not findings:
+        return ["No findings."]
+    lines = ["Findings:"]
+    for group in grouped(findings):
+        count = f" ({len(group)})" if len(group) > 1 else ""
+        lines += _wrap(f"{group[0].severity.name} {group[0].code}{count}", "  ")
+        for one in group[:NAMED]:
+            lines += _wrap(one.text, "    ")
+        if len(group) > NAMED:
+            lines += _wrap(f"... and {len(group) - NAMED} more in the JSON and HTML reports.", "    ")
+    return lines
