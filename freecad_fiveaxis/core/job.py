@@ -89,6 +89,7 @@ def run(settings: Settings, progress: Progress = silent) -> Result:
 def make(settings: Settings, progress: Progress = silent) -> Made:
     """The program, not yet proven."""
     machine, links, dialect = _machine(settings)
+    dialect.check_offset(settings.head.work_offset)
     if settings.task == MILL:
         find_strategy(settings.tool_axis.tool_axis)
         return mill(settings, read_stl(settings.source, progress), machine, links, dialect, progress)
@@ -201,7 +202,7 @@ def _report_files(result: Result, progress: Progress) -> dict[str, bytes]:
         files[output.blocks] = blocks_csv(result.made.program, result.deviation, result.singularity, progress)
     if output.report:
         sheets = figures(result)
-        files |= {path: REPORTS[Path(path).suffix.lower()](sheets).encode() for path in output.report}
+        files |= {path: REPORTS[Path(path).suffix.lower()](sheets).encode("utf-8", "backslashreplace") for path in output.report}
     return files
 
 

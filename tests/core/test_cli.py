@@ -215,9 +215,22 @@ def test_a_work_offset_that_the_controller_has_not_is_refused(controller, offset
     assert "work offset" in error and "G54 to G59" in error
 
 
-@pytest.mark.parametrize("offset", ["G54", "G59", "G54.1 P1", "G54.1P48", "G54.1 P300"])
-def test_the_work_offsets_of_a_fanuc_stand_in_its_head(offset, roof, tmp_path):
-    words = ("--machine", "trunnion_ac", "--stepover", "20", "--controller", "fanuc", "--work-offset", offset, "--quiet")
+@pytest.mark.parametrize(
+    ("controller", "other", "offset"),
+    [("fanuc", "linuxcnc", "G54.1 P1"), ("fanuc", "linuxcnc", "G54.1P48"), ("fanuc", "linuxcnc", "G54.1 P300"),
+     ("linuxcnc", "fanuc", "G59.1"), ("linuxcnc", "fanuc", "G59.3")],
+)  # fmt: skip
+def test_a_work_offset_of_another_controller_is_refused_by_name(controller, other, offset, roof, tmp_path, capsys):
+    words = ("--machine", "trunnion_ac", "--stepover", "20", "--work-offset", offset, "--quiet", "-o", tmp_path / "a.ngc")
+    assert f"unknown to {other}" in refused(capsys, tmp_path, "mill", roof, *words, "--controller", other)
+    assert run("mill", roof, *words, "--controller", controller) != cli.UNUSABLE
+    assert offset in (tmp_path / "a.ngc").read_text().splitlines()
+
+
+@pytest.mark.parametrize("controller", ["linuxcnc", "fanuc"])
+@pytest.mark.parametrize("offset", ["G54", "G59"])
+def test_a_work_offset_stands_in_the_head(controller, offset, roof, tmp_path):
+    words = ("--machine", "trunnion_ac", "--stepover", "20", "--controller", controller, "--work-offset", offset, "--quiet")
     assert run("mill", roof, *words, "-o", tmp_path / "a.ngc") != cli.UNUSABLE
     assert offset in (tmp_path / "a.ngc").read_text().splitlines()
 

@@ -26,4 +26,5 @@ blend tolerance the head says G64 P Q. A line may hold 255 characters. M2 ends t
     tail=("M5", "M9", "G94", "M2"),
     exact_path="G61",
     blend_path="G64 P{blend} Q{blend}",
+    work_offsets=(r"G5[4-9]|G59\.[1-3]", "G54 to G59, or G59.1 to G59.3"),
 )
