@@ -12,8 +12,8 @@ from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.joint_path import JointPath
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward
-from freecad_fiveaxis.core.machine import Axis, Machine
+from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, inverse
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.post.dialect import feed_distance
 from freecad_fiveaxis.core.post.writer import write_nc
@@ -285,3 +285,19 @@ def test_a_blocks_travel_does_not_depend_on_the_blocks_around_it() -> None:
     whole = feeds.tip_travel(links, q, np.ones(199, bool))
     alone = np.array([feeds.tip_travel(links, q[i : i + 2], np.array([True]))[0] for i in range(199)])
     np.testing.assert_allclose(whole, alone, rtol=1e-12)
+
+
+def test_a_short_path_that_turns_back_on_itself_is_measured_closely():
+    """Chords of a fifth of a millimetre with three degrees of turn at a long lever: the tip may run back and forth."""
+    links = chain(load_machine("fork_head_bc"), Setup(tool_length=120.0))
+    rng = np.random.default_rng(11)
+    axis = rng.normal(0, 0.01, (400, 2)) + (0.3, 0.2)
+    axis = np.column_stack([axis, np.ones(400)]) / np.linalg.norm(np.column_stack([axis, np.ones(400)]), axis=1)[:, None]
+    tip = np.cumsum(rng.normal(0, 0.1, (400, 3)), axis=0)
+    q = inverse(links, tip, axis)[0][0]
+    travel = feeds.tip_travel(links, q, np.ones(399, bool))
+    u = np.linspace(0, 1, 2001)[:, None, None]
+    path, _ = forward(links, (q[:-1] * (1 - u) + q[1:] * u).reshape(-1, 5))
+    dense = np.linalg.norm(np.diff(path.reshape(2001, -1, 3), axis=0), axis=2).sum(axis=0)
+    assert (dense > 1.2 * np.linalg.norm(np.diff(tip, axis=0), axis=1)).any()  # some do bend
+    np.testing.assert_allclose(travel, dense, rtol=feeds.TRAVEL_ERROR)

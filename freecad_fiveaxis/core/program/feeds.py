@@ -18,6 +18,9 @@ TRAVEL_ERROR = 1e-3
 """Relative error of a travel: a tenth of what the coarsest feed setting (1 %) can tell."""
 TURN_PER_PIECE = 0.05
 """Rotary travel (rad) of one piece of a sampled path: extrapolated, the near-cusp of So et al.'s Table 2 then errs by 3e-6."""
+HOOKED, HOOK_PIECES = 0.25, 16.0
+"""A path that may leave its chord by so much of its length may turn back on itself, however little the axes turn: it is
+sampled in so many pieces at least."""
 MOST_SAMPLES = 100_000
 """Pieces that are sampled at a time: bounds the memory, whatever the number of turns."""
 STILL = 1e-4
@@ -40,7 +43,8 @@ def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
         at = np.flatnonzero(wanted[rows] & (bend > math.sqrt(TRAVEL_ERROR / 8.0) * chord))
         travel[rows] = chord
         curved.append(rows.start + at)
-        pieces.append(np.ceil(np.log2(np.maximum(turned[at] / TURN_PER_PIECE, 1.0))).astype(np.int64))
+        least = np.where(bend[at] > HOOKED * chord[at], HOOK_PIECES, 1.0)
+        pieces.append(np.ceil(np.log2(np.maximum(turned[at] / TURN_PER_PIECE, least))).astype(np.int64))
     _measure_curved(links, q, tip, travel, np.concatenate([*curved, _NONE]), 2 ** np.concatenate([*pieces, _NONE]))
     return travel
 
