@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.passes import axes_within_limits
 
 from .findings import Finding, Severity
-from .records import Bools, Floats
+from .records import Bools, Floats, picked
 
 LEAN = 1e-6
 """rad below the surface that rounding may make of an axis that lies in it."""
@@ -44,7 +44,7 @@ def feasible_rows(path: OffsetPath, axis: Floats, links: Chain) -> tuple[OffsetP
     rows = lasting_rows(path, np.flatnonzero(~out))
     left = take_rows(path, rows)
     findings = path.findings + tuple(finding for finding in found if finding is not None)
-    return replace(left, findings=findings), np.ascontiguousarray(axis.T).take(rows, axis=1).T
+    return replace(left, findings=findings), picked(axis, rows)
 
 
 def _left_out(path: OffsetPath, out: Bools, code: str, text: str) -> Finding | None:

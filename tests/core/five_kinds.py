@@ -7,7 +7,7 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, linear_words, words_to_q
-from freecad_fiveaxis.core.machine import Axis, Machine
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.trajectory import at, frames, motion, tip
 
@@ -77,3 +77,13 @@ def _peak(distance: Floats) -> Floats:
     bend = 2.0 * mid - low - high
     rise = np.where((mid >= low) & (mid >= high) & (bend > 0), (high - low) ** 2 / (8.0 * np.where(bend > 0, bend, 1.0)), 0.0)
     return np.maximum(distance.max(axis=1), mid + rise)
+
+
+# So et al. 2008, Table 2, in word order X Y Z C A, mm and degrees
+TABLE_2 = np.array([[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]])
+
+
+def mikron_links():
+    """The chain of the machine that Table 2 is for."""
+    machine = load_machine("mikron_ucp710")
+    return chain(machine, Setup(machine.origin))

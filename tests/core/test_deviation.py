@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from five_kinds import KINDS, interleaved, links_of, random_blocks, sampled_deviation
+from five_kinds import KINDS, TABLE_2, interleaved, links_of, mikron_links, random_blocks, sampled_deviation
 
 from freecad_fiveaxis.core.deviation import lin_ye_deviation, measure, same_u_deviation
 from freecad_fiveaxis.core.deviation import measurement as module
@@ -15,7 +15,6 @@ from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.trajectory import axis_at, tip_at
 
 RELATIVE, ABSOLUTE = 1e-5, 1e-6  # what is promised: share of the deviation, or mm
-TABLE_2 = np.array([[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]])
 
 
 @pytest.fixture(params=KINDS)
@@ -25,8 +24,7 @@ def links(request):
 
 @pytest.fixture(scope="module")
 def mikron():
-    machine = load_machine("mikron_ucp710")
-    return chain(machine, Setup(machine.origin))
+    return mikron_links()
 
 
 def ordinary_program(links, count=1500, seed=4):

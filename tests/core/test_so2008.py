@@ -5,15 +5,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from five_kinds import KINDS, interleaved, links_of
+from five_kinds import KINDS, TABLE_2, interleaved, links_of, mikron_links
 
 from freecad_fiveaxis.core.deviation import measure, so2008
 from freecad_fiveaxis.core.deviation.so2008 import line_deviation, model_tip
-from freecad_fiveaxis.core.kinematics import Setup, chain, linear_words
-from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.kinematics import linear_words
 from freecad_fiveaxis.core.trajectory import tip_at
-
-TABLE_2 = np.array([[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]])
 
 
 @pytest.fixture(params=KINDS)
@@ -23,8 +20,7 @@ def links(request):
 
 @pytest.fixture(scope="module")
 def mikron():
-    machine = load_machine("mikron_ucp710")
-    return chain(machine, Setup(machine.origin))
+    return mikron_links()
 
 
 def blocks_at(links, tilt, count=300, turn=30.0, seed=1):

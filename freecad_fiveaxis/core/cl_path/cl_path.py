@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze, picked
 
 from .linking import SAME, WayOut, keepout, way_out
 
@@ -96,8 +96,8 @@ def order_passes(path: OffsetPath, order: str) -> OffsetPath:
     fill = path.fill[np.minimum(row + backwards, len(row) - 1)]  # the move between two rows, gone the other way
     fill[_starts(path.polyline[row])] = False
     columns = {name: getattr(path, name)[row] for name in ("face", "coedge", "segment", "polyline", "pass_")}
-    columns |= {name: _rows(getattr(path, name), row) for name in ("point", "centre", "normal")}
-    before, after, turned = _rows(path.before, row), _rows(path.after, row), backwards[:, None]
+    columns |= {name: picked(getattr(path, name), row) for name in ("point", "centre", "normal")}
+    before, after, turned = picked(path.before, row), picked(path.after, row), backwards[:, None]
     return replace(
         path, **columns, fill=fill, before=np.where(turned, after, before), after=np.where(turned, before, after),
         step_before=np.where(backwards, path.step_after[row], path.step_before[row]),
@@ -204,10 +204,6 @@ def _to_and_fro(pass_: Ints) -> tuple[Ints, Bools]:
 def _starts(label: Ints) -> Ints:
     """Rows where a new label begins."""
     return np.flatnonzero(np.diff(label, prepend=label[:1] - 1))
-
-
-def _rows(table: Floats, row: Ints) -> Floats:
-    return np.ascontiguousarray(table.T).take(row, axis=1).T
 
 
 def _below(leave: WayOut, enter: WayOut) -> tuple[Finding, ...]:

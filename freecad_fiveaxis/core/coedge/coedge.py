@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze
+from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze, picked
 
 from .junction import CHUNK, Junctions, Rows, Segments, direction, dot, find_junctions, find_segments, junction_rows
 from .trimming import Trimmed, find_used_up, trim_polylines
@@ -75,17 +75,13 @@ def take_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
     """Some rows of a path, ascending: a polyline ends where rows are left out, and what is left of it begins a new one."""
     begins = _begins(path, rows)
     columns = {name: getattr(path, name)[rows] for name in ("face", "coedge", "segment", "pass_", "step_before", "step_after")}
-    columns |= {name: _taken(getattr(path, name), rows) for name in ("point", "centre", "normal", "before", "after")}
+    columns |= {name: picked(getattr(path, name), rows) for name in ("point", "centre", "normal", "before", "after")}
     return replace(path, **columns, polyline=np.cumsum(begins) - 1, fill=path.fill[rows] & ~begins)
 
 
 def _begins(path: OffsetPath, rows: Ints) -> Bools:
     """Which rows begin a polyline when the others are left out."""
     return np.asarray((np.diff(rows, prepend=-2) != 1) | (np.diff(path.polyline[rows], prepend=-1) != 0))
-
-
-def _taken(table: Floats, rows: Ints) -> Floats:
-    return np.ascontiguousarray(table.T).take(rows, axis=1).T
 
 
 def close_gaps(
