@@ -31,7 +31,7 @@ from .findings import Finding
 from .post import Dialect, PostOptions, find_dialect
 from .post.writer import write_nc
 from .progress import Progress, silent
-from .records import Floats
+from .records import Bools, Floats
 from .settings import MILL, POST, Settings, flat_options
 from .singularity import Singularity, find_singular
 from .tool_axis import AxisOptions, find_strategy, tool_axes
@@ -86,24 +86,29 @@ def run(settings: Settings, progress: Progress = silent) -> Result:
     return prove(make(settings, progress), progress)
 
 
-def make(settings: Settings, progress: Progress = silent) -> Made:
-    """The program, not yet proven."""
+def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None) -> Made:
+    """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name;
+    ``faces`` (f,): the facets of it that are to be cut, None: all. Raises FiveAxisError for input that cannot be used."""
     machine, links, dialect = _machine(settings)
     dialect.check_offset(settings.head.work_offset)
     if settings.task == MILL:
         find_strategy(settings.tool_axis.tool_axis)
-        return mill(settings, read_stl(settings.source, progress), machine, links, dialect, progress)
+        mesh = read_stl(settings.source, progress) if mesh is None else mesh
+        return mill(settings, mesh, machine, links, dialect, progress, faces)
     if settings.task == POST:
         return post(settings, machine, links, dialect, progress)
     program = read_nc(read_bytes(settings.source, "NC file"), links, dialect, progress)
     return Made(settings, machine, links, dialect, program, program.findings)
 
 
-def mill(settings: Settings, mesh: Mesh, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Milled:
-    """From a mesh to a program: the street itself."""
+def mill(
+    settings: Settings, mesh: Mesh, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent,
+    faces: Bools | None = None,
+) -> Milled:  # fmt: skip
+    """From a mesh to a program: the street itself. ``faces`` (f,): the facets to cut; the others are still kept clear of."""
     passes, cutter, link = settings.passes, settings.cutter.cutter, settings.links
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
-    keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle)
+    keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle, faces)
     planes, spacing = place_planes(
         mesh, passes.direction, cutter.radius, stepover=passes.stepover, scallop=_scallop(settings),
         least=passes.least_interval, keep=keep, progress=progress,
@@ -137,7 +142,7 @@ def _posted(
 ) -> Posted:  # fmt: skip
     joints = solve(path, links, low, high, settings.links.clearance, settings.cutter.cutter.radius, progress)
     program = build_program(joints, links, dialect, settings.feeds.feed_mode == "g93", progress)
-    nc = write_nc(program, dialect, _title(settings), _head(settings), progress)
+    nc = write_nc(program, dialect, _nc_title(settings, machine), _head(settings), progress)
     findings = found + joints.findings + program.findings
     return Posted(settings, machine, links, dialect, program, findings, path, joints, nc)
 
@@ -233,6 +238,11 @@ def _head(settings: Settings) -> PostOptions:
     head = settings.head
     tool = None if head.tool is None else int(head.tool)
     return PostOptions(tool, head.spindle, head.coolant == "on", head.work_offset, blend=head.blend)
+
+
+def _nc_title(settings: Settings, machine: Machine) -> str:
+    """What the machinist must have ready. No file's name: the same solid and settings give the same bytes from anywhere."""
+    return f"{machine.name}, ball {settings.cutter.cutter.diameter:g} mm"
 
 
 def _title(settings: Settings) -> str:

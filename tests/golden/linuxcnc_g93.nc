@@ -1,4 +1,4 @@
-(title golden)
+(for golden)
 G21 G17 G40 G80 G90
 G54
 G61

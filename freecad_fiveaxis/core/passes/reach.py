@@ -30,11 +30,14 @@ FLAT = 1e-8
 TURN = 2.0 * math.pi
 
 
-def reachable_facets(mesh: Mesh, links: Chain, max_axis_angle: float) -> tuple[Bools, tuple[Finding, ...]]:
-    """Mask (f,) of the facets that can be cut with the tool along their normal, and what is left out.
+def reachable_facets(
+    mesh: Mesh, links: Chain, max_axis_angle: float, wanted: Bools | None = None
+) -> tuple[Bools, tuple[Finding, ...]]:
+    """Mask (f,) of the facets that can be cut with the tool along their normal, and what of the wanted ones is left out.
 
     ``max_axis_angle`` rad: the largest axis angle that is wanted, over 0 and at most pi; facets that look down are out
-    whatever it is. Vertical walls count as 90 deg. Raises SettingsError for another angle, ReachError where no facet is left.
+    whatever it is. Vertical walls count as 90 deg. ``wanted`` (f,): the facets that were chosen, None: all of them.
+    Raises SettingsError for another angle, ReachError where no facet is left.
     """
     if not 0.0 < max_axis_angle <= math.pi:
         angle = math.degrees(max_axis_angle)
@@ -42,15 +45,16 @@ def reachable_facets(mesh: Mesh, links: Chain, max_axis_angle: float) -> tuple[B
             f"largest axis angle {angle:g} deg is out of range; give more than 0 and at most 90 deg", max_axis_angle
         )
     up = mesh.normal[:, 2]
-    down = up < -math.sin(LEVEL)
-    steep = (up < math.cos(min(max_axis_angle + LEVEL, math.pi))) & ~down
-    rest = np.flatnonzero(~(down | steep))
+    wanted = np.ones(len(up), np.bool_) if wanted is None else wanted
+    down = (up < -math.sin(LEVEL)) & wanted
+    steep = (up < math.cos(min(max_axis_angle + LEVEL, math.pi))) & wanted & ~down
+    rest = np.flatnonzero(wanted & ~(down | steep))
     beyond = np.zeros(len(up), dtype=np.bool_)
     for part in chunks(len(rest)):
         rows = rest[part]
         beyond[rows] = ~axes_within_limits(links, mesh.normal.T.take(rows, axis=1).T)
-    keep: Bools = ~(down | steep | beyond)
-    if keep.all():
+    keep: Bools = wanted & ~(down | steep | beyond)
+    if np.array_equal(keep, wanted) and keep.any():
         return keep, ()
     area = facet_areas(mesh)
     if not keep.any():

@@ -3,7 +3,7 @@
 
 head, tail   template lines before and after the blocks. Each template gives exactly one line, whatever its slots hold, so
              that the line of every block is known before anything is written.
-slots        ``{title}`` a comment with the title; ``{program}`` the program number; ``{path}`` the path control mode;
+slots        ``{title}`` a comment: what it is for; ``{program}`` the program number; ``{path}`` the path control mode;
              ``{offset}`` the work offset; ``{tool}``, ``{length}``, ``{spindle}``, ``{coolant}``; ``{feed_mode}``.
 block        one line: block number, motion word, axis words, F word. The motion word stands in every block.
 """
@@ -131,7 +131,7 @@ def slot_texts(dialect: Dialect, title: str, options: PostOptions, inverse_time:
     dialect.check_offset(options.offset)
     no_tool = dialect.remark("tool and length offset as the operator has set them")
     return {
-        "title": dialect.remark(f"title {title}"),
+        "title": dialect.remark(f"for {title}"),
         "program": f"{options.program:04d}",
         "path": dialect.blend_path.format(blend=f"{options.blend:.4f}") if options.blend > 0.0 else dialect.exact_path,
         "offset": dialect.work_offset.format(offset=options.offset),
