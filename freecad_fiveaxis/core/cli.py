@@ -24,6 +24,7 @@ from freecad_fiveaxis import __version__
 from .errors import Cancelled, FileError, FiveAxisError, SettingsError
 from .files import check_readable, read_bytes
 from .findings import Severity
+from .memory import keep_freed_memory
 from .terminal import bars, show
 
 if TYPE_CHECKING:
@@ -40,6 +41,8 @@ SHORT = {"output": ("-o", "--output")}
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line; returns the exit code."""
+    if argv is None:  # a process of its own
+        keep_freed_memory()
     try:
         arguments = _parser().parse_args(argv)
         return int(arguments.act(arguments))

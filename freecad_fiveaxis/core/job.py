@@ -114,7 +114,7 @@ def mill(
         least=passes.least_interval, keep=keep, progress=progress,
     )  # fmt: skip
     contact = slice_mesh(mesh, planes, passes.direction, progress=progress)
-    closed = close_gaps(contact, mesh, cutter.radius, settings.cutter.coedge_tolerance, keep, progress)
+    closed = close_gaps(contact, mesh, cutter.radius, settings.cutter.coedge_tolerance, None if keep.all() else keep, progress)
     ordered = order_passes(closed, link.order)
     axis = tool_axes(ordered, settings.tool_axis.tool_axis, _axis_options(settings))
     offset, axis = feasible_rows(ordered, axis, links)

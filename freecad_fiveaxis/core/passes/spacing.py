@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools, Floats
+from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 from .pass_pair import Strip, scallop_between, smallest_interval
 from .scallop import flat_interval
@@ -89,13 +89,14 @@ def place_planes(
     """
     _check(angle, radius, stepover, scallop, least)
     across = np.array((-math.sin(angle), math.cos(angle), 0.0))
-    strip = Strip(mesh, across, np.arange(len(mesh.face)) if keep is None else np.flatnonzero(keep))
-    if not strip.ranges:
+    rows = np.arange(len(mesh.face)) if keep is None else np.flatnonzero(keep)
+    low, high = _extent(mesh, across, rows)
+    if not low < high:
         raise SettingsError(f"no facet lies across planes at {math.degrees(angle):g} deg; turn the direction", angle)
     if stepover is not None:
-        return _even_planes(strip.ranges[0][0], strip.ranges[-1][1], stepover), ()
+        return _even_planes(low, high, stepover), ()
     assert scallop is not None
-    return _March(strip, radius, scallop, least, progress).run()
+    return _March(Strip(mesh, across, rows), radius, scallop, least, progress).run()
 
 
 def _check(angle: float, radius: float, stepover: float | None, scallop: float | None, least: float) -> None:
@@ -112,6 +113,15 @@ def _check(angle: float, radius: float, stepover: float | None, scallop: float |
         raise SettingsError(
             f"scallop {scallop:g} mm is not below the cutter radius {radius:g} mm; give a smaller scallop", scallop
         )
+
+
+def _extent(mesh: Mesh, across: Floats, rows: Ints) -> tuple[float, float]:
+    """Least and largest offset, mm, of the facets ``rows`` that planes cut: one that lies in a plane is cut by none."""
+    offset = mesh.vertex @ across
+    a, b, c = (offset.take(corner) for corner in mesh.face.T.take(rows, axis=1))
+    low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
+    cut = high > low
+    return float(low.min(where=cut, initial=math.inf)), float(high.max(where=cut, initial=-math.inf))
 
 
 def _check_count(planes: float, what: str, value: float) -> None:
