@@ -1,24 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From an STL file to facet adjacency: this project, trimesh (load, then face_adjacency) and meshlib (load) in one run.
 
-Ours includes unit normals, the check of the orientation and the co-edge columns. Peers are optional:
+Ours includes unit normals, the check of the orientation and the co-edge columns. It sorts in a second thread; meshlib uses all
+cores. Peers are optional:
 ``pip install trimesh meshlib``.
 """
 
 from __future__ import annotations
 
+import statistics
 import sys
 import tempfile
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.parts import bumpy
-from benchmarks.timing import median_seconds, print_table, run_seconds
+from benchmarks.timing import print_table, run_seconds
 from freecad_fiveaxis.core.mesh import read_stl, write_stl
 
 COMPARED = (200_000, 1_000_000)  # facets
+ROUNDS = 9
 GROWING = (20_000, 60_000, 200_000, 600_000, 2_000_000)
 
 
@@ -40,18 +45,30 @@ def peers() -> dict[str, Callable[[str], object]]:
     return found
 
 
+def alternating(calls: Sequence[Callable[[], object]]) -> list[float]:
+    """The median seconds of each call: all run in turn, so that a busy spell of the machine meets each of them.
+
+    The first rounds do not count: until then the process still takes memory that later runs find at hand.
+    """
+    seconds = [run_seconds(call, 1) for call in calls]
+    for _ in range(ROUNDS):
+        for call, taken in zip(calls, seconds, strict=True):
+            start = time.perf_counter()
+            call()
+            taken.append(time.perf_counter() - start)
+    return [statistics.median(taken[1:]) for taken in seconds]
+
+
 def compare(folder: Path) -> None:
     """Ours and the peers on the same files."""
-    others = peers()
+    readers: dict[str, Callable[[str], object]] = {"this project": read_stl, **peers()}
     rows = []
     for facets in COMPARED:
         path = folder / f"{facets}.stl"
         write_stl(bumpy(facets), path)
-        own = median_seconds(lambda path=path: read_stl(path), 5)
-        rows.append([f"{facets:,}", "this project", f"{1e3 * own:.0f}", "1.0"])
-        for name, read in others.items():
-            taken = median_seconds(lambda path=path, read=read: read(str(path)), 3)
-            rows.append([f"{facets:,}", name, f"{1e3 * taken:.0f}", f"{taken / own:.1f}"])
+        seconds = alternating([partial(read, str(path)) for read in readers.values()])
+        for name, taken in zip(readers, seconds, strict=True):
+            rows.append([f"{facets:,}", name, f"{1e3 * taken:.0f}", f"{taken / seconds[0]:.1f}"])
     print_table("STL to adjacency", ("facets", "by", "ms", "times ours"), rows)
 
 

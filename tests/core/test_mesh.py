@@ -10,6 +10,7 @@ from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.mesh import from_faces, from_triangles
 from freecad_fiveaxis.core.mesh import weld as weld_module
 from freecad_fiveaxis.core.mesh.half_edges import sorted_half_edges
+from freecad_fiveaxis.core.mesh.words import sort_during
 
 
 def codes(mesh):
@@ -98,6 +99,25 @@ def test_colliding_hashes_do_not_join_what_differs(monkeypatch):
     assert not poor.findings
 
 
+def test_colliding_hashes_and_flat_facets_do_not_mix_up_the_co_edges(monkeypatch):
+    corners = sphere(rows=9, columns=11)
+    flat = np.concatenate([corners[:3][:, [0, 1, 1]], corners, corners[:3][:, [2, 0, 2]]])
+    monkeypatch.setattr(weld_module, "_FACTORS", (0, 0, 0))
+    mesh = from_triangles(flat)
+    np.testing.assert_array_equal(mesh.vertex[mesh.face], corners)
+    assert codes(mesh) == ["degenerate-facets"]
+    check_coedges(mesh)
+    check_normals(mesh)
+
+
+def test_what_is_done_during_a_sort_comes_back_and_so_does_its_error():
+    word = np.arange(9, dtype=np.uint64)[::-1].copy()
+    assert sort_during(word, lambda: "done") == "done"
+    np.testing.assert_array_equal(word, np.arange(9))
+    with pytest.raises(ZeroDivisionError):
+        sort_during(word, lambda: 1 / 0)
+
+
 def test_welding_does_not_depend_on_the_order_of_the_facets():
     rng = np.random.default_rng(3)
     corners = sphere()
@@ -143,10 +163,11 @@ def test_half_edges_too_wide_for_one_word_are_paired_all_the_same():
     corners = sphere(rows=14, columns=30)
     mesh = from_triangles(corners)
     many = 1 << 29
-    wide, packed = (sorted_half_edges(mesh.face, vertices) for vertices in (many, len(mesh.vertex)))
-    (key, half), (narrow, half_narrow) = wide.pick(slice(None)), packed.pick(slice(None))
+    wide, packed = (sorted_half_edges(mesh.face, vertices, lambda: None)[0] for vertices in (many, len(mesh.vertex)))
+    every = slice(None)
+    key, narrow = wide.keys(every), packed.keys(every)
     assert wide.half is not None and packed.half is None
-    np.testing.assert_array_equal(half, half_narrow)
+    np.testing.assert_array_equal(wide.numbers(every), packed.numbers(every))
     assert wide.low == packed.low and wide.paired() and packed.paired()
     np.testing.assert_array_equal(np.diff(key) > 0, np.diff(narrow) > 0)
 

@@ -6,6 +6,7 @@ sense  of a half-edge: 0 from the lower to the higher vertex number, 1 back.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +14,7 @@ import numpy as np
 from freecad_fiveaxis.core.kinematics import chunks
 from freecad_fiveaxis.core.records import Ints
 
-from .weld import Words
+from .words import T, Words, sort_during
 
 
 @dataclass(frozen=True)
@@ -28,53 +29,67 @@ class HalfEdges:
     half: Ints | None
     low: int
 
-    def pick(self, row: slice | Ints) -> tuple[Words, Ints]:
-        """Edge with sense, and half-edge, of the given rows."""
-        word = self.word[row]
+    def keys(self, row: slice | Ints) -> Words:
+        """Edge with sense of the given rows."""
+        return self.word[row] >> np.uint64(0 if self.half is not None else self.low + 2)
+
+    def numbers(self, row: slice | Ints) -> Ints:
+        """Half-edge of the given rows."""
         if self.half is not None:
-            return word, self.half[row]
-        bits = self.low + 2
-        return word >> np.uint64(bits), (word & np.uint64((1 << bits) - 1)).view(np.int64)
+            return self.half[row]
+        return (self.word[row] & np.uint64((1 << self.low + 2) - 1)).view(np.int64)
 
     def paired(self) -> bool:
         """True where each edge has two half-edges of opposite senses, which then stand in rows 2 i and 2 i + 1."""
         if len(self.word) % 2:
             return False
-        shift = np.uint64(0 if self.half is not None else self.low + 2)
-        rows = (self.word[2 * part.start : 2 * part.stop] for part in chunks(len(self.word) // 2))
-        return all(bool(((row[0::2] ^ row[1::2]) >> shift == 1).all()) for row in rows)
+        bits = 0 if self.half is not None else self.low + 2
+        least, most = np.uint64(1 << bits), np.uint64((2 << bits) - 1)  # where two words differ in the sense and below it
+        for part in chunks(len(self.word) // 2):
+            row = self.word[2 * part.start : 2 * part.stop]
+            differ = row[0::2] ^ row[1::2]
+            if differ.min() < least or differ.max() > most:
+                return False
+        return True
 
 
-def sorted_half_edges(face: Ints, vertices: int) -> HalfEdges:
-    """The half-edges of ``face`` (f, 3), rows of so many ``vertices``.
+def sorted_half_edges(face: Ints, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
+    """The half-edges of ``face`` (f, 3), rows of so many ``vertices``, and what ``work`` gives, done in the meantime.
 
-    Edge and half-edge share one word while they fit, since sorting words is several times faster than argsort.
+    Edge and half-edge share one word while they fit.
     """
     f = len(face)
     width, low = int(vertices - 1).bit_length(), int(f - 1).bit_length()
-    fits = 2 * width + 1 + low + 2 <= 64
-    shift = np.uint64(low + 2 if fits else 0)
-    column = face.T.view(np.uint64)
-    key = np.empty((3, f), dtype=np.uint64)
-    for part in chunks(f):
-        number = np.arange(part.start, part.stop, dtype=np.uint64)
-        for k in range(3):
-            start, end = column[k, part], column[(k + 1) % 3, part]
-            word = np.minimum(start, end, out=key[k, part])
-            word <<= np.uint64(width)
-            word |= np.maximum(start, end)
-            word <<= np.uint64(1)
-            word |= start > end
-            if fits:
-                word <<= shift
-                word |= number
-                word |= np.uint64(k << low)
-    word = key.reshape(-1)
-    if fits:
-        word.sort()
-        return HalfEdges(word, None, low)
+    if 2 * width + 1 + low + 2 <= 64:
+        word = _words(face, width, low)
+        done = sort_during(word, work)
+        return HalfEdges(word, None, low), done
+    word = _words(face, width, None)
     order = np.argsort(word, kind="stable")
-    return HalfEdges(word[order], order // f << low | order % f, low)
+    return HalfEdges(word[order], order // f << low | order % f, low), work()
+
+
+def _words(face: Ints, width: int, low: int | None) -> Words:
+    """Words (3 f,) of edge and sense, ``width`` bits a vertex, and below them the half-edge where ``low`` is given.
+
+    Written from start to end and, with a sense of 1, from end to start, the smaller word has the lower vertex first.
+    """
+    shift = 0 if low is None else low + 2
+    start, end, sense = np.uint64(shift + 1 + width), np.uint64(shift + 1), np.uint64(1 << shift)
+    column = face.T.view(np.uint64)
+    word = np.empty(column.shape, dtype=np.uint64)
+    for part in chunks(len(face)):
+        first = column[:, part] << start
+        second = column[:, part] << end
+        if low is not None:
+            second |= np.arange(part.start, part.stop, dtype=np.uint64)
+        for k, after in enumerate((1, 2, 0)):
+            there = np.bitwise_or(first[k], second[after], out=word[k, part])
+            back = first[after] | second[k]
+            back |= sense
+            np.minimum(there, back, out=there)
+            there |= np.uint64(0 if low is None else k << low)
+    return word.reshape(-1)
 
 
 def partners(key: Words) -> tuple[Ints, Ints]:

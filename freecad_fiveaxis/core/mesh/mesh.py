@@ -12,8 +12,9 @@ is negative is turned outward. Each of these is a finding with its place.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,8 +24,11 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import chunks
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 
-from .half_edges import partners, sorted_half_edges
-from .weld import Reals, Words, weld
+from .half_edges import HalfEdges, partners, sorted_half_edges
+from .weld import Reals, separate, weld
+from .words import T, Words
+
+S = TypeVar("S", np.float64, np.int64)
 
 LARGEST = 1e6  # mm; no machine reaches a kilometre, so the units are wrong
 FLAT = 2.0**-50  # height of a facet over the part's largest coordinate where the coordinates' own rounding (2**-53) makes it up
@@ -72,14 +76,9 @@ def from_triangles(corners: ArrayLike) -> Mesh:
 def from_columns(column: Reals) -> Mesh:
     """The same as :func:`from_triangles` for corners (3, 3, f) float32 or float64: x y z, corner, facet; -0 becomes 0 in them."""
     _numbers(column.T, "triangle corners", (3, 3))
-    with np.errstate(invalid="ignore"):  # a signalling NaN; the check of the range names it
-        column += 0.0  # turns -0.0 into 0.0, so that equal coordinates have equal bits
-    facets = column.shape[2]
-    # row k f + i is corner k of facet i, as in a Fortran-ordered ``face``
-    corners = column.reshape(3, -1)
-    vertex, corner = weld(corners, *_range(corners, facets, "facet"))
-    del column, corners  # nobody needs them any more, and the rest needs room
-    return _build(vertex, corner.reshape(3, -1).T)
+    vertex, face, shape, halves = _welded(column)
+    del column  # nobody needs it any more, and the rest needs room
+    return _build(vertex, face, shape, halves)
 
 
 def from_faces(vertex: ArrayLike, face: ArrayLike) -> Mesh:
@@ -103,7 +102,13 @@ def from_faces(vertex: ArrayLike, face: ArrayLike) -> Mesh:
     if not used.all():
         row = np.asfortranarray((np.cumsum(used) - 1)[row])
         point = np.asfortranarray(point[used])
-    return _build(point, row)
+
+    def corner(k: int, part: slice) -> Floats:
+        return point.T.take(row[part, k], axis=1)
+
+    shape = _shape(corner, len(row), point.min(axis=0), point.max(axis=0))
+    halves, _ = _half_edges(row, shape, len(point), lambda: None)
+    return _build(point, row, shape, halves)
 
 
 # ------------------------------------------------------------------------------------------------ input
@@ -140,23 +145,45 @@ def _range(column: Reals, rows: int, what: str) -> tuple[Reals, Reals]:
 # ------------------------------------------------------------------------------------------------ facets
 
 
-def _build(vertex: Floats, face: Ints) -> Mesh:
-    """Mesh of Fortran-ordered vertices and facets: normals, co-edges, orientation, findings."""
-    normal, flat, inward = _normals(vertex, face)
-    findings: list[Finding] = []
-    if len(flat):
-        findings.append(_flat_finding(vertex, face, flat))
-        face = np.asfortranarray(np.delete(face, flat, axis=0))
-        normal = np.asfortranarray(np.delete(normal, flat, axis=0))
-    edges = _coedges(vertex, face)
-    findings += edges.findings
-    mesh = Mesh(vertex, face, normal, edges.vertex, edges.face, edges.of_face, tuple(findings))
-    return _turned(mesh) if edges.closed and inward else mesh
+def _welded(column: Reals) -> tuple[Floats, Ints, _Shape, HalfEdges]:
+    """Vertices, facets, flat ones included, their shape, and the half-edges of those that stay, from corners (3, 3, f)."""
+    facets = column.shape[2]
+    # row k f + i is corner k of facet i, as in a Fortran-ordered ``face``
+    corners = column.reshape(3, -1)
+    low, high = _range(corners, facets, "facet")
+
+    def corner(k: int, part: slice) -> Floats:
+        return column[:, k, part].astype(np.float64)
+
+    vertex, row, shape = weld(corners, low, high, lambda: _shape(corner, facets, low, high))
+    face = row.reshape(3, -1).T
+    halves, separated = _half_edges(face, shape, vertex.shape[1], lambda: separate(corners, vertex, row))
+    if separated is not vertex:  # the half-edges were those of strays on other vertices
+        halves, _ = _half_edges(face, shape, separated.shape[1], lambda: None)
+    return separated.astype(np.float64).T, face, shape, halves
+
+
+def _build(vertex: Floats, face: Ints, shape: _Shape, halves: HalfEdges) -> Mesh:
+    """Mesh of Fortran-ordered vertices and facets, flat ones included, their shape, and the half-edges of those that stay."""
+    findings = [_flat_finding(vertex, face, shape.flat)] if len(shape.flat) else []
+    face, normal = _without(face, shape.flat), _without(shape.normal, shape.flat)
+    edges = _coedges(vertex, face, halves)
+    mesh = Mesh(vertex, face, normal, edges.vertex, edges.face, edges.of_face, (*findings, *edges.findings))
+    return _turned(mesh) if edges.closed and shape.inward else mesh
+
+
+def _half_edges(face: Ints, shape: _Shape, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
+    """The half-edges of the facets that stay, and what ``work`` gives, done in the meantime."""
+    if len(shape.flat) == len(face):
+        raise MeshError(f"none of the {len(face)} facets has an area: check the units and the export", len(face))
+    return sorted_half_edges(_without(face, shape.flat), vertices, work)
+
+
+def _without(table: NDArray[S], rows: Ints) -> NDArray[S]:
+    return np.asfortranarray(np.delete(table, rows, axis=0)) if len(rows) else table
 
 
 def _flat_finding(vertex: Floats, face: Ints, flat: Ints) -> Finding:
-    if len(flat) == len(face):
-        raise MeshError(f"none of the {len(face)} facets has an area: check the units and the export", len(face))
     place = _place(vertex, face[flat[0]])
     text = f"{len(flat)} facets without area were left out, the first at {_at(place)}; passes end where that leaves a crack."
     return Finding(Severity.NOTE, "degenerate-facets", text, value=float(len(flat)), limit=0.0, unit="1", place=place)
@@ -178,32 +205,43 @@ def _turned(mesh: Mesh) -> Mesh:
     )
 
 
-def _normals(vertex: Floats, face: Ints) -> tuple[Floats, Ints, bool]:
-    """Unit normals (f, 3), the rows of facets without area, and whether the volume (of a closed mesh) is negative."""
-    low, high = vertex.min(axis=0), vertex.max(axis=0)
+@dataclass(frozen=True)
+class _Shape:
+    """What the corners alone tell.
+
+    ``normal`` (f, 3) unit; ``flat`` rows of facets without area; ``inward`` True where the volume of a closed mesh is negative.
+    """
+
+    normal: Floats
+    flat: Ints
+    inward: bool
+
+
+def _shape(corner: Callable[[int, slice], Floats], facets: int, low: Reals, high: Reals) -> _Shape:
+    """Shape of so many ``facets``: ``corner`` gives x y z of corner k of some of them, ``low`` and ``high`` bound them all."""
+    low, high = low.astype(np.float64), high.astype(np.float64)
     side, least = float((high - low).max()), FLAT * float(np.maximum(-low, high).max())
-    x, y, z = vertex.T
-    normal = np.empty((3, len(face)))
+    normal = np.empty((3, facets))
     flat = [np.empty(0, dtype=np.int64)]
     volume = 0.0
-    for part in chunks(len(face)):
-        a, b, c = face[part].T
-        ax, ay, az = x.take(a), y.take(a), z.take(a)
-        bx, by, bz = x.take(b) - ax, y.take(b) - ay, z.take(b) - az
-        cx, cy, cz = x.take(c) - ax, y.take(c) - ay, z.take(c) - az
-        nx, ny, nz = by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx
+    for part in chunks(facets):
+        a = corner(0, part)
+        bx, by, bz = corner(1, part) - a
+        cx, cy, cz = corner(2, part) - a
+        nx, ny, nz = normal[:, part]
+        np.subtract(by * cz, bz * cy, out=nx)
+        np.subtract(bz * cx, bx * cz, out=ny)
+        np.subtract(bx * cy, by * cx, out=nz)
         length = np.sqrt(nx * nx + ny * ny + nz * nz)
-        az += (bz + cz) / 3.0 - low[2]
-        volume += float((az * nz).sum()) / 2.0  # the prism between the facet and the lowest point
+        height = a[2] + ((bz + cz) / 3.0 - low[2])
+        volume += float((height * nz).sum()) / 2.0  # the prism between the facet and the lowest point
         if length.min() <= 3.0 * least * side:  # no edge is longer than sqrt(3) sides
             edge = np.sqrt(np.maximum(bx * bx + by * by + bz * bz, cx * cx + cy * cy + cz * cz))
             thin = np.flatnonzero(length <= least * edge)
             flat.append(thin + part.start)
             length[thin] = 1.0
-        np.divide(nx, length, out=normal[0, part])
-        np.divide(ny, length, out=normal[1, part])
-        np.divide(nz, length, out=normal[2, part])
-    return normal.T, np.concatenate(flat), volume < -HOLLOW * side**3
+        normal[:, part] /= length
+    return _Shape(normal.T, np.concatenate(flat), volume < -HOLLOW * side**3)
 
 
 # ------------------------------------------------------------------------------------------------ co-edges
@@ -220,41 +258,41 @@ class _Coedges:
     closed: bool
 
 
-def _coedges(vertex: Floats, face: Ints) -> _Coedges:
-    halves = sorted_half_edges(face, len(vertex))
-    number, closed = len(halves.word) // 2, True
+def _coedges(vertex: Floats, face: Ints, halves: HalfEdges) -> _Coedges:
     findings: list[Finding] = []
+    number, alone, closed = len(halves.word) // 2, np.empty(0, dtype=np.int64), True
+    pairs: Iterator[tuple[slice | Ints, slice | Ints]]
     if halves.paired():
-        paired = ((halves.pick(slice(2 * at.start + k, 2 * at.stop, 2)) for k in range(2)) for at in chunks(number))
-        alone = np.empty(0, dtype=np.int64)
+        pairs = ((slice(2 * at.start, 2 * at.stop, 2), slice(2 * at.start + 1, 2 * at.stop, 2)) for at in chunks(number))
     else:
-        first, alone = partners(halves.pick(slice(None))[0])
+        first, alone = partners(halves.keys(slice(None)))
         number = len(first)
-        paired = ((halves.pick(first[at] + k) for k in range(2)) for at in chunks(number))
-        findings, closed = _edge_findings(*halves.pick(alone), halves.low, vertex, face)
+        pairs = ((first[at], first[at] + 1) for at in chunks(number))
+        findings, closed = _edge_findings(halves.keys(alone), halves.numbers(alone), halves.low, vertex, face)
     width, facet = int(len(vertex) - 1).bit_length(), (1 << halves.low) - 1
     ends, sides = np.empty((2, 2, number + len(alone)), dtype=np.int64)
     of_face = np.empty(3 << halves.low, dtype=np.int64)  # as wide as half-edge numbers are, so that they address it
-    for at, ((edge, one), (_, two)) in zip(chunks(number), paired, strict=True):
-        _put_ends(edge, width, ends[:, at])
+    for at, (there, back) in zip(chunks(number), pairs, strict=True):
+        _put_ends(halves.keys(there), width, ends[:, at])
+        one, two = halves.numbers(there), halves.numbers(back)
         np.bitwise_and(one, facet, out=sides[0, at])
         np.bitwise_and(two, facet, out=sides[1, at])
         of_face[one] = of_face[two] = np.arange(at.start, at.stop)
-    edge, one = halves.pick(alone)
+    edge, one = halves.keys(alone), halves.numbers(alone)
     _put_ends(edge, width, ends[:, number:])
+    against = number + np.flatnonzero(edge & np.uint64(1))
+    ends[:, against] = ends[::-1, against]
     sides[0, number:], sides[1, number:] = one & facet, -1
     of_face[one] = np.arange(number, number + len(alone))
     return _Coedges(ends.T, sides.T, of_face.reshape(3, -1)[:, : len(face)].T, findings, closed)
 
 
 def _put_ends(edge: Words, width: int, out: Ints) -> None:
-    """Start and end of half-edges into the two rows of ``out``; ``width`` bits a vertex."""
+    """Lower and upper vertex of edges with sense into the two rows of ``out``; ``width`` bits a vertex."""
     lower, upper = out.view(np.uint64)
     np.right_shift(edge, np.uint64(width + 1), out=lower)
     np.right_shift(edge, np.uint64(1), out=upper)
     upper &= np.uint64((1 << width) - 1)
-    back = np.flatnonzero(edge & np.uint64(1))
-    out[:, back] = out[::-1, back]
 
 
 # ------------------------------------------------------------------------------------------------ findings

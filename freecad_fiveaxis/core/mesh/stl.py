@@ -31,7 +31,7 @@ HEADER = 84  # bytes: header text and count
 RECORD = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
 
 _PIECE = 1 << 22  # bytes of ASCII read at a time; its words take about ten times that
-_ROWS = 8192  # facets read or written at a time
+_ROWS = 4096  # facets read or written at a time
 _CONTROL = re.compile(rb"[\0-\x08\x0e-\x1f\x7f-\xff]")  # bytes that no text holds
 _SOLID = re.compile(rb"\b(?:end[ \t]*)?solid\b[^\r\n]*")
 _WORDS = {0: b"facet", 1: b"normal", 5: b"outer", 6: b"loop", 19: b"endloop", 20: b"endfacet"}

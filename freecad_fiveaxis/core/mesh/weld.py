@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Loose triangle corners become vertices.
 
-weld  corners with equal coordinates become one vertex; corners that merely lie close do not.
+weld   corners with equal coordinates become one vertex; corners that merely lie close do not.
+stray  a corner whose key is that of a vertex with other coordinates.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
-from freecad_fiveaxis.core.kinematics import CHUNK, chunks
-from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.kinematics import chunks
+from freecad_fiveaxis.core.records import Ints
 
-Words = NDArray[np.uint64]
+from .words import T, Words, sort_during
+
 Reals = NDArray[np.floating]  # float32 as in an STL file, or float64
 
 _CELLS = 255.0  # of the bounding box along each of its two longer sides, that number the vertices
@@ -20,8 +24,9 @@ _SHORTEST = 1e-30  # mm; a side that no cell can divide in 32-bit floats
 _FACTORS = np.array((0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0xD6E8FEB86659FD93), dtype=np.uint64)  # odd, with well mixed bits
 
 
-def weld(column: Reals, low: Reals, high: Reals) -> tuple[Floats, Ints]:
-    """Vertices (v, 3) and the vertex row (n,) of each of the n corners whose x, y, z are the rows of ``column``.
+def weld(column: Reals, low: Reals, high: Reals, work: Callable[[], T]) -> tuple[Reals, Ints, T]:
+    """Vertices (3, v), the vertex row (n,) of each of the n corners whose x, y, z are the rows of ``column``, and what ``work``
+    gives, done in the meantime. :func:`separate` has to follow.
 
     ``low`` and ``high`` (3,) bound the corners. Sorts words of cell, hash and corner number. The cell (of the bounding box,
     seen along its shortest side) goes first so that vertices that lie close get close numbers: everything that follows then
@@ -29,9 +34,9 @@ def weld(column: Reals, low: Reals, high: Reals) -> tuple[Floats, Ints]:
     """
     bits = int(column.shape[1] - 1).bit_length()
     key = _corner_keys(column, low, high, bits)
-    key.sort()
+    done = sort_during(key, work)
     row, first = _number(key, bits)
-    return _separate(column, column.take(first, axis=1), row)
+    return column.take(first, axis=1), row, done
 
 
 def _corner_keys(column: Reals, low: Reals, high: Reals, bits: int) -> Words:
@@ -40,20 +45,20 @@ def _corner_keys(column: Reals, low: Reals, high: Reals, bits: int) -> Words:
     scale = np.where(size > _SHORTEST, _CELLS / np.maximum(size, _SHORTEST), 0.0).astype(column.dtype)
     _, j, i = np.argsort(size)
     raw = column.view(np.uint32 if column.dtype == np.float32 else np.uint64)
-    number = np.arange(CHUNK, dtype=np.uint64)
     hash_bits = np.uint64((1 << 48) - (1 << bits))
     key = np.empty(column.shape[1], dtype=np.uint64)
     for part in chunks(len(key)):
+        corner = column[:, part]
+        corner += 0.0  # turns -0.0 into 0.0, so that equal coordinates have equal bits
         word = np.multiply(raw[0, part], _FACTORS[0], out=key[part], dtype=np.uint64)
         for axis in (1, 2):
             word += np.multiply(raw[axis, part], _FACTORS[axis], dtype=np.uint64)
         word >>= np.uint64(16)  # the upper bits of a product are the well mixed ones
         word &= hash_bits
-        cell = ((column[i, part] - low[i]) * scale[i]).astype(np.uint32) << np.uint32(8)
-        cell |= ((column[j, part] - low[j]) * scale[j]).astype(np.uint32)
-        word |= np.left_shift(cell, np.uint64(48), dtype=np.uint64)
-        word |= number[: len(word)]
-        number += np.uint64(CHUNK)
+        cell = ((corner[i] - low[i]) * scale[i]).astype(np.int32) << 8
+        cell |= ((corner[j] - low[j]) * scale[j]).astype(np.int32)
+        word |= cell.astype(np.uint64) << np.uint64(48)
+        word |= np.arange(part.start, part.stop, dtype=np.uint64)
     return key
 
 
@@ -69,17 +74,16 @@ def _number(key: Words, bits: int) -> tuple[Ints, Ints]:
         new = np.empty(len(word), dtype=np.bool_)
         new[0] = word[0] != before
         np.not_equal(word[1:], word[:-1], out=new[1:])
-        vertex = new.astype(np.int64)
-        np.cumsum(vertex, out=vertex)  # adding up truth values is slower
-        vertex += vertices - 1
-        row[corner] = vertex
-        first.append(corner.take(np.flatnonzero(new)))
-        before, vertices = word[-1], int(vertex[-1]) + 1
+        start = np.flatnonzero(new)
+        first.append(corner.take(start))
+        bound = np.concatenate(([0], start, [len(word)]))  # the first rows may be those of the last vertex before
+        row[corner] = np.arange(vertices - 1, vertices + len(start)).repeat(bound[1:] - bound[:-1])
+        before, vertices = word[-1], vertices + len(start)
     return row, np.concatenate(first)
 
 
-def _separate(column: Reals, vertex: Reals, row: Ints) -> tuple[Floats, Ints]:
-    """Give corners that share a key but not the coordinates vertices of their own; there are hardly ever any."""
+def separate(column: Reals, vertex: Reals, row: Ints) -> Reals:
+    """Give strays, in ``row``, vertices of their own; all vertices then. There are hardly ever any."""
     strayed = []
     for part in chunks(len(row)):
         at = row[part]
@@ -93,4 +97,4 @@ def _separate(column: Reals, vertex: Reals, row: Ints) -> tuple[Floats, Ints]:
         more, which = np.unique(column[:, corner], axis=1, return_inverse=True)
         row[corner] = vertex.shape[1] + which.reshape(-1)
         vertex = np.concatenate([vertex, more], axis=1)
-    return vertex.astype(np.float64).T, row
+    return vertex
