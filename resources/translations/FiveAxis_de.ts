@@ -1,0 +1,1634 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>A few words to each marker</source>
+        <translation>Einige Worte zu jeder Markierung</translation>
+    </message>
+    <message>
+        <source>Angular Deflection</source>
+        <translation>Winkelabweichung</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Axis Length</source>
+        <translation>Länge der Werkzeugachsen</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Verschleifen</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>NC-Sätze</translation>
+    </message>
+    <message>
+        <source>Blocks near the pole, where a rotary axis turns far to lean the tool a little</source>
+        <translation>NC-Sätze nahe am Pol, wo eine Rundachse weit dreht, um das Werkzeug ein wenig zu neigen</translation>
+    </message>
+    <message>
+        <source>Blocks of the program</source>
+        <translation>Sätze des NC-Programms</translation>
+    </message>
+    <message>
+        <source>Blocks that leave the commanded segment by more than the tolerance</source>
+        <translation>NC-Sätze, die um mehr als die Toleranz von der Sollstrecke abweichen</translation>
+    </message>
+    <message>
+        <source>Checksum (sha256) of what was written</source>
+        <translation>Prüfsumme (sha256) des Geschriebenen</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Coedge Tolerance</source>
+        <translation>Kantentoleranz</translation>
+    </message>
+    <message>
+        <source>Colour Axes</source>
+        <translation>Farbe der Werkzeugachsen</translation>
+    </message>
+    <message>
+        <source>Colour Bad</source>
+        <translation>Farbe über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Colour Good</source>
+        <translation>Farbe ohne Abweichung</translation>
+    </message>
+    <message>
+        <source>Colour Singular</source>
+        <translation>Farbe singulär</translation>
+    </message>
+    <message>
+        <source>Colour of blocks over the tolerance</source>
+        <translation>Farbe der NC-Sätze über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Colour of blocks within the tolerance</source>
+        <translation>Farbe der NC-Sätze in der Toleranz</translation>
+    </message>
+    <message>
+        <source>Colour of markers near the pole</source>
+        <translation>Farbe der Markierungen nahe am Pol</translation>
+    </message>
+    <message>
+        <source>Colour of the tool axes</source>
+        <translation>Farbe der Werkzeugachsen</translation>
+    </message>
+    <message>
+        <source>Control Point</source>
+        <translation>Geführter Punkt</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Cut Length</source>
+        <translation>Schnittweg</translation>
+    </message>
+    <message>
+        <source>Cutter</source>
+        <translation>Fräser</translation>
+    </message>
+    <message>
+        <source>Cutter Diameter</source>
+        <translation>Fräserdurchmesser</translation>
+    </message>
+    <message>
+        <source>Cutter Length</source>
+        <translation>Schneidenlänge</translation>
+    </message>
+    <message>
+        <source>Diameter of the ball-end cutter</source>
+        <translation>Durchmesser des Kugelfräsers</translation>
+    </message>
+    <message>
+        <source>Diameter of the holder that is shown above the cutter</source>
+        <translation>Durchmesser des Werkzeughalters, der über dem Fräser gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Facet Runs</source>
+        <translation>Facettenbereiche</translation>
+    </message>
+    <message>
+        <source>Facets</source>
+        <translation>Facetten</translation>
+    </message>
+    <message>
+        <source>Facets of the mesh</source>
+        <translation>Facetten des Netzes</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Feed Mode</source>
+        <translation>Vorschubart</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Fingerabdruck</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Programmkopf</translation>
+    </message>
+    <message>
+        <source>Holder Diameter</source>
+        <translation>Halterdurchmesser</translation>
+    </message>
+    <message>
+        <source>Holder Length</source>
+        <translation>Halterlänge</translation>
+    </message>
+    <message>
+        <source>I,J,K of the strategy `fixed`, tip to holder</source>
+        <translation>I,J,K der Strategie „fixed“, von der Spitze zum Halter</translation>
+    </message>
+    <message>
+        <source>KIND:DIAMETER, as ball:10 or ball:0.5in</source>
+        <translation>ART:DURCHMESSER, etwa ball:10 oder ball:0.5in</translation>
+    </message>
+    <message>
+        <source>Kinds</source>
+        <translation>Arten</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Largest angle between neighbouring facets</source>
+        <translation>Größter Winkel zwischen benachbarten Facetten</translation>
+    </message>
+    <message>
+        <source>Largest deviation of the tip from the commanded segments</source>
+        <translation>Größte Abweichung der Werkzeugspitze von den Sollstrecken</translation>
+    </message>
+    <message>
+        <source>Largest deviation of the tip from the lines of the commanded segments</source>
+        <translation>Größte Abweichung der Werkzeugspitze von den Geraden durch die Sollstrecken</translation>
+    </message>
+    <message>
+        <source>Largest distance of a facet from the surface</source>
+        <translation>Größter Abstand einer Facette von der Fläche</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Voreilwinkel</translation>
+    </message>
+    <message>
+        <source>Least Interval</source>
+        <translation>Kleinster Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Length of the cutter's edge, from the tip upwards</source>
+        <translation>Länge der Schneide, von der Spitze aufwärts</translation>
+    </message>
+    <message>
+        <source>Length of the holder that is shown above the cutter</source>
+        <translation>Länge des Werkzeughalters, der über dem Fräser gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Length of the tool axes; 0: as the part needs it</source>
+        <translation>Länge der Werkzeugachsen; 0: dem Werkstück angemessen</translation>
+    </message>
+    <message>
+        <source>Line Width</source>
+        <translation>Linienbreite</translation>
+    </message>
+    <message>
+        <source>Linear Deflection</source>
+        <translation>Sehnenabweichung</translation>
+    </message>
+    <message>
+        <source>Linearize</source>
+        <translation>Linearisieren</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Zwischen den Zeilen</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Marker Size</source>
+        <translation>Markierungsgröße</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>Max Axis Angle</source>
+        <translation>Steilste Facette</translation>
+    </message>
+    <message>
+        <source>Max Bound</source>
+        <translation>Größte Schranke</translation>
+    </message>
+    <message>
+        <source>Max Line Deviation</source>
+        <translation>Größte Abweichung von der Geraden</translation>
+    </message>
+    <message>
+        <source>Max Segment Deviation</source>
+        <translation>Größte Abweichung von der Strecke</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>NC file</source>
+        <translation>NC-Datei</translation>
+    </message>
+    <message>
+        <source>NC line of the block with the largest deviation; 0: none</source>
+        <translation>NC-Zeile des Satzes mit der größten Abweichung; 0: keine</translation>
+    </message>
+    <message>
+        <source>NCFile</source>
+        <translation>NC-Datei</translation>
+    </message>
+    <message>
+        <source>Of the mesh and the settings that the result is of</source>
+        <translation>Des Netzes und der Einstellungen, zu denen das Ergebnis gehört</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Nullpunkt auf der Maschine</translation>
+    </message>
+    <message>
+        <source>Origin From Machine</source>
+        <translation>Nullpunkt aus der Maschinendatei</translation>
+    </message>
+    <message>
+        <source>Over Tolerance</source>
+        <translation>Über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Passes over the part</source>
+        <translation>Zeilen über das Werkstück</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Plunge Feed</source>
+        <translation>Eintauchvorschub</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Nachweis</translation>
+    </message>
+    <message>
+        <source>Proven</source>
+        <translation>Bewiesen</translation>
+    </message>
+    <message>
+        <source>Proven upper bound of the deviation from the commanded segments</source>
+        <translation>Bewiesene obere Schranke der Abweichung von den Sollstrecken</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Scallop</source>
+        <translation>Kuppenhöhe</translation>
+    </message>
+    <message>
+        <source>Schema Version</source>
+        <translation>Schemaversion</translation>
+    </message>
+    <message>
+        <source>Show Axes</source>
+        <translation>Werkzeugachsen zeigen</translation>
+    </message>
+    <message>
+        <source>Show Curves</source>
+        <translation>Kurven zeigen</translation>
+    </message>
+    <message>
+        <source>Show Label</source>
+        <translation>Beschriftung zeigen</translation>
+    </message>
+    <message>
+        <source>Show Legend</source>
+        <translation>Legende zeigen</translation>
+    </message>
+    <message>
+        <source>Show Markers</source>
+        <translation>Markierungen zeigen</translation>
+    </message>
+    <message>
+        <source>Show Rapids</source>
+        <translation>Eilgänge zeigen</translation>
+    </message>
+    <message>
+        <source>Show blocks over the tolerance and near the pole</source>
+        <translation>NC-Sätze über der Toleranz und nahe am Pol zeigen</translation>
+    </message>
+    <message>
+        <source>Show the rapids</source>
+        <translation>Die Eilgänge zeigen</translation>
+    </message>
+    <message>
+        <source>Show the real curve of the worst blocks beside the commanded line</source>
+        <translation>Die wirkliche Kurve der schlimmsten NC-Sätze neben der Sollstrecke zeigen</translation>
+    </message>
+    <message>
+        <source>Show the tool axis here and there on the path</source>
+        <translation>Die Werkzeugachse hier und da auf dem Werkzeugweg zeigen</translation>
+    </message>
+    <message>
+        <source>Show the value at the largest deviation</source>
+        <translation>Den Wert an der größten Abweichung zeigen</translation>
+    </message>
+    <message>
+        <source>Show what the colours mean</source>
+        <translation>Zeigen, was die Farben bedeuten</translation>
+    </message>
+    <message>
+        <source>Singular Blocks</source>
+        <translation>Singuläre NC-Sätze</translation>
+    </message>
+    <message>
+        <source>Size of the markers in pixels</source>
+        <translation>Größe der Markierungen in Bildpunkten</translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Start and stop of the facets on the chosen faces</source>
+        <translation>Anfang und Ende der Facetten auf den gewählten Flächen</translation>
+    </message>
+    <message>
+        <source>Stepover</source>
+        <translation>Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Take the work zero's place on the machine from the machine's file</source>
+        <translation>Die Lage des Werkstücknullpunkts auf der Maschine der Maschinendatei entnehmen</translation>
+    </message>
+    <message>
+        <source>Tessellation</source>
+        <translation>Tessellierung</translation>
+    </message>
+    <message>
+        <source>The NC file</source>
+        <translation>Die NC-Datei</translation>
+    </message>
+    <message>
+        <source>The NC file that is judged</source>
+        <translation>Die NC-Datei, die geprüft wird</translation>
+    </message>
+    <message>
+        <source>The file is what the toolpath makes now; if it is not, post-process again</source>
+        <translation>Die Datei ist, was der Werkzeugweg jetzt ergibt; sonst die NC-Datei neu ausgeben</translation>
+    </message>
+    <message>
+        <source>The place of the work zero in the document</source>
+        <translation>Die Lage des Werkstücknullpunkts im Dokument</translation>
+    </message>
+    <message>
+        <source>The proven bound of every block is within the tolerance</source>
+        <translation>Die bewiesene Schranke jedes NC-Satzes liegt in der Toleranz</translation>
+    </message>
+    <message>
+        <source>The solid, body, compound or mesh, and the faces of it that are milled</source>
+        <translation>Der Volumenkörper, Körper, Verbund oder das Netz, und seine Flächen, die gefräst werden</translation>
+    </message>
+    <message>
+        <source>The tessellation, or any mesh, that is milled</source>
+        <translation>Die Tessellierung oder ein anderes Netz, das gefräst wird</translation>
+    </message>
+    <message>
+        <source>The toolpath or audit that is marked</source>
+        <translation>Der Werkzeugweg oder die Prüfung, die markiert wird</translation>
+    </message>
+    <message>
+        <source>The toolpath that is shown</source>
+        <translation>Der Werkzeugweg, der gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The toolpath that the file is made from</source>
+        <translation>Der Werkzeugweg, aus dem die Datei entsteht</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Seitwinkel</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Time that the program takes</source>
+        <translation>Laufzeit des Programms</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Tool Axis</source>
+        <translation>Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>Tool Length</source>
+        <translation>Werkzeuglänge</translation>
+    </message>
+    <message>
+        <source>Toolpath</source>
+        <translation>Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>Up To Date</source>
+        <translation>Auf dem neuesten Stand</translation>
+    </message>
+    <message>
+        <source>Way of the tip along the part</source>
+        <translation>Weg der Werkzeugspitze am Werkstück entlang</translation>
+    </message>
+    <message>
+        <source>What each marker marks</source>
+        <translation>Was jede Markierung bezeichnet</translation>
+    </message>
+    <message>
+        <source>What the result says about itself, in plain sentences</source>
+        <translation>Was das Ergebnis über sich selbst sagt, in einfachen Sätzen</translation>
+    </message>
+    <message>
+        <source>Where the markers stand in the document</source>
+        <translation>Wo die Markierungen im Dokument stehen</translation>
+    </message>
+    <message>
+        <source>Width of the path in pixels</source>
+        <translation>Breite des Werkzeugwegs in Bildpunkten</translation>
+    </message>
+    <message>
+        <source>Work Offset</source>
+        <translation>Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>Work Zero</source>
+        <translation>Werkstücknullpunkt</translation>
+    </message>
+    <message>
+        <source>Worst Line</source>
+        <translation>Schlimmste NC-Zeile</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+    <message>
+        <source>X,Y,Z of the work zero in the machine frame [the machine's]</source>
+        <translation>X,Y,Z des Werkstücknullpunkts im Maschinensystem [der aus der Maschinendatei]</translation>
+    </message>
+    <message>
+        <source>a shipped machine's name or a path to a .fcm</source>
+        <translation>Name einer mitgelieferten Maschine oder Pfad einer .fcm-Datei</translation>
+    </message>
+    <message>
+        <source>blocks are posted as they are</source>
+        <translation>NC-Sätze werden unverändert ausgegeben</translation>
+    </message>
+    <message>
+        <source>constant distance of the planes, instead of a scallop</source>
+        <translation>fester Abstand der Ebenen, statt einer Kuppenhöhe</translation>
+    </message>
+    <message>
+        <source>coolant during the program</source>
+        <translation>Kühlmittel während des Programms</translation>
+    </message>
+    <message>
+        <source>facets steeper than this are left out</source>
+        <translation>steilere Facetten werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>feed of the approach, mm/min</source>
+        <translation>Vorschub beim Anfahren, mm/min</translation>
+    </message>
+    <message>
+        <source>feed of the tip over the part, mm/min</source>
+        <translation>Vorschub der Werkzeugspitze über das Werkstück, mm/min</translation>
+    </message>
+    <message>
+        <source>gauge point to tip; machines with a rotary head need it</source>
+        <translation>Bezugspunkt der Spindel bis Werkzeugspitze; Maschinen mit Schwenkkopf brauchen sie</translation>
+    </message>
+    <message>
+        <source>how far the controller may round corners, where it can; 0: exact path</source>
+        <translation>wie weit die Steuerung Ecken verschleifen darf, wo sie es kann; 0: genaue Bahn</translation>
+    </message>
+    <message>
+        <source>inverse time, or units a minute</source>
+        <translation>zeitreziprok, oder Einheiten je Minute</translation>
+    </message>
+    <message>
+        <source>largest R - r at a convex co-edge before an arc is used</source>
+        <translation>größtes R - r an einer konvexen gemeinsamen Kante, bevor ein Bogen genommen wird</translation>
+    </message>
+    <message>
+        <source>largest deviation of the tip from the commanded segment</source>
+        <translation>größte Abweichung der Werkzeugspitze von der Sollstrecke</translation>
+    </message>
+    <message>
+        <source>largest scallop left between passes [0.01 where no stepover is given]</source>
+        <translation>größte Kuppenhöhe zwischen den Zeilen [0,01, wo kein Zeilensprung gegeben ist]</translation>
+    </message>
+    <message>
+        <source>lean of the tool across the feed direction</source>
+        <translation>Neigung des Werkzeugs quer zur Vorschubrichtung</translation>
+    </message>
+    <message>
+        <source>lean of the tool along the feed direction</source>
+        <translation>Neigung des Werkzeugs in Vorschubrichtung</translation>
+    </message>
+    <message>
+        <source>line deviation: exact, or the model of So et al. 2008</source>
+        <translation>Abweichung von der Geraden: genau, oder nach dem Modell von So u. a. 2008</translation>
+    </message>
+    <message>
+        <source>passes run to and fro, or all in one direction</source>
+        <translation>Zeilen laufen hin und her, oder alle in einer Richtung</translation>
+    </message>
+    <message>
+        <source>planes never come closer than this (steep walls)</source>
+        <translation>dichter liegen die Ebenen nie (steile Wände)</translation>
+    </message>
+    <message>
+        <source>rapids stay this far off the part's bounding box</source>
+        <translation>so weit bleibt der Eilgang vom Hüllquader des Werkstücks weg</translation>
+    </message>
+    <message>
+        <source>spindle speed, 1/min; 0 leaves the spindle off</source>
+        <translation>Spindeldrehzahl, 1/min; 0 lässt die Spindel aus</translation>
+    </message>
+    <message>
+        <source>the dialect of the NC file [the machine's, or linuxcnc]</source>
+        <translation>die Sprache der NC-Datei [die der Maschine, sonst linuxcnc]</translation>
+    </message>
+    <message>
+        <source>the point of the tool that the words drive</source>
+        <translation>der Punkt des Werkzeugs, den die Achswerte führen</translation>
+    </message>
+    <message>
+        <source>tool number [no tool call: the operator has set tool and length]</source>
+        <translation>Werkzeugnummer [kein Werkzeugaufruf: der Bediener hat Werkzeug und Länge eingerichtet]</translation>
+    </message>
+    <message>
+        <source>tool-axis strategy (see `strategies`)</source>
+        <translation>Strategie der Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>travel direction of the passes, counter-clockwise from X</source>
+        <translation>Laufrichtung der Zeilen, gegen den Uhrzeigersinn von X aus</translation>
+    </message>
+    <message>
+        <source>work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300</source>
+        <translation>Nullpunktverschiebung: G54 bis G59, bei LinuxCNC G59.1 bis G59.3, bei Fanuc G54.1 P1 bis P300</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis</name>
+    <message>
+        <source>A controller with tool tip control (RTCP) guides the tip along the line itself.</source>
+        <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Spitze von sich aus auf der Geraden.</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Annotate</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>Another task panel is open: close it first.</source>
+        <translation>Ein anderer Aufgabendialog ist offen: ihn zuerst schließen.</translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Back to the first position</source>
+        <translation>Zurück zur ersten Stellung</translation>
+    </message>
+    <message>
+        <source>Ball cutter</source>
+        <translation>Kugelfräser</translation>
+    </message>
+    <message>
+        <source>Between passes</source>
+        <translation>Zwischen den Zeilen</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>NC-Satz</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>NC-Sätze</translation>
+    </message>
+    <message>
+        <source>Blocks over tolerance</source>
+        <translation>NC-Sätze über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Calculate</source>
+        <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Choose a machine file (.fcm)</source>
+        <translation>Eine Maschinendatei (.fcm) wählen</translation>
+    </message>
+    <message>
+        <source>Choose a tool file (.fctb)</source>
+        <translation>Eine Werkzeugdatei (.fctb) wählen</translation>
+    </message>
+    <message>
+        <source>Choose an NC file</source>
+        <translation>Eine NC-Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose the NC file to audit.</source>
+        <translation>Die NC-Datei wählen, die geprüft werden soll.</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Click a point, or press Esc</source>
+        <translation>Einen Punkt anklicken, oder Esc drücken</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Corner rounding</source>
+        <translation>Verschleifen</translation>
+    </message>
+    <message>
+        <source>Cutter</source>
+        <translation>Fräser</translation>
+    </message>
+    <message>
+        <source>Cutting length</source>
+        <translation>Schneidenlänge</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Direction of passes</source>
+        <translation>Richtung der Zeilen</translation>
+    </message>
+    <message>
+        <source>Distance of the tip from the commanded line</source>
+        <translation>Abstand der Werkzeugspitze von der Sollstrecke</translation>
+    </message>
+    <message>
+        <source>Draw {label}</source>
+        <translation>{label} zeichnen</translation>
+    </message>
+    <message>
+        <source>Driven point</source>
+        <translation>Geführter Punkt</translation>
+    </message>
+    <message>
+        <source>Edge tolerance</source>
+        <translation>Kantentoleranz</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Feed mode</source>
+        <translation>Vorschubart</translation>
+    </message>
+    <message>
+        <source>Feeds</source>
+        <translation>Vorschübe</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Findings of {label}</source>
+        <translation>Befunde zu {label}</translation>
+    </message>
+    <message>
+        <source>First position: where the machine comes from is not known.</source>
+        <translation>Erste Stellung: woher die Maschine kommt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Five-axis</source>
+        <translation>Fünfachsig</translation>
+    </message>
+    <message>
+        <source>Fixed axis I, J, K</source>
+        <translation>Feste Achse I, J, K</translation>
+    </message>
+    <message>
+        <source>Follow the tip</source>
+        <translation>Der Spitze folgen</translation>
+    </message>
+    <message>
+        <source>From a CAM Job…</source>
+        <translation>Aus einem CAM-Auftrag …</translation>
+    </message>
+    <message>
+        <source>From a tool file…</source>
+        <translation>Aus einer Werkzeugdatei …</translation>
+    </message>
+    <message>
+        <source>Head of the NC file</source>
+        <translation>Kopf der NC-Datei</translation>
+    </message>
+    <message>
+        <source>How far the mesh may leave the solid</source>
+        <translation>Wie weit das Netz vom Volumenkörper abweichen darf</translation>
+    </message>
+    <message>
+        <source>How far the tip is now from the segment that the block commands</source>
+        <translation>Wie weit die Werkzeugspitze jetzt von der Sollstrecke des NC-Satzes entfernt ist</translation>
+    </message>
+    <message>
+        <source>How far two neighbouring facets may lean apart</source>
+        <translation>Wie weit zwei benachbarte Facetten gegeneinander geneigt sein dürfen</translation>
+    </message>
+    <message>
+        <source>Keep the tip of the tool in the middle of the view</source>
+        <translation>Die Werkzeugspitze in der Mitte der Ansicht halten</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>Largest: {largest}</source>
+        <translation>Größte: {largest}</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Voreilwinkel</translation>
+    </message>
+    <message>
+        <source>Lead or tilt the tool by a few degrees, or clamp the part in another position, so that the tool keeps off the pole.</source>
+        <translation>Das Werkzeug um einige Grad voreilen lassen oder zur Seite neigen, oder das Werkstück anders aufspannen, damit das Werkzeug vom Pol wegbleibt.</translation>
+    </message>
+    <message>
+        <source>Least interval</source>
+        <translation>Kleinster Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Line deviation by</source>
+        <translation>Abweichung von der Geraden</translation>
+    </message>
+    <message>
+        <source>Linearize</source>
+        <translation>Linearisieren</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Machine files (*.fcm)</source>
+        <translation>Maschinendateien (*.fcm)</translation>
+    </message>
+    <message>
+        <source>Mesh angle</source>
+        <translation>Winkelabweichung</translation>
+    </message>
+    <message>
+        <source>Mesh deflection</source>
+        <translation>Sehnenabweichung</translation>
+    </message>
+    <message>
+        <source>More settings</source>
+        <translation>Weitere Einstellungen</translation>
+    </message>
+    <message>
+        <source>Most in block</source>
+        <translation>Größte im Satz</translation>
+    </message>
+    <message>
+        <source>NC file</source>
+        <translation>NC-Datei</translation>
+    </message>
+    <message>
+        <source>NC files (*.ngc *.nc *.tap *.cnc *.mpf *.gcode *.txt)</source>
+        <translation>NC-Dateien (*.ngc *.nc *.tap *.cnc *.mpf *.gcode *.txt)</translation>
+    </message>
+    <message>
+        <source>NC files (*.ngc *.nc)</source>
+        <translation>NC-Dateien (*.ngc *.nc)</translation>
+    </message>
+    <message>
+        <source>NC line</source>
+        <translation>NC-Zeile</translation>
+    </message>
+    <message>
+        <source>Name the NC file.</source>
+        <translation>Die NC-Datei benennen.</translation>
+    </message>
+    <message>
+        <source>Near the pole</source>
+        <translation>Nahe am Pol</translation>
+    </message>
+    <message>
+        <source>Near the pole: {letter} turns far while the tool hardly leans.</source>
+        <translation>Nahe am Pol: {letter} dreht weit, während sich das Werkzeug kaum neigt.</translation>
+    </message>
+    <message>
+        <source>Next singular</source>
+        <translation>Nächster singulärer</translation>
+    </message>
+    <message>
+        <source>Not drawn, as you stopped it: recompute to draw it</source>
+        <translation>Nicht gezeichnet, weil abgebrochen: neu berechnen, um es zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Not proven</source>
+        <translation>Nicht bewiesen</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Nothing to report: all blocks are as they should be.</source>
+        <translation>Nichts zu melden: alle NC-Sätze sind, wie sie sein sollen.</translation>
+    </message>
+    <message>
+        <source>Off its segment</source>
+        <translation>Neben der Sollstrecke</translation>
+    </message>
+    <message>
+        <source>On the machine</source>
+        <translation>Auf der Maschine</translation>
+    </message>
+    <message>
+        <source>One block back</source>
+        <translation>Einen NC-Satz zurück</translation>
+    </message>
+    <message>
+        <source>One block on</source>
+        <translation>Einen NC-Satz weiter</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Over the tolerance</source>
+        <translation>Über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Pick in the 3D view</source>
+        <translation>In der 3D-Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play and pause</source>
+        <translation>Abspielen und anhalten</translation>
+    </message>
+    <message>
+        <source>Play {path}</source>
+        <translation>{path} abspielen</translation>
+    </message>
+    <message>
+        <source>Plunge feed</source>
+        <translation>Eintauchvorschub</translation>
+    </message>
+    <message>
+        <source>Post-process</source>
+        <translation>NC-Datei ausgeben</translation>
+    </message>
+    <message>
+        <source>Post-process {}</source>
+        <translation>{} als NC-Datei ausgeben</translation>
+    </message>
+    <message>
+        <source>Press Calculate to see what these settings come to.</source>
+        <translation>„Berechnen“ zeigt, was diese Einstellungen ergeben.</translation>
+    </message>
+    <message>
+        <source>Preview for the CAM workbench</source>
+        <translation>Vorschau für den Arbeitsbereich CAM</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Nachweis</translation>
+    </message>
+    <message>
+        <source>Proven below</source>
+        <translation>Bewiesen unter</translation>
+    </message>
+    <message>
+        <source>Proven bound</source>
+        <translation>Bewiesene Schranke</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Report as a web page (.html)</source>
+        <translation>Bericht als Webseite (.html)</translation>
+    </message>
+    <message>
+        <source>Report for programs (.json)</source>
+        <translation>Bericht für Programme (.json)</translation>
+    </message>
+    <message>
+        <source>Scallop</source>
+        <translation>Kuppenhöhe</translation>
+    </message>
+    <message>
+        <source>Shorter blocks help: half the length leaves about a quarter of the deviation.</source>
+        <translation>Kürzere NC-Sätze helfen: die halbe Länge lässt etwa ein Viertel der Abweichung übrig.</translation>
+    </message>
+    <message>
+        <source>Show findings</source>
+        <translation>Befunde zeigen</translation>
+    </message>
+    <message>
+        <source>Singular blocks</source>
+        <translation>Singuläre NC-Sätze</translation>
+    </message>
+    <message>
+        <source>Spacing by</source>
+        <translation>Abstand nach</translation>
+    </message>
+    <message>
+        <source>Speed, in times of real time</source>
+        <translation>Geschwindigkeit, in Vielfachen der wirklichen</translation>
+    </message>
+    <message>
+        <source>Spindle, 1/min</source>
+        <translation>Drehzahl, 1/min</translation>
+    </message>
+    <message>
+        <source>Steepest facet</source>
+        <translation>Steilste Facette</translation>
+    </message>
+    <message>
+        <source>Stepover</source>
+        <translation>Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Stopped; the document is as it was.</source>
+        <translation>Abgebrochen; das Dokument ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>Summary</source>
+        <translation>Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>Table and head move as they really will; otherwise the part stands still</source>
+        <translation>Tisch und Kopf bewegen sich, wie sie es wirklich tun werden; sonst steht das Werkstück still</translation>
+    </message>
+    <message>
+        <source>Tessellate</source>
+        <translation>Tessellieren</translation>
+    </message>
+    <message>
+        <source>The NC file to write</source>
+        <translation>Die NC-Datei, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>The block is so near to the tolerance of {tolerance} that the proof does not reach.</source>
+        <translation>Der NC-Satz liegt so nahe an der Toleranz von {tolerance}, dass der Nachweis nicht reicht.</translation>
+    </message>
+    <message>
+        <source>The block lies near the pole: the tool stands almost along the {first} axis, and there {first} must turn far to lean the tool a little.</source>
+        <translation>Der NC-Satz liegt nahe am Pol: das Werkzeug steht fast in Richtung der Achse {first}, und dort muss {first} weit drehen, um das Werkzeug ein wenig zu neigen.</translation>
+    </message>
+    <message>
+        <source>The largest distance in this block</source>
+        <translation>Der größte Abstand in diesem NC-Satz</translation>
+    </message>
+    <message>
+        <source>The next block where a rotary axis turns far to lean the tool a little</source>
+        <translation>Der nächste NC-Satz, in dem eine Rundachse weit dreht, um das Werkzeug ein wenig zu neigen</translation>
+    </message>
+    <message>
+        <source>The part was deleted meanwhile: press Cancel, and select another one.</source>
+        <translation>Das Werkstück wurde inzwischen gelöscht: „Abbrechen“ drücken und ein anderes auswählen.</translation>
+    </message>
+    <message>
+        <source>The point of the part that is the program's zero</source>
+        <translation>Der Punkt des Werkstücks, der Nullpunkt des Programms ist</translation>
+    </message>
+    <message>
+        <source>The tip leaves its segment by more than the {tolerance} that are allowed.</source>
+        <translation>Die Werkzeugspitze weicht um mehr als die erlaubten {tolerance} von ihrer Sollstrecke ab.</translation>
+    </message>
+    <message>
+        <source>The tip leaves the commanded straight line by {deviation}, within the {tolerance} allowed.</source>
+        <translation>Die Werkzeugspitze weicht um {deviation} von der Sollstrecke ab, innerhalb der erlaubten {tolerance}.</translation>
+    </message>
+    <message>
+        <source>The tip leaves the commanded straight line by {deviation}; allowed are {tolerance}.</source>
+        <translation>Die Werkzeugspitze weicht um {deviation} von der Sollstrecke ab; erlaubt sind {tolerance}.</translation>
+    </message>
+    <message>
+        <source>The tip was seen to leave the line by {deviation}; proven is only that it is no more than {bound}.</source>
+        <translation>Gesehen wurde, dass die Werkzeugspitze um {deviation} von der Strecke abweicht; bewiesen ist nur, dass es nicht mehr als {bound} ist.</translation>
+    </message>
+    <message>
+        <source>There are several paths: select the one to mark.</source>
+        <translation>Es gibt mehrere Werkzeugwege: den auswählen, der markiert werden soll.</translation>
+    </message>
+    <message>
+        <source>There are several paths: select the one to play.</source>
+        <translation>Es gibt mehrere Werkzeugwege: den auswählen, der abgespielt werden soll.</translation>
+    </message>
+    <message>
+        <source>There are several tool paths: select the one to write.</source>
+        <translation>Es gibt mehrere Werkzeugwege: den auswählen, der ausgegeben werden soll.</translation>
+    </message>
+    <message>
+        <source>These files are there already. Replace them?</source>
+        <translation>Diese Dateien gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>This machine's head turns: give the length from the gauge point to the tip.</source>
+        <translation>Der Kopf dieser Maschine schwenkt: die Länge vom Bezugspunkt der Spindel bis zur Werkzeugspitze angeben.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Seitwinkel</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Tool axis</source>
+        <translation>Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>Tool files (*.fctb)</source>
+        <translation>Werkzeugdateien (*.fctb)</translation>
+    </message>
+    <message>
+        <source>Tool length</source>
+        <translation>Werkzeuglänge</translation>
+    </message>
+    <message>
+        <source>Tool number</source>
+        <translation>Werkzeugnummer</translation>
+    </message>
+    <message>
+        <source>Tool path</source>
+        <translation>Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>What happens</source>
+        <translation>Was geschieht</translation>
+    </message>
+    <message>
+        <source>What helps</source>
+        <translation>Was hilft</translation>
+    </message>
+    <message>
+        <source>What the distance is proven to stay below, all through this block</source>
+        <translation>Worunter der Abstand im ganzen NC-Satz bewiesenermaßen bleibt</translation>
+    </message>
+    <message>
+        <source>Where the program's zero is drawn in the document</source>
+        <translation>Wo der Nullpunkt des Programms im Dokument gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Where the tip is farthest from its commanded segment</source>
+        <translation>Wo die Werkzeugspitze am weitesten von ihrer Sollstrecke entfernt ist</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes turn, even moves of the axes carry the tip along a curve beside the straight line.</source>
+        <translation>In einem Schritt von {step} dreht {first} um {first_turn} und {second} um {second_turn}. Während Rundachsen drehen, tragen gleichmäßige Bewegungen der Achsen die Spitze auf einer Kurve neben der Geraden entlang.</translation>
+    </message>
+    <message>
+        <source>Work offset</source>
+        <translation>Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>Work zero</source>
+        <translation>Werkstücknullpunkt</translation>
+    </message>
+    <message>
+        <source>Work zero on the machine</source>
+        <translation>Werkstücknullpunkt auf der Maschine</translation>
+    </message>
+    <message>
+        <source>Worst NC line</source>
+        <translation>Schlimmste NC-Zeile</translation>
+    </message>
+    <message>
+        <source>Worst block</source>
+        <translation>Schlimmster NC-Satz</translation>
+    </message>
+    <message>
+        <source>Written: {}</source>
+        <translation>Geschrieben: {}</translation>
+    </message>
+    <message>
+        <source>around an edge</source>
+        <translation>um eine Kante</translation>
+    </message>
+    <message>
+        <source>as the machine file says</source>
+        <translation>wie in der Maschinendatei</translation>
+    </message>
+    <message>
+        <source>centre of the ball</source>
+        <translation>Kugelmittelpunkt</translation>
+    </message>
+    <message>
+        <source>closing gaps at edges</source>
+        <translation>Lücken an Kanten schließen</translation>
+    </message>
+    <message>
+        <source>commanded line beside the real curve</source>
+        <translation>Sollstrecke neben der wirklichen Kurve</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>cutting the mesh</source>
+        <translation>Netz schneiden</translation>
+    </message>
+    <message>
+        <source>deviation by So et al.</source>
+        <translation>Abweichung nach So u. a.</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>inverse time (G93)</source>
+        <translation>zeitreziprok (G93)</translation>
+    </message>
+    <message>
+        <source>joining facets</source>
+        <translation>Facetten verbinden</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>linking the passes</source>
+        <translation>Zeilen verbinden</translation>
+    </message>
+    <message>
+        <source>mean of the facet normals</source>
+        <translation>Mittel der Facettennormalen</translation>
+    </message>
+    <message>
+        <source>meshing the solid</source>
+        <translation>Volumenkörper vernetzen</translation>
+    </message>
+    <message>
+        <source>model of So et al. 2008</source>
+        <translation>Modell von So u. a. 2008</translation>
+    </message>
+    <message>
+        <source>near the pole: {count} blocks</source>
+        <translation>nahe am Pol: {count} NC-Sätze</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>normals weighted by step</source>
+        <translation>nach Schrittlänge gewichtete Normalen</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>one way</source>
+        <translation>in einer Richtung</translation>
+    </message>
+    <message>
+        <source>over the tolerance: {count} blocks</source>
+        <translation>über der Toleranz: {count} NC-Sätze</translation>
+    </message>
+    <message>
+        <source>over tolerance</source>
+        <translation>über der Toleranz</translation>
+    </message>
+    <message>
+        <source>placing the passes</source>
+        <translation>Zeilen legen</translation>
+    </message>
+    <message>
+        <source>proving the deviation</source>
+        <translation>Abweichung nachweisen</translation>
+    </message>
+    <message>
+        <source>rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>reading the NC file</source>
+        <translation>NC-Datei lesen</translation>
+    </message>
+    <message>
+        <source>reading the mesh</source>
+        <translation>Netz lesen</translation>
+    </message>
+    <message>
+        <source>setting feeds</source>
+        <translation>Vorschübe bestimmen</translation>
+    </message>
+    <message>
+        <source>stopped by the user</source>
+        <translation>vom Benutzer abgebrochen</translation>
+    </message>
+    <message>
+        <source>the machine's own</source>
+        <translation>die der Maschine</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>Werkzeugspitze</translation>
+    </message>
+    <message>
+        <source>to and fro</source>
+        <translation>hin und her</translation>
+    </message>
+    <message>
+        <source>turning the axes</source>
+        <translation>Rundachsen berechnen</translation>
+    </message>
+    <message>
+        <source>units a minute (G94)</source>
+        <translation>Einheiten je Minute (G94)</translation>
+    </message>
+    <message>
+        <source>within tolerance</source>
+        <translation>in der Toleranz</translation>
+    </message>
+    <message>
+        <source>writing NC blocks</source>
+        <translation>NC-Sätze schreiben</translation>
+    </message>
+    <message>
+        <source>{block} of {last}, {motion}</source>
+        <translation>{block} von {last}, {motion}</translation>
+    </message>
+    <message>
+        <source>{deviation}, NC line {line}</source>
+        <translation>{deviation}, NC-Zeile {line}</translation>
+    </message>
+    <message>
+        <source>{document} has no 3D view: open one and play {path} again.</source>
+        <translation>{document} hat keine 3D-Ansicht: eine öffnen und {path} noch einmal abspielen.</translation>
+    </message>
+    <message>
+        <source>{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be too slow for the programmed feed: then the tool dwells and may leave a mark.</source>
+        <translation>{first} dreht um {first_turn} und {second} um {second_turn}, um das Werkzeug um {lean} zu neigen. Die Achse kann für den programmierten Vorschub zu langsam sein: dann verweilt das Werkzeug und hinterlässt womöglich eine Marke.</translation>
+    </message>
+    <message>
+        <source>{now} of {whole}</source>
+        <translation>{now} von {whole}</translation>
+    </message>
+    <message>
+        <source>{over_tolerance} blocks are over the tolerance; this is the worst.</source>
+        <translation>{over_tolerance} NC-Sätze liegen über der Toleranz; dieser ist der schlimmste.</translation>
+    </message>
+    <message>
+        <source>{singular_blocks} blocks lie near the pole; this is the worst.</source>
+        <translation>{singular_blocks} NC-Sätze liegen nahe am Pol; dieser ist der schlimmste.</translation>
+    </message>
+    <message>
+        <source>{unproven} blocks are not proven; this is the worst.</source>
+        <translation>{unproven} NC-Sätze sind nicht bewiesen; dieser ist der schlimmste.</translation>
+    </message>
+    <message>
+        <source>{what}, NC line {line}</source>
+        <translation>{what}, NC-Zeile {line}</translation>
+    </message>
+    <message>
+        <source>{what}: all, the worst at</source>
+        <translation>{what}: alle, der schlimmste bei</translation>
+    </message>
+    <message>
+        <source>{} s</source>
+        <translation>{} s</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxisPreferences</name>
+    <message>
+        <source>A machine that comes with the workbench, one of your folder, or the path of a .fcm file</source>
+        <translation>Eine mitgelieferte Maschine, eine aus dem eigenen Ordner, oder der Pfad einer .fcm-Datei</translation>
+    </message>
+    <message>
+        <source>Colour of blocks near the pole, where a rotary axis turns far to lean the tool a little</source>
+        <translation>Farbe der NC-Sätze nahe am Pol, wo eine Rundachse weit dreht, um das Werkzeug ein wenig zu neigen</translation>
+    </message>
+    <message>
+        <source>Colour of blocks that follow the commanded segment</source>
+        <translation>Farbe der NC-Sätze, die der Sollstrecke folgen</translation>
+    </message>
+    <message>
+        <source>Colour of blocks that leave the commanded segment by more than the tolerance</source>
+        <translation>Farbe der NC-Sätze, die um mehr als die Toleranz von der Sollstrecke abweichen</translation>
+    </message>
+    <message>
+        <source>Colours of the path</source>
+        <translation>Farben des Werkzeugwegs</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Cutter diameter</source>
+        <translation>Fräserdurchmesser</translation>
+    </message>
+    <message>
+        <source>Defaults of a new tool path</source>
+        <translation>Vorgaben für einen neuen Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>Diameter of the ball-end cutter</source>
+        <translation>Durchmesser des Kugelfräsers</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Feed of the tip over the part</source>
+        <translation>Vorschub der Werkzeugspitze über das Werkstück</translation>
+    </message>
+    <message>
+        <source>Folder that is offered for NC files; empty: the folder of the document</source>
+        <translation>Ordner, der für NC-Dateien vorgeschlagen wird; leer: der Ordner des Dokuments</translation>
+    </message>
+    <message>
+        <source>Folder with your own machine files (.fcm); they stand in the list of machines</source>
+        <translation>Ordner mit eigenen Maschinendateien (.fcm); sie stehen in der Liste der Maschinen</translation>
+    </message>
+    <message>
+        <source>Folders</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Largest deviation of the tip from the commanded segment; blocks beyond it are marked</source>
+        <translation>Größte Abweichung der Werkzeugspitze von der Sollstrecke; NC-Sätze darüber werden markiert</translation>
+    </message>
+    <message>
+        <source>Largest ridge left between passes</source>
+        <translation>Größte Kuppe, die zwischen den Zeilen stehen bleibt (Restrauhigkeit)</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>My machines</source>
+        <translation>Eigene Maschinen</translation>
+    </message>
+    <message>
+        <source>NC files</source>
+        <translation>NC-Dateien</translation>
+    </message>
+    <message>
+        <source>No deviation</source>
+        <translation>Keine Abweichung</translation>
+    </message>
+    <message>
+        <source>Over tolerance</source>
+        <translation>Über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Scallop</source>
+        <translation>Kuppenhöhe</translation>
+    </message>
+    <message>
+        <source>Singular</source>
+        <translation>Singulär</translation>
+    </message>
+    <message>
+        <source>The language of the NC file; the machine's own is the one that its file names</source>
+        <translation>Die Sprache der NC-Datei; die der Maschine steht in der Maschinendatei</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_Annotate</name>
+    <message>
+        <source>Annotate</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>Mark the singular blocks of a path and those over tolerance, and label the largest deviation</source>
+        <translation>Die singulären NC-Sätze eines Werkzeugwegs und die über der Toleranz markieren und die größte Abweichung beschriften</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_Audit</name>
+    <message>
+        <source>Audit an NC file…</source>
+        <translation>NC-Datei prüfen …</translation>
+    </message>
+    <message>
+        <source>Read a finished NC file of any origin and prove its deviations on a machine</source>
+        <translation>Eine fertige NC-Datei beliebiger Herkunft lesen und ihre Abweichungen auf einer Maschine nachweisen</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_Play</name>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Show the tool, and the machine's table, move along a path block by block</source>
+        <translation>Zeigen, wie sich Werkzeug und Maschinentisch Satz für Satz entlang eines Werkzeugwegs bewegen</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_PostProcess</name>
+    <message>
+        <source>Post-process…</source>
+        <translation>NC-Datei ausgeben …</translation>
+    </message>
+    <message>
+        <source>Write the NC file of a tool path, and a report of its deviations</source>
+        <translation>Die NC-Datei eines Werkzeugwegs schreiben, und einen Bericht über seine Abweichungen</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_Tessellate</name>
+    <message>
+        <source>Make a mesh of the selected solid, body or compound, as fine as tool paths need it</source>
+        <translation>Aus dem gewählten Volumenkörper, Körper oder Verbund ein Netz machen, so fein, wie Werkzeugwege es brauchen</translation>
+    </message>
+    <message>
+        <source>Tessellate</source>
+        <translation>Tessellieren</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_Toolpath</name>
+    <message>
+        <source>Plan five-axis passes over the selected solid, its selected faces, a mesh, or the model of a CAM Job</source>
+        <translation>Fünfachsige Zeilen über den gewählten Volumenkörper, seine gewählten Flächen, ein Netz oder das Modell eines CAM-Auftrags legen</translation>
+    </message>
+    <message>
+        <source>Tool path…</source>
+        <translation>Werkzeugweg …</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Five-axis</source>
+        <translation>Fünfachsig</translation>
+    </message>
+    <message>
+        <source>Five-axis tool paths with a proven deviation for every block</source>
+        <translation>Fünfachsige Werkzeugwege mit nachgewiesener Abweichung für jeden NC-Satz</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""No text that the user reads is missed by the translators; the compiled files hold what the edited ones say."""
+
+import ast
+import re
+import struct
+
+import pytest
+from translation_script import ROOT, translations
+
+from freecad_fiveaxis.core.settings import option_fields
+
+LANGUAGES = sorted(translations.FOLDER.glob("FiveAxis_*.ts"))
+
+
+def german():
+    return translations.read_ts((translations.FOLDER / "FiveAxis_de.ts").read_text(encoding="utf-8"))
+
+
+def messages_of(qm):
+    """What a .qm holds, read by its own tables: (context, text) -> translation, each found by its hash."""
+    assert qm[:16] == translations.MAGIC
+    sections, place = {}, 16
+    while place < len(qm):
+        tag, size = struct.unpack_from(">BI", qm, place)
+        sections[tag], place = qm[place + 5 : place + 5 + size], place + 5 + size
+    records, table = sections[translations.MESSAGES], sections[translations.HASHES]
+    pairs = [struct.unpack_from(">II", table, row) for row in range(0, len(table), 8)]
+    assert pairs == sorted(pairs)
+    made = {}
+    for found, start in pairs:
+        parts, place = {}, start
+        while records[place] != translations.END:
+            tag, size = struct.unpack_from(">BI", records, place)
+            parts[tag], place = records[place + 5 : place + 5 + size], place + 5 + size
+        source = parts[translations.SOURCE]
+        assert found == translations.elf_hash(source)
+        made[parts[translations.CONTEXT].decode(), source.decode()] = parts[translations.TRANSLATION].decode("utf-16-be")
+    return made
+
+
+def test_german_is_there():
+    assert "FiveAxis_de.ts" in [path.name for path in LANGUAGES]
+
+
+@pytest.mark.parametrize("path", LANGUAGES, ids=lambda path: path.stem)
+def test_no_text_is_missed_and_no_file_is_out_of_date(path):
+    ts, qm, missing = translations.update(path)
+    assert not missing, "without translation (run scripts/translations, then translate): " + "; ".join(map(str, missing))
+    assert path.read_text(encoding="utf-8") == ts, "out of date: run scripts/translations"
+    assert path.with_suffix(".qm").read_bytes() == qm, "out of date: run scripts/translations"
+
+
+def test_the_texts_are_those_of_every_floor():
+    contexts = {context for context, _ in translations.texts()}
+    commands = {f"FiveAxis_{name}" for name in ("Tessellate", "Toolpath", "PostProcess", "Annotate", "Audit", "Play")}
+    assert {"FiveAxis", "App::Property", "Workbench", "FiveAxisPreferences"} | commands <= contexts
+
+
+@pytest.mark.parametrize("task", ["mill", "audit"])
+def test_every_setting_that_is_shown_has_its_help_and_its_name_translated(task):
+    known, seen = german(), 0
+    for _, leaf in option_fields(task):
+        if leaf.metadata["kind"] not in ("path", "paths"):
+            name = "".join(part.capitalize() for part in leaf.name.split("_"))
+            shown = [name] if leaf.name != "cutter" else ["CutterDiameter", "CutterLength"]
+            for text in [leaf.metadata["text"], *map(translations.shown_name, shown)]:
+                assert known.get(("App::Property", text)), text
+                seen += 1
+    assert seen > 10
+
+
+def test_a_forgotten_text_would_be_noticed(tmp_path):
+    """The same check fails on a copy of the German file that lacks one translation, and on one that lacks a text."""
+    messages = german()
+    text = next(iter(sorted(messages)))
+    path = tmp_path / "FiveAxis_de.ts"
+    for spoilt in ({**messages, text: ""}, {key: value for key, value in messages.items() if key != text}):
+        path.write_text(translations.write_ts("de", spoilt), encoding="utf-8")
+        _, qm, missing = translations.update(path)
+        assert text in missing
+        assert text not in messages_of(qm)
+
+
+SHOWING = {
+    "setText", "setToolTip", "setStatusTip", "setWindowTitle", "setTitle", "setPlaceholderText", "setLabelText", "setSuffix",
+    "setPrefix", "setPlainText", "setHtml", "addItem", "addAction", "addTab", "addRow", "addMenu", "showMessage", "QLabel",
+    "QPushButton", "QToolButton", "QCheckBox", "QRadioButton", "QGroupBox", "QAction", "QDockWidget", "QProgressDialog",
+    "warn", "ask", "status", "waiting", "transaction", "SelectionError", "SettingsError", "FileError", "QTreeWidgetItem",
+}  # fmt: skip
+"""Calls that put a text before the user."""
+
+
+def has_words(text):
+    """Whether anything is left for translators when markup is taken away."""
+    return bool(re.search(r"[A-Za-z]{2}", re.sub(r"<[^<>]*>|&\w+;", "", text)))
+
+
+def bare_texts(source):
+    """Words that a call of SHOWING gets without ``translate``, and helps of settings that are shown as they stand."""
+    tree = ast.parse(source)
+    translated = {
+        id(one)
+        for call in ast.walk(tree)
+        if isinstance(call, ast.Call) and ast.unparse(call.func).endswith("translate")
+        for one in ast.walk(call)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Subscript) and ast.unparse(node).endswith("metadata['text']") and id(node) not in translated:
+            yield node.lineno, ast.unparse(node)
+        if isinstance(node, ast.Call) and ast.unparse(node.func).rsplit(".", 1)[-1] in SHOWING:
+            for given in node.args:
+                parts = given.values if isinstance(given, ast.JoinedStr) else [given]
+                for one in parts:
+                    if isinstance(one, ast.Constant) and has_words(str(one.value)):
+                        yield one.lineno, one.value
+
+
+def test_the_window_shows_no_text_that_nobody_can_translate():
+    bare = []
+    for path in sorted((ROOT / "freecad_fiveaxis" / "gui").rglob("*.py")):
+        for line, text in bare_texts(path.read_text(encoding="utf-8")):
+            bare.append(f"{path.relative_to(ROOT)}:{line}: {text}")
+    assert not bare, "shown without translate():\n" + "\n".join(bare)
+
+
+@pytest.mark.parametrize(
+    "source",
+    ['box.setText("Proven below")', 'QtWidgets.QLabel(f"Line {3}")', "Field(leaf.name, leaf.metadata['text'])"],
+)
+def test_a_bare_text_would_be_noticed(source):
+    assert list(bare_texts(source))
+
+
+@pytest.mark.parametrize(
+    "source",
+    ['box.setText(translate("FiveAxis", "Proven below"))', 'box.setText("…")', 'row.setText(f"<b>{value}</b>")',
+     "translate('App::Property', leaf.metadata['text'])", 'box.setObjectName("line")'],
+)  # fmt: skip
+def test_what_is_translated_or_no_word_is_not_bare(source):
+    assert not list(bare_texts(source))
+
+
+def test_new_calls_are_found():
+    source = """
+label = translate("FiveAxis", "one " "text")
+tip = QT_TRANSLATE_NOOP("App::Property", 'another')
+other = FreeCAD.Qt.translate("Workbench", "third")
+"word".translate(table)
+hint = translate("App::Property", leaf.metadata["text"])
+"""
+    found = [("FiveAxis", "one text"), ("App::Property", "another"), ("Workbench", "third")]
+    assert list(translations.texts_of_source(source)) == found
+
+
+@pytest.mark.parametrize("text", ['f"{count} blocks"', "name", '"a" + name', '"{}".format(3)'])
+def test_a_text_put_together_at_run_time_is_refused(text):
+    with pytest.raises(translations.NotLiteral, match=r"tool\.py:1"):
+        list(translations.texts_of_source(f'translate("FiveAxis", {text})', "tool.py"))
+
+
+def test_names_and_groups_of_properties_are_found():
+    source = """
+VERSION = Property("SchemaVersion", "App::PropertyInteger", "Base", text, 1)
+obj.addProperty("App::PropertyLink", "NCFile", "Result", text)
+ROWS = (("App::PropertyBool", "ShowAxes", True, text),)
+"""
+    found = ["Schema Version", "Base", "NCFile", "Result", "Show Axes"]
+    assert [text for _, text in translations.texts_of_properties(source)] == found
+
+
+def test_forms_give_their_strings_under_their_class():
+    form = """<ui version="4.0"><class>Page</class><widget class="QWidget" name="Page">
+      <property name="text"><string>Feed &amp; speed</string></property>
+      <property name="unit"><string notr="true">mm</string></property></widget></ui>"""
+    assert list(translations.texts_of_form(form)) == [("Page", "Feed & speed")]
+
+
+@pytest.mark.parametrize(
+    "name, shown",
+    [("WorkZero", "Work Zero"), ("NCFile", "NCFile"), ("MaxBound", "Max Bound"), ("NC file", "NC file"), ("Tool", "Tool")],
+)
+def test_property_names_are_looked_up_as_the_editor_shows_them(name, shown):
+    assert translations.shown_name(name) == shown
+
+
+def test_ts_and_qm_hold_any_text():
+    messages = {
+        ("A", "same"): "eins", ("B", "same"): "zwei", ("A", 'a < b & "c"'): "Maß „ß“ > 1 µm",
+        ("A", "two\nlines"): "zwei\nZeilen", ("A", "clef"): "𝄞", ("A", "not yet"): "",
+    }  # fmt: skip
+    assert translations.read_ts(translations.write_ts("de", messages)) == messages
+    assert messages_of(translations.write_qm("de", messages)) == {text: told for text, told in messages.items() if told}
+
+
+def test_unfinished_and_vanished_messages_do_not_count():
+    ts = """<TS><context><name>A</name>
+      <message><source>one</source><translation type="unfinished">vielleicht</translation></message>
+      <message><source>two</source><translation>zwei</translation></message></context></TS>"""
+    assert translations.read_ts(ts) == {("A", "one"): "", ("A", "two"): "zwei"}
+
+
+@pytest.mark.parametrize("path", LANGUAGES, ids=lambda path: path.stem)
+def test_translations_keep_the_places_for_values(path):
+    """``{}``, ``{name}``, ``%1`` and a file filter's ``*.ngc`` must come back as they went out."""
+    places = re.compile(r"\{[^{}]*\}|%\w|\*\.\w+")
+    for (context, text), told in translations.read_ts(path.read_text(encoding="utf-8")).items():
+        assert sorted(places.findall(told)) == sorted(places.findall(text)), (context, text, told)
