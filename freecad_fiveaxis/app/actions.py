@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the five functions of the package do. Each one leaves the document as it was where it raises."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from freecad_fiveaxis.core.errors import FileError, SettingsError
+from freecad_fiveaxis.core.files import check_writable, write_whole
+from freecad_fiveaxis.core.quantity import ANGLES, LENGTHS, parse, parse_length, parse_triple
+from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
+
+from . import auditing, markers, selection, tessellation, toolpath
+from .convert import stl_bytes
+from .properties import property_name
+from .results import result_of
+from .tessellation import Tessellation
+
+DEFAULT_MACHINE = "trunnion_ac"
+
+
+def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, Any]) -> Any:
+    """See :func:`freecad_fiveaxis.app.tessellate`."""
+    mesh = _deflections(settings)
+    if unknown := set(settings) - _OF_MESH:
+        raise SettingsError(f"{', '.join(sorted(unknown))}: no setting of a tessellation; known: {', '.join(sorted(_OF_MESH))}")
+    base, faces = _base(obj, settings.get("faces"))
+    if stl_path is not None:
+        _check_new(stl_path, overwrite)
+    with _all_or_nothing(base.Document) as added:
+        made = base if _is_tessellation(base) and not settings else tessellation.make(base.Document, base, faces, **mesh)
+        added += [made] * (made is not base)
+        if stl_path is not None:
+            write_whole(stl_path, stl_bytes(made))
+    return made
+
+
+def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
+    """See :func:`freecad_fiveaxis.app.create_toolpath`."""
+    extra = _extra(settings)
+    options = {name: value for name, value in settings.items() if name not in _OF_MESH and name not in _EXTRA}
+    options["machine"] = options.get("machine") or DEFAULT_MACHINE
+    build_settings(MILL, "mesh", options)
+    chosen, faces = _base(base, settings.get("faces"))
+    if chosen.Document.Name != doc.Name:
+        raise selection.SelectionError(f"{chosen.Label} is in another document: select something in {doc.Label}.", chosen.Label)
+    with _all_or_nothing(doc) as added:
+        mesh = chosen
+        if not selection.is_mesh(chosen) or faces:
+            mesh = tessellation.make(doc, chosen, faces, **_deflections(settings))
+            added.append(mesh)
+        elif unused := {"linear_deflection", "angular_deflection"} & set(settings):
+            raise SettingsError(f"{chosen.Label} is a mesh already: leave out {', '.join(sorted(unused))}", chosen.Label)
+        path = toolpath.make(doc, mesh, options, extra)
+        added.append(path)
+        _compute(path)
+    return path
+
+
+def annotate(path: Any) -> Any:
+    """See :func:`freecad_fiveaxis.app.annotate`."""
+    result_of(path)
+    made = markers.of(path)
+    with _all_or_nothing(path.Document) as added:
+        if made is None:
+            made = markers.make(path)
+            added.append(made)
+        made.touch()
+        path.Document.recompute([made])
+    return made
+
+
+def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> Any:
+    """See :func:`freecad_fiveaxis.app.audit`."""
+    options = {name: value for name, value in settings.items() if name not in _EXTRA} | {"machine": machine}
+    build_settings(AUDIT, os.fspath(nc_path), options)
+    with _all_or_nothing(doc) as added:
+        made = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings))
+        added.append(made)
+        _compute(made)
+    return made
+
+
+_OF_MESH = {"linear_deflection", "angular_deflection", "faces"}
+_EXTRA = {"work_zero", "holder_diameter", "holder_length"}
+
+
+def _extra(settings: Mapping[str, Any]) -> dict[str, Any]:
+    """The properties that are no settings of the core, mm."""
+    given = {name: settings[name] for name in _EXTRA & set(settings) if settings[name] is not None}
+    return {property_name(name): (_place if name == "work_zero" else parse_length)(value, name) for name, value in given.items()}
+
+
+def _place(given: Any, name: str) -> tuple[float, float, float]:
+    if not isinstance(given, str) and not hasattr(given, "__len__"):
+        raise SettingsError(f"{name} {given!r} needs three numbers, as 0,0,50", given)
+    return parse_triple(given if isinstance(given, str) else tuple(given), LENGTHS, name)
+
+
+def _deflections(settings: Mapping[str, Any]) -> dict[str, float]:
+    """The mesher's deflections, mm and **degrees**, as far as given. Raises SettingsError."""
+    read = {}
+    if settings.get("linear_deflection") is not None:
+        read["linear"] = parse_length(settings["linear_deflection"], "linear deflection")
+    if settings.get("angular_deflection") is not None:
+        read["angular"] = parse(settings["angular_deflection"], ANGLES, "angular deflection") / ANGLES["deg"]
+    for name, value in read.items():
+        if value <= 0.0:
+            raise SettingsError(f"{name} deflection {value:g} is out of range; it must be above 0", value)
+    return read
+
+
+def _base(given: Any, faces: Sequence[str] | None) -> tuple[Any, tuple[str, ...]]:
+    """The base and its faces, recomputed where it waits for that. Raises SelectionError."""
+    base, named = (given[0], given[1]) if isinstance(given, (tuple, list)) and len(given) == 2 else (given, ())
+    if base is None or not hasattr(base, "Document"):
+        raise selection.SelectionError(f"Nothing is selected: {selection.WHAT}.", None)
+    if base.State != ["Up-to-date"] or base.MustExecute:
+        base.Document.recompute([base])
+    names = (faces,) if isinstance(faces, str) else tuple(faces or named or ())
+    if selection.is_mesh(base):
+        selection.check_mesh(base)
+    else:
+        selection.solids(base, names)
+    return base, names
+
+
+def _is_tessellation(obj: Any) -> bool:
+    return isinstance(getattr(obj, "Proxy", None), Tessellation)
+
+
+def _compute(obj: Any) -> None:
+    """Compute, so that errors reach the caller; the recompute then finds the work done."""
+    result_of(obj)
+    obj.Document.recompute([obj])
+
+
+def _check_new(path: Any, overwrite: bool) -> None:
+    """Raises FileError where the file cannot be written, or has content that nobody allowed to replace."""
+    check_writable(path)
+    if not overwrite and os.path.exists(path) and os.path.getsize(path):
+        raise FileError(f"{path} is there already: name another file, or ask for it to be replaced", path)
+
+
+@contextmanager
+def _all_or_nothing(doc: Any) -> Iterator[list[Any]]:
+    """What is put into the list is taken out of the document again where an error, or the user, ends the work."""
+    added: list[Any] = []
+    try:
+        yield added
+    except BaseException:
+        for obj in reversed(added):
+            doc.removeObject(obj.Name)
+        raise

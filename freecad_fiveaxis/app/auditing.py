@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Audit object: a finished NC file of any origin, judged on a machine."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import FreeCAD
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.errors import FileError
+from freecad_fiveaxis.core.files import check_readable, read_bytes
+from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.settings import AUDIT
+
+from . import convert, results
+from .properties import HOLDER, QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
+from .schema import Proxy
+
+NC_FILE = Property("NCFile", "App::PropertyFile", "Base", QT_TRANSLATE_NOOP("App::Property", "The NC file that is judged"), "")
+
+
+class Audit(Proxy):
+    """Proxy of an audit."""
+
+    last: results.Last | None
+
+    def _begin(self) -> None:
+        self.last = None
+
+    @classmethod
+    def properties(cls) -> Sequence[Property]:
+        """The file, the settings of task ``audit``, the work zero (for the drawing only) and the results."""
+        return (NC_FILE, *setting_properties(AUDIT), *HOLDER, WORK_ZERO, *RESULTS)
+
+    def task(self, obj: Any) -> results.Task:
+        """What the object asks of the core. Raises FiveAxisError."""
+        if not obj.NCFile:
+            raise FileError(f"{obj.Label} names no NC file: choose one in its property NCFile", "")
+        check_readable(obj.NCFile)
+        return results.Task(convert.settings_of(obj, AUDIT, obj.NCFile), read_bytes(obj.NCFile, "NC file"))
+
+    def made(self, task: results.Task, progress: Progress) -> job.Made:
+        """The file's program."""
+        return job.make(task.settings, progress)
+
+    def execute(self, obj: Any) -> None:
+        """FreeCAD recomputes the object."""
+        results.execute(obj)
+
+
+def make(doc: Any, nc_path: str, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:
+    """An Audit object, not yet computed. Raises SettingsError, and then leaves no object behind."""
+    obj = doc.addObject("App::FeaturePython", "Audit")
+    try:
+        Audit(obj)
+        obj.NCFile = nc_path
+        convert.put_options(obj, AUDIT, options)
+        for name, value in extra.items():
+            setattr(obj, name, FreeCAD.Vector(*value) if isinstance(value, (tuple, list)) else value)
+    except BaseException:
+        doc.removeObject(obj.Name)
+        raise
+    return obj

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Toolpaths and audits that are there already get other settings, and are computed anew."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import FreeCAD
+
+from freecad_fiveaxis.core.quantity import LENGTHS, parse_triple
+from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings, option_fields
+
+from . import convert
+from .properties import KINDS, default_value, property_name
+from .results import result_of
+
+_OF_MESH = {"linear_deflection": "LinearDeflection", "angular_deflection": "AngularDeflection"}
+
+
+def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
+    """Give a Toolpath all of these settings, as ``create_toolpath`` takes them, and compute it; returns it.
+
+    An option that is not among them goes back to its default; ``work_zero`` and the deflections stay unless they are given.
+    Raises FiveAxisError; the caller's transaction then takes back what was done.
+    """
+    options = {name: value for name, value in settings.items() if name not in (*_OF_MESH, "work_zero")}
+    build_settings(MILL, "mesh", options)
+    _put_mesh(obj.Mesh, settings)
+    _put(obj, MILL, options, settings.get("work_zero"))
+    return _compute(obj)
+
+
+def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
+    """The same for an Audit: its NC file and its settings. Raises FiveAxisError."""
+    options = {name: value for name, value in settings.items() if name != "work_zero"}
+    build_settings(AUDIT, nc_path, options)
+    obj.NCFile = os.path.abspath(nc_path)
+    _put(obj, AUDIT, options, settings.get("work_zero"))
+    return _compute(obj)
+
+
+def shown_options(obj: Any, task: str) -> dict[str, Any]:
+    """Every option of the task as the object has it (mm, deg, mm/min), None where it is not given."""
+    return default_options(task) | convert.options_of(obj, task)
+
+
+def default_options(task: str) -> dict[str, Any]:
+    """Every option of the task with the core's default (mm, deg, mm/min), None where nothing is given."""
+    said = {leaf.name: _default(leaf) for _, leaf in option_fields(task) if leaf.metadata["kind"] in KINDS}
+    for _, leaf in option_fields(task):
+        if leaf.metadata["kind"] == "cutter":
+            said[leaf.name] = f"ball:{leaf.default.diameter!r}:{leaf.default.length!r}"
+    return said
+
+
+def _default(leaf: Any) -> Any:
+    if leaf.default is None:
+        return None
+    return leaf.default if leaf.metadata["kind"] == "feed" else default_value(leaf)
+
+
+def _put(obj: Any, task: str, options: Mapping[str, Any], work_zero: Any) -> None:
+    for _, leaf in option_fields(task):
+        if leaf.metadata["kind"] in KINDS and leaf.name not in options:
+            name = property_name(leaf.name)
+            if leaf.metadata["kind"] == "point":
+                setattr(obj, name + "FromMachine", True)
+            else:
+                value = default_value(leaf)
+                setattr(obj, name, FreeCAD.Vector(*value) if isinstance(value, tuple) else value)
+    convert.put_options(obj, task, options)
+    if work_zero is not None:
+        obj.WorkZero = FreeCAD.Vector(*parse_triple(tuple(work_zero), LENGTHS, "work_zero"))
+
+
+def _put_mesh(mesh: Any, settings: Mapping[str, Any]) -> None:
+    """Other deflections make another mesh; the same ones leave it."""
+    changed = False
+    for option, name in _OF_MESH.items():
+        if settings.get(option) is not None and getattr(mesh, name).Value != settings[option]:
+            setattr(mesh, name, settings[option])
+            changed = True
+    if changed:
+        mesh.Proxy.build(mesh)
+        mesh.Document.recompute([mesh])
+
+
+def _compute(obj: Any) -> Any:
+    """Compute, so that errors reach the caller; the recompute then finds the work done, for what hangs on the path too."""
+    result_of(obj)
+    obj.Document.recompute([obj, *obj.InList])
+    return obj

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The one crossing between FreeCAD and the core: properties <-> Settings, meshes -> Mesh, figures -> properties.
+
+work frame   parallel to the document; its zero is the object's WorkZero.
+STL bytes    the mesh as 32-bit facets. The core's mesh is always read from them, so that a file with the same bytes gives
+             the same program on the command line.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import tempfile
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import FreeCAD
+import numpy as np
+
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.records import Bools
+from freecad_fiveaxis.core.report import Figures, summary
+from freecad_fiveaxis.core.settings import Settings, build_settings, option_fields, read_option
+
+from .properties import KINDS, MACHINES_OWN, RESULTS, default_value, property_name, property_value
+from .selection import check_mesh, holder_of
+
+_STL = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
+_HEADER = 84
+UNKNOWN = 1e9
+"""mm or s, shown where the core found no finite number: no property can hold one that is infinite."""
+
+# ------------------------------------------------------------------------------------------------ settings
+
+
+def settings_of(obj: Any, task: str, source: str) -> Settings:
+    """The core's settings out of the object's properties; all checks are the core's. Raises SettingsError.
+
+    A property at its default is not given at all, so that the core's own default stands to the last bit.
+    """
+    return build_settings(task, source, options_of(obj, task))
+
+
+def options_of(obj: Any, task: str) -> dict[str, Any]:
+    """The options of the task that differ from their defaults, as a job file would hold them (mm, deg, mm/min)."""
+    options = {}
+    for _, leaf in option_fields(task):
+        kind = leaf.metadata["kind"]
+        if kind == "cutter":
+            options[leaf.name] = f"ball:{plain(obj.CutterDiameter)!r}:{plain(obj.CutterLength)!r}"
+        elif kind == "point":
+            if not getattr(obj, property_name(leaf.name) + "FromMachine"):
+                options[leaf.name] = plain(getattr(obj, property_name(leaf.name)))
+        elif kind in KINDS and (value := plain(getattr(obj, property_name(leaf.name)))) != plain(default_value(leaf)):
+            options[leaf.name] = plain(value * 60.0) if kind == "feed" else value
+    return options
+
+
+def plain(value: Any) -> Any:
+    """A property's value as numbers and text, in the property's own unit (mm, deg, mm/s).
+
+    FreeCAD's files keep 16 digits of a number, fewer than a float has: 12 are taken, so that a reopened document asks for the
+    same as before.
+    """
+    if isinstance(value, (FreeCAD.Vector, tuple)):
+        return tuple(plain(float(part)) for part in value)
+    number = getattr(value, "Value", value)
+    return float(f"{number:.12g}") if isinstance(number, float) else number
+
+
+def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
+    """Set the properties from options as people write them. Raises SettingsError, and then has set none."""
+    fields = {leaf.name: leaf for _, leaf in option_fields(task) if leaf.metadata["kind"] in (*KINDS, "cutter")}
+    for name in options:
+        if name not in fields:
+            raise SettingsError(f"{name} is no setting of a document object; it is not one of {', '.join(fields)}", name)
+    given = {name: value for name, value in options.items() if value is not None}
+    read = {name: read_option(fields[name], value) for name, value in given.items()}
+    for name, value in read.items():
+        _put(obj, fields[name], value)
+
+
+def _put(obj: Any, leaf: Any, value: Any) -> None:
+    name, kind = property_name(leaf.name), leaf.metadata["kind"]
+    if kind == "cutter":
+        obj.CutterDiameter, obj.CutterLength = value.diameter, value.length
+        return
+    if kind == "point":
+        setattr(obj, name + "FromMachine", False)
+    held = property_value(leaf, value)
+    if isinstance(held, str) and (choices := obj.getEnumerationsOfProperty(name)):
+        held = _choice(leaf.name, held, choices)
+    setattr(obj, name, FreeCAD.Vector(*held) if isinstance(held, tuple) else held)
+
+
+def _choice(option: str, value: str, choices: Sequence[str]) -> str:
+    """The choice of that name, in any case. Raises SettingsError."""
+    found = [one for one in choices if one.lower() == value.lower()]
+    if not found:
+        known = ", ".join(one for one in choices if one != MACHINES_OWN)
+        raise SettingsError(f"unknown {option.replace('_', ' ')} {value!r}; choose one of {known}", value)
+    return found[0]
+
+
+# ------------------------------------------------------------------------------------------------ meshes
+
+
+def stl_bytes(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> bytes:
+    """The mesh object's facets as a binary STL, relative to ``work_zero`` (mm, document). Raises SelectionError."""
+    check_mesh(obj)
+    mesh, zero, holder = obj.Mesh, FreeCAD.Vector(*plain(tuple(work_zero))), holder_of(obj)
+    if zero.Length or not holder.isIdentity():
+        mesh = mesh.copy()
+        mesh.Placement = FreeCAD.Placement(-zero, FreeCAD.Rotation()).multiply(holder).multiply(mesh.Placement)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "mesh.stl")
+        mesh.write(Filename=path, Format="STL")
+        with open(path, "rb") as file:
+            return file.read()
+
+
+def mesh_of(stl: bytes) -> Mesh:
+    """The core's mesh of a binary STL. Raises MeshError."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "mesh.stl")
+        with open(path, "wb") as file:
+            file.write(stl)
+        return read_stl(path)
+
+
+def facet_mask(stl: bytes, mesh: Mesh, runs: Sequence[int]) -> Bools | None:
+    """Which facets of the core's mesh lie in the ``runs`` (start, stop, start, stop ...) of the STL's; None: no runs, so all.
+
+    The core leaves out facets without area. What is left keeps its order, so a facet is known again by its three corners.
+    """
+    if not runs:
+        return None
+    corner = np.frombuffer(stl, _STL, offset=_HEADER)["corner"]
+    chosen = np.zeros(len(corner), bool)
+    for start, stop in zip(runs[::2], runs[1::2], strict=True):
+        chosen[start:stop] = True
+    if len(corner) == len(mesh.face):
+        return chosen
+    return chosen[_kept(_signature(corner.astype(float) + 0.0), _signature(mesh.vertex[mesh.face]))]
+
+
+def _kept(before: Any, after: Any) -> Any:
+    return np.flatnonzero(np.isin(before, after))
+
+
+def _signature(corner: Any) -> Any:
+    """One comparable value a facet (f,) of its corners (f, 3, 3), in whatever order they come."""
+    order = np.lexsort((corner[..., 2], corner[..., 1], corner[..., 0]), axis=-1)
+    rows = np.ascontiguousarray(np.take_along_axis(corner, order[..., None], axis=1).reshape(len(corner), 9))
+    return rows.view(np.dtype((np.void, rows.itemsize * 9)))[:, 0]
+
+
+# ------------------------------------------------------------------------------------------------ results
+
+
+def put_result(obj: Any, figures: Figures, fingerprint: str) -> None:
+    """Show the figures in the result properties."""
+    told = summary(figures)
+    values = {
+        "Passes": told["passes"], "Blocks": told["blocks"], "SingularBlocks": told["singular_blocks"],
+        "OverTolerance": told["over_tolerance"], "WorstLine": told["worst_line"] or 0, "Time": told["time_s"],
+        "CutLength": told["cut_length"], "MaxSegmentDeviation": told["max_segment_deviation"],
+        "MaxLineDeviation": told["max_line_deviation"], "MaxBound": told["max_bound"], "Proven": told["proven"],
+        "Findings": [finding.text for finding in figures.findings], "Fingerprint": fingerprint,
+    }  # fmt: skip
+    for name, value in values.items():
+        setattr(obj, name, UNKNOWN if isinstance(value, float) and not math.isfinite(value) else value)
+
+
+def clear_result(obj: Any, why: str) -> None:
+    """There is no result: old numbers would be taken for those of the present settings."""
+    for one in RESULTS:
+        setattr(obj, one.name, one.default)
+    obj.Findings = [why]
+    for user in obj.InList:  # FreeCAD does not recompute what hangs on a failed object: its NC files would look up to date
+        if hasattr(user, "UpToDate"):
+            user.UpToDate = False

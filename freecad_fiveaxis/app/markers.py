@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Markers object: where on the part a toolpath or an audit is worth a look."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import FreeCAD
+
+from freecad_fiveaxis.core import report
+
+from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property
+from .results import figures_of
+from .schema import Proxy
+from .selection import SelectionError
+
+PROPERTIES = (
+    Property(
+        "Path", "App::PropertyLinkGlobal", "Base", QT_TRANSLATE_NOOP("App::Property", "The toolpath or audit that is marked")
+    ),
+    Property(
+        "Places", "App::PropertyVectorList", "Markers",
+        QT_TRANSLATE_NOOP("App::Property", "Where the markers stand in the document"), [], READ_ONLY,
+    ),
+    Property(
+        "Kinds", "App::PropertyStringList", "Markers", QT_TRANSLATE_NOOP("App::Property", "What each marker marks"), [], READ_ONLY
+    ),
+    Property(
+        "Labels", "App::PropertyStringList", "Markers", QT_TRANSLATE_NOOP("App::Property", "A few words to each marker"), [],
+        READ_ONLY,
+    ),
+)  # fmt: skip
+
+
+class Markers(Proxy):
+    """Proxy of the markers."""
+
+    @classmethod
+    def properties(cls) -> Sequence[Property]:
+        """The path, and place, kind and label of each marker."""
+        return PROPERTIES
+
+    def execute(self, obj: Any) -> None:
+        """FreeCAD recomputes the object."""
+        if obj.Path is None:
+            raise SelectionError(f"The path of {obj.Label} was deleted: choose another one in its property Path.", obj.Label)
+        marks, zero = report.markers(figures_of(obj.Path)), obj.Path.WorkZero
+        obj.Places = [FreeCAD.Vector(*mark.place) + zero for mark in marks]
+        obj.Kinds = [mark.kind for mark in marks]
+        obj.Labels = [mark.label for mark in marks]
+
+
+def of(path: Any) -> Any:
+    """The Markers object of a path, or None."""
+    return next((one for one in path.InList if isinstance(getattr(one, "Proxy", None), Markers)), None)
+
+
+def make(path: Any) -> Any:
+    """A Markers object, not yet computed."""
+    obj = path.Document.addObject("App::FeaturePython", "Markers")
+    Markers(obj)
+    obj.Path = path
+    return obj

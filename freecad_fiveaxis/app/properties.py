@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The properties of our document objects, made from the fields of the core's settings.
+
+setting property   option ``least_interval`` is property ``LeastInterval``, in the group of its settings class.
+result property    what the last computation found; read-only, and a change of it does not make the object out of date.
+
+FreeCAD keeps lengths in mm, angles in degrees and feeds in **mm/s**, and shows them in the user's units.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import FreeCAD
+
+from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.settings import option_fields
+from freecad_fiveaxis.core.tool_axis import STRATEGIES
+
+READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
+"""FreeCAD's attributes of a property. OUTPUT: setting it does not touch the object."""
+RESULT = READ_ONLY | OUTPUT
+MACHINES_OWN = "machine's own"
+"""The first choice of Controller: what the machine's file says."""
+
+
+def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
+    """Marks a text for the translators; FreeCAD itself translates the documentation of properties when it shows them."""
+    return text
+
+
+@dataclass(frozen=True)
+class Property:
+    """One property: ``name``, FreeCAD's ``kind`` of it, ``group``, ``text`` for the user, ``default``, attributes, choices."""
+
+    name: str
+    kind: str
+    group: str
+    text: str
+    default: Any = None
+    attributes: int = 0
+    choices: tuple[str, ...] = ()
+
+
+KINDS = {
+    "length": "App::PropertyLength", "angle": "App::PropertyAngle", "feed": "App::PropertySpeed",
+    "choice": "App::PropertyEnumeration", "text": "App::PropertyString", "vector": "App::PropertyVector",
+    "point": "App::PropertyVectorDistance", "number": "App::PropertyFloat", "count": "App::PropertyInteger",
+}  # fmt: skip
+"""FreeCAD's kind of property for each kind of option. A kind that is not here (files to write) makes no property."""
+_ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRATEGIES)}
+
+WORK_ZERO = Property(
+    "WorkZero", "App::PropertyVectorDistance", "Machine",
+    QT_TRANSLATE_NOOP("App::Property", "The place of the work zero in the document"), (0.0, 0.0, 0.0),
+)  # fmt: skip
+HOLDER = (
+    Property(
+        "HolderDiameter", "App::PropertyLength", "Cutter",
+        QT_TRANSLATE_NOOP("App::Property", "Diameter of the holder that is shown above the cutter"), 40.0,
+    ),
+    Property(
+        "HolderLength", "App::PropertyLength", "Cutter",
+        QT_TRANSLATE_NOOP("App::Property", "Length of the holder that is shown above the cutter"), 60.0,
+    ),
+)  # fmt: skip
+_CUTTER = (
+    ("CutterDiameter", QT_TRANSLATE_NOOP("App::Property", "Diameter of the ball-end cutter")),
+    ("CutterLength", QT_TRANSLATE_NOOP("App::Property", "Length of the cutter's edge, from the tip upwards")),
+)
+_FROM_MACHINE = QT_TRANSLATE_NOOP("App::Property", "Take the work zero's place on the machine from the machine's file")
+
+
+def property_name(option: str) -> str:
+    """``least_interval`` -> ``LeastInterval``."""
+    return "".join(part[:1].upper() + part[1:] for part in option.split("_"))
+
+
+@cache
+def setting_properties(task: str) -> tuple[Property, ...]:
+    """A property for every option of the task that is not a file to write."""
+    return tuple(made for cls, leaf in option_fields(task) for made in _of_option(cls.__name__.removesuffix("Settings"), leaf))
+
+
+def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
+    kind, text = leaf.metadata["kind"], leaf.metadata["text"]
+    if kind == "cutter":
+        sizes = (leaf.default.diameter, leaf.default.length)
+        return [Property(name, KINDS["length"], group, help_, size) for (name, help_), size in zip(_CUTTER, sizes, strict=True)]
+    if kind not in KINDS:
+        return []
+    choices = _ENUMERATED.get(leaf.name, leaf.metadata["choices"])
+    name, type_ = property_name(leaf.name), KINDS["choice" if choices else kind]
+    made = [Property(name, type_, group, text, default_value(leaf), choices=choices)]
+    if kind == "point":
+        made.append(Property(name + "FromMachine", "App::PropertyBool", group, _FROM_MACHINE, leaf.default is None))
+    return made
+
+
+def default_value(leaf: dataclasses.Field[Any]) -> Any:
+    """The option's default as the property holds it: degrees, mm/s; where nothing is given 0, an empty text, the first choice."""
+    return property_value(leaf, leaf.default)
+
+
+def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
+    """A value of the core (rad, mm/min) as the property holds it."""
+    kind = leaf.metadata["kind"]
+    if value is None:
+        return {"point": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN}.get(kind, 0.0)
+    if kind == "angle":
+        return round(math.degrees(value), 12)
+    if kind == "feed":
+        return value / 60.0
+    return int(value) if kind == "count" else value
+
+
+RESULTS = (
+    Property("Passes", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Passes over the part"), 0, RESULT),
+    Property("Blocks", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Blocks of the program"), 0, RESULT),
+    Property(
+        "Time", "App::PropertyTime", "Result", QT_TRANSLATE_NOOP("App::Property", "Time that the program takes"), 0.0, RESULT
+    ),
+    Property(
+        "CutLength", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Way of the tip along the part"), 0.0, RESULT,
+    ),
+    Property(
+        "MaxSegmentDeviation", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Largest deviation of the tip from the commanded segments"), 0.0, RESULT,
+    ),
+    Property(
+        "MaxLineDeviation", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Largest deviation of the tip from the lines of the commanded segments"),
+        0.0, RESULT,
+    ),
+    Property(
+        "MaxBound", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Proven upper bound of the deviation from the commanded segments"), 0.0, RESULT,
+    ),
+    Property(
+        "Proven", "App::PropertyBool", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "The proven bound of every block is within the tolerance"), False, RESULT,
+    ),
+    Property(
+        "OverTolerance", "App::PropertyInteger", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Blocks that leave the commanded segment by more than the tolerance"), 0, RESULT,
+    ),
+    Property(
+        "SingularBlocks", "App::PropertyInteger", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Blocks near the pole, where a rotary axis turns far to lean the tool a little"),
+        0, RESULT,
+    ),
+    Property(
+        "WorstLine", "App::PropertyInteger", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "NC line of the block with the largest deviation; 0: none"), 0, RESULT,
+    ),
+    Property(
+        "Findings", "App::PropertyStringList", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [], RESULT,
+    ),
+    Property(
+        "Fingerprint", "App::PropertyString", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Of the mesh and the settings that the result is of"), "", RESULT | HIDDEN,
+    ),
+)  # fmt: skip
+"""What a Toolpath and an Audit show of their last computation."""
+
+_INSTEAD = {"App::PropertyTime": "App::PropertyFloat"}
+"""FreeCAD 0.20 has no property of time: there it is a plain number of seconds."""
+
+
+def add_missing(obj: Any, properties: Iterable[Property]) -> None:
+    """Give the object each property that it does not have, with its default; choices are brought up to date."""
+    there, known = set(obj.PropertiesList), None
+    for one in properties:
+        if one.name in there:
+            _renew_choices(obj, one)
+            continue
+        known = known or set(obj.supportedProperties())
+        kind = one.kind if one.kind in known else _INSTEAD[one.kind]
+        obj.addProperty(kind, one.name, one.group, one.text, one.attributes)
+        _set_default(obj, one)
+
+
+def _set_default(obj: Any, one: Property) -> None:
+    if one.choices:
+        setattr(obj, one.name, list(one.choices))
+    if one.default is not None:
+        setattr(obj, one.name, FreeCAD.Vector(*one.default) if isinstance(one.default, tuple) else one.default)
+
+
+def _renew_choices(obj: Any, one: Property) -> None:
+    """The choices of this version. A choice that is gone stays, so that the core can say so when it is used."""
+    if not one.choices or tuple(obj.getEnumerationsOfProperty(one.name) or ()) == one.choices:
+        return
+    value = getattr(obj, one.name)
+    setattr(obj, one.name, [*one.choices, *({value} - set(one.choices) - {None})])
+    setattr(obj, one.name, value or one.default)

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Results of toolpaths and audits, computed when somebody needs them.
+
+result        the core's Result: arrays, not saved with the document. The proxy keeps the last one.
+fingerprint   what a result is of: the mesh or NC file, the settings, the machine. The same fingerprint gives the same bytes.
+current       the object shows the result of what its base and its settings now are.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass, replace
+from typing import Any
+
+from freecad_fiveaxis import __version__
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.errors import FileError, FiveAxisError
+from freecad_fiveaxis.core.machine import Machine, load_machine
+from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.report import Figures
+from freecad_fiveaxis.core.settings import Settings
+
+from .convert import clear_result, put_result
+from .long_work import listening
+from .selection import SelectionError
+
+
+@dataclass(frozen=True)
+class Task:
+    """What an object asks of the core: the ``settings``, and the ``data`` (STL or NC bytes) with the chosen facets' ``runs``."""
+
+    settings: Settings
+    data: bytes
+    runs: tuple[int, ...] = ()
+
+    @property
+    def fingerprint(self) -> str:
+        """A hexadecimal number that any change of the input changes; another name of it does not."""
+        said = repr((__version__, replace(self.settings, source=""), _machine(self.settings), self.runs)).encode()
+        return hashlib.sha256(hashlib.sha256(self.data).digest() + said).hexdigest()
+
+
+def _machine(settings: Settings) -> Machine:
+    try:
+        return load_machine(settings.machine.machine)
+    except FileError as error:
+        raise FileError(f"{error}; choose another machine, or put the file back", error.value) from error
+
+
+@dataclass(frozen=True, eq=False)
+class Last:
+    """What a proxy remembers of the last computation."""
+
+    fingerprint: str
+    result: job.Result
+    figures: Figures
+
+
+def result_of(obj: Any, progress: Progress | None = None) -> job.Result:
+    """The result of a Toolpath or an Audit, computed anew only where something has changed.
+
+    Raises FiveAxisError for what cannot be used, Cancelled where the listener stops the work.
+    """
+    return _last(obj, progress).result
+
+
+def figures_of(obj: Any, progress: Progress | None = None) -> Figures:
+    """What the report, the drawing and the markers are made from; work frame. Raises as :func:`result_of`."""
+    return _last(obj, progress).figures
+
+
+def nc_of(obj: Any, progress: Progress | None = None) -> bytes:
+    """The NC file of a Toolpath; of an Audit the file that is audited. Raises as :func:`result_of`."""
+    made = _last(obj, progress).result.made
+    return made.nc if isinstance(made, job.Posted) else obj.Proxy.task(obj).data
+
+
+def _last(obj: Any, progress: Progress | None) -> Last:
+    proxy = getattr(obj, "Proxy", None)
+    if not hasattr(proxy, "made"):
+        label = "Nothing" if obj is None else obj.Label
+        raise SelectionError(f"{label} is no toolpath and no audit: select one of these.", label)
+    task = proxy.task(obj)
+    fingerprint = task.fingerprint
+    if proxy.last is None or proxy.last.fingerprint != fingerprint:
+        with listening(progress) as listener:
+            result = job.prove(proxy.made(task, listener), listener)
+        proxy.last = Last(fingerprint, result, job.figures(result))
+    return proxy.last
+
+
+def execute(obj: Any) -> None:
+    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers."""
+    try:
+        last = _last(obj, None)
+    except FiveAxisError as error:
+        clear_result(obj, str(error))
+        raise
+    put_result(obj, last.figures, last.fingerprint)
+
+
+def out_of_date(obj: Any) -> str:
+    """Why the object does not show the result of its base and settings; an empty text where it does."""
+    before = [one for one in (_base(obj), getattr(obj, "Mesh", None)) if one is not None]
+    for one in (*before, obj):
+        if "Invalid" in one.State:
+            return f"{one.Label} could not be computed: {one.getStatusString()}"
+        if "Touched" in one.State and one is not obj:
+            return f"{one.Label} was changed: recompute the document"
+    try:
+        same = obj.Proxy.task(obj).fingerprint == obj.Fingerprint
+    except FiveAxisError as error:
+        return str(error)
+    return "" if same else f"{obj.Label} shows the result of other settings, or of another version: recompute the document"
+
+
+def _base(obj: Any) -> Any:
+    link = getattr(getattr(obj, "Mesh", None), "Base", None)
+    return link[0] if isinstance(link, tuple) else link

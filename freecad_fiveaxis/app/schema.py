@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all our document objects have in common: a proxy without data, and properties that grow with the versions.
+
+proxy           the Python object behind a document object. All data is in properties, so that a document is whole without us.
+SchemaVersion   a hidden property: which version's properties the object has. Objects without it are of version 0.
+migration       what brings an object of an older version up to date when its document is opened. Nothing is ever taken away.
+
+The paths of the proxy classes stand in saved documents: they are forever.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import FreeCAD
+
+from .properties import HIDDEN, Property, add_missing
+
+SCHEMA = 1
+VERSION = Property(
+    "SchemaVersion", "App::PropertyInteger", "Base", "The version of this object's properties", 0, HIDDEN
+)  # fmt: skip
+
+
+class Proxy:
+    """Base of our proxies. A subclass lists its ``properties`` and knows how to ``execute``."""
+
+    def __init__(self, obj: Any) -> None:
+        obj.Proxy = self
+        add_missing(obj, [*self.properties(), VERSION])
+        obj.SchemaVersion = SCHEMA
+        self._begin()
+
+    def _begin(self) -> None:
+        """What the proxy remembers while the document is open; also called after opening."""
+
+    @classmethod
+    def properties(cls) -> Sequence[Property]:
+        """The properties of an object of this kind, in order."""
+        raise NotImplementedError(cls.__name__)
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """FreeCAD has read the object from a file, or made a copy of it."""
+        self._begin()
+        migrate(obj, self.properties())
+
+    def dumps(self) -> None:
+        """FreeCAD 0.21 and later: nothing to save but the properties."""
+
+    def loads(self, state: Any) -> None:
+        """FreeCAD 0.21 and later."""
+        self._begin()
+
+    def __getstate__(self) -> None:
+        """FreeCAD 0.20 knows these two names only."""
+
+    def __setstate__(self, state: Any) -> None:
+        self._begin()
+
+
+def migrate(obj: Any, properties: Sequence[Property]) -> None:
+    """Bring an object up to this version: run the step of each version that it has missed; what is still missing is added.
+
+    An object of a later version stays as it is but for that: what we do not know is kept for the program that does.
+    """
+    version = getattr(obj, VERSION.name, 0)
+    if version > SCHEMA:
+        FreeCAD.Console.PrintWarning(
+            f"{obj.Label} was saved by a later version of the five-axis workbench (schema {version}, here {SCHEMA}); "
+            "properties that are not known here are kept but not used\n"
+        )
+    for step in range(version, SCHEMA):
+        STEPS[step](obj)
+    add_missing(obj, [*properties, VERSION])
+    obj.SchemaVersion = max(version, SCHEMA)
+
+
+def _from_0(obj: Any) -> None:
+    """Version 0 had the same properties under the same names, but fewer, and no SchemaVersion: adding the missing is all."""
+
+
+STEPS: dict[int, Callable[[Any], None]] = {0: _from_0}
+"""From each version to the next: what the plain adding of missing properties would lose, as the value of a renamed one."""

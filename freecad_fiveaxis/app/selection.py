@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What can be milled: a solid, faces of it, a Part Design body, a compound of solids, or a mesh; and what to say of all else.
+
+base    the object that the user selected.   faces   names of its faces, as ``Face3``; none: all of it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import FreeCAD
+import Part
+
+from freecad_fiveaxis.core.errors import FiveAxisError
+
+WHAT = "select a solid, faces of a solid, a body, a compound of solids, or a mesh"
+_FACE = re.compile(r"Face[1-9]\d*")
+
+
+class SelectionError(FiveAxisError, ValueError):
+    """What was selected cannot be milled; the message says what to select."""
+
+
+def pick(chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[Any, tuple[str, ...]]:
+    """The base and its faces out of selected ``(object, names of its elements)``. Raises SelectionError.
+
+    An edge, a vertex or an element of a mesh among the names stands for the whole object.
+    """
+    rows = [(_leaf(obj, name), name) for obj, names in chosen for name in (tuple(names) or ("",))]
+    if not rows:
+        raise SelectionError(f"Nothing is selected: {WHAT}.", None)
+    objects = {id(obj): obj for obj, _ in rows}
+    if len(objects) > 1:
+        labels = ", ".join(obj.Label for obj in objects.values())
+        raise SelectionError(f"{len(objects)} objects are selected ({labels}): select one, or make a compound of them.", labels)
+    (base,) = objects.values()
+    names = dict.fromkeys(name for _, name in rows if name)
+    if not is_mesh(base):
+        solids(base)
+        faces = tuple(last for name in names if _FACE.fullmatch(last := name.rsplit(".", 1)[-1]))
+        return base, faces if len(faces) == len(names) else ()
+    check_mesh(base)
+    return base, ()
+
+
+def _leaf(obj: Any, name: str) -> Any:
+    """What is meant by an element of a group or a part, as ``Box.Face1``: the object in it. A body stands for its features."""
+    inner = obj.getSubObject(name, 1) if "." in name and not obj.isDerivedFrom("PartDesign::Body") else None
+    return inner or obj
+
+
+def is_mesh(obj: Any) -> bool:
+    """Whether the object is a mesh (a Tessellation is one too)."""
+    return hasattr(obj, "Mesh") and hasattr(obj.Mesh, "CountFacets")
+
+
+def check_mesh(obj: Any) -> None:
+    """Raises SelectionError for a mesh without facets."""
+    if not obj.Mesh.CountFacets:
+        raise SelectionError(f"{obj.Label} is an empty mesh: select a mesh with facets, or a solid.", obj.Label)
+
+
+def solids(obj: Any, faces: Sequence[str] = ()) -> tuple[Any, list[int]]:
+    """The object's solids as one shape in the document's coordinates, each with its outside out; and which of its Faces
+    (counted from 0) the names of the object's ``faces`` mean. Raises SelectionError.
+    """
+    shape = _shape(obj)
+    if not shape.isValid():
+        raise SelectionError(
+            f"The shape of {obj.Label} is invalid, so its mesh would have cracks: "
+            "repair it (Part workbench: Check geometry shows where), or select another solid.", obj.Label,
+        )  # fmt: skip
+    outward = [solid if solid.Volume > 0 else solid.reversed() for solid in shape.Solids]
+    if not outward:
+        raise SelectionError(f"{obj.Label} ({_kind(obj, shape)}) has no solid: {WHAT}.", obj.Label)
+    whole = outward[0] if len(outward) == 1 else Part.makeCompound(outward)
+    return whole, [_face_row(obj.Label, shape, whole, name) for name in faces]
+
+
+def _face_row(label: str, shape: Any, whole: Any, name: str) -> int:
+    face = _face(shape, name)
+    row = next((i for i, one in enumerate(whole.Faces) if face is not None and one.isSame(face)), None)
+    if row is None:
+        raise SelectionError(f"{label} has no {name} on a solid: select its faces again.", name)
+    return row
+
+
+def _face(shape: Any, name: str) -> Any:
+    number = int(name[4:]) if _FACE.fullmatch(name) else 0
+    return shape.Faces[number - 1] if 0 < number <= len(shape.Faces) else None
+
+
+def _shape(obj: Any) -> Any:
+    """The object's shape in the document's coordinates."""
+    if obj is None:
+        raise SelectionError(f"The base was deleted: {WHAT}, or undo the deletion.", None)
+    shape = Part.getShape(obj)
+    if shape.isNull():
+        raise SelectionError(f"{obj.Label} ({obj.TypeId}) has no solid: {WHAT}.", obj.Label)
+    shape.Placement = holder_of(obj).multiply(shape.Placement)
+    return shape
+
+
+def holder_of(obj: Any) -> Any:
+    """The placement in the document of what holds the object: a part or a body that was moved."""
+    if not hasattr(obj, "getGlobalPlacement") or not hasattr(obj, "Placement"):
+        return FreeCAD.Placement()
+    return obj.getGlobalPlacement().multiply(obj.Placement.inverse())
+
+
+def _kind(obj: Any, shape: Any) -> str:
+    if obj.isDerivedFrom("Sketcher::SketchObject"):
+        return "a sketch"
+    return {"Compound": "a compound without solids", "Wire": "a wire"}.get(shape.ShapeType, f"a {shape.ShapeType.lower()}")

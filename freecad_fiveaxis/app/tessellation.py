@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Tessellation object: the mesh of a solid, with the facets of the chosen faces.
+
+linear deflection    mm; no facet is further than this from the surface.   angular deflection   deg between neighbouring facets.
+facet runs           start, stop, start, stop ...: which facets lie on the chosen faces; none where all are to be milled.
+
+The mesher is MeshPart's, which keeps the facets of a face together and in the order of the faces; ``shape.tessellate`` takes
+many times as long and makes more facets.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import accumulate
+from typing import Any
+
+import MeshPart
+
+from freecad_fiveaxis.core.errors import SettingsError
+
+from . import selection
+from .long_work import listening
+from .properties import HIDDEN, OUTPUT, QT_TRANSLATE_NOOP, RESULT, Property
+from .schema import Proxy
+
+LINEAR, ANGULAR = 0.02, 15.0
+"""mm, deg: what is taken where nothing is asked for."""
+PROPERTIES = (
+    Property(
+        "Base", "App::PropertyLinkSubGlobal", "Base",
+        QT_TRANSLATE_NOOP("App::Property", "The solid, body, compound or mesh, and the faces of it that are milled"),
+    ),
+    Property(
+        "LinearDeflection", "App::PropertyLength", "Tessellation",
+        QT_TRANSLATE_NOOP("App::Property", "Largest distance of a facet from the surface"), LINEAR,
+    ),
+    Property(
+        "AngularDeflection", "App::PropertyAngle", "Tessellation",
+        QT_TRANSLATE_NOOP("App::Property", "Largest angle between neighbouring facets"), ANGULAR,
+    ),
+    Property("Facets", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Facets of the mesh"), 0, RESULT),
+    Property(
+        "FacetRuns", "App::PropertyIntegerList", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets on the chosen faces"), [], RESULT | HIDDEN | OUTPUT,
+    ),
+)  # fmt: skip
+
+
+class Tessellation(Proxy):
+    """Proxy of a tessellation."""
+
+    def __init__(self, obj: Any) -> None:
+        super().__init__(obj)
+        obj.setEditorMode("Placement", ["ReadOnly"])  # it stands where its base stands
+
+    def _begin(self) -> None:
+        self.built = False
+
+    @classmethod
+    def properties(cls) -> Sequence[Property]:
+        """The base, both deflections, and which facets are to be milled."""
+        return PROPERTIES
+
+    def build(self, obj: Any) -> None:
+        """Make the mesh now. Raises SelectionError, SettingsError, Cancelled; the recompute that follows does no work again."""
+        base, faces = chosen(obj)
+        with listening() as progress:
+            progress("tessellate", 0.0)
+            mesh, runs = _meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value)
+            progress("tessellate", 1.0)
+        obj.Mesh, obj.FacetRuns, obj.Facets = mesh, runs, mesh.CountFacets
+        self.built = True
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """A change of the input asks for a new mesh."""
+        if name in ("Base", "LinearDeflection", "AngularDeflection"):
+            self.built = False
+
+    def execute(self, obj: Any) -> None:
+        """FreeCAD recomputes the object."""
+        if not self.built:
+            self.build(obj)
+        self.built = False
+
+
+def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
+    """The base of a Tessellation and the names of its chosen faces."""
+    if obj.Base is None:
+        return None, ()
+    base, names = obj.Base
+    return base, tuple(name for name in names if name)
+
+
+def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float) -> tuple[Any, list[int]]:
+    if base is not None and selection.is_mesh(base):
+        return _copied(base, faces), []
+    if linear <= 0.0 or angular <= 0.0:
+        raise SettingsError(f"the deflections are {linear:g} mm and {angular:g} deg; both must be above 0", (linear, angular))
+    whole, rows = selection.solids(base, faces)
+    mesh = MeshPart.meshFromShape(
+        Shape=whole.copy(), LinearDeflection=linear, AngularDeflection=math.radians(angular), Relative=False, Segments=True
+    )
+    counts = [len(mesh.getSegment(i)) for i in range(mesh.countSegments())]
+    if not mesh.CountFacets or len(counts) != len(whole.Faces) or sum(counts) != mesh.CountFacets:
+        raise selection.SelectionError(
+            f"FreeCAD could not mesh {base.Label}: check its geometry, or choose other deflections.", base
+        )
+    stop = list(accumulate(counts))
+    return mesh, [bound for row in sorted(set(rows)) for bound in (stop[row] - counts[row], stop[row])]
+
+
+def _copied(base: Any, faces: Sequence[str]) -> Any:
+    if faces:
+        raise selection.SelectionError(f"{base.Label} is a mesh and has no faces to choose: select the whole of it.", base.Label)
+    selection.check_mesh(base)
+    mesh = base.Mesh.copy()
+    mesh.Placement = selection.holder_of(base).multiply(mesh.Placement)
+    return mesh
+
+
+def make(doc: Any, base: Any, faces: Sequence[str] = (), linear: float = LINEAR, angular: float = ANGULAR) -> Any:
+    """A Tessellation object with its mesh. ``linear`` mm, ``angular`` deg. Raises as :meth:`Tessellation.build`.
+
+    Where it fails, no object is left behind.
+    """
+    obj = doc.addObject("Mesh::FeaturePython", "Tessellation")
+    try:
+        Tessellation(obj)
+        obj.Base = (base, list(faces))
+        obj.LinearDeflection, obj.AngularDeflection = linear, angular
+        obj.Proxy.build(obj)
+        doc.recompute([obj])
+    except BaseException:
+        doc.removeObject(obj.Name)
+        raise
+    return obj

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cutters out of FreeCAD's own tools: from a tool bit's file (``.fctb``) and from the tools of a CAM Job.
+
+shape           what FreeCAD calls a tool's kind: ``ballend``, ``endmill``, ``bullnose`` ... In a file it is the key
+                ``shape-type`` or the name of the shape file; on a tool in a document the property ShapeType (from 1.1),
+                BitShape or ShapeName.
+corner radius   of a bull nose. Its files give ``CornerRadius``, older ones ``FlatRadius``, the radius of the flat in the
+                middle: corner radius = D/2 - flat radius. A corner radius of D/2 is a ball end.
+cutting edge    ``CuttingEdgeHeight``: how far up from the tip the tool cuts; the core's ``Cutter.length``.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path, PureWindowsPath
+from typing import Any
+
+from freecad_fiveaxis.core.cutter import Cutter
+from freecad_fiveaxis.core.errors import FiveAxisError, SettingsError
+from freecad_fiveaxis.core.files import read_bytes
+
+SUFFIX = ".fctb"
+BALLS = ("ballend", "ballendmill")
+"""The shapes that are ball ends; the second is how the oldest tools spell it."""
+BULLNOSE = "bullnose"
+SAME = 1e-3
+"""mm; a corner radius this near to the radius makes a ball: files give four decimals."""
+REMEDY = "only ball ends are on offer: choose one, or give the cutter by hand"
+
+Lengths = Callable[[str], "float | None"]
+"""A length of the tool in mm by its name, None where the tool has none of that name."""
+
+
+@dataclass(frozen=True)
+class JobTool:
+    """A tool of a CAM Job. ``cutter`` is None where it is of no use here; ``error`` then says why and what helps.
+
+    ``feed`` and ``plunge_feed`` mm/min, ``spindle`` 1/min: 0 where the job gives none; ``number`` the tool number.
+    """
+
+    label: str
+    number: int
+    cutter: Cutter | None
+    error: str = ""
+    feed: float = 0.0
+    plunge_feed: float = 0.0
+    spindle: float = 0.0
+
+
+def cutter_of_file(path: str | os.PathLike[str]) -> Cutter:
+    """The cutter of a tool bit's file, mm. Raises FileError for a missing file, SettingsError for one of no use here."""
+    name = Path(path).name
+    bit = _parsed(read_bytes(path, "tool bit"), name)
+    sizes = bit.get("parameter")
+    if not isinstance(sizes, dict):
+        raise SettingsError(f"{name} lists no sizes; save the tool once more in FreeCAD's tool editor", path)
+    shape = bit.get("shape-type") or bit.get("shape") or bit.get("template") or ""
+    return _cutter(name, str(shape), lambda key: _length(sizes[key], f"{name}: {key}") if key in sizes else None)
+
+
+def cutter_of_tool(tool: Any) -> Cutter:
+    """The cutter of a tool in a document (``job.Tools.Group[i].Tool``), mm. Raises SettingsError for one of no use here."""
+    shape = next((getattr(tool, key) for key in ("ShapeType", "BitShape", "ShapeName", "ToolType") if getattr(tool, key, "")), "")
+    label = getattr(tool, "Label", "") or getattr(tool, "Name", "the tool")
+    return _cutter(label, shape, lambda key: _number(getattr(tool, key)) if hasattr(tool, key) else None)
+
+
+def cutters_of_job(job: Any) -> list[JobTool]:
+    """The tools of a CAM Job in its order, those of no use here with the reason."""
+    return [_job_tool(controller) for controller in job.Tools.Group]
+
+
+def _job_tool(controller: Any) -> JobTool:
+    cutter, error = None, ""
+    try:
+        cutter = cutter_of_tool(controller.Tool)
+    except FiveAxisError as unfit:
+        error = str(unfit)
+    return JobTool(
+        label=controller.Label, number=int(controller.ToolNumber), cutter=cutter, error=error,
+        feed=_feed(controller.HorizFeed), plunge_feed=_feed(controller.VertFeed), spindle=float(controller.SpindleSpeed),
+    )  # fmt: skip
+
+
+def _parsed(content: bytes, name: str) -> dict[str, Any]:
+    try:
+        bit = json.loads(content.decode("utf-8-sig"))
+    except (ValueError, RecursionError) as error:
+        raise SettingsError(f"{name} is no tool bit ({error}); choose a {SUFFIX} file of FreeCAD", name) from None
+    if not isinstance(bit, dict):
+        raise SettingsError(f"{name} is no tool bit; choose a {SUFFIX} file of FreeCAD", name)
+    return bit
+
+
+def _cutter(name: str, shape: str, length: Lengths) -> Cutter:
+    kind = _kind(shape)
+    diameter = length("Diameter")
+    if kind not in BALLS and not (kind == BULLNOSE and _is_full(name, diameter, length)):
+        raise SettingsError(f"{name} is a tool of the shape {shape or '(none)'}; {REMEDY}", shape)
+    if diameter is None:
+        raise SettingsError(f"{name} has no diameter; give it one in FreeCAD's tool editor", name)
+    edge = length("CuttingEdgeHeight")
+    return Cutter(diameter) if edge is None else Cutter(diameter, edge)
+
+
+def _kind(shape: str) -> str:
+    """``ballend`` of ``Ballend``, ``ballend.fcstd``, ``C:\\shapes\\ballend.fcstd`` or ``Ball End``."""
+    name = PureWindowsPath(shape).name.lower()  # of the other systems' paths too
+    return "".join(letter for letter in name.removesuffix(".fcstd") if letter.isalnum())
+
+
+def _is_full(name: str, diameter: float | None, length: Lengths) -> bool:
+    """Whether a bull nose is a ball end; raises SettingsError that names its corner radius where it is not."""
+    corner, flat = length("CornerRadius"), length("FlatRadius")
+    if diameter is None or (corner is None and flat is None):
+        return False
+    corner = diameter / 2 - flat if corner is None and flat is not None else corner
+    if corner is not None and abs(corner - diameter / 2) <= SAME:
+        return True
+    raise SettingsError(f"{name} is a bull nose of {diameter:g} mm with a corner radius of {corner:g} mm; {REMEDY}", corner)
+
+
+def _length(given: Any, what: str) -> float:
+    """mm of a text with a unit, as FreeCAD's own parser reads it (6.0000 mm, 0.25 in, 1/4")."""
+    import FreeCAD
+
+    try:
+        text = given.strip() or "?" if isinstance(given, str) else float(given)  # FreeCAD takes no text at all for 2e-308
+        size = FreeCAD.Units.Quantity(text)
+    except (ValueError, TypeError, OSError, ArithmeticError):
+        raise SettingsError(f"{what} {given!r} is no length; write it as 6 mm or 0.25 in", given) from None
+    if size.Unit not in (FreeCAD.Units.Length, FreeCAD.Units.Unit()):
+        raise SettingsError(f"{what} {given!r} is no length; write it as 6 mm or 0.25 in", given)
+    return float(size.Value)
+
+
+def _number(given: Any) -> float:
+    return float(getattr(given, "Value", given))
+
+
+def _feed(given: Any) -> float:
+    """mm/min of FreeCAD's mm/s."""
+    return round(60 * _number(given), 9)  # 1000 mm/min is no whole number of mm/s: what was typed comes back

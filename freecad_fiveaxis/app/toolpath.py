@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Toolpath object: a mesh, every setting of the core, and what came out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import FreeCAD
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.settings import MILL
+
+from . import convert, results
+from .properties import HOLDER, QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
+from .schema import Proxy
+from .selection import SelectionError, is_mesh
+
+MESH = Property(
+    "Mesh", "App::PropertyLinkGlobal", "Base", QT_TRANSLATE_NOOP("App::Property", "The tessellation, or any mesh, that is milled")
+)
+
+
+class Toolpath(Proxy):
+    """Proxy of a toolpath."""
+
+    last: results.Last | None
+
+    def _begin(self) -> None:
+        self.last = None
+
+    @classmethod
+    def properties(cls) -> Sequence[Property]:
+        """The mesh, the settings of task ``mill``, the holder, the work zero and the results."""
+        return (MESH, *setting_properties(MILL), *HOLDER, WORK_ZERO, *RESULTS)
+
+    def task(self, obj: Any) -> results.Task:
+        """What the object asks of the core. Raises FiveAxisError."""
+        if obj.Mesh is None:
+            raise SelectionError(f"The mesh of {obj.Label} was deleted: choose another one in its property Mesh.", obj.Label)
+        if not is_mesh(obj.Mesh):
+            raise SelectionError(f"{obj.Mesh.Label} is no mesh: choose a tessellation or a mesh.", obj.Mesh.Label)
+        settings = convert.settings_of(obj, MILL, f"{obj.Mesh.Label}.stl")
+        stl = convert.stl_bytes(obj.Mesh, obj.WorkZero)
+        return results.Task(settings, stl, tuple(getattr(obj.Mesh, "FacetRuns", ())))
+
+    def made(self, task: results.Task, progress: Progress) -> job.Made:
+        """The program, not yet proven."""
+        progress("weld", 0.0)
+        mesh = convert.mesh_of(task.data)
+        return job.make(task.settings, progress, mesh=mesh, faces=convert.facet_mask(task.data, mesh, task.runs))
+
+    def execute(self, obj: Any) -> None:
+        """FreeCAD recomputes the object."""
+        results.execute(obj)
+
+
+def make(doc: Any, mesh: Any, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:
+    """A Toolpath object of a mesh object, not yet computed. ``extra``: properties that are no settings of the core.
+
+    Raises SettingsError, and then leaves no object behind.
+    """
+    obj = doc.addObject("App::FeaturePython", "Toolpath")
+    try:
+        Toolpath(obj)
+        obj.Mesh = mesh
+        convert.put_options(obj, MILL, options)
+        for name, value in extra.items():
+            setattr(obj, name, FreeCAD.Vector(*value) if isinstance(value, (tuple, list)) else value)
+    except BaseException:
+        doc.removeObject(obj.Name)
+        raise
+    return obj

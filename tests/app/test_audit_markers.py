@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Audit and markers: the numbers and the places are the core's."""
+
+import numpy as np
+import pytest
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import markers, results
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.errors import FileError, FiveAxisError, MachineError, SettingsError
+from freecad_fiveaxis.core.report import markers as core_markers
+from freecad_fiveaxis.core.settings import build_settings
+
+TABLE_2 = (
+    "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
+)
+"""So et al., Table 2: one block near the pole of a Mikron UCP 710."""
+
+
+@pytest.fixture
+def table2(tmp_path):
+    file = tmp_path / "table2.ngc"
+    file.write_text(TABLE_2)
+    return file
+
+
+def test_table_2_of_so_is_judged(doc, table2):
+    made = app.audit(doc, table2, "mikron_ucp710")
+    assert made.MaxSegmentDeviation.Value == pytest.approx(2.1264, abs=5e-4)
+    assert made.MaxLineDeviation.Value == pytest.approx(0.9384, abs=3e-4)
+    assert (made.WorstLine, made.SingularBlocks, made.OverTolerance, made.Proven) == (3, 1, 1, False)
+    assert made.State == ["Up-to-date"] and results.out_of_date(made) == "" and results.nc_of(made) == TABLE_2.encode()
+    assert any("2.1264 mm" in text for text in made.Findings)
+
+
+def test_the_marker_stands_at_the_largest_deviation_in_the_document(doc, table2):
+    made = app.audit(doc, table2, "mikron_ucp710", work_zero=(100, 0, -5))
+    marks = app.annotate(made)
+    figures = results.figures_of(made)
+    place = figures.deviation.place[figures.worst[0]]
+    assert marks.Kinds[0] == "largest-deviation" and marks.Labels[0] == "2.126 mm, line 3"
+    np.testing.assert_allclose(tuple(marks.Places[0]), place + (100, 0, -5), atol=1e-9)
+
+
+def test_the_file_that_vanished_or_changed_is_told(doc, table2, reopen):
+    made = app.audit(doc, table2, "mikron_ucp710")
+    table2.write_text(TABLE_2.replace("34.8175", "34.8176"))
+    assert "recompute the document" in results.out_of_date(made)
+    again = reopen(doc).Audit
+    again.touch()
+    again.Document.recompute()
+    assert results.out_of_date(again) == "" and again.Blocks == 2
+    table2.unlink()
+    again.touch()
+    again.Document.recompute()
+    assert "Invalid" in again.State and "table2.ngc does not exist" in again.getStatusString() and again.Blocks == 0
+
+
+@pytest.mark.parametrize(
+    "machine, settings, kind",
+    [
+        ("mikron", {}, MachineError),
+        ("mikron_ucp710", {"scallop": 1}, SettingsError),
+        ("mikron_ucp710", {"controller": "x"}, SettingsError),
+        ("", {}, SettingsError),
+    ],
+)
+def test_a_bad_audit_leaves_nothing_behind(doc, table2, machine, settings, kind):
+    with pytest.raises(kind):
+        app.audit(doc, table2, machine, **settings)
+    assert not doc.Objects
+
+
+def test_a_file_that_is_not_there_leaves_nothing_behind(doc, tmp_path):
+    with pytest.raises(FileError, match="does not exist"):
+        app.audit(doc, tmp_path / "no.ngc", "mikron_ucp710")
+    assert not doc.Objects
+
+
+DOME = {"machine": "trunnion_ac", "stepover": 8, "tolerance": 0.005}
+
+
+def test_markers_on_a_dome_stand_where_the_core_says(doc, dome, tmp_path):
+    path = app.create_toolpath(doc, dome, **DOME, work_zero=(1, 2, 3))
+    marks = app.annotate(path)
+    moved = dome.Mesh.copy()
+    moved.translate(-1, -2, -3)
+    moved.write(str(tmp_path / "dome.stl"))
+    wanted = core_markers(job.figures(job.run(build_settings("mill", str(tmp_path / "dome.stl"), DOME))))
+    assert list(marks.Kinds) == [mark.kind for mark in wanted] and list(marks.Labels) == [mark.label for mark in wanted]
+    np.testing.assert_allclose(
+        [tuple(place) for place in marks.Places], np.array([mark.place for mark in wanted]) + (1, 2, 3), atol=1e-9
+    )
+    kinds = set(marks.Kinds)
+    assert {"largest-deviation", "singular-block", "deviation-over-tolerance"} <= kinds
+    near = [place for place, kind in zip(marks.Places, marks.Kinds, strict=True) if kind == "singular-block"]
+    assert min(np.hypot(place.x, place.y) for place in near) < 8  # the pole stands over the dome's top
+
+
+def test_a_path_has_one_markers_object_that_follows_it(doc, dome):
+    path = app.create_toolpath(doc, dome, **DOME)
+    marks = app.annotate(path)
+    assert app.annotate(path) is marks is markers.of(path) and marks in path.InList
+    before = len(marks.Places)
+    path.Tolerance = 1
+    doc.recompute()
+    assert len(marks.Places) < before and marks.State == ["Up-to-date"]
+
+
+def test_markers_without_a_path_are_told(doc, dome, reopen):
+    path = app.create_toolpath(doc, dome, **DOME)
+    app.annotate(path)
+    again = reopen(doc)
+    assert list(again.Markers.Labels)
+    again.removeObject("Toolpath")
+    again.recompute()
+    assert "Invalid" in again.Markers.State and "was deleted" in again.Markers.getStatusString()
+
+
+def test_only_paths_are_annotated(doc, dome):
+    with pytest.raises(FiveAxisError, match="no toolpath and no audit"):
+        app.annotate(dome)
+    with pytest.raises(FiveAxisError, match="no toolpath and no audit"):
+        app.annotate(None)
+    assert [one.Name for one in doc.Objects] == ["Dome"]

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Documents of earlier versions open whole, and what they lacked is added."""
+
+import pytest
+from conftest import FAST
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import properties, results, schema, toolpath
+
+LACKED = {
+    "Toolpath": [
+        "SchemaVersion",
+        "HolderDiameter",
+        "HolderLength",
+        "WorkZero",
+        "OriginFromMachine",
+        "MaxBound",
+        "Fingerprint",
+        "Blend",
+    ],
+    "Tessellation": ["SchemaVersion", "AngularDeflection", "FacetRuns", "Facets"],
+    "Markers": ["SchemaVersion", "Labels"],
+}
+"""What the objects of version 0 did not have."""
+
+
+@pytest.fixture
+def old(doc, ball):
+    """A document as version 0 left it."""
+    path = app.create_toolpath(doc, ball, **FAST, feed=1500)
+    app.annotate(path)
+    for name, lacked in LACKED.items():
+        for one in lacked:
+            assert doc.getObject(name).removeProperty(one), one
+    return doc
+
+
+def test_a_document_of_version_0_opens_and_nothing_is_lost(old, reopen):
+    before = {name: old.Toolpath.getPropertyByName(name) for name in ("Stepover", "Feed", "Machine", "Blocks", "Findings")}
+    new = reopen(old)
+    for name, lacked in LACKED.items():
+        assert set(lacked) <= set(new.getObject(name).PropertiesList)
+        assert new.getObject(name).SchemaVersion == schema.SCHEMA == 1
+    path = new.Toolpath
+    assert {name: path.getPropertyByName(name) for name in before} == before
+    assert (path.HolderDiameter.Value, path.HolderLength.Value, path.OriginFromMachine) == (40, 60, True)
+    assert tuple(path.WorkZero) == (0, 0, 0) and new.Tessellation.AngularDeflection.Value == 15
+    assert path.getGroupOfProperty("MaxBound") == "Result" and path.getEditorMode("MaxBound") == ["ReadOnly"]
+    assert "recompute" in results.out_of_date(path)  # a result without a fingerprint: nobody knows what it is of
+
+
+def test_it_is_recomputed_to_the_same_program(old, reopen):
+    blocks = old.Toolpath.Blocks
+    new = reopen(old)
+    new.Toolpath.touch()
+    new.recompute()
+    assert new.Toolpath.Blocks == blocks and results.out_of_date(new.Toolpath) == "" and new.Toolpath.MaxBound > 0
+    again = reopen(new)
+    assert results.out_of_date(again.Toolpath) == "" and list(again.Markers.Labels)
+
+
+def test_every_version_has_its_step():
+    assert sorted(schema.STEPS) == list(range(schema.SCHEMA))
+
+
+def test_a_step_runs_before_the_missing_are_added(doc, monkeypatch):
+    path = toolpath.make(doc, None, {"machine": "trunnion_ac"}, {})
+    path.removeProperty("SchemaVersion")
+    path.addProperty("App::PropertyLength", "OldHolder")
+    path.OldHolder = 33
+    path.removeProperty("HolderDiameter")
+
+    def renamed(obj):
+        obj.addProperty("App::PropertyLength", "HolderDiameter")
+        obj.HolderDiameter = obj.OldHolder
+
+    monkeypatch.setitem(schema.STEPS, 0, renamed)
+    path.Proxy.onDocumentRestored(path)
+    assert path.HolderDiameter.Value == 33 and path.OldHolder.Value == 33 and path.SchemaVersion == 1
+
+
+def test_an_object_of_a_later_version_is_kept_as_it_is(doc, reopen):
+    path = toolpath.make(doc, None, {"machine": "trunnion_ac"}, {})
+    path.addProperty("App::PropertyString", "Unheard", "Later", "")
+    path.Unheard, path.SchemaVersion = "of", 99
+    again = reopen(doc).Toolpath
+    assert again.SchemaVersion == 99 and again.Unheard == "of"
+
+
+def test_the_proxies_are_found_under_their_names_and_save_nothing(doc, ball, reopen, tmp_path):
+    path = app.create_toolpath(doc, ball, **FAST)
+    marks = app.annotate(path)
+    (tmp_path / "a.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z10 A0 C0 F100\nX10 A1\n")
+    judged = app.audit(doc, tmp_path / "a.ngc", "trunnion_ac")
+    paths = [f"{type(one.Proxy).__module__}.{type(one.Proxy).__name__}" for one in (path.Mesh, path, marks, judged)]
+    start = "freecad_fiveaxis.app."
+    assert paths == [
+        start + name for name in ("tessellation.Tessellation", "toolpath.Toolpath", "markers.Markers", "auditing.Audit")
+    ]
+    assert all(one.Proxy.dumps() is None and one.Proxy.__getstate__() is None for one in (path.Mesh, path, marks, judged))
+    kind = type(judged.Proxy)
+    again = reopen(doc).Audit
+    assert type(again.Proxy) is kind and again.Blocks == 2
+
+
+def test_adding_what_is_there_changes_nothing(doc):
+    path = toolpath.make(doc, None, {"machine": "trunnion_ac", "lead": 4}, {})
+    doc.recompute()
+    path.purgeTouched()
+    properties.add_missing(path, path.Proxy.properties())
+    assert "Touched" not in path.State and path.Lead.Value == 4
