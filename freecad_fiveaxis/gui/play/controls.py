@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The widgets of the player: slider, buttons, speed, jumps and the switch between the two pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
+
+SLIDER = 10_000
+"""Steps of the slider over the program's time."""
+NARROW = 60
+"""Pixels; task panels are often narrow, and must not be scrolled sideways."""
+SPEEDS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
+"""Times real time."""
+
+
+class Controls:
+    """The widgets by name; ``widget`` goes into the panel. What they do is connected by the panel."""
+
+    def __init__(self) -> None:
+        self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
+        self.slider.setObjectName("slider")
+        self.slider.setRange(0, SLIDER)
+        self.slider.setPageStep(SLIDER // 20)
+        icons = QtWidgets.QStyle
+        self.begin = self._button("begin", icons.SP_MediaSkipBackward, translate("FiveAxis", "Back to the first position"))
+        self.back = self._button("back", icons.SP_MediaSeekBackward, translate("FiveAxis", "One block back"))
+        self.play = self._button("play", icons.SP_MediaPlay, translate("FiveAxis", "Play and pause"))
+        self.forward = self._button("forward", icons.SP_MediaSeekForward, translate("FiveAxis", "One block on"))
+        self.worst, self.singular = QtWidgets.QPushButton(), QtWidgets.QPushButton()
+        self.worst.setText(translate("FiveAxis", "Worst block"))
+        self.worst.setToolTip(translate("FiveAxis", "Where the tip is farthest from its commanded segment"))
+        self.singular.setText(translate("FiveAxis", "Next singular"))
+        self.singular.setToolTip(translate("FiveAxis", "The next block where a rotary axis turns far to lean the tool a little"))
+        self.machine, self.follow = QtWidgets.QCheckBox(), QtWidgets.QCheckBox()
+        self.machine.setText(translate("FiveAxis", "On the machine"))
+        self.machine.setToolTip(translate("FiveAxis", "Table and head move as they really will; otherwise the part stands still"))
+        self.follow.setText(translate("FiveAxis", "Follow the tip"))
+        self.follow.setToolTip(translate("FiveAxis", "Keep the tip of the tool in the middle of the view"))
+        for name in ("worst", "singular", "machine", "follow"):
+            getattr(self, name).setObjectName(name)
+        self.speed = self._speed()
+        self.widget = self._laid_out()
+
+    def each_speed(self) -> float:
+        """The speed that is chosen, times real time."""
+        return float(self.speed.currentData())
+
+    def show_share(self, share: float) -> None:
+        """Put the slider where the program stands, 0 to 1, without anybody hearing of it."""
+        held = self.slider.blockSignals(True)
+        self.slider.setValue(round(share * SLIDER))
+        self.slider.blockSignals(held)
+
+    def show_playing(self, playing: bool) -> None:
+        """The play button shows what it would do."""
+        kind = QtWidgets.QStyle.SP_MediaPause if playing else QtWidgets.QStyle.SP_MediaPlay
+        self.play.setIcon(self.play.style().standardIcon(kind))
+        self.play.setChecked(playing)
+
+    def connect(self, actions: dict[str, Callable[[], Any]]) -> None:
+        """What each button does."""
+        for name, action in actions.items():
+            getattr(self, name).clicked.connect(lambda *_, action=action: action())
+
+    def _button(self, name: str, kind: Any, text: str) -> Any:
+        button = QtWidgets.QToolButton()
+        button.setObjectName(name)
+        button.setIcon(button.style().standardIcon(kind))
+        button.setIconSize(QtCore.QSize(18, 18))
+        button.setToolTip(text)
+        button.setAutoRepeat(name in ("back", "forward"))
+        button.setCheckable(name == "play")
+        return button
+
+    def _speed(self) -> Any:
+        box = QtWidgets.QComboBox()
+        box.setObjectName("speed")
+        box.setToolTip(translate("FiveAxis", "Speed, in times of real time"))
+        for speed in SPEEDS:
+            box.addItem(f"× {speed:g}", speed)
+        box.setCurrentIndex(SPEEDS.index(1.0))
+        return box
+
+    def _laid_out(self) -> Any:
+        widget = QtWidgets.QWidget()
+        column = QtWidgets.QVBoxLayout(widget)
+        column.setContentsMargins(0, 0, 0, 0)
+        buttons, jumps, switches = (QtWidgets.QHBoxLayout() for _ in range(3))
+        for button in (self.begin, self.back, self.play, self.forward):
+            buttons.addWidget(button)
+        buttons.addStretch()
+        buttons.addWidget(self.speed)
+        for button in (self.worst, self.singular):
+            button.setMinimumWidth(NARROW)
+            jumps.addWidget(button)
+        for box in (self.machine, self.follow):
+            switches.addWidget(box)
+        switches.addStretch()
+        column.addWidget(self.slider)
+        for row in (buttons, jumps, switches):
+            row.setSpacing(3)
+            column.addLayout(row)
+        return widget

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the player says of the moment: NC line, joints, deviation, time; in the user's units."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.playback import NCLines, Pose
+from freecad_fiveaxis.core.report import Figures
+from freecad_fiveaxis.gui.qt import QtGui, QtWidgets, translate
+from freecad_fiveaxis.gui.scene.units import length_text
+
+SAMPLE = 100.0
+"""mm; joints are shown in the unit that FreeCAD prefers for such a length."""
+
+LEAST = 1e-6
+"""mm; less than that is rounding, of words that are given to a ten-thousandth."""
+
+ROUND_UP = 1.0 + 5e-5
+"""A bound must not become less by being shown with five digits."""
+
+
+class Readout:
+    """A form of labels; ``widget`` goes into the panel."""
+
+    def __init__(self, figures: Figures, lines: NCLines) -> None:
+        self.widget = QtWidgets.QWidget()
+        self.rows = QtWidgets.QFormLayout(self.widget)
+        self.rows.setContentsMargins(0, 0, 0, 0)
+        self.rows.setVerticalSpacing(2)
+        self.line, self.text = self._row("line", translate("FiveAxis", "NC line")), _code("nc")
+        self.rows.addRow(self.text)
+        self.block = self._row("block", translate("FiveAxis", "Block"))
+        self.clock = self._row("clock", translate("FiveAxis", "Time"))
+        self.joints = [self._row(f"joint_{letter}", letter) for letter in figures.program.letters]
+        self.gap = self._row("gap", translate("FiveAxis", "Off its segment"))
+        self.most = self._row("most", translate("FiveAxis", "Most in block"))
+        self.bound = self._row("bound", translate("FiveAxis", "Proven below"))
+        self.gap.setToolTip(translate("FiveAxis", "How far the tip is now from the segment that the block commands"))
+        self.most.setToolTip(translate("FiveAxis", "The largest distance in this block"))
+        self.bound.setToolTip(translate("FiveAxis", "What the distance is proven to stay below, all through this block"))
+        self.note = _label("note")
+        self.note.setWordWrap(True)
+        self.rows.addRow(self.note)
+        self.use(figures, lines)
+
+    def use(self, figures: Figures, lines: NCLines) -> None:
+        """Speak of another result of the same path."""
+        self.figures, self.lines = figures, lines
+        for label, letter in zip(self.joints, figures.program.letters, strict=True):
+            self.rows.labelForField(label).setText(letter)
+
+    def show(self, pose: Pose, whole: float) -> None:
+        """Say where a single moment stands; ``whole`` s: the time of the program."""
+        block, program = int(pose.block), self.figures.program
+        line = int(program.line[block])
+        self.line.setText(str(line))
+        self.text.setText(self.lines[line])
+        self.text.setCursorPosition(0)
+        self.block.setText(_of(block, len(program.words) - 1, program.motion[block]))
+        self.clock.setText(translate("FiveAxis", "{now} of {whole}").format(now=_clock(float(pose.seconds)), whole=_clock(whole)))
+        for at, label in enumerate(self.joints):
+            label.setText(joint_text(float(pose.words[at]), at >= 3))
+        self.gap.setText(_distance(float(pose.to_chord)))
+        self._show_deviation(block)
+
+    def _show_deviation(self, block: int) -> None:
+        deviation, tolerance = self.figures.deviation, self.figures.tolerance
+        most, over = float(deviation.segment[block]), not deviation.segment[block] <= tolerance
+        feeds = self.figures.program.motion[block] != Motion.RAPID and block > 0
+        self.most.setText(_distance(most))
+        bound = float(deviation.bound[block])
+        self.bound.setText(length_text(ROUND_UP * bound if bound > LEAST else LEAST, 5))
+        font = self.most.font()
+        font.setBold(bool(over and feeds))
+        self.most.setFont(font)
+        self.note.setText(self._note(block, bool(over and feeds)))
+
+    def _note(self, block: int, over: bool) -> str:
+        said = []
+        if block == 0:
+            said.append(translate("FiveAxis", "First position: where the machine comes from is not known."))
+        if over:
+            allowed = translate("FiveAxis", "The tip leaves its segment by more than the {tolerance} that are allowed.")
+            said.append(allowed.format(tolerance=length_text(self.figures.tolerance)))
+        if self.figures.singularity.singular[block]:
+            near = translate("FiveAxis", "Near the pole: {letter} turns far while the tool hardly leans.")
+            said.append(near.format(letter=self.figures.program.letters[3]))
+        return " ".join(said)
+
+    def _row(self, name: str, title: str) -> Any:
+        label = _label(name)
+        self.rows.addRow(title, label)
+        return label
+
+
+def joint_text(word: float, rotary: bool) -> str:
+    """A joint in degrees, or in the user's unit of length, with the digits that the machine is told."""
+    if rotary:
+        return f"{word:.4f}°"
+    _, factor, unit = FreeCAD.Units.Quantity(SAMPLE, FreeCAD.Units.Length).getUserPreferred()
+    if not factor or not unit.isalpha():  # feet with fractions of an inch say no joint
+        factor, unit = 1.0, "mm"
+    return f"{word / factor:.{4 if factor <= 1.0 else 5}f} {unit}"
+
+
+def _distance(mm: float) -> str:
+    return length_text(mm if mm > LEAST else 0.0)
+
+
+def motion_name(motion: int) -> str:
+    """What a block does, in a word."""
+    return {
+        Motion.CUT: translate("FiveAxis", "cut"),
+        Motion.FILL: translate("FiveAxis", "around an edge"),
+        Motion.LINK: translate("FiveAxis", "link"),
+        Motion.RAPID: translate("FiveAxis", "rapid"),
+    }[Motion(motion)]
+
+
+def _of(block: int, last: int, motion: int) -> str:
+    return translate("FiveAxis", "{block} of {last}, {motion}").format(block=block, last=last, motion=motion_name(motion))
+
+
+def _clock(seconds: float) -> str:
+    minutes, rest = divmod(round(seconds, 2), 60.0)
+    hours, minutes = divmod(int(minutes), 60)
+    return f"{hours}:{minutes:02d}:{rest:05.2f}" if hours else f"{minutes}:{rest:05.2f}"
+
+
+def _label(name: str) -> Any:
+    label = QtWidgets.QLabel()
+    label.setObjectName(name)
+    label.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)
+    return label
+
+
+def _code(name: str) -> Any:
+    """A line of NC text that can be selected and copied."""
+    field = QtWidgets.QLineEdit()
+    field.setObjectName(name)
+    field.setReadOnly(True)
+    field.setMinimumWidth(60)
+    field.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.FixedFont))
+    return field

@@ -1,0 +1,362 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The player in a real window: buttons clicked, the picture counted in pixels, the view and the document left as they were."""
+
+import numpy as np
+import pytest
+
+TABLE_2 = "G21 G90 G94\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F1000\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477\nM2\n"
+CAMERA = ("position", "orientation", "height")  # FreeCAD fits the clipping planes to whatever is drawn
+WORST, WORST_U = 2.12642, 0.54543
+BRASS, CURVE = (217, 174, 46), (230, 76, 0)  # the cutter as it is lit, the real curve; red green blue to 255
+
+
+def dome(doc):
+    """The top of a ball on a plate: its middle passes cross the pole of a trunnion table."""
+    import FreeCAD
+    import Part
+
+    solid = Part.makeSphere(20).common(Part.makeBox(24, 24, 12, FreeCAD.Vector(-12, -12, 10)))
+    part = doc.addObject("Part::Feature", "Dome")
+    part.Shape = solid
+    return part
+
+
+def toolpath(doc, **more):
+    from freecad_fiveaxis import app
+
+    given = {"machine": "trunnion_ac", "cutter": "ball:6:30", "stepover": 3.0, "linear_deflection": 0.1} | more
+    made = app.create_toolpath(doc, dome(doc), **given)
+    doc.recompute()
+    return made
+
+
+def table_2(doc, folder):
+    from freecad_fiveaxis import app
+
+    path = folder / "table2.ngc"
+    path.write_text(TABLE_2)
+    return app.audit(doc, str(path), "mikron_ucp710")
+
+
+def view_of(doc):
+    import FreeCADGui
+
+    return FreeCADGui.getDocument(doc.Name).ActiveView
+
+
+@pytest.fixture
+def opened(doc, pump):
+    """opened(obj): the player of an object, its panel shown; closed afterwards."""
+    import FreeCADGui
+
+    from freecad_fiveaxis.gui import play
+    from freecad_fiveaxis.gui.play import panel
+
+    def show(obj):
+        view = view_of(doc)
+        view.viewIsometric()
+        view.fitAll()
+        play.show(obj)
+        pump(400)
+        return panel.current()
+
+    yield show
+    if panel.current() is not None:
+        panel.current().reject()
+    assert not FreeCADGui.Control.activeDialog()
+
+
+@pytest.fixture
+def tick(click):
+    """tick(box): click the square of a check box, as a hand does."""
+    from freecad_fiveaxis.gui.qt import QtCore
+
+    def press(box):
+        click(box, QtCore.QPoint(9, box.height() // 2))
+
+    return press
+
+
+def children(doc):
+    graph = view_of(doc).getSceneGraph()
+    return [graph.getChild(i).getName().getString() for i in range(graph.getNumChildren())]
+
+
+def matrix(node):
+    return np.array(node.matrix.getValue().getValue()).reshape(4, 4).T
+
+
+def state(doc):
+    """What of a document could have been changed: properties, visibility, placements, undo steps."""
+    objects = {
+        obj.Name: (sorted(obj.PropertiesList), obj.State, obj.ViewObject.Visibility, str(getattr(obj, "Placement", "")))
+        for obj in doc.Objects
+    }
+    lines = (line.split() for line in view_of(doc).getCamera().splitlines())
+    camera = {line[0]: [round(float(word), 4) for word in line[1:]] for line in lines if line and line[0] in CAMERA}
+    return objects, doc.UndoCount, camera
+
+
+def test_a_click_on_the_tool_bar_opens_it_and_close_leaves_the_view_as_it_was(
+    doc, press, select, opened, panel_button, screenshot, pixels
+):
+    import FreeCADGui
+
+    from freecad_fiveaxis.gui.play import panel
+
+    path = toolpath(doc)
+    view_of(doc).viewIsometric()
+    view_of(doc).fitAll()
+    before, nodes = state(doc), children(doc)
+    select(path)
+    press("FiveAxis_Play", wait=1500)
+    assert panel.current() is not None and FreeCADGui.Control.activeDialog()
+    assert children(doc)[0] == "FiveAxisPlay" and len(children(doc)) == len(nodes) + 2
+    with_tool = pixels(screenshot("play_open"), BRASS, 30)
+    panel_button("Close")
+    assert panel.current() is None and not FreeCADGui.Control.activeDialog()
+    assert children(doc) == nodes and state(doc) == before
+    assert with_tool > pixels(screenshot("play_closed"), BRASS, 30) + 1000
+
+
+def test_table_2_leaves_its_chord_in_the_picture_and_overshoots(doc, tmp_path, opened, click, tick, screenshot, pixels):
+    shown = opened(table_2(doc, tmp_path))
+    click(shown.controls.worst)
+    assert shown.player.block == 1 and shown.player.u == pytest.approx(WORST_U, abs=1e-4)
+    assert shown.readout.gap.text() == "2.126 mm" and shown.readout.most.text().startswith("2.126 mm")
+    assert shown.readout.line.text() == "3" and shown.readout.text.text().startswith("G1 X-82.0656")
+    tool, curve = matrix(shown.stage.tool), np.array([v.getValue() for v in shown.stage.curve.vertex.getValues()])
+    chord = curve[-1] - curve[0]
+    distance = np.linalg.norm(np.cross(tool[:3, 3] - curve[0], chord)) / np.linalg.norm(chord)
+    assert 0.7 < distance < 0.94  # from the line; from the segment it is more, for the tip is beyond its end
+    assert ((curve - curve[0]) @ chord / (chord @ chord)).max() == pytest.approx(2.74, abs=0.02)
+    tick(shown.controls.follow)
+    camera = view_of(doc).getCameraNode()
+    camera.height.setValue(12.0)
+    shown.refresh()
+    assert pixels(screenshot("play_table_2"), CURVE, 12) > 100  # the real curve, in orange
+    assert np.allclose(view_of(doc).getPointOnScreen(*map(float, shown.stage.tip)), np.array(view_of(doc).getSize()) / 2, atol=2)
+
+
+def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright(doc, opened, tick, screenshot):
+    path = toolpath(doc, work_zero=(3.0, 4.0, 5.0))
+    shown = opened(path)
+    shown.step(lambda: shown.player.go_to_share(0.4))
+    screenshot("play_over_the_part")
+    lean = matrix(shown.stage.tool)[:3, 2]
+    assert np.allclose(matrix(shown.stage.turn), np.eye(4)) and lean[2] < 0.99
+    tick(shown.controls.machine)
+    view_of(doc).fitAll()
+    screenshot("play_on_the_machine")
+    pose, zero = shown.player.pose, np.array((3.0, 4.0, 5.0))
+    assert np.allclose(matrix(shown.stage.tool)[:3, 2], (0, 0, 1), atol=1e-6)
+    assert np.allclose(matrix(shown.stage.tool)[:3, 3], pose.words[:3], atol=1e-3)
+    turned = matrix(shown.stage.turn)
+    assert np.allclose(turned[:3, :3] @ lean, (0, 0, 1), atol=1e-6)
+    assert np.allclose(turned[:3, :3] @ (pose.tip + zero) + turned[:3, 3], pose.words[:3] + zero, atol=1e-3)
+    assert doc.Dome.Placement.isIdentity()
+
+
+def test_blocks_are_stepped_and_the_slider_and_the_time_follow(doc, opened, click):
+    shown = opened(toolpath(doc))
+    for _ in range(3):
+        click(shown.controls.forward)
+    assert (shown.player.block, shown.player.u) == (3, 1.0)
+    assert shown.readout.block.text().startswith("3 of ")
+    click(shown.controls.back)
+    assert shown.player.block == 2
+    end = shown.player.playback.program.words[2]
+    assert [label.text() for label in shown.readout.joints] == [
+        *(f"{word:.4f} mm" for word in end[:3]), *(f"{word:.4f}°" for word in end[3:])
+    ]  # fmt: skip
+    shown.controls.slider.setValue(5000)
+    assert shown.player.time == pytest.approx(shown.player.playback.seconds / 2)
+    click(shown.controls.begin)
+    assert shown.player.block == 0 and shown.controls.slider.value() == 0
+
+
+def test_next_singular_goes_through_all_of_them(doc, opened, click):
+    from freecad_fiveaxis.app import results
+
+    path = toolpath(doc)
+    shown = opened(path)
+    figures = results.figures_of(path)
+    rows = [row for row in np.flatnonzero(figures.singularity.singular) if row in set(figures.feeds)]
+    assert len(rows) > 1
+    seen = []
+    for _ in range(len(rows) + 1):
+        click(shown.controls.singular)
+        seen.append(shown.player.block)
+    assert seen == [*rows, rows[0]]
+    assert "Near the pole" in shown.readout.note.text()
+    click(shown.controls.worst)
+    assert shown.player.block == figures.worst[0]
+
+
+def test_playing_keeps_real_time_at_the_chosen_speed_and_stops_at_the_end(doc, opened, click, pump):
+    shown = opened(toolpath(doc))
+    for speed, wait in ((1.0, 1000), (10.0, 1000)):
+        shown.controls.speed.setCurrentIndex(shown.controls.speed.findText(f"× {speed:g}"))
+        click(shown.controls.play)
+        assert shown.playing
+        import time
+
+        start, began = shown.player.time, time.monotonic()
+        pump(wait)
+        passed = time.monotonic() - began
+        assert shown.player.time - start == pytest.approx(speed * passed, abs=0.3 * speed)
+        click(shown.controls.play)
+        assert not shown.playing
+    shown.player.go_to_time(shown.player.playback.seconds - 0.5)
+    click(shown.controls.play)
+    pump(700)
+    assert shown.player.at_end and not shown.playing
+    click(shown.controls.play)
+    assert shown.playing and shown.player.time < 5.0
+
+
+def test_a_new_result_is_taken_up_while_it_plays(doc, opened, pump):
+    path = toolpath(doc)
+    shown = opened(path)
+    shown.play(True)
+    before = len(shown.player.playback.program.words)
+    path.Stepover = 6.0
+    doc.recompute()
+    pump(500)
+    assert len(shown.player.playback.program.words) < before
+    assert shown.playing and children(doc).count("FiveAxisPlay") == 1
+
+
+@pytest.mark.parametrize("what", ["object", "document", "undo"])
+def test_it_stops_and_closes_when_what_it_plays_goes(doc, opened, pump, what):
+    import FreeCAD
+    import FreeCADGui
+
+    from freecad_fiveaxis.gui.play import panel
+
+    doc.openTransaction("path")
+    path = toolpath(doc)
+    doc.commitTransaction()
+    shown = opened(path)
+    shown.play(True)
+    pump(200)
+    name = doc.Name
+    if what == "object":
+        doc.removeObject(path.Name)
+    elif what == "undo":
+        doc.undo()
+    else:
+        FreeCAD.closeDocument(name)
+    assert not shown.playing
+    pump(400)
+    assert panel.current() is None and not FreeCADGui.Control.activeDialog()
+    if what != "document":
+        assert "FiveAxisPlay" not in children(doc)
+
+
+def test_it_goes_on_without_a_view_and_closes(doc, opened, pump, panel_button):
+    import FreeCADGui
+
+    from freecad_fiveaxis.gui.qt import QtWidgets
+
+    shown = opened(toolpath(doc))
+    shown.play(True)
+    area = FreeCADGui.getMainWindow().findChild(QtWidgets.QMdiArea)
+    first = area.subWindowList()[0]
+    FreeCADGui.runCommand("Std_ViewCreate")
+    pump(300)
+    first.close()
+    pump(400)
+    shown.controls.follow.setChecked(True)
+    shown.refresh()
+    panel_button("Close")
+    assert "FiveAxisPlay" not in children(doc)
+
+
+def test_another_panel_is_not_pushed_aside(doc, opened):
+    import FreeCADGui
+
+    path = toolpath(doc)
+    shown = opened(path)
+    from freecad_fiveaxis.gui import play
+
+    with pytest.raises(RuntimeError):
+        play.show(path)
+    assert children(doc).count("FiveAxisPlay") == 1
+    assert FreeCADGui.Control.activeDialog() and shown.stage.shown
+
+
+def test_it_closes_when_its_object_cannot_be_computed_any_more(doc, opened, pump):
+    import FreeCADGui
+
+    from freecad_fiveaxis.gui.play import panel
+
+    path = toolpath(doc)
+    opened(path)
+    path.Machine = "no such machine"
+    doc.recompute()
+    pump(300)
+    assert panel.current() is None and not FreeCADGui.Control.activeDialog()
+    assert "FiveAxisPlay" not in children(doc)
+
+
+def test_a_dialog_closed_by_somebody_else_leaves_nothing_behind(doc, opened, pump):
+    import FreeCADGui
+
+    from freecad_fiveaxis.gui.play import panel
+
+    shown = opened(toolpath(doc))
+    shown.play(True)
+    FreeCADGui.Control.closeDialog()
+    pump(300)
+    assert panel.current() is None and not shown.playing
+    assert "FiveAxisPlay" not in children(doc)
+
+
+def test_following_ends_where_the_camera_stood(doc, opened, tick, panel_button):
+    shown = opened(toolpath(doc))
+    before = state(doc)
+    tick(shown.controls.follow)
+    shown.step(lambda: shown.player.go_to_share(0.7))
+    assert state(doc)[2] != before[2]
+    panel_button("Close")
+    assert state(doc) == before
+
+
+def test_lengths_are_shown_in_the_users_units(doc, tmp_path, opened, click, parameters):
+    import FreeCAD
+
+    units = parameters("User parameter:BaseApp/Preferences/Units")
+    kept = units.GetInt("UserSchema", 0)
+    FreeCAD.Units.setSchema(3)  # imperial decimal
+    try:
+        shown = opened(table_2(doc, tmp_path))
+        click(shown.controls.worst)
+        assert shown.readout.gap.text() == f"{WORST / 25.4:.4g} in"
+        assert shown.readout.joints[0].text().endswith(" in") and shown.readout.joints[3].text().endswith("°")
+        assert float(shown.readout.joints[0].text().split()[0]) * 25.4 == pytest.approx(shown.player.pose.words[0], abs=2e-4)
+    finally:
+        FreeCAD.Units.setSchema(kept)
+
+
+@pytest.mark.parametrize("driven", [0.0, 4.0])
+def test_the_tool_stands_with_its_driven_point_at_zero(driven):
+    from pivy import coin
+
+    from freecad_fiveaxis.gui.play.tool import ToolSize, tool_node
+
+    measure = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(100, 100))
+    measure.apply(tool_node(ToolSize(8.0, 40.0, 30.0, 50.0, driven)))
+    box = measure.getBoundingBox()
+    low, high = box.getMin().getValue(), box.getMax().getValue()
+    assert np.allclose(low, (-15, -15, -driven), atol=1e-4) and np.allclose(high, (15, 15, 90 - driven), atol=1e-4)
+
+
+def test_a_path_without_blocks_and_a_thing_that_is_no_path_are_refused_in_words(doc, tmp_path):
+    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.gui import play
+    from freecad_fiveaxis.gui.play import panel
+
+    with pytest.raises(FiveAxisError, match="no toolpath"):
+        play.show(dome(doc))
+    assert panel.current() is None and "FiveAxisPlay" not in children(doc)
