@@ -2,10 +2,12 @@
 """What is said about a finished program, and the markers for the 3D view.
 
 The numbers come from ``figures`` (which defines the words), the judgement from ``judgement``; ``text`` writes for the
-terminal, ``json_text`` for scripts, ``html_page`` a page with plots, ``block_table`` the CSV.
+terminal, ``json_text`` for scripts, ``html_page`` a page with plots, ``block_table`` the CSV,
+``drawing`` the arrays of a view.
 """
 
 from .block_table import blocks_csv
+from .drawing import Drawing, Row, Spot, draw, listed, scale_values, spot
 from .figures import Figures, summary
 from .html_page import as_html
 from .json_text import as_json
@@ -13,4 +15,7 @@ from .judgement import judge
 from .markers import Marker, markers
 from .text import as_text, verdict
 
-__all__ = ["Figures", "Marker", "as_html", "as_json", "as_text", "blocks_csv", "judge", "markers", "summary", "verdict"]
+__all__ = [
+    "Drawing", "Figures", "Marker", "Row", "Spot", "as_html", "as_json", "as_text", "blocks_csv", "draw", "judge", "listed",
+    "markers", "scale_values", "spot", "summary", "verdict",
+]  # fmt: skip

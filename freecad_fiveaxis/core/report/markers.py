@@ -21,12 +21,14 @@ MARKERS = 500
 
 @dataclass(frozen=True)
 class Marker:
-    """Something to show on the part: ``place`` mm in the work frame, ``kind`` a code, ``label`` a few words."""
+    """Something to show on the part: ``place`` mm in the work frame, ``kind`` a code, ``label`` a few words; ``block`` a row of
+    the Program."""
 
     place: Vector
     kind: str
     label: str
     finding: Finding | None = None
+    block: int | None = None
 
 
 def markers(figures: Figures) -> tuple[Marker, ...]:
@@ -62,10 +64,11 @@ def _marked(figures: Figures, kind: str, rows: Ints, values: Floats, label: str)
     made = []
     for row in rows.tolist():
         x, y, z = figures.deviation.place[row].tolist()
-        made.append(Marker((x, y, z), kind, f"{label.format(values[row])}, line {figures.program.line[row]}", told.get(row)))
+        words = f"{label.format(values[row])}, line {figures.program.line[row]}"
+        made.append(Marker((x, y, z), kind, words, told.get(row), row))
     return made
 
 
 def _placed(findings: Sequence[Finding]) -> list[Marker]:
     others = [one for one in findings if one.place is not None and one.code not in (OVER, SINGULAR)]
-    return [Marker(one.place, one.code, one.code.replace("-", " "), one) for one in others[:MARKERS] if one.place]
+    return [Marker(one.place, one.code, one.code.replace("-", " "), one, one.block) for one in others[:MARKERS] if one.place]

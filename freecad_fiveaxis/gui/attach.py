@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Gives each of our document objects its view provider, whoever made it: a command, a macro, or FreeCAD without a window.
+
+Nothing here imports numpy: it runs when FreeCAD's window starts.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+
+VIEWS = {
+    "freecad_fiveaxis.app.tessellation": "TessellationView",
+    "freecad_fiveaxis.app.toolpath": "PathView",
+    "freecad_fiveaxis.app.auditing": "PathView",
+    "freecad_fiveaxis.app.markers": "MarkersView",
+    "freecad_fiveaxis.app.nc_output": "NCOutputView",
+}
+"""The module of a document object's proxy, and the class in ``view_providers`` that shows it."""
+
+
+class Observer:
+    """Watches all documents."""
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:
+        """A new object gets its view as soon as it has its proxy; what depends on a changed object may be out of date."""
+        if FreeCAD.isRestoring():  # the views of the file come later; one that stood here already would be pushed aside
+            return
+        if name == "Proxy":
+            attach(obj)
+        elif name == "Path" and hasattr(getattr(obj, "Path", None), "Proxy"):
+            _adopt(obj.Path)
+        elif name != "Visibility":
+            _look_again(obj.Document, obj)
+
+    def slotDeletedObject(self, obj: Any) -> None:
+        """A path goes, and what is listed of it; where markers go, their path draws its own again."""
+        _forget(obj)
+        _look_again(obj.Document)
+
+    def slotDeletedDocument(self, doc: Any) -> None:
+        """A document is closed."""
+        _forget(doc)
+
+    def slotRecomputedDocument(self, doc: Any) -> None:
+        """What says "out of date" may go."""
+        _look_again(doc, only_old=True)
+
+    def slotFinishRestoreDocument(self, doc: Any) -> None:
+        """A document that was made without a window has no views yet."""
+        for obj in doc.Objects:
+            attach(obj)
+        _look_again(doc)
+
+
+_watching: list[Any] = []
+
+
+def register() -> None:
+    """Start watching, and look at what is open already. A second call does nothing."""
+    if _watching:
+        return
+    from . import findings_panel
+
+    _watching.extend((Observer(), findings_panel.register()))
+    FreeCAD.addDocumentObserver(_watching[0])
+    for doc in FreeCAD.listDocuments().values():
+        _watching[0].slotFinishRestoreDocument(doc)
+
+
+def attach(obj: Any) -> None:
+    """Give the object its view where it is one of ours and has none."""
+    view = VIEWS.get(type(getattr(obj, "Proxy", None)).__module__)
+    if view and obj.ViewObject is not None and not getattr(obj.ViewObject, "Proxy", None):
+        from . import view_providers
+
+        getattr(view_providers, view)(obj.ViewObject)
+
+
+def _adopt(path: Any) -> None:
+    """A path has a new child."""
+    view = getattr(path.ViewObject, "Proxy", None)
+    if hasattr(view, "adopt"):
+        view.adopt()
+
+
+def _forget(gone: Any) -> None:
+    from . import findings_panel
+
+    findings_panel.forget(gone)
+
+
+def _look_again(doc: Any, changed: Any = None, only_old: bool = False) -> None:
+    """The paths that depend on ``changed`` (None: all), or only those that say so already, see whether they are out of date."""
+    for obj in doc.Objects:
+        view = getattr(obj.ViewObject, "Proxy", None)
+        if type(view).__name__ != "PathView" or (changed is not None and not view.depends_on(changed)):
+            continue
+        if not only_old or view.says_old():
+            view.look_again()

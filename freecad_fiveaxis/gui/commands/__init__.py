@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands of menu and toolbar, one file each. To add one, write its file and list it here."""
+
+from __future__ import annotations
+
+import FreeCADGui
+
+from .annotate import Annotate
+from .audit import Audit
+from .play import Play
+from .post_process import PostProcess
+from .tessellate import Tessellate
+from .toolpath import Toolpath
+
+COMMANDS = (Tessellate, Toolpath, PostProcess, Annotate, Audit, Play)
+NAMES = [command.NAME for command in COMMANDS]
+
+
+def register() -> None:
+    """Make the commands known to FreeCAD."""
+    for command in COMMANDS:
+        FreeCADGui.addCommand(command.NAME, command())

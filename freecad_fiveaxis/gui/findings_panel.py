@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The list of findings, a window at the side: what a result says about itself, and where.
+
+row       a finding of the result, or a marker that no finding tells of.
+Picking a row moves the view to its place; picking a marker in the view selects its row. Below the list stands, in plain words,
+what happens there, why, and what helps.
+"""
+
+from __future__ import annotations
+
+import html
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+from .qt import QtCore, QtWidgets, translate
+
+NAME = "FiveAxisFindings"
+_docks: dict[str, Any] = {}
+
+
+class Watcher:
+    """Watches the selection: a marker that is picked shows its finding."""
+
+    def addSelection(self, doc: str, name: str, sub: str, _point: Any = None) -> None:
+        """Something was selected."""
+        obj = FreeCAD.getDocument(doc).getObject(name)
+        view = getattr(getattr(obj, "ViewObject", None), "Proxy", None)
+        if sub.startswith("Marker") and hasattr(view, "path_object"):
+            show(view.path_object(), int(sub[len("Marker") :]) - 1)
+
+
+def register() -> Watcher:
+    """Start watching the selection; the caller keeps the watcher."""
+    watcher = Watcher()
+    FreeCADGui.Selection.addObserver(watcher)
+    return watcher
+
+
+def renew(path: Any) -> None:
+    """The path has other figures now: list them, if it is listed."""
+    panel = _docks.get("panel")
+    if panel is not None and panel.path is path:
+        panel.show_path(path)
+
+
+def forget(gone: Any) -> None:
+    """A path or a document is gone: what is listed of it goes too."""
+    panel = _docks.get("panel")
+    if panel is not None and panel.path is not None and gone in (panel.path, panel.document):
+        panel.clear()
+
+
+def show(path: Any, marker: int | None = None) -> Any:
+    """Open the list for a path, at a marker (its row among the path's markers) where given; returns the Panel."""
+    from .messages import telling
+    from .waiting import waiting
+
+    if path is None:
+        return None
+    from freecad_fiveaxis.app import results
+
+    with telling():
+        if path.Proxy.last is None:
+            with waiting(translate("FiveAxis", "Findings")) as listener:
+                results.figures_of(path, listener)
+        panel = _panel()
+        panel.show_path(path)
+        if marker is not None:
+            panel.show_marker(marker)
+        return panel
+    return None
+
+
+def _panel() -> Panel:
+    """The one panel; made when it is first asked for."""
+    if "panel" not in _docks:
+        window = FreeCADGui.getMainWindow()
+        dock = QtWidgets.QDockWidget(translate("FiveAxis", "Findings"), window)
+        dock.setObjectName(NAME)
+        _docks["panel"] = Panel(dock)
+        window.addDockWidget(QtCore.Qt.RightDockWidgetArea, dock)
+    _docks["panel"].dock.show()
+    _docks["panel"].dock.raise_()
+    return _docks["panel"]
+
+
+class Panel:
+    """The table and the text below it."""
+
+    def __init__(self, dock: Any) -> None:
+        self.dock, self.path, self.document, self.figures = dock, None, None, None
+        self.rows, self.row_of_marker = [], []
+        self.table, self.text = QtWidgets.QTableWidget(0, 4), QtWidgets.QTextBrowser()
+        self.table.setObjectName(NAME + "Table")
+        self.text.setObjectName(NAME + "Text")
+        self.table.setHorizontalHeaderLabels(
+            [translate("FiveAxis", "What"), translate("FiveAxis", "NC line"), translate("FiveAxis", "Value"),
+             translate("FiveAxis", "Kind")]
+        )  # fmt: skip
+        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        self.table.verticalHeader().hide()
+        self.table.horizontalHeader().setStretchLastSection(True)
+        self.table.itemSelectionChanged.connect(self._picked)
+        split = QtWidgets.QSplitter(QtCore.Qt.Vertical)
+        split.addWidget(self.table)
+        split.addWidget(self.text)
+        dock.setWidget(split)
+        dock.setMinimumWidth(360)
+
+    def show_path(self, path: Any) -> None:
+        """List the findings of a path whose result is there."""
+        from freecad_fiveaxis.core.report import listed
+
+        figures = path.Proxy.last.figures
+        self.path, self.document = path, path.Document
+        self.dock.setWindowTitle(translate("FiveAxis", "Findings of {label}").format(label=path.Label))
+        if figures is self.figures:
+            return
+        self.figures = figures
+        self.rows, self.row_of_marker = listed(figures)
+        self._fill()
+        self.text.setHtml(
+            "" if self.rows else html.escape(translate("FiveAxis", "Nothing to report: all blocks are as they should be."))
+        )
+
+    def clear(self) -> None:
+        """List nothing."""
+        self.path = self.document = self.figures = None
+        self.rows, self.row_of_marker = [], []
+        self._fill()
+        self.text.clear()
+        self.dock.setWindowTitle(translate("FiveAxis", "Findings"))
+        self.dock.hide()
+
+    def show_marker(self, marker: int) -> None:
+        """Select the row of a marker; the view stays where it is."""
+        if marker < len(self.row_of_marker):
+            row = self.row_of_marker[marker]
+            self.table.blockSignals(True)
+            self.table.selectRow(row)
+            self.table.blockSignals(False)
+            self.table.scrollToItem(self.table.item(row, 0))
+            self.text.setHtml(self._page(row))
+
+    def _fill(self) -> None:
+        from .scene import words
+
+        self.table.blockSignals(True)
+        self.table.clearSelection()
+        self.table.setRowCount(len(self.rows))
+        for at, row in enumerate(self.rows):
+            finding, name = row.finding, words.name_of(row.kind)
+            line = "" if finding.line is None else str(finding.line)
+            what = translate("FiveAxis", "{what}: all, the worst at").format(what=name) if row.whole else name
+            cells = (what, line, words.value_text(finding), words.severity_name(finding.severity))
+            for column, cell in enumerate(cells):
+                self.table.setItem(at, column, QtWidgets.QTableWidgetItem(cell))
+        self.table.resizeColumnsToContents()
+        self.table.blockSignals(False)
+
+    def _picked(self) -> None:
+        """The user has picked a row: tell of it, and go there."""
+        chosen = self.table.selectionModel().selectedRows()
+        if not chosen:
+            return
+        row = chosen[0].row()
+        self.text.setHtml(self._page(row))
+        finding = self.rows[row].finding
+        if finding.place is not None:
+            from .scene.camera import look_at
+
+            zero = self.path.WorkZero
+            place = tuple(part + shift for part, shift in zip(finding.place, tuple(zero), strict=True))
+            look_at(self.path.Document, place, self._reach(finding))
+
+    def _reach(self, finding: Any) -> float:
+        """How much of the part should be seen about the place, mm."""
+        from freecad_fiveaxis.core.report import spot
+
+        if not finding.block:
+            return 20.0
+        there = spot(self.figures, finding.block)
+        return 4.0 * max(there.step, 2.0 * there.deviation, 0.25)
+
+    def _page(self, at: int) -> str:
+        """What happens, why, and what helps."""
+        from freecad_fiveaxis.core.report import spot, summary
+
+        from .scene import words
+
+        row = self.rows[at]
+        finding, title = row.finding, words.name_of(row.kind)
+        told = words.told(row.kind, spot(self.figures, finding.block)) if finding.block else None
+        if finding.line is not None:
+            title = translate("FiveAxis", "{what}, NC line {line}").format(what=title, line=finding.line)
+        if told is None:
+            return _html([("", finding.text)], title)
+        heads = (translate("FiveAxis", "What happens"), translate("FiveAxis", "Why"), translate("FiveAxis", "What helps"))
+        parts = list(zip(heads, told, strict=True))
+        return _html([("", words.count_text(row.kind, summary(self.figures))), *parts] if row.whole else parts, title)
+
+
+def _html(parts: list[tuple[str, str]], title: str) -> str:
+    body = "".join(f"<p><b>{html.escape(head)}</b> {html.escape(text)}</p>" for head, text in parts)
+    return f"<h3>{html.escape(title)}</h3>{body}"

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user is told: a message box for what cannot be done, the status bar for what was stopped."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import FreeCAD
+import FreeCADGui
+
+from .qt import QtWidgets, execute, translate
+
+
+def warn(text: str) -> None:
+    """A message box with one sentence that says what to do."""
+    box = QtWidgets.QMessageBox(FreeCADGui.getMainWindow())
+    box.setObjectName("FiveAxisMessage")
+    box.setIcon(QtWidgets.QMessageBox.Warning)
+    box.setWindowTitle(translate("FiveAxis", "Five-axis"))
+    box.setText(text)
+    FreeCAD.Console.PrintWarning(text + "\n")
+    execute(box)
+
+
+def ask(text: str, yes: str) -> bool:
+    """Whether the user answers with ``yes``, the text of that button; the other one is Cancel."""
+    box = QtWidgets.QMessageBox(FreeCADGui.getMainWindow())
+    box.setObjectName("FiveAxisQuestion")
+    box.setIcon(QtWidgets.QMessageBox.Question)
+    box.setWindowTitle(translate("FiveAxis", "Five-axis"))
+    box.setText(text)
+    agreed = box.addButton(yes, QtWidgets.QMessageBox.AcceptRole)
+    box.addButton(QtWidgets.QMessageBox.Cancel)
+    execute(box)
+    return box.clickedButton() is agreed or box.clickedButton() == agreed
+
+
+def status(text: str) -> None:
+    """A few seconds in the status bar."""
+    FreeCADGui.getMainWindow().statusBar().showMessage(text, 8000)
+
+
+@contextmanager
+def telling() -> Iterator[None]:
+    """What the work within cannot use is told in a message box; stopped work in the status bar. Other errors go on."""
+    from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+
+    try:
+        yield
+    except Cancelled:
+        status(translate("FiveAxis", "Stopped; the document is as it was."))
+    except FiveAxisError as error:
+        warn(str(error))

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fields that choose among what there is: the machine, the controller, the cutter, and scallop or stepover."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
+
+from .fields import ChoiceField, Field, QuantityField
+from .labels import choice_label, option_label
+
+
+class MachineField(ChoiceField):
+    """The machines of the program, of the user's folder and of FreeCAD's, and a button for any other file."""
+
+    def __init__(self, name: str, hint: str = "") -> None:
+        from freecad_fiveaxis.app import machines
+
+        super().__init__(name, [], hint)
+        for at, choice in enumerate(machines.choices()):
+            self.editor.addItem(choice.label, choice.machine)
+            self.editor.setItemData(at, choice.error or choice.machine, QtCore.Qt.ToolTipRole)
+        self.browse = QtWidgets.QToolButton()
+        self.browse.setText("…")
+        self.browse.setToolTip(translate("FiveAxis", "Choose a machine file (.fcm)"))
+        self.browse.clicked.connect(self._browse)
+
+    def has_head(self) -> bool:
+        """Whether the chosen machine carries a rotary axis in its head, and so needs the tool's length."""
+        from freecad_fiveaxis.core.errors import FiveAxisError
+        from freecad_fiveaxis.core.machine import load_machine
+
+        try:
+            return load_machine(self.value() or "").has_head
+        except FiveAxisError:
+            return False  # the form tells why the machine cannot be used
+
+    def _browse(self, *_: Any) -> None:
+        text = translate("FiveAxis", "Machine files (*.fcm)")
+        title = translate("FiveAxis", "Choose a machine file (.fcm)")
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(self.editor, title, "", text)
+        if path:
+            self.show_value(path)
+
+
+class SpacingField(Field):
+    """The distance of the passes: by the scallop they leave, or constant. Its values are ``scallop`` and ``stepover``."""
+
+    KINDS = ("scallop", "stepover")
+
+    def __init__(self, hints: dict[str, str]) -> None:
+        super().__init__("spacing", QtWidgets.QWidget())
+        self.kind = ChoiceField("spacing_kind", [(kind, choice_label(kind)) for kind in self.KINDS])
+        self.lengths = {kind: QuantityField(kind, "length", hints[kind]) for kind in self.KINDS}
+        row = QtWidgets.QVBoxLayout(self.editor)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.kind.editor)
+        for field in self.lengths.values():
+            row.addWidget(field.editor)
+            field.edited.connect(self._changed)
+        self.kind.edited.connect(self._turn)
+        self._turn()
+
+    def _turn(self) -> None:
+        for kind, field in self.lengths.items():
+            field.editor.setVisible(kind == self.kind.value())
+        self._changed()
+
+    def value(self) -> dict[str, float]:
+        """The one that counts, mm, by its name."""
+        kind = self.kind.value()
+        return {kind: self.lengths[kind].value()}
+
+    def show_value(self, value: dict[str, float | None]) -> None:
+        """``scallop`` and ``stepover`` in mm, None for the one that does not count."""
+        for kind in self.KINDS:
+            if value.get(kind) is not None:
+                self.lengths[kind].show_value(value[kind])
+                self.kind.show_value(kind)
+
+
+class CutterField(Field):
+    """A ball cutter: sizes by hand, from a tool bit's file, or from a tool of a CAM Job in the document."""
+
+    def __init__(self, name: str, hint: str, doc: Any) -> None:
+        super().__init__(name, QtWidgets.QWidget(), hint)
+        self.diameter = QuantityField("cutter_diameter", "length", hint)
+        self.length = QuantityField("cutter_length", "length", hint)
+        self.file = QtWidgets.QPushButton(translate("FiveAxis", "From a tool file…"))
+        self.job = QtWidgets.QComboBox()
+        self.job.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self._lay_out()
+        self._list_tools(doc)
+        self.file.clicked.connect(self._from_file)
+        self.job.activated.connect(self._from_job)
+        for part in (self.diameter, self.length):
+            part.edited.connect(self._changed)
+
+    def _lay_out(self) -> None:
+        grid = QtWidgets.QGridLayout(self.editor)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setColumnStretch(1, 1)
+        for at, part in enumerate((self.diameter, self.length)):
+            grid.addWidget(QtWidgets.QLabel(option_label(part.name)), at, 0)
+            grid.addWidget(part.editor, at, 1)
+        grid.addWidget(self.file, 2, 0, 1, 2)
+        grid.addWidget(self.job, 3, 0, 1, 2)
+
+    def _list_tools(self, doc: Any) -> None:
+        from freecad_fiveaxis.app import cam, tool_bit
+
+        self.tools = [tool for job in cam.jobs_of(doc) for tool in tool_bit.cutters_of_job(job)]
+        self.job.addItem(translate("FiveAxis", "From a CAM Job…"))
+        for tool in self.tools:
+            self.job.addItem(f"T{tool.number} {tool.label}")
+        self.job.setEnabled(bool(self.tools))
+
+    def _from_job(self, at: int) -> None:
+        if at > 0:
+            tool = self.tools[at - 1]
+            self.show_error(tool.error)
+            if tool.cutter:
+                self._take(tool.cutter)
+        self.job.setCurrentIndex(0)
+
+    def _from_file(self, *_: Any) -> None:
+        title, kinds = translate("FiveAxis", "Choose a tool file (.fctb)"), translate("FiveAxis", "Tool files (*.fctb)")
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(self.editor, title, "", kinds)
+        if path:
+            self.read_file(path)
+
+    def read_file(self, path: str) -> None:
+        """Take the cutter of a tool bit's file; one of no use here says why under the field."""
+        from freecad_fiveaxis.app import tool_bit
+        from freecad_fiveaxis.core.errors import FiveAxisError
+
+        try:
+            self._take(tool_bit.cutter_of_file(path))
+        except FiveAxisError as error:
+            self.show_error(str(error))
+
+    def _take(self, cutter: Any) -> None:
+        self.show_value(cutter)
+        self.edited.emit()
+
+    def value(self) -> str:
+        """As job files write it, ``ball:10.0:50.0``, mm."""
+        return f"ball:{self.diameter.value()!r}:{self.length.value()!r}"
+
+    def show_value(self, value: Any) -> None:
+        """As job files write it (a missing length is the core's default), or the core's Cutter."""
+        from freecad_fiveaxis.core.cutter import parse_cutter
+
+        cutter = parse_cutter(value) if isinstance(value, str) else value
+        self.diameter.show_value(cutter.diameter)
+        self.length.show_value(cutter.length)
+
+
+def controller_field(name: str, hint: str) -> ChoiceField:
+    """The controllers; the first item leaves it to the machine."""
+    from freecad_fiveaxis.core.post import DIALECTS
+
+    own = [(None, translate("FiveAxis", "the machine's own"))]
+    return ChoiceField(name, own + [(dialect.name, dialect.name) for dialect in DIALECTS.values()], hint)
+
+
+def strategy_field(name: str, hint: str) -> ChoiceField:
+    """The tool-axis strategies."""
+    from freecad_fiveaxis.core.tool_axis import STRATEGIES
+
+    return ChoiceField(name, [(strategy, choice_label(strategy)) for strategy in STRATEGIES], hint)

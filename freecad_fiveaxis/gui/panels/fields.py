@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fields of a task panel: one option of the core's settings each, in the user's units, with its error in place.
+
+field     an editor that holds one value as job files write it: mm, degrees, mm/min, a name, three numbers.
+given     the value that the field was shown. Until the user edits the field, it gives that very number back, so that what
+          the user's units round away is not lost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import FreeCAD
+
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, create
+
+from .labels import option_hint
+
+UNITS = {"length": ("mm", "Length", 1.0), "angle": ("deg", "Angle", 1.0), "feed": ("mm/s", "Velocity", 60.0)}
+"""FreeCAD's unit of a kind of option, its quantity, and how many of the core's units one of FreeCAD's is."""
+SHOWN = {"Precision": 6, "NumberFormat": "g", "Denominator": 8}
+"""Six digits, so that 0.01 mm in inches does not read 0.00 in."""
+
+
+class Field(QtCore.QObject):
+    """An editor and a line for its error. ``edited`` tells that the user, or a program, changed the value."""
+
+    edited = QtCore.Signal()
+
+    def __init__(self, name: str, editor: Any, hint: str = "") -> None:
+        super().__init__()
+        self.name, self.editor = name, editor
+        editor.setObjectName(name)
+        editor.setToolTip(hint)
+        self.error = error_line(name + "_error")
+
+    def show_error(self, text: str) -> None:
+        """The reason why the value cannot be used, in red under the editor; an empty text takes it away."""
+        self.error.setText(text)
+        self.error.setVisible(bool(text))
+
+    def check(self) -> None:
+        """Raises FiveAxisError for a value that cannot be used, where the core's settings do not know of it."""
+
+    def value(self) -> Any:
+        """The option's value as job files write it; None: not given."""
+        raise NotImplementedError
+
+    def show_value(self, value: Any) -> None:
+        """Show a value as ``value`` gives it."""
+        raise NotImplementedError
+
+    def _changed(self, *_: Any) -> None:
+        self.edited.emit()
+
+
+class QuantityField(Field):
+    """A length (mm), an angle (degrees) or a feed (mm/min) in the user's units. ``optional``: 0 means not given."""
+
+    def __init__(self, name: str, kind: str, hint: str = "", optional: bool = False) -> None:
+        super().__init__(name, create("Gui::QuantitySpinBox"), hint)
+        self.unit, self.quantity, self.factor = UNITS[kind]
+        self.optional, self._given, self._text = optional, 0.0, None
+        self.editor.setProperty("unit", self.unit)
+        self.editor.setMinimumWidth(70)
+        self.show_value(0.0)
+        self.editor.valueChanged.connect(self._changed)
+
+    def value(self) -> float | None:
+        """mm, degrees or mm/min."""
+        untouched = self.editor.property("text") == self._text
+        value = self._given if untouched else self.editor.property("rawValue") * self.factor
+        return None if self.optional and value == 0.0 else value
+
+    def show_value(self, value: float | None) -> None:
+        """mm, degrees or mm/min; None: not given."""
+        self._given = float(value or 0.0)
+        self.editor.setProperty("value", quantity(self._given / self.factor, self.quantity))
+        self._text = self.editor.property("text")
+
+
+class ChoiceField(Field):
+    """One of some names. ``choices``: pairs of the value and what it is called."""
+
+    def __init__(self, name: str, choices: Sequence[tuple[Any, str]], hint: str = "") -> None:
+        super().__init__(name, QtWidgets.QComboBox(), hint)
+        self.editor.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.editor.setMinimumContentsLength(8)
+        for value, text in choices:
+            self.editor.addItem(text, value)
+        self.editor.currentIndexChanged.connect(self._changed)
+
+    def value(self) -> Any:
+        """The value of the chosen item."""
+        return self.editor.currentData()
+
+    def show_value(self, value: Any) -> None:
+        """Choose the item of that value; one that is not in the list joins it under its own name."""
+        at = next((i for i in range(self.editor.count()) if self.editor.itemData(i) == value), -1)
+        if at < 0:
+            self.editor.addItem(str(value), value)
+            at = self.editor.count() - 1
+        self.editor.setCurrentIndex(at)
+
+
+class NumberField(Field):
+    """A plain number. ``whole``: a count; ``optional``: 0 means not given."""
+
+    def __init__(self, name: str, hint: str = "", whole: bool = False, optional: bool = False) -> None:
+        editor = QtWidgets.QSpinBox() if whole else QtWidgets.QDoubleSpinBox()
+        super().__init__(name, editor, hint)
+        self.optional, self.whole = optional, whole
+        editor.setRange(-10_000_000, 10_000_000)  # the core knows the range, and says it
+        editor.valueChanged.connect(self._changed)
+
+    def value(self) -> float | None:
+        """The number."""
+        return None if self.optional and self.editor.value() == 0 else self.editor.value()
+
+    def show_value(self, value: float | None) -> None:
+        """The number, or None."""
+        self.editor.setValue(int(value or 0) if self.whole else float(value or 0.0))
+
+
+class TextField(Field):
+    """A line of text."""
+
+    def __init__(self, name: str, hint: str = "") -> None:
+        super().__init__(name, QtWidgets.QLineEdit(), hint)
+        self.editor.textChanged.connect(self._changed)
+
+    def value(self) -> str:
+        """The text."""
+        return self.editor.text().strip()
+
+    def show_value(self, value: str | None) -> None:
+        """The text."""
+        self.editor.setText(value or "")
+
+
+class TripleField(Field):
+    """Three lengths (mm) or three numbers. ``none_text``: what a box says that, ticked, gives None."""
+
+    def __init__(self, name: str, kind: str, hint: str = "", none_text: str = "") -> None:
+        super().__init__(name, QtWidgets.QWidget(), hint)
+        parts = [f"{name}_{letter}" for letter in "xyz"]
+        self.parts = [QuantityField(part, "length") if kind == "point" else RatioField(part) for part in parts]
+        self.none = QtWidgets.QCheckBox(none_text) if none_text else None
+        self._lay_out()
+        for part in self.parts:
+            part.edited.connect(self._changed)
+
+    def _lay_out(self) -> None:
+        self.row = QtWidgets.QGridLayout(self.editor)
+        self.row.setContentsMargins(0, 0, 0, 0)
+        for at, part in enumerate(self.parts):
+            part.editor.setMinimumWidth(60)
+            self.row.addWidget(part.editor, 1, at)
+        if self.none:
+            self.row.addWidget(self.none, 0, 0, 1, 3)
+            self.none.toggled.connect(self._toggled)
+
+    def _toggled(self, ticked: bool) -> None:
+        for part in self.parts:
+            part.editor.setEnabled(not ticked)
+        self._changed()
+
+    def value(self) -> list[float] | None:
+        """Three numbers, mm where they are lengths."""
+        return None if self.none and self.none.isChecked() else [part.value() for part in self.parts]
+
+    def show_value(self, value: Sequence[float] | None) -> None:
+        """Three numbers, or None."""
+        if self.none:
+            self.none.setChecked(value is None)
+        for part, number in zip(self.parts, value or (0.0, 0.0, 0.0), strict=True):
+            part.show_value(number)
+
+
+class RatioField(NumberField):
+    """A number of a direction."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.editor.setDecimals(6)
+        self.editor.setSingleStep(0.1)
+
+
+def quantity(value: float, kind: str) -> Any:
+    """A value in FreeCAD's own unit as a quantity that shows six digits. ``kind``: Length, Angle, Velocity, TimeSpan ..."""
+    made = FreeCAD.Units.Quantity(value, getattr(FreeCAD.Units, kind))
+    made.Format = dict(SHOWN)
+    return made
+
+
+def error_line(name: str) -> Any:
+    """A line in red, hidden until it says something."""
+    label = QtWidgets.QLabel()
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    label.setStyleSheet("color: #d0342c;")
+    label.hide()
+    return label
+
+
+def option_field(leaf: Any, choices: Sequence[tuple[Any, str]] = (), none_text: str = "") -> Field:
+    """The field of one option of the core's settings (a field of its dataclass).
+
+    ``choices`` where it is one of some names; ``none_text`` for a point that may be left to the machine.
+    """
+    kind, hint = leaf.metadata["kind"], option_hint(leaf)
+    optional = leaf.default is None
+    if choices:
+        return ChoiceField(leaf.name, choices, hint)
+    makers: dict[str, Callable[[], Field]] = {
+        "number": lambda: NumberField(leaf.name, hint, optional=optional),
+        "count": lambda: NumberField(leaf.name, hint, whole=True, optional=optional),
+        "text": lambda: TextField(leaf.name, hint),
+        "vector": lambda: TripleField(leaf.name, "vector", hint),
+        "point": lambda: TripleField(leaf.name, "point", hint, none_text),
+    }
+    return makers[kind]() if kind in makers else QuantityField(leaf.name, kind, hint, optional)

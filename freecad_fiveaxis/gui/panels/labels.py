@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The words beside the fields: one for each option of the core's settings, and one for each choice."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from freecad_fiveaxis.gui.qt import translate
+
+
+def option_label(name: str) -> str:
+    """What stands beside the field of an option; an option that is new says its own name."""
+    return _options().get(name) or name.replace("_", " ").capitalize()
+
+
+def option_hint(leaf: Any) -> str:
+    """What an option is for: the help of its field in the core's settings, as the property editor says it too."""
+    return translate("App::Property", leaf.metadata["text"])
+
+
+def choice_label(name: str) -> str:
+    """What a choice is called in a list; one that is new says its own name."""
+    return _choices().get(name) or name.replace("_", " ")
+
+
+def group_label(name: str) -> str:
+    """The title of a group of options, by the name of its settings class."""
+    return _groups().get(name) or name.replace("Settings", "")
+
+
+def _options() -> dict[str, str]:
+    return {
+        "direction": translate("FiveAxis", "Direction of passes"),
+        "scallop": translate("FiveAxis", "Scallop"),
+        "stepover": translate("FiveAxis", "Stepover"),
+        "least_interval": translate("FiveAxis", "Least interval"),
+        "max_axis_angle": translate("FiveAxis", "Steepest facet"),
+        "cutter": translate("FiveAxis", "Ball cutter"),
+        "coedge_tolerance": translate("FiveAxis", "Edge tolerance"),
+        "tool_axis": translate("FiveAxis", "Tool axis"),
+        "axis": translate("FiveAxis", "Fixed axis I, J, K"),
+        "lead": translate("FiveAxis", "Lead"),
+        "tilt": translate("FiveAxis", "Tilt"),
+        "order": translate("FiveAxis", "Order"),
+        "clearance": translate("FiveAxis", "Clearance"),
+        "feed": translate("FiveAxis", "Feed"),
+        "plunge_feed": translate("FiveAxis", "Plunge feed"),
+        "feed_mode": translate("FiveAxis", "Feed mode"),
+        "tool": translate("FiveAxis", "Tool number"),
+        "spindle": translate("FiveAxis", "Spindle, 1/min"),
+        "coolant": translate("FiveAxis", "Coolant"),
+        "work_offset": translate("FiveAxis", "Work offset"),
+        "blend": translate("FiveAxis", "Corner rounding"),
+        "machine": translate("FiveAxis", "Machine"),
+        "controller": translate("FiveAxis", "Controller"),
+        "origin": translate("FiveAxis", "Work zero on the machine"),
+        "tool_length": translate("FiveAxis", "Tool length"),
+        "control_point": translate("FiveAxis", "Driven point"),
+        "linearize": translate("FiveAxis", "Linearize"),
+        "tolerance": translate("FiveAxis", "Tolerance"),
+        "method": translate("FiveAxis", "Line deviation by"),
+        "linear_deflection": translate("FiveAxis", "Mesh deflection"),
+        "angular_deflection": translate("FiveAxis", "Mesh angle"),
+        "work_zero": translate("FiveAxis", "Work zero"),
+        "cutter_diameter": translate("FiveAxis", "Diameter"),
+        "cutter_length": translate("FiveAxis", "Cutting length"),
+        "nc_file": translate("FiveAxis", "NC file"),
+    }
+
+
+def _choices() -> dict[str, str]:
+    return {
+        "facet_mean": translate("FiveAxis", "mean of the facet normals"),
+        "step_weighted": translate("FiveAxis", "normals weighted by step"),
+        "fixed": translate("FiveAxis", "fixed"),
+        "zigzag": translate("FiveAxis", "to and fro"),
+        "one_way": translate("FiveAxis", "one way"),
+        "g93": translate("FiveAxis", "inverse time (G93)"),
+        "g94": translate("FiveAxis", "units a minute (G94)"),
+        "on": translate("FiveAxis", "on"),
+        "off": translate("FiveAxis", "off"),
+        "tip": translate("FiveAxis", "tip"),
+        "centre": translate("FiveAxis", "centre of the ball"),
+        "exact": translate("FiveAxis", "exact"),
+        "so2008": translate("FiveAxis", "model of So et al. 2008"),
+        "scallop": translate("FiveAxis", "Scallop"),
+        "stepover": translate("FiveAxis", "Stepover"),
+    }
+
+
+def _groups() -> dict[str, str]:
+    return {
+        "PassSettings": translate("FiveAxis", "Passes"),
+        "CutterSettings": translate("FiveAxis", "Cutter"),
+        "ToolAxisSettings": translate("FiveAxis", "Tool axis"),
+        "LinkSettings": translate("FiveAxis", "Between passes"),
+        "FeedSettings": translate("FiveAxis", "Feeds"),
+        "HeadSettings": translate("FiveAxis", "Head of the NC file"),
+        "MachineSettings": translate("FiveAxis", "Machine"),
+        "ProofSettings": translate("FiveAxis", "Proof"),
+    }

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the panels of a tool path and of an audit share: a form, Calculate, a summary, OK and Cancel.
+
+step      all that the panel does to the document, from the first Calculate to OK, is one step of undo; Cancel and Esc take
+          it back.
+stale     the form says something else than what was calculated last; OK then calculates first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import FreeCADGui
+
+from freecad_fiveaxis.gui.messages import status, warn
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, flags, later, translate
+from freecad_fiveaxis.gui.undo import OpenStep
+from freecad_fiveaxis.gui.waiting import waiting
+
+from .form import Form
+from .summary import Summary
+
+
+class PathPanel:
+    """A task panel. A subclass fills ``form``, and says how to ``compute``."""
+
+    def __init__(self, doc: Any, title: str, form: Form, obj: Any = None) -> None:
+        self.doc, self.title, self.options, self.obj = doc, title, form, obj
+        self.made = obj is None
+        self.step, self.calculated = OpenStep(doc, title), None
+        self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
+        self.calculate_button.setObjectName("calculate")
+        self.summary = Summary()
+        self.form = self._widget(title)
+        self.calculate_button.clicked.connect(lambda *_: self.calculate())
+        form.edited.connect(self._edited)
+
+    def _widget(self, title: str) -> Any:
+        widget = QtWidgets.QWidget()
+        widget.setObjectName("FiveAxisPanel")
+        widget.setWindowTitle(title)
+        column = QtWidgets.QVBoxLayout(widget)
+        for part in (self.calculate_button, self.summary, self.options.error, self.options.widget):
+            column.addWidget(part)
+        column.addStretch()
+        return widget
+
+    def fill(self, values: Mapping[str, Any]) -> None:
+        """Show these values; an object that is there shows its last result."""
+        self.options.show_options(values)
+        current = not self.made and self.obj.Blocks > 0 and "Touched" not in self.obj.State
+        self.calculated = self.options.said() if current else None
+        self._edited()
+
+    @property
+    def stale(self) -> bool:
+        """Whether OK has to calculate."""
+        return self.calculated is None or self.calculated != self.options.said()
+
+    def compute(self) -> Any:
+        """Make or change the object in the document and compute it; returns it. Raises FiveAxisError."""
+        raise NotImplementedError
+
+    def finish(self) -> None:
+        """What OK adds to a computed object."""
+
+    def calculate(self) -> bool:
+        """Compute what the form says and show the summary; whether that went well. Otherwise the document is as before."""
+        if not self.options.check():
+            self.summary.forget()
+            return False
+        self.step.begin()
+        try:
+            with waiting(self.title):
+                self.obj = self.compute()
+        except BaseException as error:  # FreeCADAbort (Esc) is no Exception
+            self._undone()
+            self._tell(error)
+            return False
+        self.calculated = self.options.said()
+        self._edited()
+        reveal(self.form)
+        return True
+
+    def _undone(self) -> None:
+        self.step.take_back()
+        self.obj, self.calculated = None if self.made else self.obj, None
+        self.summary.forget()
+
+    def _tell(self, error: BaseException) -> None:
+        from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+
+        if isinstance(error, Cancelled):
+            status(translate("FiveAxis", "Stopped; the document is as it was."))
+            return
+        if not isinstance(error, (FiveAxisError, ReferenceError)):
+            raise error
+        gone = translate("FiveAxis", "The part was deleted meanwhile: press Cancel, and select another one.")
+        self.options.show_error(gone if isinstance(error, ReferenceError) else str(error))
+        reveal(self.form)
+
+    def _edited(self) -> None:
+        self.options.check()
+        if self.stale:
+            self.summary.forget()
+        else:
+            self.summary.show_result(self.obj)
+
+    def getStandardButtons(self) -> int:
+        """FreeCAD asks which buttons the panel has."""
+        return flags(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
+
+    def accept(self) -> bool:
+        """OK: calculate if that is not done, keep what there is, close. The panel stays where something cannot be used."""
+        if (self.stale and not self.calculate()) or not self._finished():
+            return False
+        self.step.keep()
+        self._close()
+        return True
+
+    def _finished(self) -> bool:
+        try:
+            with waiting(self.title):
+                self.finish()
+        except BaseException as error:  # FreeCADAbort (Esc) is no Exception
+            self._undone()
+            self._tell(error)
+            return False
+        return True
+
+    def reject(self) -> bool:
+        """Cancel or Esc: the document is as it was."""
+        self.step.take_back()
+        self._close()
+        return True
+
+    def _close(self) -> None:
+        for field in self.options.fields.values():
+            if hasattr(field, "pick"):
+                field.pick.stop()
+        FreeCADGui.Control.closeDialog()
+        if self.step.has_document() and FreeCADGui.getDocument(self.doc.Name).getInEdit():
+            FreeCADGui.getDocument(self.doc.Name).resetEdit()
+
+
+def show(panel: Any) -> Any:
+    """Open a panel in the task view, which is made as wide as the panel needs. Only one panel can be open."""
+    if FreeCADGui.Control.activeDialog():
+        warn(translate("FiveAxis", "Another task panel is open: close it first."))
+        return panel
+    FreeCADGui.Control.showDialog(panel)
+    later(lambda: _widen(panel.form))
+    return panel
+
+
+def reveal(form: Any) -> None:
+    """Scroll the task view to the panel's head, where summary and buttons are."""
+    area = _above(form, QtWidgets.QScrollArea)
+    if area:
+        later(lambda: area.verticalScrollBar().setValue(0))
+
+
+def _widen(form: Any) -> None:
+    dock, area = _above(form, QtWidgets.QDockWidget), _above(form, QtWidgets.QScrollArea)
+    if dock and area:
+        lacking = area.widget().minimumSizeHint().width() - area.viewport().width()
+        if lacking > 0:
+            FreeCADGui.getMainWindow().resizeDocks([dock], [dock.width() + lacking], QtCore.Qt.Horizontal)
+
+
+def _above(widget: Any, kind: type) -> Any:
+    """The nearest widget of that kind around another one; None where there is none."""
+    while widget is not None and not isinstance(widget, kind):
+        widget = widget.parentWidget()
+    return widget

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A point picked in the 3D view: a vertex, the centre of a circle, or the spot on a face or mesh that was clicked.
+
+pick      begins with a button and ends with the first point, with a second press of the button, or with Esc; Esc then stops
+          the pick and not the panel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, later, translate
+
+from .fields import TripleField
+
+Point = tuple[float, float, float]
+
+
+class Pick:
+    """Waits for one point. ``found`` gets it (document coordinates, mm); ``ended`` is called in any case."""
+
+    def __init__(self, found: Callable[[Point], None], ended: Callable[[], None]) -> None:
+        self.found, self.ended, self.running = found, ended, False
+        self.keys = _Escape(self.stop)
+
+    def start(self) -> None:
+        """Listen to the selection from now on."""
+        if not self.running:
+            self.running = True
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addObserver(self)
+            QtWidgets.QApplication.instance().installEventFilter(self.keys)
+
+    def stop(self) -> None:
+        """Listen no more."""
+        if self.running:
+            self.running = False
+            FreeCADGui.Selection.removeObserver(self)
+            QtWidgets.QApplication.instance().removeEventFilter(self.keys)
+            self.ended()
+
+    def addSelection(self, doc: str, name: str, element: str, spot: Point) -> None:
+        """FreeCAD calls this when something is selected, with the spot under the mouse."""
+        if self.running and element:  # an empty element: chosen in the tree, where there is no spot
+            point = point_of(FreeCAD.getDocument(doc).getObject(name), element, spot)
+            later(lambda: self._take(point))  # an observer must not go while observers are being called
+
+    def _take(self, point: Point) -> None:
+        if self.running:
+            self.stop()
+            FreeCADGui.Selection.clearSelection()
+            self.found(point)
+
+
+class _Escape(QtCore.QObject):
+    """Takes the Esc key away from the rest of the window."""
+
+    def __init__(self, stop: Callable[[], None]) -> None:
+        super().__init__()
+        self.stop = stop
+
+    def eventFilter(self, _watched: Any, event: Any) -> bool:
+        """Qt calls this before a key arrives anywhere."""
+        kind = event.type()
+        if kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.ShortcutOverride) and event.key() == QtCore.Qt.Key_Escape:
+            event.accept()
+            if kind == QtCore.QEvent.KeyPress:
+                later(self.stop)
+            return True
+        return False
+
+
+def point_of(obj: Any, element: str, spot: Point) -> Point:
+    """The point that a picked element means, document coordinates, mm: ``spot`` unless it is a vertex or a circle."""
+    shape = obj.getSubObject(element) if hasattr(obj, "getSubObject") else None
+    if getattr(shape, "ShapeType", "") == "Vertex":
+        return tuple(shape.Point)
+    centre = getattr(getattr(shape, "Curve", None), "Center", None) if getattr(shape, "ShapeType", "") == "Edge" else None
+    return tuple(spot) if centre is None else tuple(centre)
+
+
+class PointField(TripleField):
+    """Three coordinates (document coordinates, mm) and a button that picks them in the 3D view."""
+
+    def __init__(self, name: str, hint: str = "") -> None:
+        super().__init__(name, "point", hint)
+        self.button = QtWidgets.QPushButton(translate("FiveAxis", "Pick in the 3D view"))
+        self.button.setObjectName(name + "_pick")
+        self.button.setCheckable(True)
+        self.button.clicked.connect(self._pressed)
+        self.row.addWidget(self.button, 2, 0, 1, 3)
+        self.pick = Pick(self._found, self._ended)
+
+    def _pressed(self, down: bool) -> None:
+        if down:
+            self.button.setText(translate("FiveAxis", "Click a point, or press Esc"))
+            self.pick.start()
+        else:
+            self.pick.stop()
+
+    def _found(self, point: Point) -> None:
+        self.show_value(point)
+        self.edited.emit()
+
+    def _ended(self) -> None:
+        self.button.setChecked(False)
+        self.button.setText(translate("FiveAxis", "Pick in the 3D view"))

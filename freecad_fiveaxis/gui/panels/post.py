@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that writes a tool path: the NC file, a report where one is wished, a preview for CAM where one is wished.
+
+proposed name   the folder of the preferences, else the document's, else the user's own; the path's label; the ending of the
+                controller's files.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from typing import Any
+
+import FreeCADGui
+
+from freecad_fiveaxis.gui.messages import ask, status
+from freecad_fiveaxis.gui.qt import QtWidgets, flags, translate
+from freecad_fiveaxis.gui.undo import transaction
+from freecad_fiveaxis.gui.waiting import waiting
+
+from .fields import TextField, error_line
+from .path_panel import show
+
+REPORTS = ("html", "json")
+ENDINGS = {"fanuc": ".nc", "linuxcnc": ".ngc"}
+"""How the controllers' users name their files; ``.ngc`` where nothing is known."""
+FORBIDDEN = re.compile(r'[\\/:*?"<>|\x00-\x1f]+')
+"""What no file name can hold on one system or another."""
+
+
+class PostPanel:
+    """Writes the Toolpath ``path``."""
+
+    def __init__(self, path: Any) -> None:
+        self.path = path
+        self.file = TextField("nc_path", translate("FiveAxis", "The NC file to write"))
+        self.error = error_line("post_error")
+        self.reports = {kind: QtWidgets.QCheckBox(text) for kind, text in _report_texts().items()}
+        self.preview = QtWidgets.QCheckBox(translate("FiveAxis", "Preview for the CAM workbench"))
+        self.form = self._widget()
+        self.file.show_value(proposed_name(path))
+
+    def _widget(self) -> Any:
+        widget = QtWidgets.QWidget()
+        widget.setObjectName("FiveAxisPanel")
+        widget.setWindowTitle(translate("FiveAxis", "Post-process {}").format(self.path.Label))
+        browse = QtWidgets.QToolButton()
+        browse.setText("…")
+        browse.clicked.connect(self._browse)
+        row = QtWidgets.QHBoxLayout()
+        row.addWidget(self.file.editor)
+        row.addWidget(browse)
+        column = QtWidgets.QVBoxLayout(widget)
+        column.addWidget(QtWidgets.QLabel(translate("FiveAxis", "NC file")))
+        column.addLayout(row)
+        for kind, box in self.reports.items():
+            box.setObjectName("report_" + kind)
+        self.preview.setObjectName("preview")
+        for part in (self.error, *self.reports.values(), self.preview):
+            column.addWidget(part)
+        column.addStretch()
+        return widget
+
+    def _browse(self, *_: Any) -> None:
+        title = translate("FiveAxis", "The NC file to write")
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(
+            self.form, title, self.file.value(), translate("FiveAxis", "NC files (*.ngc *.nc)"), "",
+            QtWidgets.QFileDialog.DontConfirmOverwrite,
+        )  # fmt: skip
+        if path:
+            self.file.show_value(path)
+
+    def getStandardButtons(self) -> int:
+        """FreeCAD asks which buttons the panel has."""
+        return flags(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
+
+    def accept(self) -> bool:
+        """Write the files. What cannot be written is said under the name, and the panel stays."""
+        from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+
+        self.show_error("")
+        try:
+            if not self._write():
+                return False
+        except Cancelled:
+            status(translate("FiveAxis", "Stopped; the document is as it was."))
+            return False
+        except FiveAxisError as error:
+            self.show_error(str(error))
+            return False
+        status(translate("FiveAxis", "Written: {}").format(self.file.value()))
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def _write(self) -> bool:
+        from freecad_fiveaxis import app
+        from freecad_fiveaxis.app import cam, results
+        from freecad_fiveaxis.core import job
+        from freecad_fiveaxis.core.files import check_writable, write_whole
+
+        nc, reports = self._nc_path(), self._report_paths()
+        for path in reports.values():
+            check_writable(path)
+        replaced = self._agreed([nc, *reports.values()])
+        if replaced is None:
+            return False
+        title = translate("FiveAxis", "Post-process")
+        with transaction(self.path.Document, title), waiting(title):
+            figures = results.figures_of(self.path)
+            sheets = {
+                path: job.REPORTS["." + kind](figures).encode("utf-8", "backslashreplace") for kind, path in reports.items()
+            }
+            app.post_process(self.path, nc, overwrite=nc in replaced)
+            for path, sheet in sheets.items():
+                write_whole(path, sheet)
+            if self.preview.isChecked():
+                cam.preview(self.path)
+        return True
+
+    def _nc_path(self) -> str:
+        """The name of the NC file, whole. Raises FileError where there is none."""
+        from freecad_fiveaxis.core.errors import FileError
+
+        if not self.file.value():
+            raise FileError(translate("FiveAxis", "Name the NC file."), "")
+        return os.path.abspath(os.path.expanduser(self.file.value()))
+
+    def _report_paths(self) -> dict[str, str]:
+        """The name of each report that is wished: that of the NC file with another ending."""
+        stem = os.path.splitext(self._nc_path())[0]
+        return {kind: f"{stem}.{kind}" for kind, box in self.reports.items() if box.isChecked()}
+
+    def _agreed(self, paths: list[str]) -> list[str] | None:
+        """Those files that are there already, when the user agrees that they are replaced; None when not."""
+        from freecad_fiveaxis.app.nc_output import is_ours
+
+        there = [path for path in paths if os.path.lexists(path)]
+        foreign = [path for path in there if not (os.path.isfile(path) and is_ours(self.path.Document, path))]
+        text = translate("FiveAxis", "These files are there already. Replace them?")
+        if foreign and not ask(text + "\n\n" + "\n".join(foreign), translate("FiveAxis", "Replace")):
+            return None
+        return there
+
+    def reject(self) -> bool:
+        """Cancel or Esc: nothing is written."""
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def show_error(self, text: str) -> None:
+        """Why nothing was written, in red under the file's name."""
+        self.error.setText(text)
+        self.error.setVisible(bool(text))
+
+
+def write(path: Any) -> PostPanel:
+    """Open the panel for a Toolpath."""
+    return show(PostPanel(path))
+
+
+def proposed_name(path: Any) -> str:
+    """Where the NC file of a Toolpath would go."""
+    from freecad_fiveaxis.app import preferences
+
+    folder = preferences.output_folder() or os.path.dirname(path.Document.FileName) or os.path.expanduser("~")
+    name = FORBIDDEN.sub("_", path.Label).strip(" .") or path.Name
+    return os.path.join(str(folder), name + ENDINGS.get(_controller(path), ".ngc"))
+
+
+def _controller(path: Any) -> str:
+    """The name of the controller that the path is for: its own, or its machine's."""
+    from freecad_fiveaxis.app.properties import MACHINES_OWN
+    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.core.machine import load_machine
+
+    if path.Controller != MACHINES_OWN:
+        return path.Controller
+    try:
+        return load_machine(path.Machine).controller or ""
+    except FiveAxisError:
+        return ""  # writing will say what is the matter with the machine
+
+
+def _report_texts() -> dict[str, str]:
+    return {
+        "html": translate("FiveAxis", "Report as a web page (.html)"),
+        "json": translate("FiveAxis", "Report for programs (.json)"),
+    }

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a path came to, in a few lines, in the user's units: passes, blocks, time, deviation, poor blocks."""
+
+from __future__ import annotations
+
+import html
+from typing import Any
+
+from freecad_fiveaxis.gui.qt import QtWidgets, translate
+
+from .fields import quantity
+
+
+def summary_lines(obj: Any) -> list[tuple[str, str]]:
+    """Label and value of each line, from the result properties of a Toolpath or an Audit."""
+    lines = [(translate("FiveAxis", "Passes"), str(obj.Passes))] if obj.Passes else []
+    return [
+        *lines,
+        (translate("FiveAxis", "Blocks"), str(obj.Blocks)),
+        (translate("FiveAxis", "Time"), clock(float(getattr(obj.Time, "Value", obj.Time)))),
+        (translate("FiveAxis", "Largest deviation"), length(obj.MaxSegmentDeviation)),
+        (translate("FiveAxis", "Proven bound"), length(obj.MaxBound)),
+        (translate("FiveAxis", "Singular blocks"), str(obj.SingularBlocks)),
+        (translate("FiveAxis", "Blocks over tolerance"), str(obj.OverTolerance)),
+        (translate("FiveAxis", "Worst NC line"), str(obj.WorstLine or translate("FiveAxis", "none"))),
+    ]
+
+
+def gravest(obj: Any) -> str:
+    """The gravest finding of an object that was computed since its document was opened, else the first one."""
+    last = getattr(obj.Proxy, "last", None)
+    if last is not None and last.figures.findings:
+        return max(last.figures.findings, key=lambda finding: finding.severity).text
+    return obj.Findings[0] if obj.Findings else ""
+
+
+def length(value: Any) -> str:
+    """A length (quantity, or mm) in the user's units with four digits."""
+    shown = quantity(float(getattr(value, "Value", value)), "Length")
+    shown.Format = {"Precision": 4, "NumberFormat": "g", "Denominator": 8}
+    return shown.UserString
+
+
+def clock(seconds: float) -> str:
+    """Seconds as ``1:02:03``, or as ``4.2 s`` below a minute."""
+    if seconds < 60.0:
+        return translate("FiveAxis", "{} s").format(f"{seconds:.1f}")
+    whole = round(seconds)
+    return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"
+
+
+class Summary(QtWidgets.QGroupBox):
+    """A box that shows the last calculation, or says that there is none of these settings."""
+
+    def __init__(self) -> None:
+        super().__init__(translate("FiveAxis", "Summary"))
+        self.text = QtWidgets.QLabel()
+        self.text.setObjectName("summary")
+        self.text.setWordWrap(True)
+        QtWidgets.QVBoxLayout(self).addWidget(self.text)
+        self.forget()
+
+    def forget(self) -> None:
+        """The settings have changed since the last calculation."""
+        self.text.setText(translate("FiveAxis", "Press Calculate to see what these settings come to."))
+
+    def show_result(self, obj: Any) -> None:
+        """The figures of the object's last computation, and the gravest of its findings."""
+        cells = "".join(
+            f"<tr><td>{label}&nbsp;</td><td><b>{html.escape(value)}</b></td></tr>" for label, value in summary_lines(obj)
+        )
+        found = f"<p>{html.escape(gravest(obj))}</p>"
+        self.text.setText(f"<table>{cells}</table>{found}")

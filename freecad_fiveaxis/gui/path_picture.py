@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The picture of one path: which figures are drawn, whether they still are those of the object, and what says so."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+
+from freecad_fiveaxis.app import results
+from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.core.report import Drawing, Figures, draw
+
+from . import findings_panel
+from .qt import translate
+from .scene import overlay, words
+from .scene.path_nodes import Look, PathNodes
+from .view_properties import rgb
+from .view_providers import kind_of, markers_of
+from .waiting import waiting
+
+SWITCHES = {"axes": "ShowAxes", "curves": "ShowCurves", "rapids": "ShowRapids", "legend": "ShowLegend"}
+
+
+class Picture:
+    """Nodes of a path, and what they show.
+
+    ``figures`` those that are drawn; ``styled``: with the colours and sizes that the view has now; ``checked``: why the object is
+    out of date, empty where it is not, None where nobody looked since the last change; ``failed``: why nothing could be computed.
+    """
+
+    def __init__(self, vobj: Any) -> None:
+        self.vobj, self.obj, self.nodes = vobj, vobj.Object, PathNodes()
+        self.figures: Figures | None = None
+        self.drawing: Drawing | None = None
+        self.styled, self.checked, self.failed = False, None, ""
+
+    def refresh(self) -> None:
+        """Draw what is new."""
+        self.nodes.move_to(tuple(self.obj.WorkZero))
+        self._find_figures()
+        if self.checked is None:
+            self.checked = results.out_of_date(self.obj)
+        if self.drawing is None:
+            self.nodes.clear()
+        elif not self.styled:
+            self.nodes.show(self.drawing, self._look())
+            self.styled = True
+        self._turn()
+        self._write()
+
+    def _find_figures(self) -> None:
+        """The figures that the object's properties tell of; computed where the document was just opened and shows the path."""
+        last = self.obj.Proxy.last
+        if last is None and self.obj.Fingerprint and self.vobj.Visibility and not self.failed:
+            last = self._compute()
+        if not self.obj.Fingerprint:
+            self.figures = self.drawing = None
+        elif last is not None and last.figures is not self.figures:
+            self.figures, self.drawing, self.styled, self.failed = last.figures, draw(last.figures), False, ""
+            self.checked = None
+            findings_panel.renew(self.obj)
+
+    def _compute(self) -> Any:
+        """The result after the document was opened. Where that fails, the view and the object say why."""
+        text = translate("FiveAxis", "Draw {label}").format(label=self.obj.Label)
+        try:
+            with waiting(text) as listener:
+                results.figures_of(self.obj, listener)
+        except Cancelled:
+            self.failed = translate("FiveAxis", "Not drawn, as you stopped it: recompute to draw it")
+        except FiveAxisError as error:
+            self.failed = str(error)
+            self.obj.touch()
+            FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
+        return self.obj.Proxy.last
+
+    def _look(self) -> Look:
+        view = self.vobj
+        return Look(
+            rgb(view.ColourGood), rgb(view.ColourBad), rgb(view.ColourSingular), rgb(view.ColourAxes), view.LineWidth,
+            view.MarkerSize, view.AxisLength.Value,
+        )  # fmt: skip
+
+    def _turn(self) -> None:
+        """Markers and label belong to the Markers object where there is one."""
+        for name, prop in SWITCHES.items():
+            self.nodes.turn(name, getattr(self.vobj, prop))
+        own = markers_of(self.obj) is None
+        self.nodes.turn("marks", own and self.vobj.ShowMarkers)
+        self.nodes.turn("label", own and self.vobj.ShowLabel)
+
+    def _write(self) -> None:
+        """Label and legend."""
+        warning = self.failed or self.checked or ""
+        label = legend = None
+        if self.figures is None:
+            legend = words.empty_legend(self.obj.Label, warning) if warning else None
+        else:
+            legend = words.legend_of(self.obj.Label, self.figures, self._look(), warning)
+            label = self._label()
+        self.nodes.show_overlay("legend", legend and overlay.legend_node(legend, self._slot()))
+        self.nodes.show_overlay("label", label)
+
+    def _label(self) -> Any:
+        if self.figures is None or not len(self.figures.worst):
+            return None
+        row = self.figures.worst[0]
+        text = words.label_text(self.figures.deviation.segment[row], int(self.figures.program.line[row]))
+        return overlay.label_node(self.figures.deviation.place[row].tolist(), text)
+
+    def _slot(self) -> int:
+        """How many other paths of the document show their legend before this one."""
+        paths = [one for one in self.obj.Document.Objects if kind_of(one) in ("toolpath", "audit")]
+        before = paths[: paths.index(self.obj)]
+        return sum(one.ViewObject.Visibility and getattr(one.ViewObject, "ShowLegend", False) for one in before)

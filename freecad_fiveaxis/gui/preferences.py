@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page of FreeCAD's preferences: its form is ``resources/ui/preferences.ui``, its values those of ``app.preferences``.
+
+Each widget of the form that bears a parameter's name shows that parameter. The page is not left to FreeCAD's own loading of
+forms, because the lists of machines and controllers are made when it opens.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCADGui
+
+from freecad_fiveaxis.app import preferences
+
+from .qt import QtGui, QtWidgets, resource, translate
+
+GROUP = "FiveAxis"
+"""The page's group; its icon is ``preferences-fiveaxis.svg`` among FreeCAD's icon paths."""
+
+VALUES = {"Gui::PrefUnitSpinBox": "rawValue", "Gui::PrefFileChooser": "fileName", "Gui::PrefColorButton": "color"}
+"""The property of a widget that holds its value, by its class."""
+
+
+def register() -> None:
+    """Add the page, its icon and the translations. Called once, when the window starts; imports nothing heavy."""
+    FreeCADGui.addIconPath(resource("icons"))
+    FreeCADGui.addLanguagePath(resource("translations"))
+    FreeCADGui.updateLocale()  # FreeCAD has looked for translations before it came to the add-ons
+    FreeCADGui.addPreferencePage(Page, GROUP)
+
+
+class Page:
+    """What FreeCAD asks of a page: a form, and to load and save it."""
+
+    def __init__(self, _parent: Any = None) -> None:
+        self.form = FreeCADGui.PySideUic.loadUi(resource("ui", "preferences.ui"))
+        self.loaded: dict[str, Any] = {}
+        self.choices = {"Machine": _machines(), "Controller": _controllers()}
+        for key, choices in self.choices.items():
+            self._widget(key).addItems(list(choices))
+        suffix, self.feed_factor = _feed_unit()
+        self._widget("Feed").setSuffix(suffix)
+
+    def loadSettings(self) -> None:
+        """Show what is kept."""
+        for key in preferences.DEFAULTS:
+            self.show_value(key, preferences.read(key))
+        self.loaded = self._all_shown()
+
+    def saveSettings(self) -> None:
+        """Keep what was changed; the boxes round, so a number that nobody touched stays as it was."""
+        for key, value in self._all_shown().items():
+            if value != self.loaded[key]:
+                preferences.write(key, value)
+        self.loaded = self._all_shown()
+
+    def resetSettingsToDefaults(self) -> None:
+        """Forget what was kept (FreeCAD 1.0 and later have a button for it)."""
+        preferences.reset()
+        self.loadSettings()
+
+    def _all_shown(self) -> dict[str, Any]:
+        return {key: self.shown(key) for key in preferences.DEFAULTS}
+
+    def show_value(self, key: str, value: Any) -> None:
+        """Show a parameter's value."""
+        if key in self.choices:
+            labels = {kept: label for label, kept in self.choices[key].items()}
+            self._widget(key).setCurrentText(labels.get(value, value))
+        elif key == "Feed":
+            self._widget(key).setValue(value * self.feed_factor)
+        else:
+            shown = QtGui.QColor(value >> 24 & 255, value >> 16 & 255, value >> 8 & 255) if isinstance(value, int) else value
+            self._widget(key).setProperty(self._property(key), shown)
+
+    def shown(self, key: str) -> Any:
+        """The value that is shown for a parameter."""
+        if key in self.choices:
+            text = self._widget(key).currentText()
+            return self.choices[key].get(text, text)
+        if key == "Feed":
+            return self._widget(key).value() / self.feed_factor
+        value = self._widget(key).property(self._property(key))
+        return value.rgb() << 8 & 0xFFFFFF00 | 0xFF if isinstance(value, QtGui.QColor) else value
+
+    def _widget(self, key: str) -> Any:
+        return self.form.findChild(QtWidgets.QWidget, key)
+
+    def _property(self, key: str) -> str:
+        return VALUES[self._widget(key).metaObject().className()]
+
+
+def _feed_unit() -> tuple[str, float]:
+    """Feeds are typed a minute, as machinists do: FreeCAD's own boxes take a plain number for mm/s, and refuse "mm/min" letter
+    by letter. The unit's name, and how many of it one mm/s is.
+    """
+    import FreeCAD
+
+    inches = FreeCAD.Units.Quantity("1 mm/s").getUserPreferred()[2].startswith(("in", "ft", "mil"))
+    return (" in/min", 60 / 25.4) if inches else (" mm/min", 60.0)
+
+
+def _controllers() -> dict[str, str]:
+    from freecad_fiveaxis.core.post import DIALECTS
+
+    return {translate("FiveAxis", "the machine's own"): "", **{name: name for name in DIALECTS}}
+
+
+def _machines() -> dict[str, str]:
+    from freecad_fiveaxis.app.machines import choices
+
+    made: dict[str, str] = {}
+    for choice in choices():
+        if not choice.error:
+            made[choice.machine if choice.label in made else choice.label] = choice.machine
+    return made

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Markers as points that can be picked: one set of points for each kind.
+
+Each point has a rim in the opposite lightness, so that it shows on any ground. Kinds differ in size as well as in colour: where
+a block is over the tolerance and near the pole, one stands within the other.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pivy import coin
+
+from . import nodes
+
+LARGEST, OVER, SINGULAR = "largest-deviation", "deviation-over-tolerance", "singular-block"
+"""The kinds of the core that have a look of their own; all others look alike."""
+OTHER_COLOUR = (0.35, 0.71, 0.91)
+RIM, DARK, WHITE = 4.0, (0.05, 0.05, 0.05), (1.0, 1.0, 1.0)
+_NAME = re.compile(r"FiveAxisMarks_(\d+)_(\d+)")
+_serial = itertools.count()
+
+
+@dataclass(frozen=True)
+class _Look:
+    """Colours of a point and its rim, size in pixels; ``depth``: how much nearer it is drawn (``nodes.nearer``)."""
+
+    fill: nodes.Colour
+    rim: nodes.Colour
+    size: float
+    depth: float
+
+
+class Marks:
+    """The nodes of some markers; ``root`` goes into the scene."""
+
+    def __init__(self) -> None:
+        self.root = coin.SoSeparator()
+        self.serial = next(_serial)
+        self.rows: list[np.ndarray] = []
+
+    def show(self, places: np.ndarray, kinds: Sequence[str], bad: nodes.Colour, singular: nodes.Colour, size: float) -> None:
+        """Draw markers at ``places`` (k, 3) mm; ``size`` pixels."""
+        self.root.removeAllChildren()
+        self.rows = []
+        if not len(places):
+            return
+        self.root.addChild(nodes.flat())
+        kind = np.asarray(kinds)
+        known = (kind == OVER) | (kind == SINGULAR) | (kind == LARGEST)
+        looks = (  # the mouse takes the first where several stand at one place, and that one is drawn over the others
+            (kind == LARGEST, _Look(bad, DARK, size + 5.0, 1.0)),
+            (kind == OVER, _Look(bad, WHITE, size, 0.032)),
+            (kind == SINGULAR, _Look(singular, DARK, size + 7.0, 0.031)),
+            (~known, _Look(OTHER_COLOUR, DARK, size, 0.03)),
+        )
+        for chosen, look in looks:
+            self._add(places, np.flatnonzero(chosen), look)
+
+    def _add(self, places: np.ndarray, rows: np.ndarray, look: _Look) -> None:
+        if not len(rows):
+            return
+        inner, outer = nodes.points(places[rows]), nodes.points(places[rows])
+        inner.setName(f"FiveAxisMarks_{self.serial}_{len(self.rows)}")
+        self.rows.append(rows)
+        rim = (nodes.unpickable(), nodes.colour(look.rim), nodes.style(point=look.size + RIM), outer)
+        fill = (nodes.on_top_for_picking(), nodes.colour(look.fill), nodes.style(point=look.size), inner)
+        self.root.addChild(nodes.separate(nodes.nearer(look.depth, covers=False), *rim))
+        self.root.addChild(nodes.separate(nodes.nearer(look.depth), *fill))
+
+    def picked(self, point: Any) -> int | None:
+        """The row of the marker that a picked point (SoPickedPoint) lies on."""
+        tail = point.getPath().getTail()
+        named = _NAME.match(tail.getName().getString())
+        detail = point.getDetail()
+        if not named or int(named[1]) != self.serial or detail is None:
+            return None
+        found = coin.cast(detail, "SoPointDetail") if not hasattr(detail, "getCoordinateIndex") else detail
+        return int(self.rows[int(named[2])][found.getCoordinateIndex()])

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The nodes of a drawn path: strokes coloured by deviation, rapids, tool axes, the worst blocks' real curves, label, legend."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pivy import coin
+
+from freecad_fiveaxis.core.report import Drawing
+from freecad_fiveaxis.core.report.drawing import CURVE_POINTS
+
+from . import colours, nodes
+from .marks import Marks
+
+PARTS = ("strokes", "rapids", "axes", "curves", "marks", "label", "legend")
+"""What can be switched on and off by itself, in the order in which it is drawn."""
+RAPID_COLOUR, AXIS_COLOUR = (0.55, 0.57, 0.6), (0.68, 0.86, 1.0)
+CHORD_COLOUR, FOOT_SHADE = (1.0, 1.0, 1.0), 0.2
+DASHES = 0x0F0F
+BEFORE_ALL = 0.999
+"""The worst blocks' curves are seen through the part: where they lie below its surface they matter most."""
+
+
+@dataclass(frozen=True)
+class Look:
+    """Colours, and sizes in pixels; ``axis_length`` mm, 0: as the part needs it."""
+
+    good: nodes.Colour
+    bad: nodes.Colour
+    singular: nodes.Colour
+    axes: nodes.Colour = AXIS_COLOUR
+    line_width: float = 2.0
+    mark_size: float = 7.0
+    axis_length: float = 0.0
+
+
+class PathNodes:
+    """The scene of one path; ``root`` goes into the view provider."""
+
+    def __init__(self) -> None:
+        self.root, self.origin = coin.SoSeparator(), coin.SoTranslation()
+        self.marks = Marks()
+        self.groups = {name: coin.SoSeparator() for name in PARTS}
+        self.switches = {name: nodes.switch(group) for name, group in self.groups.items()}
+        self.groups["marks"].addChild(self.marks.root)
+        for node in (self.origin, nodes.flat(), *self.switches.values()):
+            self.root.addChild(node)
+
+    def clear(self) -> None:
+        """Show nothing."""
+        for name, group in self.groups.items():
+            if name != "marks":
+                group.removeAllChildren()
+        self.marks.show(np.zeros((0, 3)), (), (0, 0, 0), (0, 0, 0), 1.0)
+
+    def turn(self, name: str, on: bool) -> None:
+        """Switch one of PARTS."""
+        nodes.turn(self.switches[name], on)
+
+    def move_to(self, origin: tuple[float, float, float]) -> None:
+        """The work zero in the document, mm."""
+        self.origin.translation.setValue(*origin)
+
+    def show(self, drawing: Drawing, look: Look) -> None:
+        """Draw all but the label and the legend, which carry words."""
+        rgba = np.repeat(colours.packed(drawing.level, look.good, look.bad), 2)
+        thick, width = nodes.style(look.line_width), look.line_width
+        self._fill("strokes", nodes.unpickable(), nodes.nearer(0.001), thick, nodes.lines(drawing.stroke, colours=rgba))
+        self._fill(
+            "rapids", nodes.unpickable(), nodes.colour(RAPID_COLOUR), nodes.style(1.0, pattern=DASHES), nodes.lines(drawing.rapid)
+        )
+        self._fill("axes", nodes.unpickable(), nodes.style(1.0), _sticks(drawing, look))
+        self._fill("curves", nodes.unpickable(), nodes.nearer(BEFORE_ALL), *_curves(drawing, look.bad, width))
+        self.show_marks(drawing, look)
+
+    def show_marks(self, drawing: Drawing, look: Look) -> None:
+        """Draw the markers."""
+        places = np.array([one.place for one in drawing.markers], float).reshape(-1, 3)
+        self.marks.show(places, [one.kind for one in drawing.markers], look.bad, look.singular, look.mark_size)
+
+    def show_overlay(self, name: str, node: Any | None) -> None:
+        """The label or the legend; None for none."""
+        self._fill(name, *([] if node is None else [node]))
+
+    def _fill(self, name: str, *children: Any) -> None:
+        self.groups[name].removeAllChildren()
+        for child in children:
+            self.groups[name].addChild(child)
+
+
+def _sticks(drawing: Drawing, look: Look) -> Any:
+    """The tool axes, dark at the tip and bright at the holder's end: seen on light and on dark grounds."""
+    tops = drawing.foot + drawing.axis * (look.axis_length or drawing.axis_length)
+    dark = tuple(FOOT_SHADE * part for part in look.axes)
+    rgba = np.tile(np.array([colours.pack(dark), colours.pack(look.axes)], np.uint32), len(drawing.foot))
+    return nodes.lines(np.stack([drawing.foot, tops], axis=1).reshape(-1, 3), colours=rgba)
+
+
+def _curves(drawing: Drawing, bad: nodes.Colour, width: float) -> list[Any]:
+    """The commanded chord in white with thick ends, the real curve in the bad colour, and where they are farthest apart."""
+    if not len(drawing.worst):
+        return []
+    return [
+        nodes.separate(nodes.colour(CHORD_COLOUR), nodes.style(width + 1.0), nodes.lines(drawing.chord)),
+        nodes.separate(nodes.colour(CHORD_COLOUR), nodes.style(point=width + 4.0), nodes.points(drawing.chord)),
+        nodes.separate(nodes.colour(bad), nodes.style(width + 1.0), nodes.lines(drawing.curve, CURVE_POINTS)),
+        nodes.separate(nodes.colour(bad), nodes.style(1.0, pattern=DASHES), nodes.lines(drawing.spoke)),
+    ]

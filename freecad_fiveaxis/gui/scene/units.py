@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Numbers in the user's own units, with as many digits as they have: FreeCAD's own texts would show a micrometre as 0.00."""
+
+from __future__ import annotations
+
+import FreeCAD
+
+DIGITS = 4
+
+
+def length_text(mm: float, digits: int = DIGITS) -> str:
+    """A length in the unit of the user's schema, as "2.126 mm", "12.3 µm" or "0.0837 in"."""
+    _, factor, unit = FreeCAD.Units.Quantity(mm, FreeCAD.Units.Length).getUserPreferred()
+    if not factor or not unit:
+        factor, unit = 1.0, "mm"
+    return f"{mm / factor:.{digits}g} {unit}"
+
+
+def angle_text(degrees: float, digits: int = DIGITS) -> str:
+    """An angle, as "27.42°"."""
+    return f"{degrees:.{digits}g}°"

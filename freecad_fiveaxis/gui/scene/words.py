@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the view and the list of findings say, in the user's language and units. The numbers are the core's.
+
+told    three plain texts of one block: what happens there, why, and what helps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from freecad_fiveaxis.gui.qt import translate
+
+from .units import angle_text, length_text
+
+if TYPE_CHECKING:
+    from freecad_fiveaxis.core.findings import Finding
+    from freecad_fiveaxis.core.report import Figures, Spot
+
+LARGEST, OVER, SINGULAR, UNPROVEN = "largest-deviation", "deviation-over-tolerance", "singular-block", "bound-over-tolerance"
+"""The codes that have words of their own; of every other finding the core's own sentence is shown."""
+
+Told = tuple[str, str, str]
+
+
+def name_of(code: str) -> str:
+    """A few words for a code."""
+    names = {
+        LARGEST: translate("FiveAxis", "Largest deviation"),
+        OVER: translate("FiveAxis", "Over the tolerance"),
+        SINGULAR: translate("FiveAxis", "Near the pole"),
+        UNPROVEN: translate("FiveAxis", "Not proven"),
+    }
+    return names.get(code, code.replace("-", " ").capitalize())
+
+
+def severity_name(severity: int) -> str:
+    """Note, warning or error."""
+    return (translate("FiveAxis", "Note"), translate("FiveAxis", "Warning"), translate("FiveAxis", "Error"))[severity]
+
+
+def value_text(finding: Finding) -> str:
+    """A finding's value in the user's units; empty where it has none."""
+    if finding.value is None:
+        return ""
+    if finding.unit == "mm":
+        return length_text(finding.value)
+    return angle_text(finding.value) if finding.unit == "deg" else f"{finding.value:.5g} {finding.unit.replace('1', '')}".strip()
+
+
+def told(code: str, spot: Spot) -> Told | None:
+    """What happens at a block, why, and what helps; None for a code without words of its own."""
+    sayings = {LARGEST: _deviates, OVER: _deviates, SINGULAR: _near_pole, UNPROVEN: _unproven}
+    return sayings[code](spot) if code in sayings else None
+
+
+def count_text(code: str, said: Mapping[str, Any]) -> str:
+    """How many blocks a finding of several tells of; ``said``: the core's summary."""
+    texts = {
+        OVER: translate("FiveAxis", "{over_tolerance} blocks are over the tolerance; this is the worst."),
+        SINGULAR: translate("FiveAxis", "{singular_blocks} blocks lie near the pole; this is the worst."),
+        UNPROVEN: translate("FiveAxis", "{unproven} blocks are not proven; this is the worst."),
+    }
+    return texts[code].format(**said)
+
+
+def _deviates(spot: Spot) -> Told:
+    given = {"deviation": length_text(spot.deviation), "tolerance": length_text(spot.tolerance)} | _turning(spot)
+    if spot.deviation > spot.tolerance:
+        what = translate("FiveAxis", "The tip leaves the commanded straight line by {deviation}; allowed are {tolerance}.")
+    else:
+        what = translate("FiveAxis", "The tip leaves the commanded straight line by {deviation}, within the {tolerance} allowed.")
+    why = translate(
+        "FiveAxis",
+        "Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes turn, even moves of "
+        "the axes carry the tip along a curve beside the straight line.",
+    )
+    texts = [why, *([_POLE()] if spot.singular else [])]
+    helps = [_SPLIT(), *([_AWAY()] if spot.singular else []), _GUIDE()]
+    return what.format(**given), " ".join(texts).format(**given), " ".join(helps)
+
+
+def _near_pole(spot: Spot) -> Told:
+    given = _turning(spot)
+    what = translate(
+        "FiveAxis",
+        "{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be too slow for the "
+        "programmed feed: then the tool dwells and may leave a mark.",
+    )
+    return what.format(**given), _POLE().format(**given), _AWAY()
+
+
+def _unproven(spot: Spot) -> Told:
+    what = translate(
+        "FiveAxis", "The tip was seen to leave the line by {deviation}; proven is only that it is no more than {bound}."
+    )
+    why = translate("FiveAxis", "The block is so near to the tolerance of {tolerance} that the proof does not reach.")
+    given = {
+        "deviation": length_text(spot.deviation, 7), "bound": length_text(spot.bound, 7), "tolerance": length_text(spot.tolerance)
+    }  # fmt: skip
+    return what.format(**given), why.format(**given), _SPLIT()
+
+
+def _turning(spot: Spot) -> dict[str, str]:
+    (first, first_turn), (second, second_turn) = spot.turns
+    return {
+        "first": first, "first_turn": angle_text(first_turn), "second": second, "second_turn": angle_text(second_turn, 3),
+        "lean": angle_text(spot.lean, 3), "step": length_text(spot.step),
+    }  # fmt: skip
+
+
+def _POLE() -> str:
+    return translate(
+        "FiveAxis",
+        "The block lies near the pole: the tool stands almost along the {first} axis, and there {first} must turn far to lean "
+        "the tool a little.",
+    )
+
+
+def _SPLIT() -> str:
+    return translate("FiveAxis", "Shorter blocks help: half the length leaves about a quarter of the deviation.")
+
+
+def _AWAY() -> str:
+    return translate(
+        "FiveAxis",
+        "Lead or tilt the tool by a few degrees, or clamp the part in another position, so that the tool keeps off the pole.",
+    )
+
+
+def _GUIDE() -> str:
+    return translate("FiveAxis", "A controller with tool tip control (RTCP) guides the tip along the line itself.")
+
+
+# ---------------------------------------------------------------------------------------------------- the view
+
+
+def label_text(deviation: float, line: int) -> str:
+    """What stands at the largest deviation (mm)."""
+    return translate("FiveAxis", "{deviation}, NC line {line}").format(deviation=length_text(deviation), line=line)
+
+
+def legend_of(label: str, figures: Figures, look: Any, warning: str) -> Any:
+    """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look)."""
+    from freecad_fiveaxis.core.report import scale_values, summary
+
+    from .colours import ramp
+    from .overlay import Legend
+
+    said = summary(figures)
+    marks = [(level, length_text(value)) for level, value in scale_values(figures.tolerance)]
+    marks = [(marks[0][0], "≤ " + marks[0][1]), *marks[1:-1], (marks[-1][0], "≥ " + marks[-1][1])]
+    keys = [
+        (look.bad, translate("FiveAxis", "over the tolerance: {count} blocks").format(count=said["over_tolerance"])),
+        (look.singular, translate("FiveAxis", "near the pole: {count} blocks").format(count=said["singular_blocks"])),
+        ((1.0, 1.0, 1.0), translate("FiveAxis", "commanded line beside the real curve")),
+    ]
+    notes = [translate("FiveAxis", "Distance of the tip from the commanded line")]
+    if said["worst_line"] is not None:
+        largest = label_text(said["max_segment_deviation"], said["worst_line"])
+        notes.append(translate("FiveAxis", "Largest: {largest}").format(largest=largest))
+    halves = (translate("FiveAxis", "within tolerance"), translate("FiveAxis", "over tolerance"))
+    return Legend(label, ramp(look.good, look.bad), marks, halves, keys, notes, warning)
+
+
+def empty_legend(label: str, warning: str) -> Any:
+    """A legend that only says why nothing is drawn."""
+    import numpy as np
+
+    from .overlay import Legend
+
+    return Legend(label, np.zeros((0, 3)), (), ("", ""), (), (), warning)

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user means: the selection, and the path among the objects of a document. Cheap, for it is asked all the time.
+
+path      a Toolpath or an Audit; its markers, its NC output and its tessellation stand for it too.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+APP = "freecad_fiveaxis.app."
+TOOLPATH, AUDIT, TESSELLATION = "Toolpath", "Audit", "Tessellation"
+
+
+def idle() -> bool:
+    """Whether no task panel is open: a second one cannot be shown."""
+    return not FreeCADGui.Control.activeDialog()
+
+
+def has_objects() -> bool:
+    """Whether the active document holds anything to start from."""
+    doc = FreeCAD.ActiveDocument
+    return doc is not None and bool(doc.Objects)
+
+
+def kind_of(obj: Any) -> str:
+    """The name of our proxy's class; empty for an object that is none of ours. Imports nothing."""
+    cls = type(getattr(obj, "Proxy", None))
+    return cls.__name__ if cls.__module__.startswith(APP) else ""
+
+
+def has_path(*kinds: str) -> bool:
+    """Whether the active document has a path of one of the kinds."""
+    doc = FreeCAD.ActiveDocument
+    return doc is not None and any(kind_of(obj) in kinds for obj in doc.findObjects("App::FeaturePython"))
+
+
+def selected_path(*kinds: str) -> Any:
+    """The path of one of the kinds that is selected, or that what is selected belongs to; else the document's only one.
+
+    None where there is no such path, or where several could be meant.
+    """
+    doc = FreeCAD.ActiveDocument
+    chosen = {path.Name: path for obj in FreeCADGui.Selection.getSelection() for path in _paths_of(obj, kinds)}
+    there = chosen or {obj.Name: obj for obj in doc.findObjects("App::FeaturePython") if kind_of(obj) in kinds}
+    return next(iter(there.values())) if len(there) == 1 else None
+
+
+def _paths_of(obj: Any, kinds: tuple[str, ...]) -> list[Any]:
+    near = [obj, getattr(obj, "Path", None)]
+    if kind_of(obj) == TESSELLATION:
+        near += obj.InList
+    return [one for one in near if kind_of(one) in kinds]
+
+
+def part() -> tuple[Any, tuple[str, ...]]:
+    """The object to mill and the names of its chosen faces. Raises SelectionError that says what to select."""
+    from freecad_fiveaxis.app import selection
+
+    return selection.pick([(one.Object, one.SubElementNames) for one in FreeCADGui.Selection.getSelectionEx()])
+
+
+def job_or_part() -> tuple[Any, tuple[str, ...], dict[str, Any]]:
+    """The same and settings: those of a CAM Job where that is selected, whose model is then milled. Raises SelectionError."""
+    from freecad_fiveaxis.app import cam, selection
+
+    chosen = FreeCADGui.Selection.getSelection()
+    if len(chosen) == 1 and chosen[0] in cam.jobs_of(chosen[0].Document):
+        model, settings = cam.settings_from_job(chosen[0])
+        return (*selection.pick([(one, ()) for one in model]), settings)
+    return (*part(), {})

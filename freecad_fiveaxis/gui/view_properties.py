@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The properties of our view providers, with the user's preferred colours as defaults."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from freecad_fiveaxis.app import preferences
+
+from .qt import QT_TRANSLATE_NOOP
+
+GROUP = "Five-axis"
+AXIS_COLOUR = (0.68, 0.86, 1.0)
+
+Row = tuple[str, str, Any, str]
+"""Kind, name, default, documentation. A default that can be called is called when the property is made."""
+
+COLOURS: tuple[Row, ...] = (
+    ("App::PropertyColor", "ColourGood", preferences.colour_good,
+     QT_TRANSLATE_NOOP("App::Property", "Colour of blocks within the tolerance")),
+    ("App::PropertyColor", "ColourBad", preferences.colour_bad,
+     QT_TRANSLATE_NOOP("App::Property", "Colour of blocks over the tolerance")),
+    ("App::PropertyColor", "ColourSingular", preferences.colour_singular,
+     QT_TRANSLATE_NOOP("App::Property", "Colour of markers near the pole")),
+)  # fmt: skip
+MARKS: tuple[Row, ...] = (
+    ("App::PropertyBool", "ShowLabel", True, QT_TRANSLATE_NOOP("App::Property", "Show the value at the largest deviation")),
+    ("App::PropertyFloatConstraint", "MarkerSize", (7.0, 3.0, 25.0, 1.0),
+     QT_TRANSLATE_NOOP("App::Property", "Size of the markers in pixels")),
+)  # fmt: skip
+PATH: tuple[Row, ...] = (
+    ("App::PropertyBool", "ShowAxes", True, QT_TRANSLATE_NOOP("App::Property", "Show the tool axis here and there on the path")),
+    ("App::PropertyBool", "ShowMarkers", True,
+     QT_TRANSLATE_NOOP("App::Property", "Show blocks over the tolerance and near the pole")),
+    ("App::PropertyBool", "ShowCurves", True,
+     QT_TRANSLATE_NOOP("App::Property", "Show the real curve of the worst blocks beside the commanded line")),
+    ("App::PropertyBool", "ShowRapids", True, QT_TRANSLATE_NOOP("App::Property", "Show the rapids")),
+    ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours mean")),
+    *MARKS,
+    ("App::PropertyFloatConstraint", "LineWidth", (2.0, 1.0, 10.0, 0.5),
+     QT_TRANSLATE_NOOP("App::Property", "Width of the path in pixels")),
+    ("App::PropertyLength", "AxisLength", 0.0,
+     QT_TRANSLATE_NOOP("App::Property", "Length of the tool axes; 0: as the part needs it")),
+    *COLOURS,
+    ("App::PropertyColor", "ColourAxes", AXIS_COLOUR, QT_TRANSLATE_NOOP("App::Property", "Colour of the tool axes")),
+)  # fmt: skip
+MARKERS: tuple[Row, ...] = (*MARKS, *COLOURS[1:])
+
+
+def add_missing(vobj: Any, rows: tuple[Row, ...]) -> None:
+    """Give the view object each property that it does not have."""
+    there = set(vobj.PropertiesList)
+    for kind, name, default, text in rows:
+        if name not in there:
+            vobj.addProperty(kind, name, GROUP, text)
+            setattr(vobj, name, default() if callable(default) else default)
+
+
+def rgb(colour: Any) -> tuple[float, float, float]:
+    """A colour property without its alpha."""
+    return tuple(colour)[:3]

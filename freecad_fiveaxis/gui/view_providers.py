@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How our document objects show themselves in the tree and in the 3D view.
+
+The paths of these classes stand in saved documents: they are forever. A view keeps no data: it is drawn from the object's
+properties and from the core's figures, which are computed anew after a document was opened. Nothing here imports numpy or
+pivy before something is drawn.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+
+from . import redraw, view_properties
+from .qt import icon, translate
+
+MODE = "Path"
+APP = "freecad_fiveaxis.app."
+
+
+ICONS = {
+    "tessellation": "FiveAxis_Tessellate", "toolpath": "FiveAxis_Toolpath", "audit": "FiveAxis_Audit",
+    "markers": "FiveAxis_Annotate", "nc_output": "FiveAxis_PostProcess",
+}  # fmt: skip
+
+
+def kind_of(obj: Any) -> str:
+    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``; empty for objects that are not ours."""
+    module = type(getattr(obj, "Proxy", None)).__module__
+    return module[len(APP) :].replace("auditing", "audit") if module.startswith(APP) else ""
+
+
+def markers_of(path: Any) -> Any:
+    """The Markers object of a path, or None."""
+    return next((one for one in path.InList if kind_of(one) == "markers" and one.Path is path), None)
+
+
+class View:
+    """What all our view providers have in common."""
+
+    ROWS: tuple[view_properties.Row, ...] = ()
+
+    def __init__(self, vobj: Any) -> None:
+        view_properties.add_missing(vobj, self.ROWS)
+        vobj.Proxy = self
+
+    def attach(self, vobj: Any) -> None:
+        """FreeCAD has made the view object, or has read it from a file."""
+        self.vobj, self.obj = vobj, vobj.Object
+
+    def getIcon(self) -> str:
+        """The icon in the tree."""
+        return icon(ICONS.get(kind_of(self.obj), "fiveaxis")) if hasattr(self, "obj") else icon("fiveaxis")
+
+    def dumps(self) -> None:
+        """FreeCAD 0.21 and later: nothing to save but the properties."""
+
+    def loads(self, state: Any) -> None:
+        """FreeCAD 0.21 and later."""
+
+    def __getstate__(self) -> None:
+        """FreeCAD 0.20 knows these two names only."""
+
+    def __setstate__(self, state: Any) -> None:
+        """FreeCAD 0.20."""
+
+
+class TessellationView(View):
+    """A mesh; FreeCAD itself draws it."""
+
+
+class NCOutputView(View):
+    """An NC file; nothing to draw."""
+
+    def getDisplayModes(self, vobj: Any) -> list[str]:
+        """None but FreeCAD's own."""
+        return []
+
+
+class DrawnView(View):
+    """A view with nodes of ours. They are made when it is first drawn."""
+
+    def attach(self, vobj: Any) -> None:
+        """An empty place in the scene, which is filled when the window is idle."""
+        from pivy import coin
+
+        super().attach(vobj)
+        self.root = coin.SoSeparator()
+        vobj.addDisplayMode(self.root, MODE)
+        redraw.soon(self)
+
+    def getDisplayModes(self, vobj: Any) -> list[str]:
+        """There is one."""
+        return [MODE]
+
+    def getDefaultDisplayMode(self) -> str:
+        """That one."""
+        return MODE
+
+    def setDisplayMode(self, mode: str) -> str:
+        """That one."""
+        return mode
+
+    def refresh(self) -> None:
+        """Draw what the object shows now; called when the window is idle."""
+        raise NotImplementedError
+
+    def updateData(self, obj: Any, prop: str) -> None:
+        """A property of the object has changed. While a document is read, FreeCAD calls this before it attaches the view."""
+        if hasattr(self, "root"):
+            redraw.soon(self)
+
+    def onChanged(self, vobj: Any, prop: str) -> None:
+        """A property of the view has changed."""
+        if hasattr(self, "root") and prop in ("Visibility", *(row[1] for row in self.ROWS)):
+            self.restyle()
+            redraw.soon(self)
+
+    def restyle(self) -> None:
+        """What is drawn has to be drawn anew, in other colours or sizes."""
+
+    def picked(self, point: Any) -> int | None:
+        """The row of the marker that a picked point lies on."""
+        raise NotImplementedError
+
+    def getElementPicked(self, point: Any) -> str:
+        """The name of what was clicked: a marker is a sub-element."""
+        row = self.picked(point)
+        return "" if row is None else f"Marker{row + 1}"
+
+    def getDetailPath(self, name: str, path: Any, append: bool) -> bool:
+        """FreeCAD would light up the sub-element; a marker shows itself in the list of findings instead."""
+        return False
+
+    def setupContextMenu(self, vobj: Any, menu: Any) -> None:
+        """An entry that opens the list of findings."""
+        menu.addAction(translate("FiveAxis", "Show findings")).triggered.connect(lambda *_: self.show_findings())
+
+    def show_findings(self) -> None:
+        """Open the list of findings."""
+        from . import findings_panel
+
+        findings_panel.show(self.path_object())
+
+    def path_object(self) -> Any:
+        """The path that the view is of."""
+        return self.obj
+
+
+class PathView(DrawnView):
+    """A toolpath or an audit: the path coloured by deviation, with legend, tool axes, markers and the worst blocks' curves."""
+
+    ROWS = view_properties.PATH
+
+    def attach(self, vobj: Any) -> None:
+        """Nothing drawn yet."""
+        self.picture: Any = None
+        self.childless = False
+        super().attach(vobj)
+
+    def claimChildren(self) -> list[Any]:
+        """The tessellation, markers and NC files stand below the path in the tree."""
+        if not hasattr(self, "obj"):  # FreeCAD asks this before it attaches the view
+            return []
+        mesh = [one for one in (getattr(self.obj, "Mesh", None),) if kind_of(one) == "tessellation"]
+        rest = [one for one in self.obj.InList if kind_of(one) in ("markers", "nc_output") and one.Path is self.obj]
+        return mesh + list(dict.fromkeys(rest))
+
+    def updateData(self, obj: Any, prop: str) -> None:
+        """A path that is new hides its mesh: the part's own surface is the better ground."""
+        super().updateData(obj, prop)
+        if prop == "Mesh" and kind_of(obj.Mesh) == "tessellation" and not FreeCAD.isRestoring():
+            obj.Mesh.ViewObject.Visibility = False
+
+    def depends_on(self, obj: Any) -> bool:
+        """Whether a change of that object may put this path out of date."""
+        if not hasattr(self, "obj"):
+            return False
+        mesh = getattr(self.obj, "Mesh", None)
+        base = getattr(mesh, "Base", None)
+        return obj in (self.obj, mesh, base[0] if isinstance(base, tuple) else base)
+
+    def adopt(self) -> None:
+        """The path has a new child: the tree is to ask for its children again."""
+        self.childless = True
+        redraw.soon(self)
+
+    def says_old(self) -> bool:
+        """Whether the picture says that it is out of date."""
+        return self.picture is not None and bool(self.picture.checked)
+
+    def look_again(self) -> None:
+        """Something that the path depends on has changed."""
+        if self.picture is not None:
+            self.picture.checked = None
+        redraw.soon(self)
+
+    def refresh(self) -> None:
+        """Draw what the path shows now. Computes it first where that has to be."""
+        from .path_picture import Picture
+
+        if self.childless:
+            self.childless = False
+            self.obj.WorstLine = self.obj.WorstLine  # the tree asks for the children of what has changed, and of nothing else
+        view_properties.add_missing(self.vobj, self.ROWS)
+        if self.picture is None:
+            self.picture = Picture(self.vobj)
+            self.root.addChild(self.picture.nodes.root)
+        self.picture.refresh()
+
+    def restyle(self) -> None:
+        """Colours or sizes are others now."""
+        if self.picture is not None:
+            self.picture.styled = False
+
+    def picked(self, point: Any) -> int | None:
+        """The row of the marker that a picked point lies on."""
+        return None if self.picture is None else self.picture.nodes.marks.picked(point)
+
+    def setEdit(self, vobj: Any, mode: int = 0) -> bool:
+        """Open the panel."""
+        if mode:
+            return False
+        panel = _panel(self.obj)
+        panel.edit(self.obj)
+        return True
+
+    def unsetEdit(self, vobj: Any, mode: int = 0) -> bool:
+        """The panel closes itself."""
+        return True
+
+    def doubleClicked(self, vobj: Any) -> bool:
+        """Open the panel."""
+        _panel(self.obj).edit(self.obj)
+        return True
+
+
+class MarkersView(DrawnView):
+    """Markers, each of which can be picked, and the label at the largest deviation."""
+
+    ROWS = view_properties.MARKERS
+
+    def attach(self, vobj: Any) -> None:
+        """Nothing drawn yet."""
+        self.picture: Any = None
+        super().attach(vobj)
+
+    def refresh(self) -> None:
+        """Draw the markers."""
+        from .markers_picture import MarkersPicture
+
+        view_properties.add_missing(self.vobj, self.ROWS)
+        if self.picture is None:
+            self.picture = MarkersPicture(self.vobj)
+            self.root.addChild(self.picture.root)
+        self.picture.refresh()
+        if self.obj.Path is not None:
+            redraw.soon(self.obj.Path.ViewObject.Proxy)  # the path leaves marks and label to this object
+
+    def picked(self, point: Any) -> int | None:
+        """The row of the marker that a picked point lies on."""
+        return None if self.picture is None else self.picture.marks.picked(point)
+
+    def path_object(self) -> Any:
+        """The path that is marked."""
+        return self.obj.Path
+
+    def doubleClicked(self, vobj: Any) -> bool:
+        """Open the list of findings."""
+        self.show_findings()
+        return True
+
+
+def _panel(obj: Any) -> Any:
+    """The module of the object's task panel."""
+    from .panels import audit, toolpath
+
+    return audit if kind_of(obj) == "audit" else toolpath

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Long work in the window: stage, percent and a Cancel button, while the window goes on being painted.
+
+The work runs in the main thread, because FreeCAD's documents belong to it; whenever it says where it stands, the
+window's events are handled. Cancel and Esc raise ``Cancelled`` out of that call. The dialog is modal, so that nothing can be
+changed under the work.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import FreeCADGui
+
+from .qt import QtCore, QtWidgets, translate
+
+REPAINT = 0.05
+"""s between two looks at the window's events; more often would cost more than the work."""
+
+
+class Waiting:
+    """A listener for progress that shows a dialog."""
+
+    def __init__(self, text: str) -> None:
+        dialog = QtWidgets.QProgressDialog(text, translate("FiveAxis", "Cancel"), 0, 100, FreeCADGui.getMainWindow())
+        dialog.setObjectName("FiveAxisWaiting")
+        dialog.setWindowTitle(text)
+        dialog.setWindowModality(QtCore.Qt.ApplicationModal)
+        dialog.setMinimumDuration(0)
+        dialog.setMinimumWidth(420)
+        dialog.setAutoClose(False)
+        dialog.setAutoReset(False)
+        self.dialog, self.text, self._due, self._stage = dialog, text, 0.0, ""
+
+    def start(self) -> None:
+        """Show the dialog before the work begins."""
+        self.dialog.setValue(0)
+        self.dialog.show()
+        QtWidgets.QApplication.processEvents()
+
+    def __call__(self, stage: str, fraction: float) -> None:
+        """Show the stage (a word of the core) and its fraction, 0 to 1. Raises Cancelled once the user wants to stop."""
+        now = time.monotonic()
+        if now < self._due and stage == self._stage:
+            return
+        self._due, self._stage = now + REPAINT, stage
+        self.dialog.setLabelText(f"{self.text}\n{stage_words().get(stage, stage)}")
+        self.dialog.setValue(round(100 * min(max(fraction, 0.0), 1.0)))
+        QtWidgets.QApplication.processEvents()
+        if self.dialog.wasCanceled():
+            from freecad_fiveaxis.core.errors import Cancelled
+
+            raise Cancelled(translate("FiveAxis", "stopped by the user"))
+
+    def stop(self) -> None:
+        """Take the dialog away."""
+        self.dialog.close()
+        self.dialog.deleteLater()
+
+
+def stage_words() -> dict[str, str]:
+    """What the stages of the core are called; one that is new says its own name."""
+    return {
+        "tessellate": translate("FiveAxis", "meshing the solid"),
+        "read STL": translate("FiveAxis", "reading the mesh"),
+        "weld": translate("FiveAxis", "joining facets"),
+        "placing planes": translate("FiveAxis", "placing the passes"),
+        "slice": translate("FiveAxis", "cutting the mesh"),
+        "closing co-edges": translate("FiveAxis", "closing gaps at edges"),
+        "linking passes": translate("FiveAxis", "linking the passes"),
+        "joint path": translate("FiveAxis", "turning the axes"),
+        "feeds": translate("FiveAxis", "setting feeds"),
+        "writing text": translate("FiveAxis", "writing NC blocks"),
+        "reading NC": translate("FiveAxis", "reading the NC file"),
+        "deviation": translate("FiveAxis", "proving the deviation"),
+        "deviation by So et al.": translate("FiveAxis", "deviation by So et al."),
+    }
+
+
+@contextmanager
+def waiting(text: str) -> Iterator[Waiting]:
+    """``with waiting("Tool path"): ...``: all long work within reports to a dialog and can be stopped there."""
+    from freecad_fiveaxis.app.long_work import reporting
+
+    listener = Waiting(text)
+    listener.start()
+    try:
+        with reporting(listener):
+            yield listener
+    finally:
+        listener.stop()

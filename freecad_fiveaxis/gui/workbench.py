@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The workbench: its menu, its toolbar, and what is set up once when FreeCAD's window starts. Imports nothing heavy."""
+
+from __future__ import annotations
+
+import FreeCADGui
+
+from .qt import QT_TRANSLATE_NOOP, icon
+
+TITLE = QT_TRANSLATE_NOOP("Workbench", "Five-axis")
+
+
+class FiveAxisWorkbench(FreeCADGui.Workbench):
+    """Five-axis tool paths with a proven deviation for every block."""
+
+    MenuText = TITLE
+    ToolTip = QT_TRANSLATE_NOOP("Workbench", "Five-axis tool paths with a proven deviation for every block")
+    Icon = icon("fiveaxis")
+
+    def Initialize(self) -> None:
+        """FreeCAD calls this when the workbench is opened for the first time."""
+        from .commands import NAMES
+
+        self.appendToolbar(TITLE, NAMES)
+        self.appendMenu(TITLE, NAMES)
+
+    def ContextMenu(self, recipient: str) -> None:
+        """FreeCAD calls this before it shows a context menu, of the tree or of the 3D view."""
+        from .commands import NAMES
+
+        self.appendContextMenu(TITLE, NAMES)
+
+    def GetClassName(self) -> str:
+        """The C++ class behind a workbench that is written in Python."""
+        return "Gui::PythonWorkbench"
+
+
+def start() -> None:
+    """Make the workbench known, and what other workbenches need of it too: commands, preferences, view providers."""
+    from . import attach, commands, preferences
+
+    FreeCADGui.addWorkbench(FiveAxisWorkbench())
+    commands.register()
+    preferences.register()
+    attach.register()

@@ -1,0 +1,542 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Hands and eyes for tests inside FreeCAD's window: they press what a user presses and look at the screen he sees.
+
+press: a click on a command's button in a tool bar. row: a line of the model tree. modal: whoever answers the next message box.
+A click is refused where the widget is hidden, covered or disabled, as it would be for a hand. Screen coordinates are pixels from
+the top left; pictures go to ``$FIVEAXIS_OUT/NAME.png``.
+"""
+
+import ctypes
+import os
+import subprocess
+import time
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import pytest
+from PySide import QtCore, QtGui
+
+try:
+    from PySide import QtWidgets
+except ImportError:  # FreeCAD 0.20 keeps them here
+    QtWidgets = QtGui
+
+WORKBENCH = "FiveAxisWorkbench"
+LEFT, NONE = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+PANELS = ("FiveAxisPanel", "FiveAxisPlay")
+REFRESH = 700  # ms until FreeCAD's timer has renewed which commands are enabled
+
+
+def _pump(ms=100):
+    """Let the window work for so many milliseconds."""
+    end = time.monotonic() + ms / 1000
+    while time.monotonic() < end:
+        QtWidgets.QApplication.processEvents()
+        time.sleep(0.005)
+
+
+def _until(condition, ms, what):
+    """Let the window work until the condition gives something, and return it; TimeoutError (naming `what`) after so many ms."""
+    end = time.monotonic() + ms / 1000
+    while time.monotonic() < end:
+        found = condition()
+        if found:
+            return found
+        _pump(30)
+    raise TimeoutError(f"{what}: not within {ms} ms")
+
+
+def _out():
+    folder = os.environ.get("FIVEAXIS_OUT") or os.environ.get("OUT") or os.path.join(os.getcwd(), "out", "freecad")
+    os.makedirs(folder, exist_ok=True)
+    return folder
+
+
+def _shoot(name):
+    """The whole screen as a PNG; its path. (grab() would leave the 3D view blank.)"""
+    _pump(300)
+    path = os.path.join(_out(), f"{name}.png")
+    subprocess.run(["import", "-window", "root", path], check=True, timeout=60)
+    return path
+
+
+def _mouse(widget, kind, point, button, buttons):
+    place = QtCore.QPointF(point)
+    window = QtCore.QPointF(widget.mapTo(widget.window(), point))
+    event = QtGui.QMouseEvent(
+        kind, place, window, QtCore.QPointF(widget.mapToGlobal(point)), button, buttons, QtCore.Qt.NoModifier
+    )
+    QtWidgets.QApplication.postEvent(widget, event)
+    _pump(5)
+
+
+def _hit(widget, point):
+    """The widget under the mouse there, scrolled into sight. Fails unless a hand could click it."""
+    parent = widget.parentWidget()
+    while parent is not None:
+        if isinstance(parent, QtWidgets.QScrollArea):
+            parent.ensureWidgetVisible(widget)
+            _pump(50)
+        parent = parent.parentWidget()
+    name = f"{type(widget).__name__} {widget.objectName()!r}"
+    assert widget.isVisible(), f"{name} is not visible"
+    assert widget.isEnabled(), f"{name} is disabled"
+    hit = QtWidgets.QApplication.widgetAt(widget.mapToGlobal(point))
+    assert hit is not None and (hit is widget or widget.isAncestorOf(hit)), f"{name} is covered by {hit}"
+    return hit
+
+
+def _click(widget, point=None, double=False):
+    """Press and release the left button on the widget (its middle, or a QPoint in it), by mouse events."""
+    point = point or widget.rect().center()
+    target = _hit(widget, point)
+    point = target.mapFrom(widget, point) if target is not widget else point
+    kinds = QtCore.QEvent
+    _mouse(target, kinds.MouseMove, point, NONE, NONE)
+    _mouse(target, kinds.MouseButtonPress, point, LEFT, LEFT)
+    _mouse(target, kinds.MouseButtonRelease, point, LEFT, NONE)
+    if double:
+        _mouse(target, kinds.MouseButtonDblClick, point, LEFT, LEFT)
+        _mouse(target, kinds.MouseButtonRelease, point, LEFT, NONE)
+    _pump(60)
+
+
+def _key(widget, key, text=""):
+    """Press and release a key. Both are posted first: the press may take the widget away."""
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        QtWidgets.QApplication.postEvent(widget, QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, text))
+    _pump(10)
+
+
+class _XKeyEvent(ctypes.Structure):
+    _fields_ = [
+        ("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
+        ("display", ctypes.c_void_p), *((name, ctypes.c_ulong) for name in ("window", "root", "subwindow", "time")),
+        *((name, ctypes.c_int) for name in ("x", "y", "x_root", "y_root")), ("state", ctypes.c_uint),
+        ("keycode", ctypes.c_uint), ("same_screen", ctypes.c_int), ("padding", ctypes.c_long * 12),
+    ]  # fmt: skip
+
+
+def _real_key(widget, name):
+    """Send a key to the widget's window by the X server, so that Qt looks for shortcuts too; posted events never reach those."""
+    x = ctypes.CDLL("libX11.so.6")
+    x.XOpenDisplay.restype = ctypes.c_void_p
+    x.XStringToKeysym.restype = x.XDefaultRootWindow.restype = ctypes.c_ulong
+    display = ctypes.c_void_p(x.XOpenDisplay(None))
+    code = x.XKeysymToKeycode(display, ctypes.c_ulong(x.XStringToKeysym(name.encode())))
+    window, root = int(widget.window().winId()), x.XDefaultRootWindow(display)
+    for kind in (2, 3):  # press, release
+        event = _XKeyEvent(kind, 0, 1, display.value, window, root, 0, 0, 1, 1, 1, 1, 0, code, 1)
+        x.XSendEvent(display, ctypes.c_ulong(window), 1, ctypes.c_long(1 << (kind - 2)), ctypes.byref(event))
+    x.XCloseDisplay(display)
+
+
+def _type(widget, text):
+    """Click into a field, replace what stands there by the text, key by key, and leave it with Enter's effect."""
+    _click(widget)
+    line = widget if isinstance(widget, QtWidgets.QLineEdit) else widget.findChild(QtWidgets.QLineEdit)
+    line.setFocus()
+    line.selectAll()
+    for letter in text:
+        _key(line, 0, letter)
+    _key(line, QtCore.Qt.Key_Tab)
+
+
+def _choose(combo, text):
+    """Open a combo box by the mouse, go to the item so named by the arrow keys, and take it."""
+    at = combo.findText(text)
+    assert at >= 0, f"no {text!r} among {[combo.itemText(i) for i in range(combo.count())]}"
+    _click(combo)
+    _pump(200)
+    assert combo.view().isVisible(), f"{combo.objectName()!r} does not open"
+    step = at - combo.currentIndex()
+    for _ in range(abs(step)):
+        _key(combo.view(), QtCore.Qt.Key_Down if step > 0 else QtCore.Qt.Key_Up)
+    _key(combo.view(), QtCore.Qt.Key_Return)
+    _until(lambda: combo.currentIndex() == at, 3000, f"{text!r} chosen in {combo.objectName()!r}")
+
+
+def _main():
+    return FreeCADGui.getMainWindow()
+
+
+def _tool_button(command):
+    """Undo and Redo have menus at their buttons, which FreeCAD leaves without a name: those are known by their text."""
+    text = FreeCADGui.Command.get(command).getInfo()["menuText"]
+    bars = [bar for bar in _main().findChildren(QtWidgets.QToolBar) if bar.isVisible()]
+    actions = [(bar, action) for bar in bars for action in bar.actions()]
+    found = [pair for pair in actions if pair[1].objectName() == command]
+    found = found or [pair for pair in actions if not pair[1].objectName() and pair[1].text() == text]
+    assert found, f"no tool bar shows a button for {command}"
+    return found[0][0].widgetForAction(found[0][1])
+
+
+def _tree():
+    """The model tree, brought to the front where the task panel hides it."""
+    _pump(200)
+    (tree, *_) = [
+        tree for tree in _main().findChildren(QtWidgets.QTreeWidget) if tree.metaObject().className() == "Gui::TreeWidget"
+    ]
+    outer = tree.parentWidget()
+    while outer is not None:
+        if isinstance(outer, QtWidgets.QTabWidget) and not tree.isVisible():
+            outer.setCurrentIndex(next(i for i in range(outer.count()) if outer.widget(i).isAncestorOf(tree)))
+        if isinstance(outer, QtWidgets.QDockWidget):
+            outer.show()
+            outer.raise_()
+        outer = outer.parentWidget()
+    _pump(100)
+    return tree
+
+
+def _viewport():
+    """The widget that draws the 3D view of the active document."""
+    area = _main().findChild(QtWidgets.QMdiArea)
+    return area.activeSubWindow().findChild(QtWidgets.QGraphicsView).viewport()
+
+
+@pytest.fixture(scope="session")
+def window():
+    """FreeCAD's main window, as large as the screen, with tree and task panel shown and the workbench active."""
+    main = _main()
+    main.setGeometry(0, 0, 1920, 1080)
+    for dock in main.findChildren(QtWidgets.QDockWidget):
+        if dock.objectName() in ("Combo View", "Model", "Tasks"):
+            dock.show()
+    FreeCADGui.activateWorkbench(WORKBENCH)
+    _pump(500)
+    return main
+
+
+@pytest.fixture
+def doc(window):
+    """A new document, shown in the window; closed afterwards with whatever dialog or selection is left."""
+    FreeCADGui.activateWorkbench(WORKBENCH)
+    document = FreeCAD.newDocument()
+    document.UndoMode = 1
+    _pump(200)
+    name = document.Name
+    yield document
+    close_all(name)
+
+
+def close_all(*names):
+    """Close task panel, selection and the named documents without asking."""
+    FreeCADGui.Selection.clearSelection()
+    if FreeCADGui.Control.activeDialog():
+        FreeCADGui.Control.closeDialog()
+    _pump(100)
+    for name in names:
+        if name in FreeCAD.listDocuments():
+            FreeCAD.closeDocument(name)
+    _pump(100)
+
+
+@pytest.fixture
+def pump():
+    """pump(ms): let the window work."""
+    return _pump
+
+
+@pytest.fixture
+def until():
+    """until(condition, ms, what): let the window work until the condition holds."""
+    return _until
+
+
+@pytest.fixture
+def screenshot():
+    """screenshot(name): picture of the whole screen, kept; its path."""
+    return _shoot
+
+
+@pytest.fixture
+def click():
+    """click(widget, point=None, double=False): by mouse events; fails where the widget is hidden, covered or disabled."""
+    return _click
+
+
+@pytest.fixture
+def type_into():
+    """type_into(widget, text): replace a field's text key by key, then Tab."""
+    return _type
+
+
+@pytest.fixture
+def choose():
+    """choose(combo box, text): open it and click the item so named."""
+    return _choose
+
+
+@pytest.fixture
+def field():
+    """field(name): the visible widget of that name in the task panel that is open."""
+
+    def find(name):
+        forms = [form for panel in PANELS for form in _main().findChildren(QtWidgets.QWidget, panel)]
+        named = [one for form in forms for one in form.findChildren(QtWidgets.QWidget, name) if one.isVisibleTo(form)]
+        assert named, f"no widget {name!r} is shown in the task panel"
+        return named[-1]
+
+    return find
+
+
+@pytest.fixture
+def key():
+    """key(widget, key): press and release, e.g. QtCore.Qt.Key_Escape."""
+    return _key
+
+
+@pytest.fixture
+def real_key():
+    """real_key(widget, "Escape"): as if the keyboard had sent it to the widget's window, shortcuts included."""
+    return _real_key
+
+
+@pytest.fixture
+def tool_button():
+    """tool_button(command id): its QToolButton in a visible tool bar, with its state renewed."""
+
+    def find(command):
+        _pump(REFRESH)
+        return _tool_button(command)
+
+    return find
+
+
+@pytest.fixture
+def press():
+    """press(command id, wait=300): a click on its tool bar button (which must be enabled), then so many ms for the window."""
+
+    def press_button(command, wait=300):
+        _pump(50)
+        _until(lambda: _tool_button(command).isEnabled(), 3 * REFRESH, f"{command} enabled")
+        _click(_tool_button(command))
+        _pump(wait)
+
+    return press_button
+
+
+@pytest.fixture
+def select():
+    """select(obj, *sub-element names): select it alone, as a click in the tree or on its faces does."""
+
+    def choose(obj, *subs):
+        FreeCADGui.Selection.clearSelection()
+        for sub in subs or ("",):
+            FreeCADGui.Selection.addSelection(obj.Document.Name, obj.Name, sub)
+        _pump(50)
+
+    return choose
+
+
+@pytest.fixture
+def panel_button():
+    """panel_button("OK" | "Cancel" | "Apply" | "Close", wait=300): click that button of the task panel that is open."""
+    box_type = QtWidgets.QDialogButtonBox
+    buttons = {"OK": box_type.Ok, "Cancel": box_type.Cancel, "Apply": box_type.Apply, "Close": box_type.Close}
+
+    def press_button(name, wait=300):
+        boxes = [box for box in _main().findChildren(box_type) if box.isVisible() and box.button(buttons[name])]
+        assert boxes, f"no task panel with a button {name}"
+        _click(boxes[-1].button(buttons[name]))
+        _pump(wait)
+
+    return press_button
+
+
+@pytest.fixture
+def tree_row():
+    """tree_row(label, double=False): click that row of the model tree (parents are unfolded); the QTreeWidgetItem."""
+
+    def rows(tree):
+        walk = QtWidgets.QTreeWidgetItemIterator(tree)
+        while walk.value():
+            yield walk.value()
+            walk += 1
+
+    def click_row(label, double=False):
+        tree = _tree()
+        item = _until(
+            lambda: next((item for item in rows(tree) if item.text(0) == label), None), 3000, f"row {label!r} in the tree"
+        )
+        tree.scrollToItem(item)
+        _pump(100)
+        _click(tree.viewport(), tree.visualItemRect(item).center(), double)
+        return item
+
+    return click_row
+
+
+class Answer:
+    """Waits for a modal dialog and answers it. `said`: the texts of those that it met."""
+
+    def __init__(self, answer, limit):
+        self.said = []
+        self._answer, self._end = answer, time.monotonic() + limit
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._look)
+        self._timer.start(100)
+
+    @property
+    def waiting(self):
+        return self._timer.isActive()
+
+    def stop(self):
+        self._timer.stop()
+
+    def _look(self):
+        dialog = QtWidgets.QApplication.activeModalWidget()
+        if time.monotonic() > self._end:
+            self.stop()
+        if dialog is None or isinstance(dialog, QtWidgets.QProgressDialog) or not dialog.isVisible():
+            return
+        self.stop()
+        self.said.append(_text_of(dialog))
+        if callable(self._answer):
+            self._answer(dialog)
+        else:
+            _click_text(dialog, self._answer)
+
+
+def _text_of(dialog):
+    return dialog.text() if isinstance(dialog, QtWidgets.QMessageBox) else dialog.windowTitle()
+
+
+def _click_text(dialog, text):
+    names = {}
+    for button in dialog.findChildren(QtWidgets.QAbstractButton):
+        names[button.text().replace("&", "").lower()] = button
+    if text.lower() not in names:
+        dialog.close()
+        raise AssertionError(f"no button {text!r} in the dialog, only {sorted(names)}")
+    names[text.lower()].click()
+
+
+@pytest.fixture
+def modal():
+    """modal(answer, limit=60): before what opens a dialog: who will click the button so named, or call answer(dialog).
+
+    Gives an Answer whose `said` holds the text of the dialog it met (empty: none came).
+    """
+    made = []
+
+    def arm(answer="OK", limit=60):
+        made.append(Answer(answer, limit))
+        return made[-1]
+
+    arm.made = made
+    yield arm
+    for answer in made:
+        answer.stop()
+
+
+@pytest.fixture(autouse=True)
+def _nobody_left_waiting(request):
+    """A message box that no test answers would stop everything: it is closed after 10 s, and the test fails with its text."""
+    seen, unexpected = {}, []
+
+    def look():
+        dialog = QtWidgets.QApplication.activeModalWidget()
+        armed = "modal" in request.fixturenames and any(a.waiting for a in request.getfixturevalue("modal").made)
+        if not isinstance(dialog, QtWidgets.QMessageBox) or armed:
+            seen.clear()
+        elif time.monotonic() - seen.setdefault("since", time.monotonic()) > 10:
+            unexpected.append(dialog.text())
+            dialog.close()
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(500)
+    yield
+    timer.stop()
+    assert not unexpected, f"a message box that nobody answered: {unexpected}"
+
+
+@pytest.fixture
+def pixels():
+    """pixels(path, rgb, tolerance=12, box=None): how many pixels differ from rgb (0 to 255) by no more than the tolerance.
+
+    box: (left, top, width, height) in pixels, the part of the picture that counts; `view_box` gives that of the 3D view.
+    """
+
+    def count(path, rgb, tolerance=12, box=None):
+        seen = picture(path)
+        if box:
+            left, top, width, height = box
+            seen = seen[top : top + height, left : left + width]
+        return int((np.abs(seen - np.asarray(rgb)).max(axis=2) <= tolerance).sum())
+
+    return count
+
+
+def picture(path):
+    image = QtGui.QImage(path)
+    assert not image.isNull(), path
+    raw, buffer = QtCore.QByteArray(), QtCore.QBuffer()
+    buffer.setBuffer(raw)
+    buffer.open(QtCore.QIODevice.WriteOnly)
+    image.save(buffer, "PPM")
+    size = image.width() * image.height() * 3
+    return np.frombuffer(bytes(buffer.data())[-size:], np.uint8).reshape(image.height(), image.width(), 3).astype(int)
+
+
+@pytest.fixture
+def view_box():
+    """view_box(): (left, top, width, height) of the 3D view on the screen."""
+
+    def box():
+        viewport = _viewport()
+        corner = viewport.mapToGlobal(QtCore.QPoint(0, 0))
+        return corner.x(), corner.y(), viewport.width(), viewport.height()
+
+    return box
+
+
+@pytest.fixture
+def view_point():
+    """view_point((x, y, z)): the QPoint of the 3D view's widget where that point of the document is drawn."""
+
+    def point(place):
+        view, viewport = FreeCADGui.ActiveDocument.ActiveView, _viewport()
+        x, y = view.getPointOnScreen(*place)
+        width, height = view.getSize()  # device pixels; where Qt scales, the widget has fewer
+        return QtCore.QPoint(round(x * viewport.width() / width), round((height - 1 - y) * viewport.height() / height))
+
+    return point
+
+
+@pytest.fixture
+def view_click(view_point):
+    """view_click((x, y, z)): move the mouse in the 3D view to where that point is drawn (mm, document), and click there."""
+
+    def click_at(place):
+        point, viewport = view_point(place), _viewport()
+        assert viewport.rect().contains(point), f"{place} is drawn outside the view, at {point}"
+        _mouse(viewport, QtCore.QEvent.MouseMove, point + QtCore.QPoint(3, 3), NONE, NONE)
+        _pump(150)
+        _click(viewport, point)
+        _pump(200)
+
+    return click_at
+
+
+@pytest.fixture
+def parameters():
+    """parameters(path): a FreeCAD parameter group whose contents are put back afterwards."""
+    kept = []
+
+    def group(path):
+        found = FreeCAD.ParamGet(path)
+        kept.append((found, found.GetContents() or []))
+        return found
+
+    yield group
+    for found, contents in reversed(kept):
+        found.Clear()
+        for kind, name, value in contents:
+            {
+                "String": found.SetString, "Integer": found.SetInt, "Float": found.SetFloat, "Boolean": found.SetBool,
+                "Unsigned Long": found.SetUnsigned,
+            }[kind](name, value)  # fmt: skip

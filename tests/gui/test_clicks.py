@@ -1,0 +1,302 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The whole way as a user goes it: a part, every button, panels filled by mouse and keys, and what the screen then shows.
+
+shown: pixels of the 3D view that have the colours of a drawn path, counted in a picture of the screen.
+"""
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from conftest import QtWidgets, close_all, picture
+
+from freecad_fiveaxis.app import results
+from freecad_fiveaxis.core import report
+
+HIDDEN = "the part hides the path"
+
+
+@pytest.fixture(autouse=True)
+def _quick_preferences(parameters, tmp_path):
+    """Preferences under which a small part takes a moment; the NC goes into the test's own folder."""
+    group = parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis")
+    group.Clear()
+    group.SetString("OutputFolder", str(tmp_path))
+
+
+@pytest.fixture
+def dome(doc):
+    """A half ball of 20 mm made by Part's own command; its top passes the pole of trunnion_ac."""
+    ball = doc.addObject("Part::Sphere", "Dome")
+    ball.Radius, ball.Angle1 = 20, 0
+    doc.recompute()
+    look(doc)
+    return ball
+
+
+def look(doc):
+    """The whole of the document from above and aside."""
+    view = FreeCADGui.getDocument(doc.Name).ActiveView
+    view.viewIsometric()
+    view.fitAll()
+
+
+@pytest.fixture
+def shown(pixels, screenshot, view_box):
+    """shown(name, obj, colour): take the picture `name`; how many pixels of the view have that colour of the object's view."""
+
+    def count(name, obj, *colours):
+        box, picture = view_box(), screenshot(name)
+        wanted = [[round(255 * part) for part in tuple(getattr(obj.ViewObject, colour))[:3]] for colour in colours]
+        return [pixels(picture, rgb, 24, box) for rgb in wanted]
+
+    return count
+
+
+@pytest.fixture
+def plan(press, panel_button, field, choose, type_into, until, click):
+    """plan(doc, stepover): press Toolpath, fill the panel, calculate, accept; the new Toolpath object."""
+
+    def make(doc, stepover="1.5 mm", tolerance="0.05 mm"):
+        before = {obj.Name for obj in doc.Objects}
+        press("FiveAxis_Toolpath")
+        choose(field("spacing_kind"), "Stepover")
+        type_into(field("stepover"), stepover)
+        type_into(field("tolerance"), tolerance)
+        click(field("calculate"))
+        until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
+        panel_button("OK", 500)
+        assert not FreeCADGui.Control.activeDialog()
+        (path,) = [obj for obj in doc.Objects if obj.Name not in before and obj.isDerivedFrom("App::FeaturePython")
+                   and hasattr(obj, "Stepover")]  # fmt: skip
+        return path
+
+    return make
+
+
+def names(doc):
+    return [obj.Name for obj in doc.Objects]
+
+
+def test_a_solid_made_by_clicks_gets_passes_markers_nc_and_play(window, dome, doc, press, tree_row, plan, shown, tmp_path,
+                                                                panel_button, field, type_into):  # fmt: skip
+    tree_row("Dome")
+    press("FiveAxis_Tessellate", 500)
+    (mesh,) = [obj for obj in doc.Objects if obj.isDerivedFrom("Mesh::Feature")]
+    assert mesh.Mesh.CountFacets > 500
+    press("Std_Undo")
+    assert names(doc) == ["Dome"]
+    press("Std_Redo")
+    assert len(names(doc)) == 2
+
+    tree_row("Dome")
+    path = plan(doc)
+    assert path.Passes > 8
+    assert path.Blocks > 100
+    assert path.SingularBlocks > 0
+    dome.ViewObject.hide()
+    FreeCADGui.Selection.clearSelection()
+    good, bad = shown("toolpath", path, "ColourGood", "ColourBad")
+    assert good > 300, HIDDEN
+    assert bad > 20, HIDDEN
+
+    tree_row(path.Label)
+    press("FiveAxis_Annotate", 500)
+    (markers,) = [obj for obj in doc.Objects if hasattr(obj, "Places")]
+    expected = report.markers(results.figures_of(path))
+    assert [tuple(place) for place in markers.Places] == [pytest.approx(mark.place) for mark in expected]
+    assert list(markers.Labels) == [mark.label for mark in expected]
+    FreeCADGui.Selection.clearSelection()
+    singular, bad = shown("markers", markers, "ColourSingular", "ColourBad")
+    assert singular > 40, "no marker of a singular block is seen"
+
+    tree_row(path.Label)
+    press("FiveAxis_PostProcess")
+    nc = tmp_path / "dome.ngc"
+    type_into(field("nc_path"), str(nc))
+    panel_button("OK", 500)
+    assert nc.read_bytes() == results.nc_of(path)
+    shown("posted", path, "ColourGood")
+
+
+def test_a_marker_picked_in_the_view_shows_its_finding(dome, doc, plan, tree_row, press, view_click, window, screenshot, pump):
+    tree_row("Dome")
+    path = plan(doc)
+    tree_row(path.Label)
+    press("FiveAxis_Annotate", 500)
+    (markers,) = [obj for obj in doc.Objects if hasattr(obj, "Places")]
+    dome.ViewObject.hide()
+    path.ViewObject.hide()
+    path.Mesh.ViewObject.hide()
+    FreeCADGui.getDocument(doc.Name).ActiveView.viewTop()
+    look(doc)
+    FreeCADGui.Selection.clearSelection()
+    pump(300)
+    largest = report.markers(results.figures_of(path))[0]
+    view_click(markers.Places[0])
+    pump(500)
+    screenshot("picked")
+    table = window.findChild(QtWidgets.QTableWidget, "FiveAxisFindingsTable")
+    text = window.findChild(QtWidgets.QTextBrowser, "FiveAxisFindingsText")
+    assert table is not None and table.isVisible(), "no list of findings came up"
+    assert table.selectionModel().selectedRows(), "no row is chosen"
+    line = largest.finding.line if largest.finding else path.WorstLine
+    assert f"NC line {line}" in text.toPlainText()
+
+
+def test_a_row_of_the_findings_moves_the_view(dome, doc, plan, tree_row, press, window, click, pump, screenshot):
+    from freecad_fiveaxis.gui import findings_panel
+
+    tree_row("Dome")
+    path = plan(doc)
+    panel = findings_panel.show(path)
+    pump(300)
+    view = FreeCADGui.getDocument(doc.Name).ActiveView
+    before = view.getCamera()
+    table = window.findChild(QtWidgets.QTableWidget, "FiveAxisFindingsTable")
+    click(table.viewport(), table.visualItemRect(table.item(0, 0)).center())
+    pump(700)
+    screenshot("findings-row")
+    assert view.getCamera() != before
+    place = panel.rows[0][1].place
+    at = view.getPointOnScreen(*place)
+    width, height = view.getSize()
+    assert abs(at[0] - width / 2) < width / 4
+    assert abs(at[1] - height / 2) < height / 4
+
+
+def test_undo_redo_and_a_document_reopened(dome, doc, plan, tree_row, press, shown, pump, tmp_path):
+    tree_row("Dome")
+    path = plan(doc)
+    label, blocks, nc = path.Label, path.Blocks, results.nc_of(path)
+    after = names(doc)
+    press("Std_Undo")
+    assert names(doc) == ["Dome"], "one step of undo for one press of OK"
+    press("Std_Redo")
+    assert names(doc) == after
+    file = str(tmp_path / "dome.FCStd")
+    doc.saveAs(file)
+    FreeCAD.closeDocument(doc.Name)
+    pump(300)
+    again = FreeCAD.openDocument(file)
+    try:
+        pump(500)
+        path = again.getObjectsByLabel(label)[0]
+        assert path.Blocks == blocks
+        assert "Touched" not in path.State
+        again.getObject("Dome").ViewObject.hide()
+        look(again)
+        tree_row(label)
+        press("FiveAxis_Annotate", 500)
+        FreeCADGui.Selection.clearSelection()
+        (good,) = shown("reopened", path, "ColourGood")
+        assert good > 300
+        assert results.nc_of(path) == nc
+        again.getObject("Dome").Radius = 15
+        assert "Touched" in again.getObject("Dome").State
+        press("Std_Refresh", 2000)
+        assert path.Blocks < blocks
+        assert "Up-to-date" in path.State
+    finally:
+        close_all(again.Name)
+
+
+def _faces(doc):
+    box = doc.addObject("Part::Box", "Box")
+    doc.recompute()
+    return box, ("Face6",)
+
+
+def _body(doc):
+    body = doc.addObject("PartDesign::Body", "Body")
+    ball = doc.addObject("PartDesign::AdditiveSphere", "Sphere")
+    body.addObject(ball)
+    ball.Radius, ball.Angle1 = 15, 0
+    doc.recompute()
+    return body, ()
+
+
+def _compound(doc):
+    parts = [doc.addObject("Part::Box", name) for name in ("Left", "Right")]
+    parts[1].Placement.Base.x = 20
+    compound = doc.addObject("Part::Compound", "Both")
+    compound.Links = parts
+    doc.recompute()
+    return compound, ()
+
+
+def _mesh(doc):
+    import MeshPart
+    import Part
+
+    mesh = doc.addObject("Mesh::Feature", "Loose")
+    mesh.Mesh = MeshPart.meshFromShape(Shape=Part.makeBox(20, 20, 5), LinearDeflection=0.1, AngularDeflection=0.3)
+    doc.recompute()
+    return mesh, ()
+
+
+@pytest.mark.parametrize("make", [_faces, _body, _compound, _mesh], ids=lambda make: make.__name__[1:])
+def test_what_can_be_selected_gets_a_path_that_is_seen(make, doc, select, plan, shown):
+    base, faces = make(doc)
+    look(doc)
+    select(base, *faces)
+    path = plan(doc, "2 mm")
+    assert path.Blocks > 5
+    for obj in doc.Objects:
+        if obj is not path and obj.Name != path.Name:
+            obj.ViewObject.hide()
+    FreeCADGui.Selection.clearSelection()
+    good, bad = shown(f"from-{make.__name__[1:]}", path, "ColourGood", "ColourBad")
+    assert good + bad > 150
+
+
+def test_inches_in_the_panel_and_in_the_summary(dome, doc, tree_row, press, field, choose, type_into, click, until, panel_button,
+                                                parameters, screenshot):  # fmt: skip
+    units = parameters("User parameter:BaseApp/Preferences/Units")
+    units.SetInt("UserSchema", 3)
+    FreeCAD.Units.setSchema(3)
+    try:
+        tree_row("Dome")
+        press("FiveAxis_Toolpath")
+        choose(field("spacing_kind"), "Stepover")
+        type_into(field("stepover"), "0.125")
+        click(field("calculate"))
+        until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
+        screenshot("inches")
+        assert "in" in field("summary").text() or '"' in field("summary").text()
+        panel_button("OK", 500)
+        (path,) = [obj for obj in doc.Objects if hasattr(obj, "Stepover")]
+        assert path.Stepover.Value == pytest.approx(3.175)
+    finally:
+        FreeCAD.Units.setSchema(0)
+
+
+def test_play_moves_tool_and_table(dome, doc, plan, tree_row, press, screenshot, view_box, panel_button, field, click, pump):
+    tree_row("Dome")
+    path = plan(doc)
+    before = names(doc)
+    tree_row(path.Label)
+    press("FiveAxis_Play", 800)
+    click(field("worst"))
+    assert str(path.WorstLine) in field("line").text()
+    worst = screenshot("play-worst")
+    for _ in range(3):
+        click(field("forward"))
+    later = screenshot("play-later")
+    assert differing(worst, later, view_box()) > 200, "the tool has not moved"
+    click(field("machine"))
+    assert differing(later, screenshot("play-machine"), view_box()) > 2000, "the table has not turned"
+    slider = field("slider")
+    start = slider.value()
+    click(field("play"))
+    pump(1000)
+    click(field("play"))
+    assert slider.value() > start
+    panel_button("Close")
+    assert names(doc) == before
+
+
+def differing(first, second, box):
+    """How many pixels of the 3D view differ between two pictures."""
+    left, top, width, height = box
+    parts = [picture(path)[top : top + height, left : left + width] for path in (first, second)]
+    return int((abs(parts[0] - parts[1]).max(axis=2) > 40).sum())

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands: on the tool bar, with icon and tool tip, enabled when they can apply, and saying what to select when not."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+import Mesh
+import Part
+import pytest
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.gui import commands, selected
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
+
+ROOT = Path(__file__).parents[2]
+COARSE = {"cutter": "ball:6", "stepover": 6.0, "linear_deflection": 0.5, "angular_deflection": 45.0}
+
+
+@pytest.fixture
+def box(doc):
+    """A block of 20 x 20 x 10 mm."""
+    part = doc.addObject("Part::Box", "Box")
+    part.Length = part.Width = 20
+    doc.recompute()
+    doc.clearUndos()
+    return part
+
+
+@pytest.fixture
+def path(box):
+    """A coarse path over the block."""
+    made = app.create_toolpath(box.Document, box, **COARSE)
+    box.Document.clearUndos()
+    return made
+
+
+def names(doc):
+    return sorted(obj.Name for obj in doc.Objects)
+
+
+def enabled(tool_button):
+    return {name.removeprefix("FiveAxis_") for name in commands.NAMES if tool_button(name).isEnabled()}
+
+
+@pytest.mark.parametrize("name", commands.NAMES)
+def test_each_command_has_a_button_with_icon_and_tool_tip(window, tool_button, name):
+    action = tool_button(name).defaultAction()
+    assert not action.icon().isNull() and action.text() and len(action.toolTip()) > 20
+    assert (ROOT / "resources" / "icons" / f"{name}.svg").is_file()
+
+
+def test_the_menu_lists_all_commands(window):
+    menu = window.findChild(QtWidgets.QMenu, "Five-axis") or next(
+        menu for menu in window.findChildren(QtWidgets.QMenu) if menu.title().replace("&", "") == "Five-axis"
+    )
+    assert [action.objectName() for action in menu.actions() if not action.isSeparator()] == commands.NAMES
+
+
+def test_commands_are_enabled_when_they_can_apply(doc, tool_button):
+    assert enabled(tool_button) == {"Audit"}
+    part = doc.addObject("Part::Box", "Box")
+    doc.recompute()
+    assert enabled(tool_button) == {"Audit", "Tessellate", "Toolpath"}
+    app.create_toolpath(doc, part, **COARSE)
+    assert enabled(tool_button) == {"Audit", "Tessellate", "Toolpath", "PostProcess", "Annotate", "Play"}
+
+
+def test_no_command_is_enabled_while_a_panel_is_open(path, select, press, tool_button):
+    select(path.Document.Box)
+    press("FiveAxis_Toolpath")
+    assert FreeCADGui.Control.activeDialog() and enabled(tool_button) == set()
+
+
+def test_tessellate_makes_a_mesh_in_one_step(box, select, press):
+    select(box, "Face6")
+    press("FiveAxis_Tessellate")
+    doc = box.Document
+    made = doc.Tessellation
+    assert made.Mesh.CountFacets == 12 and made.Base == (box, ["Face6"]) and doc.UndoCount == 1
+    doc.undo()
+    assert names(doc) == ["Box"]
+
+
+def nothing(doc):
+    return None
+
+
+def sketch(doc):
+    return doc.addObject("Sketcher::SketchObject", "Sketch")
+
+
+def shell(doc):
+    made = doc.addObject("Part::Feature", "Shell")
+    made.Shape = Part.makePlane(10, 10)
+    return made
+
+
+def empty_mesh(doc):
+    made = doc.addObject("Mesh::Feature", "Mesh")
+    made.Mesh = Mesh.Mesh()
+    return made
+
+
+@pytest.mark.parametrize("command", ["FiveAxis_Tessellate", "FiveAxis_Toolpath"])
+@pytest.mark.parametrize("make", [nothing, sketch, shell, empty_mesh])
+def test_what_cannot_be_milled_says_what_to_select(box, make, command, select, press, modal):
+    doc = box.Document
+    wrong = make(doc)
+    doc.recompute()
+    before = names(doc)
+    FreeCADGui.Selection.clearSelection()
+    if wrong is not None:
+        select(wrong)
+    told = modal("OK")
+    press(command, wait=500)
+    assert told.said and "select a" in told.said[0].lower()
+    assert names(doc) == before and not FreeCADGui.Control.activeDialog() and not doc.HasPendingTransaction
+
+
+def a_compound(doc, box):
+    made = doc.addObject("Part::Compound", "Compound")
+    made.Links = [box]
+    return made
+
+
+def a_body(doc, box):
+    body = doc.addObject("PartDesign::Body", "Body")
+    body.newObject("PartDesign::AdditiveBox", "Block")
+    return body
+
+
+def a_mesh(doc, box):
+    made = doc.addObject("Mesh::Feature", "Mesh")
+    made.Mesh = Mesh.createBox(20, 20, 10)
+    return made
+
+
+@pytest.mark.parametrize("make", [a_compound, a_body, a_mesh])
+def test_compound_body_and_mesh_can_be_milled(box, make, select, press, panel_button):
+    doc = box.Document
+    base = make(doc, box)
+    doc.recompute()
+    select(base)
+    press("FiveAxis_Toolpath")
+    form = FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, "FiveAxisPanel")
+    kind = form.findChild(QtWidgets.QComboBox, "spacing_kind")
+    kind.setCurrentIndex(kind.findData("stepover"))
+    form.findChild(QtWidgets.QWidget, "stepover").setProperty("rawValue", 6.0)
+    panel_button("OK", wait=500)
+    assert doc.Toolpath.Blocks > 0 and not FreeCADGui.Control.activeDialog()
+    assert (doc.Toolpath.Mesh is base) == (make is a_mesh)
+
+
+def test_annotate_marks_the_only_path_in_one_step(path, press):
+    doc = path.Document
+    FreeCADGui.Selection.clearSelection()
+    press("FiveAxis_Annotate")
+    assert doc.Markers.Path is path and doc.UndoCount == 1
+    doc.undo()
+    assert "Markers" not in names(doc)
+
+
+def test_several_paths_ask_for_one_and_children_stand_for_theirs(path, press, select, modal):
+    doc = path.Document
+    other = app.create_toolpath(doc, doc.Box, **{**COARSE, "stepover": 5.0})
+    FreeCADGui.Selection.clearSelection()
+    told = modal("OK")
+    press("FiveAxis_Annotate")
+    assert told.said == ["There are several paths: select the one to mark."]
+    select(other.Mesh)
+    press("FiveAxis_Annotate")
+    assert [obj.Path for obj in doc.Objects if selected.kind_of(obj) == "Markers"] == [other]
+    select(doc.Markers)
+    assert selected.selected_path(selected.TOOLPATH) is other
+
+
+def test_a_path_that_cannot_be_computed_says_why(path, press, modal):
+    path.Machine = "no_such_machine"
+    told = modal("OK")
+    press("FiveAxis_Annotate", wait=500)
+    assert told.said and "no_such_machine" in told.said[0] and "Markers" not in names(path.Document)
+
+
+def test_stopped_work_leaves_the_document_as_it_was(box, select, press, monkeypatch):
+    from freecad_fiveaxis.gui import waiting
+
+    begin = waiting.Waiting.__call__
+
+    def stopped(self, stage, fraction):
+        QtCore.QTimer.singleShot(0, self.dialog.cancel)
+        begin(self, stage, fraction)
+
+    monkeypatch.setattr(waiting.Waiting, "__call__", stopped)
+    select(box)
+    press("FiveAxis_Tessellate")
+    assert names(box.Document) == ["Box"] and box.Document.UndoCount == 0
+    assert "Stopped" in FreeCADGui.getMainWindow().statusBar().currentMessage()
+
+
+def test_two_documents_keep_apart(box, select, press):
+    other = FreeCAD.newDocument("Other")
+    try:
+        FreeCAD.setActiveDocument(box.Document.Name)
+        select(box)
+        press("FiveAxis_Tessellate")
+        assert "Tessellation" in names(box.Document) and names(other) == []
+    finally:
+        FreeCAD.closeDocument("Other")
+
+
+def test_the_workbench_opens_without_numpy_and_scipy():
+    """In a process of its own, with stand-ins for FreeCAD: start-up, and what FreeCAD asks of the commands meanwhile."""
+    code = """
+import sys, types
+from unittest.mock import MagicMock
+for name in ("FreeCAD", "FreeCADGui", "PySide", "PySide.QtCore", "PySide.QtGui", "PySide.QtWidgets", "pivy", "pivy.coin"):
+    sys.modules[name] = MagicMock()
+class Workbench: appendToolbar = appendMenu = appendContextMenu = lambda self, *a: None
+class QObject:
+    def __init__(self, *a): pass
+sys.modules["FreeCADGui"].Workbench = Workbench
+sys.modules["PySide"].QtCore.QObject = QObject
+sys.modules["numpy"] = sys.modules["scipy"] = None
+from freecad_fiveaxis.gui import workbench, commands
+workbench.start()
+workbench.FiveAxisWorkbench().Initialize()
+sys.modules["FreeCAD"].ActiveDocument.findObjects.return_value = []
+for command in commands.COMMANDS:
+    command().IsActive()
+    command().GetResources()
+print("opened")
+"""
+    done = subprocess.run([sys.executable if "python" in Path(sys.executable).name else "python3", "-c", code],
+                          capture_output=True, text=True, cwd=ROOT, timeout=60)  # fmt: skip
+    assert done.stdout == "opened\n", done.stderr

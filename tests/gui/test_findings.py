@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The list of findings: what it says in plain words, and how it and the 3D view lead to each other."""
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from PySide import QtCore
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import results
+from freecad_fiveaxis.core import report
+from freecad_fiveaxis.gui import attach, findings_panel
+
+TABLE_2 = (
+    "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\n"
+    "G1 X-72.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
+)
+
+
+@pytest.fixture
+def audit(doc, pump, tmp_path):
+    """The audit of So et al.'s Table 2, and a straight block after it."""
+    attach.register()
+    (tmp_path / "t2.ngc").write_text(TABLE_2)
+    made = app.audit(doc, str(tmp_path / "t2.ngc"), "mikron_ucp710", work_zero=(10.0, 20.0, 30.0))
+    pump(600)
+    view = FreeCADGui.getDocument(doc.Name).ActiveView
+    view.viewIsometric()
+    view.fitAll()
+    pump(300)
+    yield made
+    findings_panel.forget(doc)
+
+
+def _on_widget(view, viewport, place):
+    """Where a point of the document is drawn, in the widget's own pixels."""
+    x, y = view.getPointOnScreen(FreeCAD.Vector(*place))
+    scale = view.getSize()[0] / viewport.width()
+    return QtCore.QPoint(round(x / scale), round((view.getSize()[1] - 1 - y) / scale))
+
+
+def _viewport(window):
+    from PySide import QtGui
+
+    try:
+        from PySide import QtWidgets
+    except ImportError:
+        QtWidgets = QtGui
+    area = window.findChild(QtWidgets.QMdiArea)
+    return area.activeSubWindow().findChild(QtWidgets.QGraphicsView).viewport()
+
+
+def test_a_marker_that_is_clicked_tells_its_finding(audit, doc, window, click, pump, screenshot):
+    markers = app.annotate(audit)
+    pump(500)
+    view = FreeCADGui.getDocument(doc.Name).ActiveView
+    click(_viewport(window), _on_widget(view, _viewport(window), markers.Places[0]))
+    pump(500)
+    screenshot("finding-picked")
+    panel = findings_panel._docks["panel"]
+    assert panel.path is audit and panel.dock.isVisible()
+    text = panel.text.toPlainText()
+    assert "NC line 3" in text
+    for word in ("What happens", "Why", "What helps"):
+        assert word in text
+    assert "2.126 mm" in text and "27.42" in text
+    assert "Largest deviation" in text, "the largest deviation goes before what else stands there"
+    assert panel.table.selectionModel().selectedRows(), "its row is not selected"
+
+
+def test_a_marker_of_the_path_itself_can_be_clicked_too(audit, doc, window, click, pump):
+    view = FreeCADGui.getDocument(doc.Name).ActiveView
+    place = [a + b for a, b in zip(report.markers(results.figures_of(audit))[0].place, (10.0, 20.0, 30.0), strict=True)]
+    click(_viewport(window), _on_widget(view, _viewport(window), place))
+    pump(500)
+    assert findings_panel._docks["panel"].path is audit
+    assert "NC line 3" in findings_panel._docks["panel"].text.toPlainText()
+
+
+def test_a_row_that_is_picked_moves_the_view_there(audit, doc, pump, click, screenshot):
+    panel = findings_panel.show(audit)
+    pump(300)
+    at = next(i for i, row in enumerate(panel.rows) if row.finding.place is not None)
+    view = FreeCADGui.getDocument(doc.Name).ActiveView
+    view.getCameraNode().position.setValue(500.0, 500.0, 500.0)
+    click(panel.table.viewport(), panel.table.visualItemRect(panel.table.item(at, 0)).center())
+    pump(400)
+    screenshot("finding-row")
+    place = [a + b for a, b in zip(panel.rows[at].finding.place, (10.0, 20.0, 30.0), strict=True)]
+    x, y = view.getPointOnScreen(FreeCAD.Vector(*place))
+    width, height = view.getSize()
+    assert (x, y) == (pytest.approx(width / 2, abs=3), pytest.approx(height / 2, abs=3))
+
+
+def test_every_finding_and_every_marker_has_a_row(audit):
+    figures = results.figures_of(audit)
+    rows, of_marker = report.listed(figures)
+    assert {row.finding for row in rows} >= set(figures.findings)
+    for mark, at in zip(report.markers(figures), of_marker, strict=True):
+        assert rows[at].finding.block == mark.block and rows[at].kind == mark.kind
+    assert [row.finding.severity for row in rows] == sorted((row.finding.severity for row in rows), reverse=True)
+    panel = findings_panel.show(audit)
+    assert panel.table.rowCount() == len(rows)
+
+
+def test_every_row_tells_something_in_words(audit, pump):
+    panel = findings_panel.show(audit)
+    for at in range(panel.table.rowCount()):
+        panel.table.selectRow(at)
+        assert len(panel.text.toPlainText()) > 40
+        assert "{" not in panel.text.toPlainText()
+
+
+def test_the_list_follows_a_recompute_and_goes_with_its_document(audit, doc, pump):
+    panel = findings_panel.show(audit)
+    assert panel.table.rowCount() > 1
+    audit.Tolerance = 5.0
+    doc.recompute()
+    pump(500)
+    kinds = [row.kind for row in panel.rows]
+    assert "deviation-over-tolerance" not in kinds
+    doc.removeObject(audit.Name)
+    pump(300)
+    assert panel.path is None and not panel.dock.isVisible()

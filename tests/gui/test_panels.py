@@ -1,0 +1,454 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panels, used as a user uses them: fields typed into, buttons clicked, what stands on the screen read."""
+
+import gc
+import json
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+import pytest
+
+from freecad_fiveaxis.app import results, tool_bit
+from freecad_fiveaxis.core.errors import Cancelled
+from freecad_fiveaxis.gui import qt, waiting
+from freecad_fiveaxis.gui.panels import audit, post, toolpath
+from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
+
+OPTIONS = {"cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
+"""A coarse path: what the tests are about does not hang on its length."""
+
+
+@pytest.fixture
+def dome(doc):
+    """The upper half of a ball, 20 mm, standing on the ground; shown in the view."""
+    part = doc.addObject("Part::Sphere", "Dome")
+    part.Radius, part.Angle1 = 20, 0
+    doc.recompute()
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    doc.clearUndos()
+    return part
+
+
+@pytest.fixture
+def millimetres(doc):
+    """A schema that shows lengths in mm and feeds in mm/min; the user's own comes back afterwards."""
+    yield from _schema(6)
+
+
+@pytest.fixture
+def inches(doc):
+    """Lengths in decimal inches, feeds in inches a minute."""
+    yield from _schema(3)
+
+
+def _schema(number):  # after the document: from FreeCAD 1.1 on each document brings its own
+    before = FreeCAD.Units.getSchema()
+    FreeCAD.Units.setSchema(number)
+    yield
+    FreeCAD.Units.setSchema(before)
+
+
+@pytest.fixture
+def panel(dome, pump):
+    """The panel of a new, coarse path over the dome."""
+    opened = toolpath.create(dome)
+    opened.options.show_options(OPTIONS)
+    pump(300)
+    return opened
+
+
+def shown(name):
+    """The widget of that name in the open panel."""
+    found = FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, name)
+    assert found is not None, name
+    return found
+
+
+def names(doc):
+    return sorted(obj.Name for obj in doc.Objects)
+
+
+def test_calculate_shows_the_summary_and_ok_makes_one_step_of_undo(panel, doc, click, pump, panel_button, screenshot):
+    click_calculate(panel, click, pump)
+    path = doc.getObject("Toolpath")
+    text = shown("summary").text()
+    assert path.Blocks > 100 and f"<b>{path.Blocks}</b>" in text and f"<b>{path.Passes}</b>" in text
+    assert f"<b>{path.SingularBlocks}</b>" in text and f"<b>{path.OverTolerance}</b>" in text
+    screenshot("panel_calculated")
+    panel_button("OK")
+    assert not FreeCADGui.Control.activeDialog()
+    assert names(doc) == ["Dome", "Tessellation", "Toolpath"] and doc.UndoCount == 1
+    doc.undo()
+    assert names(doc) == ["Dome"]
+    doc.redo()
+    assert names(doc) == ["Dome", "Tessellation", "Toolpath"] and doc.Toolpath.Blocks == path.Blocks
+
+
+def click_calculate(panel, click, pump):
+    button = shown("calculate")
+    area = button.parentWidget()
+    while not isinstance(area, QtWidgets.QScrollArea):
+        area = area.parentWidget()
+    area.ensureWidgetVisible(button)
+    pump(100)
+    click(button)
+    pump(200)
+
+
+def test_ok_calculates_what_was_not_calculated(panel, doc, panel_button):
+    panel_button("OK")
+    assert doc.Toolpath.Blocks > 100 and doc.Toolpath.CutterDiameter.Value == 6.0 and doc.Toolpath.Stepover.Value == 4.0
+
+
+@pytest.mark.parametrize("how", ["Cancel", "Esc"])
+def test_cancel_and_esc_leave_the_document_as_it_was(panel, doc, how, panel_button, pump):
+    assert panel.calculate() and "Toolpath" in names(doc)
+    pump(200)
+    if how == "Esc":
+        escape = QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
+        QtWidgets.QApplication.postEvent(shown("calculate"), escape)
+        pump(300)
+    else:
+        panel_button("Cancel")
+    assert not FreeCADGui.Control.activeDialog()
+    assert names(doc) == ["Dome"] and doc.UndoCount == 0 and not doc.HasPendingTransaction
+
+
+def test_a_value_that_cannot_be_used_says_why_in_place(panel, doc, panel_button, screenshot, pump):
+    panel.options.fields["tolerance"].show_value(0.0)
+    panel.options.fields["tolerance"].edited.emit()
+    pump(100)
+    error = shown("tolerance_error")
+    assert error.isVisible() and error.text() == "tolerance 0.0 is out of range; it must be above 0 mm and at most 1000000 mm"
+    assert "#d0342c" in error.styleSheet()
+    screenshot("panel_error")
+    panel_button("OK")
+    assert FreeCADGui.Control.activeDialog() and names(doc) == ["Dome"]
+    panel.options.fields["tolerance"].show_value(0.01)
+    panel.options.fields["tolerance"].edited.emit()
+    assert not error.isVisible()
+
+
+def test_what_the_core_refuses_later_is_said_under_the_form(panel, doc, pump):
+    panel.options.show_options({"work_offset": "G99"})
+    assert not panel.calculate()
+    assert "G99" in shown("form_error").text() and shown("form_error").isVisible()
+    assert names(doc) == ["Dome"] and not doc.HasPendingTransaction
+
+
+def test_stopping_the_calculation_leaves_the_document_as_it_was(panel, doc, monkeypatch):
+    begin = waiting.Waiting.__call__
+
+    def stopped(self, stage, fraction):
+        self.dialog.cancel()
+        begin(self, stage + " ", fraction)
+
+    monkeypatch.setattr(waiting.Waiting, "__call__", stopped)
+    assert not panel.calculate()
+    assert names(doc) == ["Dome"] and FreeCADGui.Control.activeDialog() and not doc.HasPendingTransaction
+    monkeypatch.undo()
+    assert panel.calculate()
+
+
+def test_esc_stops_long_work_and_the_window_is_painted_meanwhile(window, key, screenshot):
+    with waiting.waiting("Tool path") as told:
+        told("slice", 0.37)
+        bar = told.dialog.findChild(QtWidgets.QProgressBar)
+        assert told.dialog.isVisible() and bar.value() == 37 and "cutting the mesh" in told.dialog.labelText()
+        screenshot("waiting")
+        with pytest.raises(Cancelled):
+            key(told.dialog, QtCore.Qt.Key_Escape)
+            told("deviation", 0.5)
+    assert not told.dialog.isVisible()
+
+
+def test_a_tool_length_is_asked_for_where_the_head_turns(panel, doc):
+    assert not shown("tool_length").isVisible()
+    panel.options.fields["machine"].show_value("fork_head_bc")
+    assert shown("tool_length").isVisible()
+    assert not panel.calculate() and "gauge point" in shown("tool_length_error").text()
+    panel.options.fields["tool_length"].show_value(120.0)
+    assert panel.calculate() and doc.Toolpath.ToolLength.Value == 120.0
+
+
+def test_scallop_and_stepover_take_turns(panel):
+    spacing = panel.options.fields["spacing"]
+    assert spacing.value() == {"stepover": 4.0} and not spacing.lengths["scallop"].editor.isVisible()
+    spacing.kind.show_value("scallop")
+    assert spacing.value() == {"scallop": 0.01} and "stepover" not in panel.options.options()
+    assert spacing.lengths["scallop"].editor.isVisible() and not spacing.lengths["stepover"].editor.isVisible()
+
+
+def test_the_cutter_comes_from_a_tool_file(panel, tmp_path):
+    bit = {
+        "version": 2,
+        "name": "ball",
+        "shape": "ballend.fcstd",
+        "parameter": {"Diameter": "8 mm", "CuttingEdgeHeight": "25 mm"},
+    }
+    (tmp_path / "ball.fctb").write_text(json.dumps(bit))
+    panel.options.fields["cutter"].read_file(str(tmp_path / "ball.fctb"))
+    assert panel.options.options()["cutter"] == "ball:8.0:25.0"
+    (tmp_path / "flat.fctb").write_text(json.dumps({**bit, "shape": "endmill.fcstd"}))
+    panel.options.fields["cutter"].read_file(str(tmp_path / "flat.fctb"))
+    assert "ball ends" in shown("cutter_error").text() and panel.options.options()["cutter"] == "ball:8.0:25.0"
+
+
+def test_the_cutter_comes_from_a_tool_of_a_cam_job(dome, monkeypatch):
+    from freecad_fiveaxis.app import cam
+    from freecad_fiveaxis.core.cutter import Cutter
+
+    tools = [tool_bit.JobTool("Ball", 3, Cutter(5.0, 20.0)), tool_bit.JobTool("Flat", 4, None, "Flat is no ball end")]
+    monkeypatch.setattr(cam, "jobs_of", lambda doc: [doc])
+    monkeypatch.setattr(tool_bit, "cutters_of_job", lambda job: tools)
+    field = toolpath.create(dome).options.fields["cutter"]
+    assert [field.job.itemText(at) for at in (1, 2)] == ["T3 Ball", "T4 Flat"]
+    field.job.activated.emit(1)
+    assert field.value() == "ball:5.0:20.0" and not field.error.text()
+    field.job.activated.emit(2)
+    assert field.value() == "ball:5.0:20.0" and field.error.text() == "Flat is no ball end"
+
+
+def test_the_work_zero_is_picked_in_the_view(panel, doc, dome, view_click, pump):
+    field = panel.options.fields["work_zero"]
+    field.button.click()
+    FreeCADGui.Selection.addSelection(doc.Name, dome.Name, "Vertex1", 0.1, 0.2, 0.3)
+    pump(200)
+    assert field.value() == pytest.approx(list(dome.Shape.Vertexes[0].Point), abs=1e-12) and not field.button.isChecked()
+    field.button.click()
+    view_click((0, 0, 20))
+    pump(300)
+    x, y, z = field.value()
+    assert (x * x + y * y + z * z) ** 0.5 == pytest.approx(20.0, abs=0.05) and z > 18.0
+    assert panel.options.said()["work_zero"] == [x, y, z] and not field.pick.running
+
+
+def test_esc_ends_the_pick_and_not_the_panel(panel, doc, dome, key, pump):
+    field = panel.options.fields["work_zero"]
+    before = field.value()
+    field.button.click()
+    assert field.pick.running
+    key(FreeCADGui.getMainWindow(), QtCore.Qt.Key_Escape)
+    pump(100)
+    assert not field.pick.running and FreeCADGui.Control.activeDialog()
+    FreeCADGui.Selection.addSelection(doc.Name, dome.Name, "Vertex1")
+    pump(100)
+    assert field.value() == before
+
+
+def test_the_panel_of_a_path_shows_it_and_changes_it_in_one_step(panel, doc, pump, panel_button):
+    panel_button("OK")
+    path, blocks = doc.Toolpath, doc.Toolpath.Blocks
+    nc = results.nc_of(path)
+    doc.clearUndos()
+    opened = toolpath.edit(path)
+    pump(200)
+    assert opened.options.options()["cutter"] == "ball:6.0:30.0" and not opened.stale
+    assert f"<b>{blocks}</b>" in shown("summary").text()
+    opened.options.fields["spacing"].show_value({"scallop": 0.2, "stepover": None})
+    assert opened.stale and opened.calculate()
+    assert path.Stepover.Value == 0.0 and path.Scallop.Value == 0.2 and path.Blocks != blocks
+    pump(200)
+    panel_button("Cancel")
+    assert path.Blocks == blocks and path.Stepover.Value == 4.0 and results.nc_of(path) == nc and "Touched" not in path.State
+    opened = toolpath.edit(path)
+    pump(200)
+    opened.options.fields["lead"].show_value(5.0)
+    opened.options.fields["linear_deflection"].show_value(0.2)
+    panel_button("OK")
+    assert path.Lead.Value == 5.0 and path.Mesh.LinearDeflection.Value == 0.2 and doc.UndoCount == 1
+    doc.undo()
+    doc.recompute()
+    assert path.Lead.Value == 0.0 and results.nc_of(path) == nc
+
+
+def test_a_double_click_in_the_tree_opens_the_panel_of_the_path(panel, doc, pump, panel_button, tree_row):
+    panel_button("OK")
+    doc.clearUndos()
+    tree_row("Toolpath", double=True)
+    pump(300)
+    assert FreeCADGui.Control.activeDialog() and shown("cutter_diameter").property("rawValue") == 6.0
+    panel_button("Cancel")
+    assert not FreeCADGui.Control.activeDialog() and doc.UndoCount == 0 and doc.Toolpath.Blocks > 100
+
+
+def test_a_second_panel_is_refused(panel, dome, modal, pump):
+    told = modal("OK")
+    toolpath.create(dome)
+    assert told.said == ["Another task panel is open: close it first."]
+
+
+def test_inches_show_inches_and_lose_nothing(inches, dome, type_into, pump, screenshot):
+    panel = toolpath.create(dome)
+    pump(300)
+    fields = panel.options.fields
+    assert fields["tolerance"].editor.property("text") == "0.000393701 in" and fields["tolerance"].value() == 0.01
+    assert fields["feed"].editor.property("text") == "39.3701 in/min" and fields["feed"].value() == 1000.0
+    type_into(fields["cutter"].diameter.editor, "0.5")
+    assert fields["cutter"].value() == "ball:12.7:50.0"
+    screenshot("panel_inches")
+
+
+def test_what_is_typed_is_what_is_milled(millimetres, dome, type_into, pump):
+    panel = toolpath.create(dome)
+    pump(300)
+    for name, text, value in (("tolerance", "0.0125", 0.0125), ("feed", "1234.5", 1234.5), ("lead", "2.5", 2.5)):
+        area = panel.options.fields[name].editor
+        qt_scroll(area, pump)
+        type_into(area, text)
+        assert panel.options.fields[name].value() == pytest.approx(value, rel=1e-12), name
+
+
+def qt_scroll(widget, pump):
+    area = widget
+    while not isinstance(area, QtWidgets.QScrollArea):
+        area = area.parentWidget()
+    area.ensureWidgetVisible(widget)
+    pump(100)
+
+
+def test_every_option_of_the_core_has_its_words():
+    from freecad_fiveaxis.core.settings import option_fields
+    from freecad_fiveaxis.gui.panels import labels
+
+    for _, leaf in option_fields():
+        if leaf.metadata["kind"] not in ("path", "paths"):
+            assert leaf.name in labels._options(), leaf.name
+            assert set(leaf.metadata["choices"]) <= set(labels._choices()), leaf.name
+
+
+@pytest.fixture
+def path(panel, doc, panel_button):
+    """A computed path."""
+    panel_button("OK")
+    return doc.Toolpath
+
+
+@pytest.fixture
+def post_to(path, pump):
+    """post_to(file): the post panel of the path, opened, with that name in it."""
+
+    def opened(file):
+        panel = post.write(path)
+        panel.file.show_value(str(file))
+        pump(300)
+        return panel
+
+    return opened
+
+
+def test_the_post_panel_writes_nc_and_report(path, doc, tmp_path, panel_button, screenshot, pump, parameters):
+    parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").SetString("OutputFolder", str(tmp_path))
+    path.Label = "my: part"
+    panel = post.write(path)
+    assert panel.file.value() == str(tmp_path / "my_ part.ngc")
+    panel.reports["html"].setChecked(True)
+    panel.reports["json"].setChecked(True)
+    screenshot("post_panel")
+    panel_button("OK")
+    assert not FreeCADGui.Control.activeDialog()
+    assert (tmp_path / "my_ part.ngc").read_bytes() == results.nc_of(path)
+    assert json.loads((tmp_path / "my_ part.json").read_text())["summary"]["blocks"] == path.Blocks
+    assert "<html" in (tmp_path / "my_ part.html").read_text()[:200]
+    assert [obj.Name for obj in path.InList] == ["NCOutput"]
+
+
+@pytest.mark.parametrize("answer", ["Cancel", "Replace"])
+def test_a_file_that_is_there_is_replaced_only_when_the_user_says_so(path, tmp_path, panel_button, modal, post_to, answer):
+    file = tmp_path / "part.ngc"
+    file.write_text("(somebody's own)")
+    post_to(file)
+    told = modal(answer)
+    panel_button("OK", wait=600)
+    assert told.said and str(file) in told.said[0]
+    assert (file.read_bytes() == results.nc_of(path)) == (answer == "Replace")
+    assert bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel")
+
+
+def test_a_folder_that_is_not_there_is_said_under_the_name(post_to, doc, tmp_path, panel_button):
+    post_to(tmp_path / "nowhere" / "part.ngc")
+    before = names(doc)
+    panel_button("OK")
+    assert FreeCADGui.Control.activeDialog() and "nowhere" in shown("post_error").text()
+    assert names(doc) == before
+
+
+def test_the_preview_for_cam(post_to, doc, tmp_path, panel_button):
+    panel = post_to(tmp_path / "part.ngc")
+    panel.preview.setChecked(True)
+    panel_button("OK")
+    assert any(obj.TypeId == "Path::FeaturePython" for obj in doc.Objects)
+
+
+TABLE_2 = "G21 G90 G94\nG1 X0 Y0 Z0 A0 C0 F500\nG1 X10 Y0 Z0 A5 C60\nM2\n"
+
+
+def test_the_audit_panel_makes_audit_and_markers_in_one_step(doc, tmp_path, panel_button, screenshot, pump):
+    (tmp_path / "foreign.nc").write_text(TABLE_2)
+    panel = audit.create(doc)
+    pump(200)
+    assert not panel.calculate() and "NC file" in shown("nc_file_error").text()
+    panel.file.show_value(str(tmp_path / "foreign.nc"))
+    panel.options.show_options({"machine": "mikron_ucp710", "tolerance": 0.02})
+    assert panel.calculate()
+    screenshot("audit_panel")
+    panel_button("OK")
+    assert names(doc) == ["Audit", "Markers"] and doc.UndoCount == 1
+    assert doc.Audit.MaxSegmentDeviation.Value > 0.1 and doc.Audit.Tolerance.Value == 0.02
+    assert doc.Markers.Path is doc.Audit and len(doc.Markers.Places) >= 1
+    doc.undo()
+    assert names(doc) == []
+
+
+def test_an_nc_file_that_cannot_be_read_says_so(doc, tmp_path):
+    (tmp_path / "bad.nc").write_text("G1 X1 Y Z\n")
+    panel = audit.create(doc)
+    panel.file.show_value(str(tmp_path / "bad.nc"))
+    assert not panel.calculate()
+    assert shown("form_error").text() and names(doc) == []
+
+
+def test_resources_are_found():
+    assert Path(qt.icon("FiveAxis_NoSuchCommand")).is_file() and Path(qt.resource("machines")).is_dir()
+
+
+def test_panels_open_again_and_again(dome, pump):
+    """FreeCAD deletes the widgets of a closed panel behind PySide's back; new ones may stand at their addresses."""
+    before = gc.get_threshold()
+    gc.set_threshold(100, 5, 5)  # so that old ones go at any moment
+    try:
+        for _ in range(15):
+            panel = toolpath.create(dome)
+            pump(30)
+            assert panel.options.options()["cutter"] == "ball:10.0:50.0"
+            panel.reject()
+            pump(30)
+    finally:
+        gc.set_threshold(*before)
+
+
+def test_a_part_that_is_deleted_under_the_panel_says_so(panel, doc, pump):
+    assert panel.calculate()
+    panel.step.take_back()
+    doc.removeObject("Dome")
+    assert not panel.calculate() and "deleted" in shown("form_error").text()
+    panel.reject()
+    assert names(doc) == []
+
+
+def test_a_document_that_is_closed_under_the_panel_does_no_harm(panel, doc, pump):
+    assert panel.calculate()
+    FreeCAD.closeDocument(doc.Name)
+    pump(100)
+    panel.reject()
+    assert not FreeCADGui.Control.activeDialog()
+
+
+def test_every_stage_of_the_work_has_its_words(panel, monkeypatch):
+    stages = set()
+    say = waiting.Waiting.__call__
+    monkeypatch.setattr(waiting.Waiting, "__call__", lambda self, stage, done: (stages.add(stage), say(self, stage, done)))
+    assert panel.calculate()
+    assert stages > {"slice", "deviation"} and stages <= set(waiting.stage_words())

@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The nodes of the 3D view, made from the core's figures alone and looked at on the screen: colours, marks, legend, speed."""
+
+import importlib.util
+import time
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import pytest
+from PySide import QtCore
+
+pytest.importorskip("pivy")
+
+from freecad_fiveaxis.core.report import draw
+from freecad_fiveaxis.gui.scene import camera, colours, marks, nodes, overlay, path_nodes, units, words
+
+CORE_TESTS = Path(__file__).parents[1] / "core"
+GOOD, BAD, SINGULAR = (0.0, 0.62, 0.45), (0.835, 0.369, 0.0), (0.8, 0.475, 0.655)
+LOOK = path_nodes.Look(GOOD, BAD, SINGULAR)
+FRAME = 0.5  # s, with software OpenGL
+
+
+def _example(name):
+    spec = importlib.util.spec_from_file_location("report_examples", CORE_TESTS / "report_examples.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return getattr(module, name)()
+
+
+@pytest.fixture(scope="module")
+def dome():
+    return _example("dome")
+
+
+@pytest.fixture(scope="module")
+def table2():
+    return _example("table2")
+
+
+@pytest.fixture
+def scene(doc, pump):
+    """scene(node): put it into the view, seen from above; taken out afterwards."""
+    view = FreeCADGui.getDocument(doc.Name).ActiveView
+    added = []
+
+    def add(node, direction="viewTop"):
+        view.getSceneGraph().addChild(node)
+        added.append(node)
+        getattr(view, direction)()
+        view.fitAll()
+        pump(400)
+        return view
+
+    yield add
+    for node in added:
+        view.getSceneGraph().removeChild(node)
+    pump(100)
+
+
+def _pixels(colour):
+    return [round(255 * float(part)) for part in colour]
+
+
+def test_the_colours_are_calm_below_the_tolerance_and_loud_above():
+    levels = np.array([0.0, 0.5, np.nextafter(0.5, 1), 1.0])
+    got = colours.packed(levels, GOOD, BAD)
+    assert got[0] == pytest.approx(colours.pack(GOOD)) and got[3] == colours.pack(BAD)
+    light = [colours._to_lab(np.array([(code >> shift & 255) / 255 for shift in (24, 16, 8)]))[0] for code in got.tolist()]
+    assert light[0] > light[1] + 0.15  # darker is more
+    assert light[2] > light[1] + 0.3  # the step at the tolerance is seen without seeing the hue
+    assert light[2] > light[3] + 0.1
+
+
+def test_each_half_of_the_map_darkens_evenly():
+    light = colours._to_lab(colours.ramp(GOOD, BAD))[:, 0]
+    for half in (light[: colours.SHADES // 2], light[colours.SHADES // 2 :]):
+        steps = np.diff(half)
+        assert (steps < 0).all()
+        assert steps.min() > 3.0 * steps.mean()
+
+
+@pytest.mark.parametrize(
+    "schema, mm, text", [(0, 2.12642, "2.126 mm"), (0, 0.0123, "12.3 µm"), (3, 2.12642, "in"), (2, 0.5, "thou")]
+)
+def test_lengths_are_shown_in_the_users_units(schema, mm, text):
+    before = FreeCAD.Units.getSchema() if hasattr(FreeCAD.Units, "getSchema") else 0
+    try:
+        FreeCAD.Units.setSchema(schema)
+        said = units.length_text(mm)
+        assert said.endswith(text)
+        assert float(said.split()[0]) * FreeCAD.Units.Quantity(1, FreeCAD.Units.Unit()).Value > 0
+        assert FreeCAD.Units.Quantity(said).Value == pytest.approx(mm, rel=1e-3)
+    finally:
+        FreeCAD.Units.setSchema(before)
+
+
+def test_the_path_is_seen_in_its_colours(dome, scene, screenshot, pixels, view_box):
+    picture = path_nodes.PathNodes()
+    drawing = draw(dome)
+    picture.show(drawing, LOOK)
+    for part in ("axes", "marks", "curves", "rapids"):
+        picture.turn(part, False)
+    scene(picture.root)
+    shot = screenshot("scene-path")
+    used = set(colours.packed(drawing.level, GOOD, BAD).tolist())
+    loud = [code for code in used if code in set(colours.packed(drawing.level[drawing.level > 0.5], GOOD, BAD).tolist())]
+    assert loud and len(loud) < len(used)
+
+    def count(codes):
+        return sum(pixels(shot, [code >> 24 & 255, code >> 16 & 255, code >> 8 & 255], 2, view_box()) for code in codes)
+
+    assert count(loud) > 1000, "no loud colour is seen"
+    assert count(used - set(loud)) > 1000, "no calm colour is seen"
+    picture.turn("strokes", False)
+    shot = screenshot("scene-no-path")
+    assert count(loud) == 0
+
+
+def test_markers_stand_where_the_core_says_and_can_be_told_apart(dome, scene, screenshot, pixels, view_box):
+    picture = path_nodes.PathNodes()
+    picture.show(draw(dome), LOOK)
+    for part in ("strokes", "axes", "curves", "rapids"):
+        picture.turn(part, False)
+    scene(picture.root)
+    shot = screenshot("scene-marks")
+    assert pixels(shot, _pixels(BAD), 2, view_box()) > 300
+    assert pixels(shot, _pixels(SINGULAR), 2, view_box()) > 300
+
+
+def test_the_curve_of_table_2_is_seen_to_overshoot_its_chord(table2, scene, screenshot, pixels, view_box):
+    """The picture of the curve is larger than that of the chord by as much as the curve is."""
+    picture = path_nodes.PathNodes()
+    drawing = draw(table2)
+    picture.show(drawing, LOOK)
+    for part in ("strokes", "marks", "rapids", "axes"):
+        picture.turn(part, False)
+    scene(picture.root)
+    shot = screenshot("scene-table2")
+    bad, white = (pixels(shot, _pixels(colour), 2, view_box()) for colour in (BAD, (1, 1, 1)))
+    flat = drawing.curve[:, :2]  # seen from above
+    ways = [np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for line in (flat, drawing.chord[:, :2])]
+    assert bad > 1000 and white > 50
+    assert bad / white == pytest.approx(ways[0] / ways[1], rel=0.5)
+
+
+def test_the_legend_is_no_part_of_the_scenes_box(dome, scene, screenshot, pixels, view_box):
+    picture = path_nodes.PathNodes()
+    picture.show(draw(dome), LOOK)
+    view = scene(picture.root)
+    height = view.getCameraNode().height.getValue()
+    picture.show_overlay("legend", overlay.legend_node(words.legend_of("Path", dome, LOOK, "Out of date")))
+    picture.show_overlay("label", overlay.label_node((0.0, 0.0, 0.0), words.label_text(0.1278, 459)))
+    view.fitAll()
+    assert view.getCameraNode().height.getValue() == pytest.approx(height, rel=1e-3)
+    shot = screenshot("scene-legend")
+    assert pixels(shot, overlay.WARN, 40, view_box()) > 30, "the warning is not seen"
+    picture.turn("strokes", False)
+    picture.turn("legend", False)
+    assert pixels(screenshot("scene-no-legend"), overlay.WARN, 40, view_box()) < 10
+
+
+def test_a_marker_is_found_under_the_mouse(dome, scene):
+    from pivy import coin
+
+    drawing, made = draw(dome), marks.Marks()
+    places = np.array([one.place for one in drawing.markers])
+    kinds = [one.kind for one in drawing.markers]
+    made.show(places, kinds, BAD, SINGULAR, 7.0)
+    view = scene(made.root)
+    found = []
+    for row in range(0, len(places), 7):
+        x, y = view.getPointOnScreen(FreeCAD.Vector(*places[row]))
+        action = coin.SoRayPickAction(coin.SbViewportRegion(*view.getSize()))
+        action.setPoint(coin.SbVec2s(int(x), int(y)))
+        root = coin.SoSeparator()
+        root.addChild(view.getCameraNode())
+        root.addChild(made.root)
+        action.apply(root)
+        point = action.getPickedPoint()
+        if point is not None:
+            found.append(np.linalg.norm(places[made.picked(point)][:2] - places[row][:2]))
+    assert len(found) == len(range(0, len(places), 7))
+    assert max(found) < 1.5  # mm: a neighbour that covers it
+
+
+def test_looking_at_a_place_puts_it_into_the_middle(dome, scene, doc, pump):
+    picture = path_nodes.PathNodes()
+    drawing = draw(dome)
+    picture.show(drawing, LOOK)
+    view = scene(picture.root, "viewIsometric")
+    for kind in ("Orthographic", "Perspective"):
+        view.setCameraType(kind)
+        view.viewIsometric()
+        view.fitAll()
+        pump(100)
+        place = drawing.markers[0].place
+        camera.look_at(doc, place, 5.0)
+        pump(200)
+        x, y = view.getPointOnScreen(FreeCAD.Vector(*place))
+        width, height = view.getSize()
+        assert (x, y) == (pytest.approx(width / 2, abs=3), pytest.approx(height / 2, abs=3))
+        up = view.getCameraNode().orientation.getValue().multVec(nodes.coin.SbVec3f(0, 2.4, 0)).getValue()
+        above = view.getPointOnScreen(FreeCAD.Vector(*place) + FreeCAD.Vector(*up))
+        assert above[1] - y == pytest.approx(0.48 * height, rel=0.1)  # 5 mm fill the view
+    view.setCameraType("Orthographic")
+
+
+def long_path(count):
+    """The arrays of a path of so many blocks: a spiral, every thousandth block over the tolerance."""
+    turn = np.linspace(0.0, 400.0 * np.pi, count + 1)
+    radius = 60.0 * np.linspace(1.0, 0.02, count + 1)
+    points = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), 0.01 * (60.0**2 - radius**2)])
+    pairs = np.repeat(points, 2, axis=0)[1:-1]
+    level = 0.5 * np.abs(np.sin(turn[1:] * 3.0))
+    level[::1000] = 0.9
+    return pairs, level
+
+
+class Frames:
+    """Counts how often the view is really drawn while its ``node`` is in it."""
+
+    def __init__(self):
+        self.node, self.count = nodes.coin.SoCallback(), 0
+        self.node.setCallback(self._drawn)
+
+    def _drawn(self, _data, action):
+        self.count += action.isOfType(nodes.coin.SoGLRenderAction.getClassTypeId())
+
+    def seconds(self, view, turns=8):
+        """The time of a turn of the view, s: of a frame, or of more where FreeCAD draws it more than once."""
+        self.count, began = 0, time.perf_counter()
+        for step in range(turns):
+            view.setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(1, 0.3, 0.2), 20 + 7 * step))
+            view.redraw()
+            QtCore.QCoreApplication.processEvents()
+        assert self.count >= turns, "the view was not drawn"
+        return (time.perf_counter() - began) / turns
+
+
+@pytest.mark.parametrize("count", [500_000, 1_000_000])
+def test_a_long_path_stays_navigable(count, dome, scene, capsys):
+    """The whole picture: strokes as the core thins them, axes, 1000 marks, curves, legend."""
+    from dataclasses import replace
+
+    from freecad_fiveaxis.core.report.drawing import STROKES
+
+    pairs, level = long_path(min(count, STROKES))
+    seed = draw(dome)
+    drawing = replace(seed, stroke=pairs, level=level, block=np.arange(len(level)), deviation=level)
+    picture = path_nodes.PathNodes()
+    began = time.perf_counter()
+    picture.show(drawing, LOOK)
+    picture.marks.show(np.tile(pairs[:500], (2, 1)), [marks.OVER, marks.SINGULAR] * 500, BAD, SINGULAR, 7.0)
+    picture.show_overlay("legend", overlay.legend_node(words.legend_of("Path", dome, LOOK, "")))
+    made = time.perf_counter() - began
+    frames = Frames()
+    view = scene(nodes.separate(frames.node, picture.root))
+    frames.seconds(view)  # the first ones fill the caches
+    seconds = frames.seconds(view)
+    with capsys.disabled():
+        print(f"\n{count} blocks, {len(level)} strokes: nodes in {made:.2f} s, {seconds:.3f} s a frame")
+    assert seconds < FRAME

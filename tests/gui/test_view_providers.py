@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Our document objects in the tree and in the 3D view: drawn, coloured, out of date, undone, and drawn again after opening."""
+
+import FreeCAD
+import FreeCADGui
+import Part
+import pytest
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import results
+from freecad_fiveaxis.core import report
+from freecad_fiveaxis.gui import attach, view_providers
+
+TABLE_2 = (
+    "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
+)
+
+
+@pytest.fixture
+def path(doc, pump):
+    """A toolpath over a dome whose top passes the pole, on trunnion_ac."""
+    attach.register()
+    base = doc.addObject("Part::Feature", "Dome")
+    base.Shape = Part.makeSphere(60, FreeCAD.Vector(0, 0, -60)).common(Part.makeBox(40, 24, 20, FreeCAD.Vector(-20, -12, -16)))
+    doc.recompute()
+    made = app.create_toolpath(doc, base, machine="trunnion_ac", cutter="ball:10", stepover=2.0)
+    _settled(made, pump)
+    FreeCADGui.getDocument(doc.Name).ActiveView.viewIsometric()
+    FreeCADGui.getDocument(doc.Name).ActiveView.fitAll()
+    pump(200)
+    return made
+
+
+@pytest.fixture
+def audit(doc, pump, tmp_path):
+    """The audit of So et al.'s Table 2."""
+    attach.register()
+    (tmp_path / "t2.ngc").write_text(TABLE_2)
+    made = app.audit(doc, str(tmp_path / "t2.ngc"), "mikron_ucp710")
+    _settled(made, pump)
+    return made
+
+
+def _settled(obj, pump, ms=4000):
+    """Let the window work until the path is drawn."""
+    for _ in range(ms // 50):
+        pump(50)
+        picture = obj.ViewObject.Proxy.picture
+        if picture is not None and picture.figures is not None and picture.styled and picture.checked is not None:
+            return picture
+    raise AssertionError("the path was not drawn")
+
+
+def _images(group):
+    """How many pictures (label, legend) there are below a node."""
+    from pivy import coin
+
+    search = coin.SoSearchAction()
+    search.setType(coin.SoImage.getClassTypeId())
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.setSearchingAll(True)
+    search.apply(group)
+    return search.getPaths().getLength()
+
+
+def test_every_object_has_its_view_and_its_icon(path, audit, doc, tmp_path, pump):
+    markers = app.annotate(path)
+    written = app.post_process(path, str(tmp_path / "dome.ngc"))
+    pump(200)
+    kinds = {"PathView": (path, audit), "TessellationView": (path.Mesh,), "MarkersView": (markers,), "NCOutputView": (written,)}
+    icons = set()
+    for name, objects in kinds.items():
+        for obj in objects:
+            assert type(obj.ViewObject.Proxy) is getattr(view_providers, name)
+            icons.add(obj.ViewObject.Proxy.getIcon())
+    assert len(icons) == 5 and not any("fiveaxis.svg" in icon for icon in icons)
+    assert path.ViewObject.Proxy.claimChildren() == [path.Mesh, markers, written]
+    assert not path.Mesh.ViewObject.Visibility and doc.getObject("Dome").ViewObject.Visibility
+
+
+def _parents(window, label):
+    """The labels above each row of that label, in every tree of the window."""
+    from PySide import QtCore, QtGui
+
+    try:
+        from PySide import QtWidgets
+    except ImportError:
+        QtWidgets = QtGui
+    found = []
+
+    def walk(model, index, above):
+        for row in range(model.rowCount(index)):
+            child = model.index(row, 0, index)
+            found.extend([above] if child.data() == label else [])
+            walk(model, child, child.data())
+
+    for tree in window.findChildren(QtWidgets.QTreeWidget):
+        walk(tree.model(), QtCore.QModelIndex(), None)
+    return found
+
+
+def test_the_tree_shows_markers_below_their_path(audit, window, pump):
+    markers = app.annotate(audit)
+    pump(700)
+    assert audit.State == ["Up-to-date"]
+    assert set(_parents(window, markers.Label)) == {audit.Label}
+
+
+def test_what_is_drawn_is_what_the_core_says(path):
+    figures = results.figures_of(path)
+    picture = path.ViewObject.Proxy.picture
+    assert picture.figures is figures
+    assert picture.drawing.markers == report.markers(figures)
+    assert figures.singularity.singular[figures.feeds].sum() == path.SingularBlocks > 0
+    near = [mark for mark in picture.drawing.markers if mark.kind == "singular-block"]
+    assert near and all(abs(mark.place[0]) < 10 and abs(mark.place[1]) < 10 for mark in near)  # the pole is at the dome's top
+
+
+def test_the_markers_object_stands_where_the_core_says(path, pump):
+    markers = app.annotate(path)
+    pump(300)
+    expected = report.markers(results.figures_of(path))
+    assert [tuple(place) for place in markers.Places] == [pytest.approx(mark.place, abs=1e-5) for mark in expected]
+    nodes = path.ViewObject.Proxy.picture.nodes
+    assert nodes.switches["marks"].whichChild.getValue() == -1  # the path leaves them to the Markers object
+    assert nodes.switches["label"].whichChild.getValue() == -1
+    markers.Document.removeObject(markers.Name)
+    pump(300)
+    assert nodes.switches["marks"].whichChild.getValue() == -3
+
+
+def test_the_colours_are_seen_and_can_be_changed(path, pump, screenshot, pixels, view_box):
+    view = path.ViewObject
+    before = pixels(screenshot("path"), (255, 0, 255), 8, view_box())
+    view.ColourGood = (1.0, 0.0, 1.0)
+    view.ShowLegend = False
+    pump(400)
+    assert pixels(screenshot("path-coloured"), (255, 0, 255), 8, view_box()) > before + 300
+    view.Visibility = False
+    pump(300)
+    assert pixels(screenshot("path-hidden"), (255, 0, 255), 8, view_box()) < 20
+
+
+@pytest.mark.parametrize(
+    "prop, part",
+    [("ShowAxes", "axes"), ("ShowMarkers", "marks"), ("ShowCurves", "curves"), ("ShowRapids", "rapids"), ("ShowLegend", "legend"),
+     ("ShowLabel", "label")],
+)  # fmt: skip
+def test_every_part_can_be_switched_off(path, pump, screenshot, view_box, prop, part):
+    from PySide import QtGui
+
+    def seen():
+        left, top, width, height = view_box()
+        return QtGui.QImage(screenshot("part")).copy(left, top, width, height)
+
+    switch = path.ViewObject.Proxy.picture.nodes.switches[part]
+    pump(300)
+    before = seen()
+    setattr(path.ViewObject, prop, False)
+    pump(300)
+    assert switch.whichChild.getValue() == -1
+    assert seen() != before, f"{part} was not seen"
+    setattr(path.ViewObject, prop, True)
+    pump(300)
+    assert switch.whichChild.getValue() == -3
+
+
+def test_a_path_that_is_out_of_date_says_so_in_the_view(path, doc, pump, screenshot, pixels, view_box):
+    from freecad_fiveaxis.gui.scene.overlay import WARN
+
+    picture = path.ViewObject.Proxy.picture
+    assert picture.checked == ""
+    picture.nodes.turn("strokes", False)
+    before = pixels(screenshot("current"), WARN, 12, view_box())
+    path.Feed = "700 mm/min"
+    pump(400)
+    assert picture.checked, "a change of a setting is not noticed"
+    assert pixels(screenshot("out-of-date"), WARN, 12, view_box()) > before + 40
+    doc.recompute()
+    _settled(path, pump)
+    assert picture.checked == ""
+    doc.getObject("Dome").Placement.Base.z = 1.0
+    pump(400)
+    assert picture.checked, "a change of the solid is not noticed"
+    doc.recompute()
+    pump(400)
+    assert picture.checked == "" and picture.figures is results.figures_of(path)
+
+
+def test_the_work_zero_moves_the_drawing(doc, pump):
+    attach.register()
+    base = doc.addObject("Part::Box", "Box")
+    base.Placement.Base = FreeCAD.Vector(100, 50, 30)
+    doc.recompute()
+    path = app.create_toolpath(doc, base, machine="trunnion_ac", stepover=4.0, work_zero=(105, 55, 40))
+    picture = _settled(path, pump)
+    assert picture.nodes.origin.translation.getValue().getValue() == pytest.approx((105, 55, 40))
+    low, high = picture.drawing.low + (105, 55, 40), picture.drawing.high + (105, 55, 40)
+    assert low[0] < 101 and high[0] > 109 and high[2] > 39.9  # over the box where it stands
+
+
+def test_table_2_is_drawn_with_its_label_and_a_curve_that_overshoots(audit, doc, pump, screenshot):
+    import numpy as np
+
+    picture = audit.ViewObject.Proxy.picture
+    doc_view = FreeCADGui.getDocument(doc.Name).ActiveView
+    doc_view.viewIsometric()
+    doc_view.fitAll()
+    pump(300)
+    screenshot("table2")
+    assert audit.MaxSegmentDeviation.Value == pytest.approx(2.12642, abs=1e-4) and audit.WorstLine == 3
+    start, end = picture.drawing.chord
+    along = (end - start) / np.linalg.norm(end - start)
+    beyond = ((picture.drawing.curve - start) @ along).max() - np.linalg.norm(end - start)
+    assert beyond == pytest.approx((2.74 - 1.0) * 1.122, abs=0.02)
+    first = picture.drawing.markers[0]
+    assert first.kind == "largest-deviation"
+    foot, place = picture.drawing.spoke
+    assert place == pytest.approx(first.place) and np.linalg.norm(place - foot) == pytest.approx(2.12642, abs=1e-4)
+    assert _images(picture.nodes.groups["label"]) == 1, "one label, no more"
+
+
+@pytest.mark.parametrize("schema, value", [(0, "2.126 mm"), (3, "0.08372 in")])
+def test_the_label_honours_the_users_units(audit, schema, value):
+    from freecad_fiveaxis.gui.scene import words
+
+    try:
+        FreeCAD.Units.setSchema(schema)
+        said = words.label_text(audit.MaxSegmentDeviation.Value, audit.WorstLine)
+    finally:
+        FreeCAD.Units.setSchema(0)
+    assert said == f"{value}, NC line 3"
+
+
+def test_a_document_that_is_opened_again_shows_its_picture(path, doc, pump, tmp_path, screenshot):
+    app.annotate(path)
+    path.ViewObject.LineWidth = 3.0
+    pump(200)
+    label, before = path.Label, path.ViewObject.Proxy.picture.drawing
+    doc.saveAs(str(tmp_path / "again.FCStd"))
+    FreeCAD.closeDocument(doc.Name)
+    pump(200)
+    again = FreeCAD.openDocument(str(tmp_path / "again.FCStd"))
+    try:
+        path = again.getObjectsByLabel(label)[0]
+        picture = _settled(path, pump)
+        screenshot("opened-again")
+        assert picture.checked == "" and path.ViewObject.LineWidth == 3.0
+        assert (picture.drawing.stroke == before.stroke).all() and (picture.drawing.level == before.level).all()
+        assert [one.Name for one in path.ViewObject.Proxy.claimChildren()] == ["Tessellation", "Markers"]
+        assert path.ViewObject.Proxy.getIcon().endswith("FiveAxis_Toolpath.svg")
+        assert again.getObject("Markers").ViewObject.Proxy.picture is not None
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
+def test_a_picture_that_cannot_be_computed_says_why(audit, doc, pump, tmp_path):
+    label = audit.Label
+    doc.saveAs(str(tmp_path / "gone.FCStd"))
+    FreeCAD.closeDocument(doc.Name)
+    (tmp_path / "t2.ngc").unlink()
+    again = FreeCAD.openDocument(str(tmp_path / "gone.FCStd"))
+    try:
+        audit = again.getObjectsByLabel(label)[0]
+        pump(1500)
+        picture = audit.ViewObject.Proxy.picture
+        assert "t2.ngc" in picture.failed
+        assert _images(picture.nodes.groups["legend"]) == 1, "the view does not say why"
+        assert "Touched" in audit.State
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
+def test_undo_takes_the_picture_away_and_redo_brings_it_back(doc, pump):
+    attach.register()
+    base = doc.addObject("Part::Box", "Box")
+    doc.recompute()
+    doc.openTransaction("path")
+    path = app.create_toolpath(doc, base, machine="trunnion_ac", stepover=4.0)
+    doc.commitTransaction()
+    _settled(path, pump)
+    doc.undo()
+    pump(300)
+    assert [one.Name for one in doc.Objects] == ["Box"]
+    doc.redo()
+    pump(300)
+    path = doc.getObject("Toolpath")
+    assert _settled(path, pump).drawing is not None
