@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # make demo   mills a saddle whose middle passes the singularity; results in out/
-# make test   every ring of tests; make bench   speeds as ratios to peers in the same run
+# make test   every ring of tests, on the FreeCAD that is installed; make test-matrix   on FreeCAD 1.0 and 1.1 too, in chroots
+# make install   link this folder into the Mod folder of the FreeCAD that is here; make bench   speeds as ratios to peers
 PYTHON := .venv/bin/python
 FIVEAXIS := $(PYTHON) -m freecad_fiveaxis
 
-.PHONY: help demo test lint core linuxcnc freecad bench parts clean
+.PHONY: help demo test lint core linuxcnc freecad test-matrix install bench clean
 
 help:
-	@sed -n '2,3s/^# //p' Makefile
+	@sed -n '2,4s/^# //p' Makefile
 
 demo:
 	@scripts/prepare demo
@@ -33,7 +34,17 @@ linuxcnc:
 freecad:
 	@scripts/prepare test
 	@scripts/prepare freecad
-	tests/freecad/run
+	$(PYTHON) -m pytest tests/freecad/test_run.py
+	tests/freecad/run all
+
+test-matrix:
+	@scripts/prepare test
+	@scripts/prepare freecad-pytest
+	scripts/freecad_chroot trixie
+	scripts/freecad_chroot forky
+
+install:
+	@scripts/install
 
 bench:
 	@scripts/prepare bench

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
 from typing import Any
 
 import FreeCAD
@@ -111,6 +112,6 @@ class Picture:
 
     def _slot(self) -> int:
         """How many other paths of the document show their legend before this one."""
-        paths = [one for one in self.obj.Document.Objects if kind_of(one) in ("toolpath", "audit")]
-        before = paths[: paths.index(self.obj)]
+        paths = (one for one in self.obj.Document.Objects if kind_of(one) in ("toolpath", "audit"))
+        before = takewhile(lambda one: one != self.obj, paths)  # a path that is being deleted is not among them
         return sum(one.ViewObject.Visibility and getattr(one.ViewObject, "ShowLegend", False) for one in before)

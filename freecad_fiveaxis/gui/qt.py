@@ -7,7 +7,6 @@ QT_TRANSLATE_NOOP   marks a text that FreeCAD itself translates later (menu text
 
 from __future__ import annotations
 
-import gc
 import os
 from collections.abc import Callable
 from typing import Any
@@ -44,32 +43,27 @@ def flags(value: Any) -> int:
 def create(name: str) -> Any:
     """A widget of FreeCAD's own, as ``Gui::QuantitySpinBox``. Raises RuntimeError where this FreeCAD has none.
 
-    PySide knows widgets by their address, and may take a new one for one that FreeCAD has deleted in the same place (see
-    ``forget_closed_panels``). Such a widget is left where it is, so that the next one comes to stand somewhere else.
+    FreeCAD deletes the widgets of a closed panel without PySide's knowledge, and PySide knows widgets by their address: a new
+    one may come as the old Python object of one that stood there, dead or soon to be. It is left in its place, unused, so
+    that the next one comes to stand elsewhere.
     """
     import FreeCADGui
 
     loader = FreeCADGui.UiLoader()
     for _ in range(TRIES):
         widget = loader.createWidget(name)
-        if widget is not None and _is_alive(widget):
+        if widget is not None and _is_new(widget):
+            widget.made_before = True
             return widget
     raise RuntimeError(f"this FreeCAD makes no widget {name}")
 
 
-def forget_closed_panels() -> None:
-    """To be called before a panel makes its widgets. FreeCAD deletes the widgets of a closed panel without PySide's knowledge;
-    what Python still has of them would pass for the new widgets at the same addresses, and take them along when it goes.
-    """
-    gc.collect()
-
-
-def _is_alive(widget: Any) -> bool:
+def _is_new(widget: Any) -> bool:
     try:
         widget.objectName()
-    except RuntimeError:
+    except RuntimeError:  # PySide: already deleted
         return False
-    return True
+    return not hasattr(widget, "made_before")
 
 
 def later(work: Callable[[], Any]) -> None:

@@ -93,6 +93,8 @@ def _click(widget, point=None, double=False):
     target = _hit(widget, point)
     point = target.mapFrom(widget, point) if target is not widget else point
     kinds = QtCore.QEvent
+    if target.focusPolicy() in (QtCore.Qt.ClickFocus, QtCore.Qt.StrongFocus, QtCore.Qt.WheelFocus):
+        target.setFocus(QtCore.Qt.MouseFocusReason)  # Qt does that for events of the server only
     _mouse(target, kinds.MouseMove, point, NONE, NONE)
     _mouse(target, kinds.MouseButtonPress, point, LEFT, LEFT)
     _mouse(target, kinds.MouseButtonRelease, point, LEFT, NONE)

@@ -35,13 +35,12 @@ def planned(box, doc):
 
 
 def state(doc):
-    """What saving would keep of each object: name, label, links and values (a shape by what it measures)."""
+    """What saving would keep of each object: name, label, links and values (a shape by what it measures), sorted lines."""
 
-    def value(obj, name):
-        found = getattr(obj, name)
-        return (found.Volume, found.Area) if name == "Shape" else str(found)
+    def text(value):
+        return str((value.Volume, value.Area) if hasattr(value, "Volume") else value).split(" at 0x")[0]
 
-    return {obj.Name: {name: value(obj, name) for name in obj.PropertiesList} for obj in doc.Objects}
+    return sorted(f"{obj.Name}.{name} = {text(getattr(obj, name))}" for obj in doc.Objects for name in obj.PropertiesList)
 
 
 def test_without_a_part_the_buttons_cannot_be_pressed(doc, tool_button):

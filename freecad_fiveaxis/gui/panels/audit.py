@@ -8,7 +8,7 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
-from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, forget_closed_panels, translate
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .fields import TextField
 from .form import Form
@@ -49,7 +49,6 @@ class AuditPanel(PathPanel):
     """A new Audit in ``doc``, or the Audit ``obj`` to change."""
 
     def __init__(self, doc: Any, obj: Any = None) -> None:
-        forget_closed_panels()
         title = translate("FiveAxis", "Choose an NC file")
         kinds = translate("FiveAxis", "NC files (*.ngc *.nc *.tap *.cnc *.mpf *.gcode *.txt)")
         self.file = FileField("nc_file", title, ";;".join([kinds, translate("FiveAxis", "All files (*)")]))

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from freecad_fiveaxis.gui.qt import forget_closed_panels, translate
+from freecad_fiveaxis.gui.qt import translate
 
 from .fields import QuantityField
 from .form import SPACING, Form
@@ -18,7 +18,6 @@ class ToolpathPanel(PathPanel):
     """``base`` and ``faces`` of a new path, or the Toolpath ``obj`` to change."""
 
     def __init__(self, doc: Any, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
-        forget_closed_panels()
         self.base, self.faces = base, faces
         meshed = _tessellation(obj) is None if obj else hasattr(base, "Mesh")
         form = Form("mill", doc, _sections(), self._extras(not meshed))

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Given to freecadcmd or freecad as its start file: runs pytest inside it and leaves with pytest's own exit code.
+
+FreeCAD exits with 0 after an uncaught exception and may run this file twice; its window replaces sys.stdout. So the code is
+written to ``$FIVEAXIS_FINISHED`` and given to os._exit, which also spares the dialogs and crashes of a shut-down.
+A test that does not end within ``$FIVEAXIS_TEST_LIMIT`` seconds is photographed and its stack printed; then the process ends.
+"""
+
+import faulthandler
+import os
+import shlex
+import subprocess
+import sys
+import threading
+import traceback
+
+import FreeCAD
+
+ROOT = os.environ["FIVEAXIS_ROOT"]
+LIMIT = int(os.environ.get("FIVEAXIS_TEST_LIMIT") or 240)
+HUNG = 70
+
+
+class Watch:
+    """pytest plugin: ends the process, with picture and stack, when one test takes longer than LIMIT seconds."""
+
+    def __init__(self, out, folder):
+        self._out, self._folder = out, folder
+        self._timer = None
+
+    def _end(self, name):
+        print(f"\nfreecad: KILLED, {name} takes longer than {LIMIT} s", file=self._out, flush=True)
+        if FreeCAD.GuiUp:
+            picture = os.path.join(self._folder, "hung.png")
+            subprocess.run(["import", "-window", "root", picture], timeout=20, check=False)
+            print(f"freecad: the screen at that time: {picture}", file=self._out, flush=True)
+        faulthandler.dump_traceback(file=self._out)
+        leave(HUNG)
+
+    def pytest_runtest_logstart(self, nodeid, location):
+        self.stop()
+        self._timer = threading.Timer(LIMIT, self._end, [nodeid])
+        self._timer.daemon = True
+        self._timer.start()
+        faulthandler.dump_traceback_later(LIMIT + 30, exit=True, file=self._out)  # for code that keeps Python's lock
+
+    def stop(self):
+        """Whoever came to an end is not watched any longer."""
+        if self._timer:
+            self._timer.cancel()
+        faulthandler.cancel_dump_traceback_later()
+
+
+def leave(code):
+    """Say that the tests came to their end, with which code, and end the process at once."""
+    with open(os.environ["FIVEAXIS_FINISHED"], "w", encoding="ascii") as file:
+        file.write(str(int(code)))
+    sys.stdout.flush()
+    os._exit(code)
+
+
+def output_folder():
+    """out/freecad/VERSION, where the pictures go."""
+    folder = os.path.join(ROOT, "out", "freecad", ".".join(FreeCAD.Version()[:2]))
+    os.makedirs(folder, exist_ok=True)
+    return folder
+
+
+def run_pytest(out):
+    """pytest's exit code; what was imported before it is kept for the tests of loading."""
+    if FreeCAD.GuiUp:
+        import FreeCADGui
+
+        FreeCADGui.activateWorkbench("FiveAxisWorkbench")
+    FreeCAD.fiveaxis_modules_at_start = frozenset(sys.modules)
+    if os.environ.get("FIVEAXIS_PYTEST"):
+        sys.path.insert(0, os.environ["FIVEAXIS_PYTEST"])
+    import pytest
+
+    os.chdir(ROOT)
+    folder = os.environ["FIVEAXIS_OUT"] = output_folder()
+    options = ["-c", "tests/freecad/pytest.ini", "--rootdir", ROOT, *shlex.split(os.environ["FIVEAXIS_PYTEST_ARGUMENTS"])]
+    watch = Watch(out, folder)
+    code = pytest.main(options, plugins=[watch])
+    watch.stop()
+    return code
+
+
+def main():
+    """Whatever happens, leave with a code that tells."""
+    out = os.fdopen(os.dup(1), "w", buffering=1)
+    sys.stdout = sys.stderr = sys.__stdout__ = sys.__stderr__ = out
+    print(
+        "freecad:", ".".join(FreeCAD.Version()[:2]), "Python", sys.version.split()[0], "window" if FreeCAD.GuiUp else "headless"
+    )
+    code = HUNG
+    try:
+        code = run_pytest(out)
+    except BaseException:
+        traceback.print_exc(file=out)
+    leave(code)
+
+
+if not hasattr(FreeCAD, "fiveaxis_modules_at_start"):
+    FreeCAD.fiveaxis_modules_at_start = frozenset()
+    if FreeCAD.GuiUp:
+        from PySide import QtCore
+
+        QtCore.QTimer.singleShot(500, main)
+    else:
+        main()

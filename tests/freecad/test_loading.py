@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD finds the add-on as a user's add-on is found, and its start-up stays light: neither the core nor numpy is imported."""
+
+import os
+import sys
+
+import FreeCAD
+import pytest
+
+in_window = pytest.mark.skipif(not FreeCAD.GuiUp, reason="needs FreeCAD's window")
+
+
+def test_freecad_found_this_add_on():
+    import freecad_fiveaxis
+
+    folder = os.path.dirname(os.path.dirname(freecad_fiveaxis.__file__))
+    assert os.path.realpath(folder) == os.path.realpath(os.environ["FIVEAXIS_ROOT"])
+    assert any(path.startswith(os.environ["FREECAD_USER_HOME"]) for path in sys.path if path.rstrip("/").endswith("FiveAxis"))
+
+
+def test_starting_up_imported_neither_the_core_nor_numpy():
+    loaded = FreeCAD.fiveaxis_modules_at_start
+    assert loaded
+    heavy = ("numpy", "scipy", "freecad_fiveaxis.core", "freecad_fiveaxis.app.results")
+    assert not [name for name in sorted(loaded) if name.startswith(heavy)]
+
+
+@in_window
+def test_the_workbench_is_listed_with_its_icon():
+    import FreeCADGui
+
+    bench = FreeCADGui.listWorkbenches()["FiveAxisWorkbench"]
+    assert bench.MenuText == "Five-axis"
+    assert os.path.isfile(bench.Icon), bench.Icon
+
+
+@in_window
+def test_the_workbench_is_active():
+    import FreeCADGui
+
+    assert FreeCADGui.activeWorkbench().__class__.__name__ == "FiveAxisWorkbench"

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The runner itself, from outside FreeCAD: a failing, a hanging and a crashing test each end it with a code and a line that says so."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+
+import pytest
+
+RUN = pathlib.Path(__file__).with_name("run")
+BAD = {
+    "fails": ("assert False", "headless FAILED (pytest's code 1)"),
+    "hangs": ("import time; time.sleep(60)", "takes longer than 2 s"),
+    "crashes": ("import os; os.abort()", "before the tests did"),
+    "leaves": ("import os; os._exit(0)", "before the tests did"),
+}
+
+
+@pytest.mark.skipif(not shutil.which("freecadcmd"), reason="there is no FreeCAD here")
+@pytest.mark.parametrize("kind", BAD)
+def test_a_bad_test_ends_the_run_with_a_code_and_a_line(kind, tmp_path):
+    code, line = BAD[kind]
+    (tmp_path / "test_bad.py").write_text(f"def test_bad():\n    {code}\n")
+    environment = {**os.environ, "FIVEAXIS_TEST_LIMIT": "2", "FIVEAXIS_RUN_LIMIT": "60"}
+    done = subprocess.run([RUN, "headless", tmp_path], env=environment, capture_output=True, text=True, timeout=90, check=False)
+    assert done.returncode == 1, done.stdout
+    assert line in done.stdout
+
+
+def test_without_freecad_it_says_that_it_skipped(tmp_path):
+    for tool in ("bash", "dirname", "pwd"):
+        (tmp_path / tool).symlink_to(shutil.which(tool))
+    done = subprocess.run([RUN], env={"PATH": str(tmp_path)}, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "SKIPPED" in done.stdout
