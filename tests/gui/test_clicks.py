@@ -173,7 +173,8 @@ def test_undo_redo_and_a_document_reopened(dome, doc, plan, tree_row, press, sho
     assert names(doc) == ["Dome"], "one step of undo for one press of OK"
     press("Std_Redo")
     assert names(doc) == after
-    press("Std_Refresh", 500)  # FreeCAD 1.0 and later leave what redo brings back to be recomputed, boxes too
+    if doc.isTouched():  # FreeCAD 1.0 and later leave what redo brings back to be recomputed, plain boxes too
+        press("Std_Refresh", 500)
     file = str(tmp_path / "dome.FCStd")
     doc.saveAs(file)
     FreeCAD.closeDocument(doc.Name)
