@@ -34,12 +34,14 @@ class Page:
     """What FreeCAD asks of a page: a form, and to load and save it."""
 
     def __init__(self, _parent: Any = None) -> None:
+        from .panels.fields import feed_unit
+
         self.form = FreeCADGui.PySideUic.loadUi(resource("ui", "preferences.ui"))
         self.loaded: dict[str, Any] = {}
         self.choices = {"Machine": _machines(), "Controller": _controllers()}
         for key, choices in self.choices.items():
             self._widget(key).addItems(list(choices))
-        suffix, self.feed_factor = _feed_unit()
+        suffix, self.feed_factor = feed_unit()
         self._widget("Feed").setSuffix(suffix)
 
     def loadSettings(self) -> None:
@@ -89,16 +91,6 @@ class Page:
 
     def _property(self, key: str) -> str:
         return VALUES[self._widget(key).metaObject().className()]
-
-
-def _feed_unit() -> tuple[str, float]:
-    """Feeds are typed a minute, as machinists do: FreeCAD's own boxes take a plain number for mm/s, and refuse "mm/min" letter
-    by letter. The unit's name, and how many of it one mm/s is.
-    """
-    import FreeCAD
-
-    inches = FreeCAD.Units.Quantity("1 mm/s").getUserPreferred()[2].startswith(("in", "ft", "mil"))
-    return (" in/min", 60 / 25.4) if inches else (" mm/min", 60.0)
 
 
 def _controllers() -> dict[str, str]:

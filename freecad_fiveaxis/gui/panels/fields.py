@@ -17,8 +17,8 @@ from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, create
 
 from .labels import option_hint
 
-UNITS = {"length": ("mm", "Length", 1.0), "angle": ("deg", "Angle", 1.0), "feed": ("mm/s", "Velocity", 60.0)}
-"""FreeCAD's unit of a kind of option, its quantity, and how many of the core's units one of FreeCAD's is."""
+UNITS = {"length": ("mm", "Length"), "angle": ("deg", "Angle")}
+"""FreeCAD's unit of a kind of option, which is the core's too, and its quantity."""
 SHOWN = {"Precision": 6, "NumberFormat": "g", "Denominator": 8}
 """Six digits, so that 0.01 mm in inches does not read 0.00 in."""
 
@@ -56,11 +56,11 @@ class Field(QtCore.QObject):
 
 
 class QuantityField(Field):
-    """A length (mm), an angle (degrees) or a feed (mm/min) in the user's units. ``optional``: 0 means not given."""
+    """A length (mm) or an angle (degrees) in the user's units. ``optional``: 0 means not given."""
 
     def __init__(self, name: str, kind: str, hint: str = "", optional: bool = False) -> None:
         super().__init__(name, create("Gui::QuantitySpinBox"), hint)
-        self.unit, self.quantity, self.factor = UNITS[kind]
+        self.unit, self.quantity = UNITS[kind]
         self.optional, self._given, self._text = optional, 0.0, None
         self.editor.setProperty("unit", self.unit)
         self.editor.setMinimumWidth(70)
@@ -68,16 +68,49 @@ class QuantityField(Field):
         self.editor.valueChanged.connect(self._changed)
 
     def value(self) -> float | None:
-        """mm, degrees or mm/min."""
+        """mm or degrees."""
         untouched = self.editor.property("text") == self._text
-        value = self._given if untouched else self.editor.property("rawValue") * self.factor
+        value = self._given if untouched else self.editor.property("rawValue")
         return None if self.optional and value == 0.0 else value
 
     def show_value(self, value: float | None) -> None:
-        """mm, degrees or mm/min; None: not given."""
+        """mm or degrees; None: not given."""
         self._given = float(value or 0.0)
-        self.editor.setProperty("value", quantity(self._given / self.factor, self.quantity))
+        self.editor.setProperty("value", quantity(self._given, self.quantity))
         self._text = self.editor.property("text")
+
+
+class FeedField(Field):
+    """A feed, typed a minute as machinists do: mm/min, or in/min where the user works in inches."""
+
+    def __init__(self, name: str, hint: str = "") -> None:
+        super().__init__(name, QtWidgets.QDoubleSpinBox(), hint)
+        suffix, per_second = feed_unit()
+        self._given, self._shown, self.factor = 0.0, 0.0, 60.0 / per_second
+        self.editor.setDecimals(4 if per_second < 60.0 else 2)
+        self.editor.setRange(0.0, 1e7)  # the core knows the range, and says it
+        self.editor.setSuffix(suffix)
+        self.editor.valueChanged.connect(self._changed)
+
+    def value(self) -> float:
+        """mm/min."""
+        shown = self.editor.value()
+        return self._given if shown == self._shown else shown * self.factor
+
+    def show_value(self, value: float | None) -> None:
+        """mm/min."""
+        self._given = float(value or 0.0)
+        self.editor.setValue(self._given / self.factor)
+        self._shown = self.editor.value()
+
+
+def feed_unit() -> tuple[str, float]:
+    """The unit of feeds in a box, and how many of it one mm/s is.
+
+    FreeCAD's own boxes take a plain number for mm/s, and refuse "mm/min" letter by letter.
+    """
+    inches = FreeCAD.Units.Quantity("1 mm/s").getUserPreferred()[2].startswith(("in", "ft", "mil"))
+    return (" in/min", 60.0 / 25.4) if inches else (" mm/min", 60.0)
 
 
 class ChoiceField(Field):
@@ -219,5 +252,6 @@ def option_field(leaf: Any, choices: Sequence[tuple[Any, str]] = (), none_text: 
         "text": lambda: TextField(leaf.name, hint),
         "vector": lambda: TripleField(leaf.name, "vector", hint),
         "point": lambda: TripleField(leaf.name, "point", hint, none_text),
+        "feed": lambda: FeedField(leaf.name, hint),
     }
     return makers[kind]() if kind in makers else QuantityField(leaf.name, kind, hint, optional)
