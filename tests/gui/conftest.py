@@ -200,8 +200,12 @@ def _viewport():
 
 @pytest.fixture(scope="session")
 def window():
-    """FreeCAD's main window, as large as the screen, with tree and task panel shown and the workbench active."""
+    """FreeCAD's main window, as large as the screen, with tree and task panel shown and the workbench active.
+
+    The view jumps where it is sent: an animation (FreeCAD 1.1) would still be under way when the test looks.
+    """
     main = _main()
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View").SetBool("UseNavigationAnimations", False)
     main.setGeometry(0, 0, 1920, 1080)
     for dock in main.findChildren(QtWidgets.QDockWidget):
         if dock.objectName() in ("Combo View", "Model", "Tasks"):
