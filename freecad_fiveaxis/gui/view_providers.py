@@ -20,8 +20,7 @@ APP = "freecad_fiveaxis.app."
 
 
 ICONS = {
-    "tessellation": "FiveAxis_Tessellate", "toolpath": "FiveAxis_Toolpath", "audit": "FiveAxis_Audit",
-    "markers": "FiveAxis_Annotate", "nc_output": "FiveAxis_PostProcess",
+    "tessellation": "Tessellation", "toolpath": "Toolpath", "audit": "Audit", "markers": "Markers", "nc_output": "NCOutput",
 }  # fmt: skip
 
 

@@ -4,14 +4,23 @@
 shown: pixels of the 3D view that have the colours of a drawn path, counted in a picture of the screen.
 """
 
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 import FreeCAD
 import FreeCADGui
 import pytest
 from conftest import QtWidgets, close_all, picture
 
+from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results
 from freecad_fiveaxis.core import report
 
+ROOT = Path(__file__).parents[2]
+PYTHON = os.path.join(sys.exec_prefix, "bin", "python3")
 HIDDEN = "the part hides the path"
 
 
@@ -73,6 +82,17 @@ def plan(press, panel_button, field, choose, type_into, until, click):
     return make
 
 
+def command_line(path, folder):
+    """The NC file that the command line makes, in a process of its own, from the mesh and the settings of a path."""
+    app.tessellate(path.Mesh, folder / "part.stl")
+    job = {**results.figures_of(path).inputs, "source": "part.stl", "output": "line.ngc"}
+    (folder / "job.json").write_text(json.dumps(job))
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run([PYTHON, "-m", "freecad_fiveaxis", "run", str(folder / "job.json"), "--quiet"], env=environment)
+    assert done.returncode < 2
+    return (folder / "line.ngc").read_bytes()
+
+
 def names(doc):
     return [obj.Name for obj in doc.Objects]
 
@@ -114,7 +134,7 @@ def test_a_solid_made_by_clicks_gets_passes_markers_nc_and_play(window, dome, do
     nc = tmp_path / "dome.ngc"
     type_into(field("nc_path"), str(nc))
     panel_button("OK", 500)
-    assert nc.read_bytes() == results.nc_of(path)
+    assert nc.read_bytes() == results.nc_of(path) == command_line(path, tmp_path)
     shown("posted", path, "ColourGood")
 
 
