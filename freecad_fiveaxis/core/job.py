@@ -15,12 +15,13 @@ from freecad_fiveaxis.core.cl_path import CLPath, LinkOptions, Motion, link_pass
 from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
 from freecad_fiveaxis.core.deviation import Deviation, measure
 from freecad_fiveaxis.core.joint_path import JointPath, solve
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain
+from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, q_to_words
+from freecad_fiveaxis.core.linearize import linearize
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.nc_reader import read_nc
 from freecad_fiveaxis.core.passes import ContactPath, place_planes, reachable_facets, slice_mesh
-from freecad_fiveaxis.core.program import Program, build_program
+from freecad_fiveaxis.core.program import Program, block_findings, build_program
 from freecad_fiveaxis.core.report import Figures, as_html, as_json, as_text, blocks_csv, judge
 
 from .apt import read_apt, write_apt
@@ -33,7 +34,7 @@ from .post.writer import write_nc
 from .progress import Progress, silent
 from .records import Bools, Floats
 from .settings import MILL, POST, Settings, flat_options
-from .singularity import Singularity, find_singular
+from .singularity import Singularity, find_singular, in_cone
 from .tool_axis import AxisOptions, find_strategy, tool_axes
 
 DEFAULT_CONTROLLER = "linuxcnc"
@@ -141,10 +142,24 @@ def _posted(
     found: tuple[Finding, ...], progress: Progress,
 ) -> Posted:  # fmt: skip
     joints = solve(path, links, low, high, settings.links.clearance, settings.cutter.cutter.radius, progress)
+    joints = _linearized(settings, joints, machine, links, dialect, progress)
     program = build_program(joints, links, dialect, settings.feeds.feed_mode == "g93", progress)
     nc = write_nc(program, dialect, _nc_title(settings, machine), _head(settings), progress)
-    findings = found + joints.findings + program.findings
+    findings = found + block_findings(joints.findings, program) + program.findings
     return Posted(settings, machine, links, dialect, program, findings, path, joints, nc)
+
+
+def _linearized(
+    settings: Settings, joints: JointPath, machine: Machine, links: Chain, dialect: Dialect, progress: Progress
+) -> JointPath:
+    """The joint path with the blocks divided that the settings name: all feed blocks over tolerance, or those in the cone."""
+    cure, tolerance = settings.cure, settings.proof.tolerance
+    if cure.linearize == "on":
+        return linearize(joints, links, dialect, tolerance, None, progress)
+    if cure.singularity == "linearize":
+        near = in_cone(links, q_to_words(joints.q), machine.singular_cone)
+        return linearize(joints, links, dialect, tolerance, near, progress)
+    return joints
 
 
 def prove(made: Made, progress: Progress = silent) -> Result:

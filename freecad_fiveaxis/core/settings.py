@@ -148,7 +148,23 @@ class MachineSettings:
     control_point: Literal["tip", "centre"] = option(
         "tip", "choice", "the point of the tool that the words drive", choices=("tip", "centre")
     )
-    linearize: Literal["off"] = option("off", "choice", "blocks are posted as they are", choices=("off",))
+
+
+SINGULARITY = ("report", "linearize")
+"""What can be done about blocks that pass the singular cone."""
+
+
+@dataclass(frozen=True)
+class CureSettings:
+    """What is done against deviation."""
+
+    linearize: Literal["on", "off"] = option(
+        "off", "choice", "divide feed blocks over tolerance into the fewest that hold it", (MILL, POST), choices=("on", "off")
+    )
+    singularity: str = option(
+        "report", "choice", "blocks that pass the singular cone: only report them, or divide those over tolerance",
+        (MILL, POST), choices=SINGULARITY,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -186,6 +202,7 @@ class Settings:
     links: LinkSettings = group(LinkSettings)
     feeds: FeedSettings = group(FeedSettings)
     head: HeadSettings = group(HeadSettings)
+    cure: CureSettings = group(CureSettings)
     proof: ProofSettings = group(ProofSettings)
     output: OutputSettings = group(OutputSettings)
 

@@ -70,6 +70,15 @@ def find_singular(links: Chain, words: Floats, cone: float) -> Singularity:
     return Singularity(least, rotary, axis, singular)
 
 
+def in_cone(links: Chain, words: Floats, cone: float) -> Bools:
+    """The blocks (m,) among ``words`` (m, 5) mm and **degrees** whose real tool axis comes inside the singular cone, however far
+    they turn; ``cone`` half angle, rad. Row 0 is no block: False."""
+    pair = RotaryPair.of(links.direction[3], links.direction[4])
+    inside = find_singular(links, words, cone).least_sine < _cone_measure(pair, cone)
+    inside[:1] = False
+    return inside
+
+
 def _cone_measure(pair: RotaryPair, cone: float) -> float:
     """The measure at ``cone`` rad from the pole: ``cos(cone) = cos b cos g + H cos d`` (symbols of rotary_pair)."""
     cos_d = (math.cos(cone) - (pair.near + 1.0 - pair.reach)) / pair.reach

@@ -25,7 +25,7 @@ def test_units_are_turned_once_at_the_border():
     "options",
     [{"scallop": "-0.01"}, {"scallop": "0"}, {"stepover": 0}, {"tolerance": "0"}, {"feed": "-1"}, {"cutter": "ball:0"},
      {"cutter": "ball:-3"}, {"cutter": "cone:3"}, {"order": "spiral"}, {"lead": "80"}, {"max_axis_angle": "120"}, {"origin": "1,2"},
-     {"clearance": "nan"}, {"scallop": "0.1", "stepover": "1"}, {"scalop": "0.1"}, {"linearize": "on"}, {"tool_length": "-1"},
+     {"clearance": "nan"}, {"scallop": "0.1", "stepover": "1"}, {"scalop": "0.1"}, {"linearize": "maybe"}, {"singularity": "ignore"}, {"tool_length": "-1"},
      {"machine": ""}, {"output": 5}, {"report": [3]}, {"axis": "a,b,c"}],
 )  # fmt: skip
 def test_a_bad_value_is_refused_and_named(options):

@@ -10,7 +10,7 @@ import pytest
 
 from freecad_fiveaxis.core.kinematics import Setup, chain, forward, inverse_axis, words_to_q
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
-from freecad_fiveaxis.core.singularity import LEAST_TRAVEL, find_singular
+from freecad_fiveaxis.core.singularity import LEAST_TRAVEL, find_singular, in_cone
 
 CONE = math.radians(5.0)
 TABLE_2 = [[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]]
@@ -105,3 +105,13 @@ def test_chunks_join_without_a_seam():
     for i in at:
         pair = find_singular(links, words[i - 1 : i + 1], CONE)
         assert (pair.least_sine[1], pair.axis_travel[1]) == pytest.approx((whole.least_sine[i], whole.axis_travel[i]), abs=1e-12)
+
+
+def test_blocks_that_pass_the_cone_are_found_whether_they_turn_far_or_not():
+    links = links_of("mikron_ucp710")
+    words = np.zeros((5, 5))
+    words[:, 4] = [20.0, 4.0, 10.0, -10.0, -20.0]  # in, out, through the pole, away
+    words[1:, 3] = 0.5
+    assert in_cone(links, words, CONE).tolist() == [False, True, True, True, False]
+    assert not find_singular(links, words, CONE).singular.any()  # without turning far
+    assert in_cone(links, words[:1], CONE).tolist() == [False]

@@ -2,6 +2,6 @@
 """The NC program as the machine gets it: rounded words, feeds, times."""
 
 from .feeds import rapid_minutes
-from .program import Program, build_program
+from .program import Program, block_findings, build_program
 
-__all__ = ["Program", "build_program", "rapid_minutes"]
+__all__ = ["Program", "block_findings", "build_program", "rapid_minutes"]

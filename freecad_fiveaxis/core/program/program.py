@@ -10,7 +10,7 @@ F         is chosen such that the **tip over the part** moves at the CL path's f
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -165,6 +165,18 @@ def _time_blocks(words: Floats, motion: Bytes, tip_feed: Floats, links: Chain, s
         for whole, part in zip(times, (asked, held, feed, seconds), strict=True):
             whole[rows] = part
     return times
+
+
+def block_findings(findings: tuple[Finding, ...], program: Program) -> tuple[Finding, ...]:
+    """Findings whose ``block`` is a row of the joint path, at the block of the program that drives to it, with its NC line.
+
+    A row without a block of its own (the row before it has the same words) is at that row's.
+    """
+    told = []
+    for finding in findings:
+        block = None if finding.block is None else int(np.searchsorted(program.row, finding.block, side="right")) - 1
+        told.append(finding if block is None else replace(finding, block=block, line=int(program.line[block])))
+    return tuple(told)
 
 
 def _feed_findings(asked: Floats, held: Bools, scale: _FeedScale) -> tuple[Finding, ...]:

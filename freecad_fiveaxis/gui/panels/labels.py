@@ -57,6 +57,7 @@ def _options() -> dict[str, str]:
         "tool_length": translate("FiveAxis", "Tool length"),
         "control_point": translate("FiveAxis", "Driven point"),
         "linearize": translate("FiveAxis", "Linearize"),
+        "singularity": translate("FiveAxis", "At the pole"),
         "tolerance": translate("FiveAxis", "Tolerance"),
         "method": translate("FiveAxis", "Line deviation by"),
         "linear_deflection": translate("FiveAxis", "Mesh deflection"),
@@ -77,6 +78,8 @@ def _choices() -> dict[str, str]:
         "one_way": translate("FiveAxis", "one way"),
         "g93": translate("FiveAxis", "inverse time (G93)"),
         "g94": translate("FiveAxis", "units a minute (G94)"),
+        "report": translate("FiveAxis", "only report"),
+        "linearize": translate("FiveAxis", "divide blocks"),
         "on": translate("FiveAxis", "on"),
         "off": translate("FiveAxis", "off"),
         "tip": translate("FiveAxis", "tip"),
@@ -97,5 +100,6 @@ def _groups() -> dict[str, str]:
         "FeedSettings": translate("FiveAxis", "Feeds"),
         "HeadSettings": translate("FiveAxis", "Head of the NC file"),
         "MachineSettings": translate("FiveAxis", "Machine"),
+        "CureSettings": translate("FiveAxis", "Against deviation"),
         "ProofSettings": translate("FiveAxis", "Proof"),
     }
