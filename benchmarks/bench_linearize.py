@@ -107,7 +107,7 @@ def compare(name: str, links: Chain, words: Floats, feeds: Ints) -> tuple[list[o
         lambda: linearize_words(links, words, (DECIMALS, DECIMALS), TOLERANCE, wanted),
         lambda: bisected(links, words[rows - 1], words[rows]),
     )
-    ours, peers = np.median([[run_seconds(call, 1)[0] for call in calls] for _ in range(ROUNDS)], axis=0)
+    ours, peers = np.min([[run_seconds(call, 1)[0] for call in calls] for _ in range(ROUNDS)], axis=0)  # least disturbed
     many, rate, other = halves > 4, count.sum() / ours, halves.sum() / peers
     ratio = statistics.median((count[many] / halves[many]).tolist())
     more = f"{int((count > halves)[halves > 0].sum())} of {int((halves > 0).sum())}"

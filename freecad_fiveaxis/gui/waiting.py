@@ -71,6 +71,7 @@ def stage_words() -> dict[str, str]:
         "closing co-edges": translate("FiveAxis", "closing gaps at edges"),
         "linking passes": translate("FiveAxis", "linking the passes"),
         "joint path": translate("FiveAxis", "turning the axes"),
+        "linearize": translate("FiveAxis", "dividing blocks"),
         "feeds": translate("FiveAxis", "setting feeds"),
         "writing text": translate("FiveAxis", "writing NC blocks"),
         "reading NC": translate("FiveAxis", "reading the NC file"),

@@ -99,7 +99,7 @@ def longest_steps(links, start, end, tolerance, steps, most=400):
     for _ in range(most):
         good, bad = low[block], np.ones(len(block))
         whole = holds(links, way, block, low[block], bad, tolerance, steps)
-        for _ in range(30):
+        for _ in range(24):
             middle = 0.5 * (good + bad)
             fits = holds(links, way, block, low[block], middle, tolerance, steps)
             good, bad = np.where(fits, middle, good), np.where(fits, bad, middle)
@@ -182,7 +182,7 @@ def test_random_blocks_hold_and_never_take_more_pieces_than_halving(kind):
 @pytest.mark.parametrize("kind", ["table_table", "nutating", "head_head"])
 def test_no_block_takes_more_pieces_than_the_longest_steps_one_after_the_other(kind):
     links = links_of(kind)
-    start, end = rounded_blocks(links, 60, 62)
+    start, end = rounded_blocks(links, 40, 62)
     few = measure(links, interleaved(start, end)).segment[1::2] < 2.0
     start, end = start[few], end[few]
     _, _, block, _ = divided(links, start, end, 0.01, 7)
