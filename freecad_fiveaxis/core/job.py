@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, q_to_words
 from freecad_fiveaxis.core.linearize import linearize
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.minimax import minimax_axes
 from freecad_fiveaxis.core.nc_reader import read_nc
 from freecad_fiveaxis.core.passes import ContactPath, place_planes, reachable_facets, slice_mesh
 from freecad_fiveaxis.core.program import Program, block_findings, build_program
@@ -119,6 +120,9 @@ def mill(
     ordered = order_passes(closed, link.order)
     axis = tool_axes(ordered, settings.tool_axis.tool_axis, _axis_options(settings))
     offset, axis = feasible_rows(ordered, axis, links)
+    if settings.tool_axis.tool_axis == "minimax":
+        reach = cutter.radius if settings.machine.control_point == "tip" else 0.0
+        axis = minimax_axes(offset, axis, links, reach, settings.tool_axis.max_tilt, settings.feeds.feed, progress)
     options = LinkOptions(
         clearance=link.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
         control_point=settings.machine.control_point,

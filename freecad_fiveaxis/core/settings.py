@@ -18,6 +18,7 @@ from dataclasses import dataclass, field, fields
 from typing import Any, Literal
 
 from freecad_fiveaxis.core.machine import Vector
+from freecad_fiveaxis.core.minimax import LEAST_TILT, MOST_TILT
 
 from . import quantity
 from .cutter import Cutter, parse_cutter
@@ -93,6 +94,9 @@ class ToolAxisSettings:
     axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of the strategy `fixed`, tip to holder", least=-LONGEST, most=LONGEST)
     lead: float = option(0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 3, most=math.pi / 3)
     tilt: float = option(0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 3, most=math.pi / 3)
+    max_tilt: float = option(
+        math.radians(5.0), "angle", "how far the strategy `minimax` may leave the facet normals", least=LEAST_TILT, most=MOST_TILT
+    )
 
 
 @dataclass(frozen=True)
@@ -248,6 +252,10 @@ def _check_together(settings: Settings) -> None:
     if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
         given = ",".join(f"{number:g}" for number in tool.axis)
         raise SettingsError(f"axis {given} has no direction; give I,J,K of the fixed tool axis, as 0,0,1", tool.axis)
+    for name in ("lead", "tilt"):
+        lean = math.degrees(getattr(tool, name))
+        if tool.tool_axis == "minimax" and lean != 0.0:
+            raise SettingsError(f"{name} {lean:g} deg leaves minimax no choice; leave it out, or choose facet_mean", lean)
 
 
 def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:

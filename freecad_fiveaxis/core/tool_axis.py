@@ -76,6 +76,14 @@ def step_weighted(path: OffsetPath, options: AxisOptions) -> Floats:
     return _slerp(path.before, path.after, share, path.normal)
 
 
+def minimax(path: OffsetPath, options: AxisOptions) -> Floats:
+    """the smallest largest deviation of each pass on this machine and set-up, within --max-tilt of the facet normals
+
+    It needs the machine: here it is only begun, as facet_mean. ``minimax.minimax_axes`` goes on from there (see ``job.mill``).
+    """
+    return facet_mean(path, options)
+
+
 def fixed(path: OffsetPath, options: AxisOptions) -> Floats:
     """one axis everywhere (three-axis milling, or 3 + 2 with a tilted axis)"""
     vector = np.array(options.fixed, float)
@@ -91,6 +99,7 @@ Strategy = Callable[[OffsetPath, AxisOptions], Floats]
 STRATEGIES: dict[str, Strategy] = {
     "facet_mean": facet_mean,
     "step_weighted": step_weighted,
+    "minimax": minimax,
     "fixed": fixed,
 }
 

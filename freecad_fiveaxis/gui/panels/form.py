@@ -117,6 +117,8 @@ class Form(QtCore.QObject):
             self._show_row("tool_length", self.fields["machine"].has_head())
         if "axis" in self.rows:
             self._show_row("axis", self.fields["tool_axis"].value() == "fixed")
+        if "max_tilt" in self.rows:
+            self._show_row("max_tilt", self.fields["tool_axis"].value() == "minimax")
 
     def _show_row(self, name: str, shown: bool) -> None:
         for widget in self.rows[name]:

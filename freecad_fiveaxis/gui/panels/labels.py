@@ -41,6 +41,7 @@ def _options() -> dict[str, str]:
         "axis": translate("FiveAxis", "Fixed axis I, J, K"),
         "lead": translate("FiveAxis", "Lead"),
         "tilt": translate("FiveAxis", "Tilt"),
+        "max_tilt": translate("FiveAxis", "Largest tilt"),
         "order": translate("FiveAxis", "Order"),
         "clearance": translate("FiveAxis", "Clearance"),
         "feed": translate("FiveAxis", "Feed"),

@@ -84,7 +84,7 @@ def _sections() -> list[tuple[str, str, list[str]]]:
         ("machine", translate("FiveAxis", "Machine"), ["machine", "controller", "tool_length"]),
         ("cutter", translate("FiveAxis", "Ball cutter"), ["cutter"]),
         ("passes", translate("FiveAxis", "Passes"), [SPACING, "direction", "tolerance"]),
-        ("axis", translate("FiveAxis", "Tool axis"), ["tool_axis", "axis", "lead", "tilt"]),
+        ("axis", translate("FiveAxis", "Tool axis"), ["tool_axis", "axis", "lead", "tilt", "max_tilt"]),
         ("feeds", translate("FiveAxis", "Feeds"), ["feed", "plunge_feed"]),
         ("zero", translate("FiveAxis", "Work zero"), ["work_zero"]),
     ]

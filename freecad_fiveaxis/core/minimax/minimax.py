@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tool axes that make the largest deviation of every pass as small as it can be on this machine and set-up.
+
+The ball's centre stays where it is, and so does the surface: only the axis moves, at every row within ``max_tilt`` of the
+range between its two facet normals. (Where the words drive the tip, that moves with the axis.) No rotary axis turns faster than
+its rate allows at the feed, but where it did so before.
+
+Why a pass can be bettered so much: a block's deviation grows with the square of its turn. So turns are shared out among long
+blocks and short ones and those that close a gap, over the whole range and the tilt beyond. Near the pole a way leads through it.
+
+kept      a run's new axes count only where its largest deviation, by the joint path and the words that they really get, is
+          smaller than before. So no run, and no program, is worse than without.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.coedge import OffsetPath
+from freecad_fiveaxis.core.deviation import measure
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.joint_path import solve
+from freecad_fiveaxis.core.kinematics import Chain, q_to_words
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Floats
+
+from .corridor import improve
+from .pole import other_way
+from .rows import Rows, find_rows, run_begins
+from .steps import Task, axes_of, levels
+
+LEAST_TILT, MOST_TILT = math.radians(1e-3), math.radians(30.0)
+"""Less is hardly more than the words' last digit; with more an axis has little to do with its surface."""
+GAIN = 0.99
+"""A run's new axes are kept where its largest deviation is below this share of the old one: rounded words then agree."""
+CHECKS = 3
+"""Runs influence each other's branch: after so many checks with some of them put back, all are."""
+SAME = 1e-9
+"""mm, and a share: deviations that differ by less are the same."""
+ROOM = 1e3
+"""mm of clearance for the joint path that is only measured: wide, for nothing is cut by it."""
+
+
+def minimax_axes(
+    path: OffsetPath,
+    axis: Floats,
+    links: Chain,
+    reach: float,
+    max_tilt: float,
+    feed: float = math.inf,
+    progress: Progress = silent,
+) -> Floats:
+    """Unit axes (n, 3) for the rows of ``path`` with the smallest largest deviation that was found, run by run; those of ``axis``
+    (n, 3), the start, where nothing better was found.
+
+    ``reach`` mm: from the ball's centre down the axis to the point that the words drive (the radius, or 0 for the centre);
+    ``max_tilt`` rad: how far an axis may leave the great arc between the facet normals on either side of its row; ``feed`` mm/min
+    of the ball, by which the machine's rates bound the turns (by default: they do not). Raises SettingsError for a largest tilt
+    beyond LEAST_TILT to MOST_TILT, ReachError for axes that the machine cannot take up.
+    """
+    if not LEAST_TILT <= max_tilt <= MOST_TILT:
+        tilt, least, most = (f"{math.degrees(angle):g}" for angle in (max_tilt, LEAST_TILT, MOST_TILT))
+        raise SettingsError(f"max-tilt {tilt} deg is out of range; give {least} to {most} deg, or choose facet_mean", max_tilt)
+    if len(axis) == 0:
+        return axis
+    start, before = _driven(path, axis, links, reach)
+    at = find_rows(path)
+    length = np.linalg.norm(np.diff(at.centre, axis=0, prepend=at.centre[:1]), axis=1)
+    minutes = length / feed if feed < math.inf else np.full(len(length), math.inf)
+    task = Task(links, reach, max_tilt, minutes, np.abs(np.diff(start, axis=0, prepend=start[:1])))
+    better = _best(task, at, start, progress)
+    return _kept(path, axis, axes_of(links, better), links, reach, before)
+
+
+def _best(task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
+    """Rotary words (k, 2): from the way that is known, or another one by the pole, whichever leads to the lower level."""
+    better = improve(task, at, start, progress)
+    runs, way = other_way(task, at, start, levels(task, at, start))
+    if len(runs):
+        some, rows = at.take(runs)
+        own = task.take(rows)
+        found = improve(own, some, way[rows], progress)
+        lower = (levels(own, some, found) < levels(own, some, better[rows]))[some.run]
+        better[rows[lower]] = found[lower]
+    return better
+
+
+def _kept(path: OffsetPath, axis: Floats, found: Floats, links: Chain, reach: float, before: Floats) -> Floats:
+    """``found`` in the runs where the largest deviation is really smaller than ``before`` (p,), ``axis`` in the others."""
+    run = np.cumsum(run_begins(path)) - 1
+    keep = np.ones(len(before), bool)
+    for _ in range(CHECKS):
+        mixed = np.where(keep[run][:, None], found, axis)
+        after = _driven(path, mixed, links, reach)[1]
+        worse = np.where(keep, after >= GAIN * before, after > before * (1.0 + SAME) + SAME)
+        if not worse.any():
+            return mixed
+        keep &= ~worse
+    return axis
+
+
+def _driven(path: OffsetPath, axis: Floats, links: Chain, reach: float) -> tuple[Floats, Floats]:
+    """Rotary words (n, 2) rad of all rows as the joint path chooses them, and the largest deviation (p,) mm of each run's
+    blocks. Between runs the path goes in one rapid: the axes, not the way, decide on branches."""
+    begins = run_begins(path)
+    motion = np.where(path.fill, Motion.FILL, Motion.CUT).astype(np.int8)
+    motion[begins] = Motion.RAPID
+    labels = {name: getattr(path, name) for name in ("normal", "face", "coedge", "pass_")}
+    tip = path.centre - reach * axis
+    driven = CLPath(
+        tip=tip, axis=axis, motion=motion, feed=np.where(motion == Motion.RAPID, 0.0, 1.0), contact=path.point, **labels
+    )
+    below = np.full(3, float(tip[:, 2].min()) - 2.0 * ROOM)  # every rapid is above the part: branches are free between runs
+    joints = solve(driven, links, below, below, ROOM)
+    deviation = np.where(joints.path.motion <= Motion.FILL, measure(links, q_to_words(joints.q)).segment, 0.0)
+    worst = np.maximum.reduceat(deviation, np.searchsorted(joints.row, np.flatnonzero(begins)))
+    last = np.searchsorted(joints.row, np.arange(len(axis)), side="right") - 1
+    return joints.q[last, 3:], worst
