@@ -13,6 +13,7 @@ from pathlib import Path
 
 from freecad_fiveaxis.core.cl_path import CLPath, LinkOptions, Motion, link_passes, order_passes
 from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
+from freecad_fiveaxis.core.deform import deform_axes, trade_findings
 from freecad_fiveaxis.core.deviation import Deviation, measure
 from freecad_fiveaxis.core.joint_path import JointPath, solve
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, q_to_words
@@ -123,14 +124,27 @@ def mill(
     if settings.tool_axis.tool_axis == "minimax":
         reach = cutter.radius if settings.machine.control_point == "tip" else 0.0
         axis = minimax_axes(offset, axis, links, reach, settings.tool_axis.max_tilt, settings.feeds.feed, progress)
+    axis, led = _led_past_pole(settings, offset, axis, links, progress)
     options = LinkOptions(
         clearance=link.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
         control_point=settings.machine.control_point,
     )  # fmt: skip
     path = link_passes(offset, axis, cutter, low, high, options, progress)
-    found = mesh.findings + left_out + spacing + contact.findings + offset.findings + path.findings
+    found = mesh.findings + left_out + spacing + contact.findings + offset.findings + led + path.findings
     posted = _posted(settings, path, low, high, machine, links, dialect, found, progress)
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset)
+
+
+def _led_past_pole(
+    settings: Settings, offset: OffsetPath, axis: Floats, links: Chain, progress: Progress
+) -> tuple[Floats, tuple[Finding, ...]]:
+    """The axes led past the pole where the settings say so, and what larger and smaller changes would give."""
+    change, tolerance = settings.cure.max_axis_change, settings.proof.tolerance
+    if settings.cure.singularity != "deform":
+        return axis, ()
+    made, led = deform_axes(offset, axis, links, change, progress)
+    radius = settings.cutter.cutter.radius if settings.machine.control_point == "tip" else 0.0
+    return made, led + (trade_findings(offset, axis, links, change, tolerance, radius, progress) if led else ())
 
 
 def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:

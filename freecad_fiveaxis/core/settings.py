@@ -17,6 +17,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal
 
+from freecad_fiveaxis.core.deform import LARGEST_CHANGE, LEAST_CHANGE
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.minimax import LEAST_TILT, MOST_TILT
 
@@ -154,20 +155,24 @@ class MachineSettings:
     )
 
 
-SINGULARITY = ("report", "linearize")
+SINGULARITY = ("report", "linearize", "deform")
 """What can be done about blocks that pass the singular cone."""
 
 
 @dataclass(frozen=True)
 class CureSettings:
-    """What is done against deviation."""
+    """What is done against deviation and needless turning."""
 
     linearize: Literal["on", "off"] = option(
         "off", "choice", "divide feed blocks over tolerance into the fewest that hold it", (MILL, POST), choices=("on", "off")
     )
     singularity: str = option(
-        "report", "choice", "blocks that pass the singular cone: only report them, or divide those over tolerance",
+        "report", "choice", "near the pole: only report, divide blocks over tolerance there, or lead the tool axis past it (deform)",
         (MILL, POST), choices=SINGULARITY,
+    )  # fmt: skip
+    max_axis_change: float = option(
+        math.radians(2.0), "angle", "largest change of the tool axis by `--singularity deform`",
+        least=LEAST_CHANGE, most=LARGEST_CHANGE,
     )  # fmt: skip
 
 
@@ -248,6 +253,8 @@ def _check_together(settings: Settings) -> None:
         raise SettingsError("no machine given; name one with --machine (see `machines`)", "")
     if settings.passes.scallop is not None and settings.passes.stepover is not None:
         raise SettingsError("scallop and stepover exclude each other; give one of them", settings.passes.stepover)
+    if settings.task == POST and settings.cure.singularity == "deform":
+        raise SettingsError("singularity deform needs the part's passes: use it with `mill`; a CL file keeps its axes", "deform")
     tool = settings.tool_axis
     if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
         given = ",".join(f"{number:g}" for number in tool.axis)
