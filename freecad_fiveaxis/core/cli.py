@@ -35,6 +35,8 @@ ABOUT = {
     "mill": ("PART.stl", "mill a part: from an STL file to a proven NC program"),
     "post": ("PATH.apt", "post a CL file (APT) to a proven NC program"),
     "audit": ("PROGRAM.ngc", "audit a finished NC program of any origin"),
+    "setup": ("PART.stl|PATH.apt", "find out where on the table the part should stand"),
+    "compare": ("PART.stl|PATH.apt", "compare machines and cures on one and the same path"),
 }
 SHORT = {"output": ("-o", "--output")}
 
@@ -85,7 +87,8 @@ def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
         title = (cls.__doc__ or "").strip().rstrip(".")
         box = next((g for g in parser._action_groups if g.title == title), None) or parser.add_argument_group(title)
         flags = SHORT.get(leaf.name, ("--" + leaf.name.replace("_", "-"),))
-        extra = {"action": "append"} if leaf.metadata["kind"] == "paths" else {"choices": leaf.metadata["choices"] or None}
+        many = leaf.metadata["kind"] in ("paths", "names")
+        extra = {"action": "append"} if many else {"choices": leaf.metadata["choices"] or None}
         box.add_argument(*flags, dest=leaf.name, metavar=_metavar(leaf.metadata), help=_help(leaf), **extra)
     parser.add_argument("--quiet", action="store_true", help="no progress, no report on the terminal")
     parser.set_defaults(act=_run_task, task=task)
@@ -94,7 +97,15 @@ def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
 def _metavar(rules: Any) -> str | None:
     if rules["choices"]:
         return None
-    marks = {"length": "MM", "angle": "DEG", "feed": "MM/MIN", "point": "X,Y,Z", "vector": "I,J,K"}
+    marks = {
+        "length": "MM",
+        "angle": "DEG",
+        "feed": "MM/MIN",
+        "point": "X,Y,Z",
+        "lengths": "X,Y,Z",
+        "vector": "I,J,K",
+        "counts": "NX,NY,NZ",
+    }
     return marks.get(rules["kind"], str(rules["kind"]).upper())
 
 
@@ -140,8 +151,8 @@ def read_job(path: str) -> Settings:
     options = {name.replace("-", "_"): value for name, value in given.items() if name not in ("task", "source")}
     settings_paths = {leaf.name for _, leaf in option_fields() if leaf.metadata["kind"] in ("path", "paths")}
     beside = {name: _beside(path, value) if name in settings_paths else value for name, value in options.items()}
-    if str(beside.get("machine", "")).endswith(".fcm"):
-        beside["machine"] = _beside(path, beside["machine"])
+    for name in {"machine", "machines"} & set(beside):
+        beside[name] = _machines_beside(path, beside[name])
     return build_settings(given["task"], _beside(path, given["source"]), beside)
 
 
@@ -151,12 +162,23 @@ def _beside(job_file: str, value: Any) -> Any:
     return os.path.join(os.path.dirname(job_file), value) if isinstance(value, str) else value
 
 
+def _machines_beside(job_file: str, value: Any) -> Any:
+    """Machine files relative to the job file; names of shipped machines as they are."""
+    if isinstance(value, list):
+        return [_machines_beside(job_file, item) for item in value]
+    if not isinstance(value, str):
+        return value
+    return ",".join(_beside(job_file, name.strip()) if name.endswith(".fcm") else name for name in value.split(","))
+
+
 def _run(settings: Settings, quiet: bool) -> int:
     from freecad_fiveaxis.core.report import as_text
 
-    from . import job
+    from . import job, trials
 
     job.check_outputs(settings)
+    if settings.task in trials.TRIALS:
+        return _try(settings, quiet)
     if settings.task != "audit" and not settings.output.output:
         raise SettingsError("no NC file named; give one with -o OUT.ngc", None)
     check_readable(settings.source)
@@ -166,6 +188,18 @@ def _run(settings: Settings, quiet: bool) -> int:
     if not quiet:
         _show_report([as_text(job.figures(result)), *(f"wrote {path}" for path in written)], written)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in result.findings) else DONE
+
+
+def _try(settings: Settings, quiet: bool) -> int:
+    from . import trials
+
+    check_readable(settings.source)
+    with bars(quiet) as progress:
+        trial = trials.run(settings, progress)
+        written = trials.write_outputs(trial)
+    if not quiet:
+        _show_report([trials.as_text(trial), *(f"wrote {path}" for path in written)], written)
+    return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in trial.findings) else DONE
 
 
 def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:

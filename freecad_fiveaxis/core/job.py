@@ -67,11 +67,12 @@ class Posted(Made):
 
 @dataclass(frozen=True, eq=False)
 class Milled(Posted):
-    """A program made from a mesh."""
+    """A program made from a mesh. ``axis`` (n, 3): the strategy's tool axes, before any cure, one for each row of ``offset``."""
 
     mesh: Mesh
     contact: ContactPath
     offset: OffsetPath
+    axis: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,7 +110,7 @@ def mill(
     faces: Bools | None = None,
 ) -> Milled:  # fmt: skip
     """From a mesh to a program: the street itself. ``faces`` (f,): the facets to cut; the others are still kept clear of."""
-    passes, cutter, link = settings.passes, settings.cutter.cutter, settings.links
+    passes, cutter = settings.passes, settings.cutter.cutter
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
     keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle, faces)
     planes, spacing = place_planes(
@@ -118,33 +119,43 @@ def mill(
     )  # fmt: skip
     contact = slice_mesh(mesh, planes, passes.direction, progress=progress)
     closed = close_gaps(contact, mesh, cutter.radius, settings.cutter.coedge_tolerance, None if keep.all() else keep, progress)
-    ordered = order_passes(closed, link.order)
+    ordered = order_passes(closed, settings.links.order)
     axis = tool_axes(ordered, settings.tool_axis.tool_axis, _axis_options(settings))
     offset, axis = feasible_rows(ordered, axis, links)
-    if settings.tool_axis.tool_axis == "minimax":
-        reach = cutter.radius if settings.machine.control_point == "tip" else 0.0
-        axis = minimax_axes(offset, axis, links, reach, settings.tool_axis.max_tilt, settings.feeds.feed, progress)
-    axis, led = _led_past_pole(settings, offset, axis, links, progress)
+    led, said = _led(settings, offset, axis, links, progress)
+    path = linked(settings, offset, led, mesh, progress)
+    found = mesh.findings + left_out + spacing + contact.findings + offset.findings + said + path.findings
+    posted = _posted(settings, path, low, high, machine, links, dialect, found, progress)
+    return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis)
+
+
+def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress = silent) -> CLPath:
+    """The CL path through the ball centres with tool axes ``axis`` (n, 3), one for each row of ``offset``."""
     options = LinkOptions(
-        clearance=link.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
+        clearance=settings.links.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
         control_point=settings.machine.control_point,
     )  # fmt: skip
-    path = link_passes(offset, axis, cutter, low, high, options, progress)
-    found = mesh.findings + left_out + spacing + contact.findings + offset.findings + led + path.findings
-    posted = _posted(settings, path, low, high, machine, links, dialect, found, progress)
-    return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset)
+    low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
+    return link_passes(offset, axis, settings.cutter.cutter, low, high, options, progress)
 
 
-def _led_past_pole(
+def _led(
     settings: Settings, offset: OffsetPath, axis: Floats, links: Chain, progress: Progress
 ) -> tuple[Floats, tuple[Finding, ...]]:
-    """The axes led past the pole where the settings say so, and what larger and smaller changes would give."""
-    change, tolerance = settings.cure.max_axis_change, settings.proof.tolerance
-    if settings.cure.singularity != "deform":
+    """The strategy's axes, led where the settings ask for it: to the least deviation, then past the pole."""
+    tool, cure, reach = settings.tool_axis, settings.cure, _reach(settings)
+    if tool.tool_axis == "minimax":
+        axis = minimax_axes(offset, axis, links, reach, tool.max_tilt, settings.feeds.feed, progress)
+    if cure.singularity != "deform":
         return axis, ()
-    made, led = deform_axes(offset, axis, links, change, progress)
-    radius = settings.cutter.cutter.radius if settings.machine.control_point == "tip" else 0.0
-    return made, led + (trade_findings(offset, axis, links, change, tolerance, radius, progress) if led else ())
+    made, led = deform_axes(offset, axis, links, cure.max_axis_change, progress)
+    tolerance = settings.proof.tolerance
+    return made, led + (trade_findings(offset, axis, links, cure.max_axis_change, tolerance, reach, progress) if led else ())
+
+
+def _reach(settings: Settings) -> float:
+    """From the driven point to the ball's centre, mm."""
+    return settings.cutter.cutter.radius if settings.machine.control_point == "tip" else 0.0
 
 
 def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:
@@ -245,6 +256,12 @@ def _report_files(result: Result, progress: Progress) -> dict[str, bytes]:
 
 
 def _machine(settings: Settings) -> tuple[Machine, Chain, Dialect]:
+    machine, setup, dialect = clamped(settings)
+    return machine, chain(machine, setup), dialect
+
+
+def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
+    """The machine, where the part stands on it, and its dialect."""
     given = settings.machine
     machine = load_machine(given.machine)
     dialect = find_dialect(given.controller or machine.controller or DEFAULT_CONTROLLER)
@@ -253,8 +270,7 @@ def _machine(settings: Settings) -> tuple[Machine, Chain, Dialect]:
     length = given.tool_length or 0.0
     if given.control_point == "centre":
         length -= settings.cutter.cutter.radius
-    setup = Setup(machine.origin if given.origin is None else given.origin, length)
-    return machine, chain(machine, setup), dialect
+    return machine, Setup(machine.origin if given.origin is None else given.origin, length), dialect
 
 
 def _scallop(settings: Settings) -> float | None:

@@ -4,7 +4,8 @@
 The tree is the only place where a setting is listed: the command line, job files, reports and the workbench's properties
 are made from its fields. A field knows its quantity (and so its unit), its range, its help and the tasks that use it.
 
-task      ``mill``: from an STL to a program; ``post``: from a CL file to a program; ``audit``: a finished program.
+task      ``mill``: from an STL to a program; ``post``: from a CL file to a program; ``audit``: a finished program; ``setup`` and
+          ``compare``: from an STL or a CL file to many programs, of which one is to be chosen.
 option    the flat name of a field: ``least_interval`` in job files, ``--least-interval`` on the command line.
 """
 
@@ -26,8 +27,11 @@ from .cutter import Cutter, parse_cutter
 from .errors import SettingsError
 from .files import is_name
 
-MILL, POST, AUDIT = "mill", "post", "audit"
-TASKS = (MILL, POST, AUDIT)
+MILL, POST, AUDIT, SETUP, COMPARE = "mill", "post", "audit", "setup", "compare"
+TASKS = (MILL, POST, AUDIT, SETUP, COMPARE)
+FROM_SOLID = (MILL, SETUP, COMPARE)
+FROM_PATH = (MILL, POST, SETUP, COMPARE)
+ONE_PROGRAM = (MILL, POST, AUDIT)
 
 LONGEST = 1e6
 """mm; a length, a coordinate or a number of a vector beyond this is a slip of the pen."""
@@ -43,7 +47,7 @@ def option(
     default: Any,
     kind: str,
     text: str,
-    tasks: tuple[str, ...] = (MILL,),
+    tasks: tuple[str, ...] = FROM_SOLID,
     *,
     choices: tuple[str, ...] = (),
     least: float = -math.inf,
@@ -81,7 +85,7 @@ class PassSettings:
 class CutterSettings:
     """The cutter and how co-edges are closed."""
 
-    cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in", (MILL, POST))
+    cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in", FROM_PATH)
     coedge_tolerance: float = option(
         0.01, "length", "largest R - r at a convex co-edge before an arc is used", above=0, most=LONGEST
     )
@@ -114,10 +118,10 @@ class LinkSettings:
 class FeedSettings:
     """Feeds of the tip over the part."""
 
-    feed: float = option(1000.0, "feed", "feed of the tip over the part, mm/min", (MILL, POST), least=SLOWEST, most=FASTEST)
+    feed: float = option(1000.0, "feed", "feed of the tip over the part, mm/min", FROM_PATH, least=SLOWEST, most=FASTEST)
     plunge_feed: float = option(300.0, "feed", "feed of the approach, mm/min", least=SLOWEST, most=FASTEST)
     feed_mode: Literal["g93", "g94"] = option(
-        "g93", "choice", "inverse time, or units a minute", (MILL, POST), choices=("g93", "g94")
+        "g93", "choice", "inverse time, or units a minute", FROM_PATH, choices=("g93", "g94")
     )
 
 
@@ -142,7 +146,7 @@ class HeadSettings:
 class MachineSettings:
     """The machine and where the part stands on it."""
 
-    machine: str = option("", "text", "a shipped machine's name or a path to a .fcm", TASKS)
+    machine: str = option("", "text", "a shipped machine's name or a path to a .fcm", (*ONE_PROGRAM, SETUP))
     controller: str | None = option(None, "text", "the dialect of the NC file [the machine's, or linuxcnc]", TASKS)
     origin: Vector | None = option(
         None, "point", "X,Y,Z of the work zero in the machine frame [the machine's]", TASKS, least=-LONGEST, most=LONGEST
@@ -184,8 +188,34 @@ class ProofSettings:
         0.01, "length", "largest deviation of the tip from the commanded segment", TASKS, above=0, most=LONGEST
     )
     method: Literal["exact", "so2008"] = option(
-        "exact", "choice", "line deviation: exact, or the model of So et al. 2008", TASKS, choices=("exact", "so2008")
+        "exact", "choice", "line deviation: exact, or the model of So et al. 2008", ONE_PROGRAM, choices=("exact", "so2008")
     )
+
+
+@dataclass(frozen=True)
+class SetupSettings:
+    """Where the part may stand."""
+
+    region: Vector = option(
+        (100.0, 100.0, 100.0), "lengths", "X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays",
+        (SETUP,), least=0, most=FARTHEST,
+    )  # fmt: skip
+    grid: Vector | None = option(
+        None, "counts", "places that the map shows along X,Y,Z [as many as take some seconds]", (SETUP,), least=1, most=200
+    )
+    turns: float = option(
+        1.0, "count", "so many turns of the part about Z are tried, evenly over 360 deg", (SETUP,), least=1, most=360
+    )
+
+
+@dataclass(frozen=True)
+class CompareSettings:
+    """What is compared."""
+
+    machines: tuple[str, ...] = option(
+        (), "names", "machines to compare, as for `mill`, with commas between; or --machine again for each", (COMPARE,)
+    )
+    cures: tuple[str, ...] = option((), "names", "cures to compare, with commas between [every one there is]", (COMPARE,))
 
 
 @dataclass(frozen=True)
@@ -195,7 +225,7 @@ class OutputSettings:
     output: str | None = option(None, "path", "the NC file", (MILL, POST))
     cl: str | None = option(None, "path", "the CL path as an APT file", (MILL,))
     report: tuple[str, ...] = option((), "paths", "report; the ending .json, .html or .txt says which; may be repeated", TASKS)
-    blocks: str | None = option(None, "path", "CSV with one row a block", TASKS)
+    blocks: str | None = option(None, "path", "CSV with one row a block", ONE_PROGRAM)
 
 
 @dataclass(frozen=True)
@@ -213,6 +243,8 @@ class Settings:
     head: HeadSettings = group(HeadSettings)
     cure: CureSettings = group(CureSettings)
     proof: ProofSettings = group(ProofSettings)
+    setup: SetupSettings = group(SetupSettings)
+    compare: CompareSettings = group(CompareSettings)
     output: OutputSettings = group(OutputSettings)
 
 
@@ -249,7 +281,9 @@ def _build(cls: type, options: Mapping[str, Any]) -> Any:
 def _check_together(settings: Settings) -> None:
     if settings.task not in TASKS:
         raise SettingsError(f"unknown task {settings.task!r}; known: {', '.join(TASKS)}", settings.task)
-    if not settings.machine.machine:
+    if settings.task == COMPARE and not settings.compare.machines:
+        raise SettingsError("no machines given; name them with --machines A,B (see `machines`)", ())
+    if settings.task != COMPARE and not settings.machine.machine:
         raise SettingsError("no machine given; name one with --machine (see `machines`)", "")
     if settings.passes.scallop is not None and settings.passes.stepover is not None:
         raise SettingsError("scallop and stepover exclude each other; give one of them", settings.passes.stepover)
@@ -284,10 +318,13 @@ def _range_text(rules: Mapping[str, Any]) -> str:
     factor, unit = 180 / math.pi if rules["kind"] == "angle" else 1.0, UNITS.get(rules["kind"], "")
     parts = [(rules["above"], "above"), (rules["least"], "at least"), (rules["most"], "at most")]
     bounds = [f"{word} {bound * factor:.7g}{unit}" for bound, word in parts if math.isfinite(bound)]
-    return f"{'each of its numbers' if rules['kind'] in ('point', 'vector') else 'it'} must be " + " and ".join(bounds)
+    return (
+        f"{'each of its numbers' if rules['kind'] in ('point', 'lengths', 'vector', 'counts') else 'it'} must be "
+        + " and ".join(bounds)
+    )
 
 
-UNITS = {"length": " mm", "point": " mm", "angle": " deg", "feed": " mm/min"}
+UNITS = {"length": " mm", "lengths": " mm", "point": " mm", "angle": " deg", "feed": " mm/min"}
 
 
 def _text(given: Any, name: str) -> str:
@@ -305,6 +342,16 @@ def _count(given: Any, name: str) -> float:
     return value
 
 
+def _counts(given: Any, name: str) -> Vector:
+    x, y, z = quantity.parse_triple(given, quantity.NUMBERS, name)
+    return _count(x, name), _count(y, name), _count(z, name)
+
+
+def _names(given: Any, name: str) -> tuple[str, ...]:
+    parts = [part.strip() for item in _paths(given, name) for part in item.split(",")]
+    return tuple(dict.fromkeys(_text(part, name) for part in parts))
+
+
 def _paths(given: Any, name: str) -> tuple[str, ...]:
     return tuple(_text(item, name) for item in ([given] if isinstance(given, str) else given))
 
@@ -314,14 +361,17 @@ READERS: dict[str, Any] = {
     "angle": quantity.parse_angle,
     "feed": quantity.parse_feed,
     "point": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),
+    "lengths": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),
     "vector": lambda given, name: quantity.parse_triple(given, quantity.NUMBERS, name),
     "cutter": lambda given, name: given if isinstance(given, Cutter) else parse_cutter(given),
     "number": lambda given, name: quantity.parse(given, quantity.NUMBERS, name),
     "count": _count,
+    "counts": _counts,
     "text": _text,
     "choice": _text,
     "path": _text,
     "paths": _paths,
+    "names": _names,
 }
 
 

@@ -49,7 +49,7 @@ def test_an_option_of_another_task_is_refused():
 
 @pytest.mark.parametrize("task", TASKS)
 def test_flat_options_make_the_same_settings_again(task):
-    options = {"machine": "trunnion_ac", "tolerance": "0.02"}
+    options = {"machines" if task == "compare" else "machine": "trunnion_ac", "tolerance": "0.02"}
     options |= {"direction": "33.3", "lead": "5", "scallop": "0.0123", "cutter": "ball:7.7"} if task == "mill" else {}
     settings = build_settings(task, "x", options)
     flat = flat_options(settings)
@@ -106,7 +106,7 @@ def test_the_cutter_belongs_to_the_tasks_that_add_rapids():
     def tasks(name):
         return {task for task in TASKS for _, leaf in option_fields(task) if leaf.name == name}
 
-    assert tasks("cutter") == {"mill", "post"} and tasks("coedge_tolerance") == {"mill"}
+    assert tasks("cutter") == {"mill", "post", "setup", "compare"} and tasks("coedge_tolerance") == {"mill", "setup", "compare"}
     settings = build_settings("post", "a.apt", {"machine": "trunnion_ac", "cutter": "ball:6"})
     assert settings.cutter.cutter.diameter == 6.0
 

@@ -62,6 +62,11 @@ def _options() -> dict[str, str]:
         "max_axis_change": translate("FiveAxis", "Largest axis change"),
         "tolerance": translate("FiveAxis", "Tolerance"),
         "method": translate("FiveAxis", "Line deviation by"),
+        "region": translate("FiveAxis", "Room for the work zero"),
+        "grid": translate("FiveAxis", "Places on the map"),
+        "turns": translate("FiveAxis", "Turns of the part"),
+        "machines": translate("FiveAxis", "Machines"),
+        "cures": translate("FiveAxis", "Cures"),
         "linear_deflection": translate("FiveAxis", "Mesh deflection"),
         "angular_deflection": translate("FiveAxis", "Mesh angle"),
         "work_zero": translate("FiveAxis", "Work zero"),
@@ -105,4 +110,6 @@ def _groups() -> dict[str, str]:
         "MachineSettings": translate("FiveAxis", "Machine"),
         "CureSettings": translate("FiveAxis", "Against deviation"),
         "ProofSettings": translate("FiveAxis", "Proof"),
+        "SetupSettings": translate("FiveAxis", "Setup"),
+        "CompareSettings": translate("FiveAxis", "Comparison"),
     }

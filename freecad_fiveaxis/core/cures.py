@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cures there are, in one table: ``compare`` puts each of them into its columns.
+
+To add one: a line in CURES. It makes the cure (see :mod:`.compare`) for what ``job.make`` has made, so it has the settings at
+hand. A cure that divides blocks starts from :func:`~.compare.solved`; one that leads the tool axes is made by :func:`leading`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from freecad_fiveaxis.core.cl_path import CLPath
+from freecad_fiveaxis.core.coedge import OffsetPath
+from freecad_fiveaxis.core.compare import Cure, Station, solved
+from freecad_fiveaxis.core.joint_path import JointPath
+from freecad_fiveaxis.core.kinematics import Chain
+
+from .errors import SettingsError
+from .job import Milled, Posted, linked
+from .progress import Progress
+from .records import Floats
+
+CURES: Mapping[str, Callable[[Posted], Cure]] = {
+    "none": lambda made: solved,
+}
+
+Lead = Callable[[OffsetPath, Floats, Chain, Progress], Floats]
+"""From the rows of the passes, their tool axes (n, 3) and a machine to better axes (n, 3)."""
+
+
+def known_cures(names: Sequence[str] = ()) -> tuple[str, ...]:
+    """These names; without any, all there are. Raises SettingsError for a name that is not known."""
+    for name in names:
+        if name not in CURES:
+            raise SettingsError(f"unknown cure {name!r}; known: {', '.join(CURES)}", name)
+    return tuple(names) or tuple(CURES)
+
+
+def cures(made: Posted, names: Sequence[str] = ()) -> dict[str, Cure]:
+    """The cures of these names (without any: all) for what was made. Raises SettingsError for a name that is not known."""
+    return {name: CURES[name](made) for name in known_cures(names)}
+
+
+def leading(made: Posted, lead: Lead) -> Cure:
+    """A cure that gives the rows of the passes other tool axes; what is cut stays. It needs a path that was made from a solid."""
+
+    def cure(path: CLPath, where: Station, progress: Progress) -> JointPath:
+        if not isinstance(made, Milled):
+            text = "this cure leads the tool axes over the part's facets; give it the STL, not a CL file"
+            raise SettingsError(text, made.settings.source)
+        axis = lead(made.offset, made.axis, where.links, progress)
+        return solved(linked(made.settings, made.offset, axis, made.mesh, progress), where, progress)
+
+    return cure

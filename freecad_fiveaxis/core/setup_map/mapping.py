@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The map of setups: the grid, the best work zero at each turn, and what to recommend."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import CLPath
+from freecad_fiveaxis.core.errors import ReachError, SettingsError
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.kinematics import Setup
+from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bools, Floats
+
+from .driven import Cost, Driven, Posting, drive_turned
+from .search import Found, best_origin
+from .setups import Kind, Region, SetupMap, recommended
+
+SEARCH_WORTH = 16
+"""Setups of the grid that take as long as one search: for the progress only."""
+SET_DECIMALS = 3
+"""Of a work zero, mm: nobody sets one finer than a micrometre."""
+NOWHERE = Cost(math.nan, math.nan, math.nan, math.nan)
+
+
+@dataclass(frozen=True, eq=False)
+class _Row:
+    origin: Floats
+    turn: float
+    cost: Cost
+    rewinds: int
+    kind: Kind
+
+
+def setup_map(
+    path: CLPath, machine: Machine, base: Setup, region: Region, posting: Posting, enough: float = 0.0,
+    progress: Progress = silent,
+) -> SetupMap:  # fmt: skip
+    """What the program of ``path`` costs wherever the part may stand, and where it should.
+
+    ``path`` in the work frame of the present setup ``base``, turn 0; the tool length is that of ``base``. Each setup of the grid
+    is posted, rounded and measured as a full run would; then the least deviation of each turn is searched over the whole
+    region, with a proof (module ``search``). ``enough`` mm: setups below this deviation are equally good, and time decides.
+    Raises SettingsError for a path without rows and a negative ``enough``, ReachError where no turn is within the rotary limits.
+    """
+    if not len(path.tip):
+        raise SettingsError("there is no path to set up: it has no rows", 0)
+    if not enough >= 0.0:
+        raise SettingsError(f"a deviation of {enough:g} mm cannot be enough; give 0 or more", enough)
+    steps = 1 + region.size + SEARCH_WORTH * len(region.turns)
+    rows, found, lost = _Rows(progress, steps), [], []
+    present = np.array(base.origin, float)
+    for turn, kind in [(0.0, Kind.PRESENT), *((turn, Kind.GRID) for turn in region.turns)]:
+        zeros = present[None] if kind == Kind.PRESENT else region.grid()
+        try:
+            driven = drive_turned(path, machine, base, posting, turn, rows.part)
+        except ReachError as error:
+            lost.append((turn, error))
+            rows.nowhere(zeros, turn, kind)
+            continue
+        rows.measure(driven, zeros, kind)
+        if kind == Kind.GRID:
+            found.append(rows.search(driven, region, present, enough))
+    if not found:
+        raise lost[-1][1]
+    return _mapped(machine, base, region, enough, rows, found, lost)
+
+
+class _Rows:
+    """The rows of a map while it is made, and how far that is."""
+
+    def __init__(self, progress: Progress, steps: int) -> None:
+        self.rows: list[_Row] = []
+        self.found: list[_Row] = []
+        self._progress, self._steps, self._done = progress, steps, 0.0
+
+    def part(self, stage: str, fraction: float) -> None:
+        """Progress of a stage that counts for nothing, but may be cancelled."""
+        self._progress("setup map", min(1.0, self._done / self._steps))
+
+    def measure(self, driven: Driven, zeros: Floats, kind: Kind) -> None:
+        for origin in zeros:
+            self.part("", 0.0)
+            self.rows.append(_Row(origin, driven.turn, driven.cost(origin), driven.rewinds, kind))
+            self._done += 1.0
+
+    def nowhere(self, zeros: Floats, turn: float, kind: Kind) -> None:
+        self.rows += [_Row(origin, turn, NOWHERE, 0, kind) for origin in zeros]
+        self._done += len(zeros) + (SEARCH_WORTH if kind == Kind.GRID else 0)
+
+    def search(self, driven: Driven, region: Region, present: Floats, enough: float) -> Found:
+        before = self._done
+
+        def part(stage: str, fraction: float) -> None:
+            self._done = before + SEARCH_WORTH * fraction
+            self.part(stage, fraction)
+
+        found = best_origin(driven, region, present, enough, part)
+        if found.origin is not None:
+            origin, cost = _to_set(driven, region, found.origin)
+            self.found.append(_Row(origin, driven.turn, cost, driven.rewinds, Kind.FOUND))
+        self._done = before + SEARCH_WORTH
+        return found
+
+    def all(self) -> list[_Row]:
+        self._progress("setup map", 1.0)
+        return self.rows + self.found
+
+
+def _to_set(driven: Driven, region: Region, found: Floats) -> tuple[Floats, Cost]:
+    """The work zero in steps that somebody can set; the one that was found where these would leave the limits."""
+    origin = np.clip(np.round(found, SET_DECIMALS), region.low, region.high)
+    cost = driven.cost(origin)
+    return (origin, cost) if cost.within else (found, driven.cost(found))
+
+
+def _mapped(
+    machine: Machine, base: Setup, region: Region, enough: float, made: _Rows, found: list[Found],
+    lost: list[tuple[float, ReachError]],
+) -> SetupMap:  # fmt: skip
+    rows = made.all()
+    origin, costs = np.array([row.origin for row in rows]), [row.cost for row in rows]
+    deviation, time = np.array([cost.deviation for cost in costs]), np.array([cost.time for cost in costs])
+    rewinds, within = np.array([row.rewinds for row in rows]), np.array([cost.within for cost in costs])
+    eligible = within & _inside(origin, region)
+    best = recommended(origin, base.origin, deviation, time, rewinds, eligible, enough)
+    least = min((one.least for one in found if one.origin is not None), default=math.nan)
+    return SetupMap(
+        machine=machine.name, base=base, region=region, origin=origin, turn=np.array([row.turn for row in rows]),
+        max_deviation=deviation, rotary_travel=np.array([cost.travel for cost in costs]), time=time,
+        over=np.array([cost.over for cost in costs]), within_limits=within, rewinds=rewinds,
+        kind=np.array([row.kind for row in rows], np.int8), best=best, least=least,
+        findings=(*_findings(region, origin, best, found), *_lost_findings(lost)),
+    )  # fmt: skip
+
+
+def _inside(origin: Floats, region: Region) -> Bools:
+    return np.asarray(((origin >= region.low) & (origin <= region.high)).all(axis=1))
+
+
+def _findings(region: Region, origin: Floats, best: int | None, found: list[Found]) -> Iterator[Finding]:
+    if best is None:
+        over = min(one.over for one in found)
+        text = (
+            f"No work zero of the setup region keeps the linear axes within their limits: they are exceeded by {over:.4g} mm at "
+            "least. Widen the region, turn the part, or take a larger machine."
+        )
+        yield Finding(Severity.ERROR, "no-setup-within-limits", text, over, 0.0, "mm")
+        return
+    low, high = np.array(region.low), np.array(region.high)
+    edges = [
+        f"{letter} {end[axis]:g}"
+        for axis, letter in enumerate("XYZ")
+        for end in (low, high)
+        if high[axis] > low[axis] and abs(origin[best, axis] - end[axis]) < 1e-6
+    ]
+    if edges:
+        text = f"The recommended setup lies on the edge of the region ({', '.join(edges)}); beyond it may be a better one."
+        yield Finding(Severity.NOTE, "setup-at-edge", text, float(len(edges)), None, "1")
+
+
+def _lost_findings(lost: list[tuple[float, ReachError]]) -> Iterator[Finding]:
+    for turn, error in lost:
+        angle = math.degrees(turn)
+        text = f"With the part turned by {angle:g} deg the rotary limits allow no way: {error}."
+        yield Finding(Severity.WARNING, "turn-out-of-reach", text, angle, None, "deg")

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is said of a map of setups: one sentence, text, JSON, a page with heat maps, and places for the 3D view."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Mapping
+from html import escape
+
+import numpy as np
+
+from freecad_fiveaxis.core.findings import Severity
+from freecad_fiveaxis.core.report.json_text import plain
+from freecad_fiveaxis.core.report.markers import MARKERS, Marker
+from freecad_fiveaxis.core.report.text import duration, number
+
+from .heat_map import heat_maps
+from .setups import Kind, SetupMap
+from .sheet import Table, figures, findings_list, json_text, page, section, table, text_table
+
+VERSION = 1
+"""Of the JSON record: raised when a key changes its meaning."""
+LEAST_GAIN = 1.05
+"""A setup that lowers the deviation by less than this is no reason to move the part."""
+WIDTH = 100
+
+HEAD = ("setup", "X, mm", "Y, mm", "Z, mm", "turn, deg", "deviation, mm", "rotary travel, deg", "time", "rewinds", "limits")
+
+
+def verdict(chart: SetupMap) -> str:
+    """One plain sentence: where the part should stand, and what that brings."""
+    if chart.best is None:
+        return "No setup of the region keeps all axes within their limits."
+    x, y, z = chart.origin[chart.best] + 0.0  # no -0
+    best, now = float(chart.max_deviation[chart.best]), float(chart.max_deviation[0])
+    turn = math.degrees(chart.turn[chart.best])
+    place = f"the work zero at X {x:.3f} Y {y:.3f} Z {z:.3f} mm of the machine"
+    place += f" and the part turned by {turn:g} deg" if turn else ""
+    if not math.isfinite(now) or not chart.within_limits[0]:
+        return f"Stand {place}: largest deviation {best:.4g} mm. In the present setup the axes leave their limits."
+    if now <= LEAST_GAIN * best:
+        return f"The present setup is as good as any of the region: largest deviation {now:.4g} mm."
+    return f"Stand {place}: largest deviation {best:.4g} mm instead of {now:.4g} mm, {now / max(best, 1e-9):.3g} times less."
+
+
+def advice(chart: SetupMap) -> tuple[str, ...]:
+    """What to do to get the recommended setup, step by step; nothing where there is none."""
+    if chart.best is None:
+        return ()
+    turn = math.degrees(chart.turn[chart.best])
+    place = f"give to mill and post: {origin_option(chart)}"
+    if not turn:
+        return (place,)
+    return (
+        f"turn the part in CAD by {turn:g} deg about Z through its zero, counter-clockwise seen from above, and export it",
+        f"add {turn:g} deg to --direction, so that the passes turn with the part",
+        place,
+    )
+
+
+def origin_option(chart: SetupMap) -> str:
+    """The recommended work zero as an option of the command line, ``--origin=X,Y,Z`` mm; empty where there is none."""
+    if chart.best is None:
+        return ""
+    return "--origin=" + ",".join(f"{round(value, 4) + 0.0:.12g}" for value in chart.origin[chart.best].tolist())
+
+
+def setup_text(chart: SetupMap) -> str:
+    """The map for the terminal: the sentence, the setups worth naming, the findings."""
+    lines = [*textwrap.wrap(verdict(chart), WIDTH), *(f"  {step}" for step in advice(chart)), "", *text_table(_named(chart)), ""]
+    lines += textwrap.wrap(_proven(chart), WIDTH)
+    for one in chart.findings:
+        lines += textwrap.wrap(
+            f"{one.severity.name} {one.code}: {one.text}", WIDTH, initial_indent="  ", subsequent_indent="    "
+        )
+    return "\n".join(lines) + "\n"
+
+
+def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> str:
+    """The map for scripts: mm, degrees, seconds. Keys: version, machine, tool_length, best (index into setups), least, setups,
+    findings, inputs (a job file)."""
+    columns = {
+        "origin": chart.origin, "turn_deg": np.degrees(chart.turn), "max_deviation": chart.max_deviation,
+        "rotary_travel_deg": np.degrees(chart.rotary_travel), "time_s": chart.time, "over_limits": chart.over,
+        "within_limits": chart.within_limits, "rewinds": chart.rewinds,
+    }  # fmt: skip
+    kinds = [Kind(kind).name.lower() for kind in chart.kind]
+    setups = [{"kind": kinds[row]} | {name: plain(column[row]) for name, column in columns.items()} for row in range(len(kinds))]
+    record = {
+        "version": VERSION, "machine": chart.machine, "tool_length": chart.base.tool_length, "best": chart.best,
+        "least": chart.least, "setups": setups, "findings": chart.findings, "inputs": inputs or {},
+    }  # fmt: skip
+    return json_text(record)
+
+
+def heat_map_html(chart: SetupMap, title: str = "") -> str:
+    """The map as one page that needs nothing else. The heat maps need matplotlib; without it the page says how to get them."""
+    pictures = figures(heat_maps(chart), bool(np.isfinite(chart.max_deviation).any()))
+    body = [
+        section("What to do", "".join(f"<p><code>{escape(step)}</code></p>" for step in advice(chart))),
+        section("Setups", table(_named(chart)) + f'<p class="note">{_proven(chart)}</p>'),
+        *pictures,
+        section("Turns", table(_turn_table(chart)) if len(chart.region.turns) > 1 else ""),
+        section("Findings", findings_list(chart.findings)),
+        section("The words used here", WORDS),
+    ]
+    bad = chart.best is None or any(one.severity == Severity.ERROR for one in chart.findings)
+    return page(
+        "Where the part should stand", f"{title} on {chart.machine}".lstrip(), verdict(chart), "bad" if bad else "good", body
+    )
+
+
+def setup_markers(chart: SetupMap) -> tuple[Marker, ...]:
+    """Places for the 3D view, in the work frame of the present setup: where the work zero should stand, where it stands, and
+    the grid at the recommended turn, the best first."""
+    place = chart.origin - np.array(chart.base.origin)
+
+    def marker(row: int, kind: str, label: str) -> Marker:
+        x, y, z = place[row].tolist()
+        return Marker((x, y, z), kind, label)
+
+    turn = math.degrees(chart.turn[chart.best]) if chart.best is not None else 0.0
+    turned = f", turned by {turn:g} deg" if turn else ""
+    best = () if chart.best is None else (marker(chart.best, "setup-best", f"best work zero: {_mm(chart, chart.best)}{turned}"),)
+    at = chart.turn[chart.best] if chart.best is not None else chart.region.turns[0]
+    rows = np.flatnonzero((chart.kind == Kind.GRID) & (chart.turn == at) & np.isfinite(chart.max_deviation))
+    rows = rows[np.argsort(chart.max_deviation[rows], kind="stable")][:MARKERS]
+    kinds = ["setup" if chart.within_limits[row] else "setup-beyond-limits" for row in rows]
+    grid = [marker(int(row), kind, _mm(chart, int(row))) for row, kind in zip(rows, kinds, strict=True)]
+    return (*best, marker(0, "setup-present", f"work zero now: {_mm(chart, 0)}"), *grid)
+
+
+def _mm(chart: SetupMap, row: int) -> str:
+    return f"{number(float(chart.max_deviation[row]), 4)} mm"
+
+
+def _named(chart: SetupMap) -> Table:
+    """The setups worth naming: recommended, present, best and worst of the grid."""
+    rows = [("present", 0)] if chart.best is None else [("recommended", chart.best), ("present", 0)]
+    grid = np.flatnonzero((chart.kind == Kind.GRID) & np.isfinite(chart.max_deviation))
+    if len(grid):
+        order = grid[np.argsort(chart.max_deviation[grid], kind="stable")]
+        rows += [("best of the grid", int(order[0])), ("worst of the grid", int(order[-1]))]
+    return Table(HEAD, [_cells(chart, name, row) for name, row in rows])
+
+
+def _turn_table(chart: SetupMap) -> Table:
+    """The setup that was found at each turn."""
+    rows = np.flatnonzero(chart.kind == Kind.FOUND)
+    return Table(HEAD, [_cells(chart, "best at this turn", int(row)) for row in rows])
+
+
+def _cells(chart: SetupMap, name: str, row: int) -> list[str]:
+    limits = "within" if chart.within_limits[row] else f"over by {number(float(chart.over[row]), 3)} mm"
+    if not math.isfinite(chart.max_deviation[row]):
+        return [name, *(number(value, 3) for value in chart.origin[row]), f"{math.degrees(chart.turn[row]):g}", *"----", "rotary"]
+    return [
+        name,
+        *(number(value, 3) for value in chart.origin[row]),
+        f"{math.degrees(chart.turn[row]):g}",
+        number(float(chart.max_deviation[row]), 6),
+        number(math.degrees(chart.rotary_travel[row]), 1),
+        duration(float(chart.time[row])),
+        str(chart.rewinds[row]),
+        limits,
+    ]
+
+
+def _proven(chart: SetupMap) -> str:
+    if not math.isfinite(chart.least):
+        return ""
+    turns = "at the turns tried" if len(chart.region.turns) > 1 else "at this turn"
+    return f"Proven: no work zero of the region has less than {chart.least:.4g} mm {turns}, but for the rounding of words."
+
+
+WORDS = """<dl><dt>Work zero</dt><dd>The zero of the program's coordinates, as it stands in the machine's frame: what a work
+offset (G54) says. The part stands where its own zero does.</dd>
+<dt>Turn</dt><dd>The part turned counter-clockwise about Z through the work zero, seen from above.</dd>
+<dt>Deviation</dt><dd>The largest distance of the tip's real path from the commanded segments, of all blocks at feed.</dd>
+<dt>Rewind</dt><dd>A retract inside a cut, because a rotary axis has to turn back.</dd></dl>"""
