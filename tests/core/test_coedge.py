@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from offset_examples import ball, clearance, distance, field, hull, joined, own_clearance, prism
 
-from freecad_fiveaxis.core.coedge import close_gaps, coedge, junction, trimming
+from freecad_fiveaxis.core.coedge import close_gaps, columns, junction, trimming
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.mesh import from_faces
@@ -374,9 +374,9 @@ def test_the_size_of_the_parts_worked_on_does_not_matter(monkeypatch):
     mesh = field(FIELDS["waves"], seed=2)
     contact = slice_mesh(mesh, np.linspace(-15, 15, 6), ANGLE)
     whole = close_gaps(contact, mesh, 5.0, 0.001)
-    monkeypatch.setattr(coedge, "CHUNK", 14)
+    monkeypatch.setattr(columns, "CHUNK", 14)
     monkeypatch.setattr(junction, "CHUNK", 7)
-    monkeypatch.setattr(coedge, "BATCH", 20)
+    monkeypatch.setattr(junction, "GROUP", 20)
     small = close_gaps(contact, mesh, 5.0, 0.001)
     for name in ("centre", "before", "after", "segment", "fill"):
         np.testing.assert_array_equal(getattr(whole, name), getattr(small, name))

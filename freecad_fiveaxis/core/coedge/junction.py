@@ -12,7 +12,7 @@ plane that touches the ball of that radius about the contact of a convex junctio
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -35,6 +35,9 @@ GRAZING = 1e-6
 
 KNIFE = 1e-6
 """rad; nearer than this to half a turn two normals do not span a plane. The arc then goes round in the direction of travel."""
+
+GROUP = 32768
+"""Segments that are closed together, about half as many as rows: columns long enough for two threads."""
 
 CHUNK = 16384
 """Rows handled at a time: a few dozen columns of these stay in the processor's cache."""
@@ -106,6 +109,12 @@ class Rows(NamedTuple):
     centre: Floats
 
 
+def chosen(rows: Rows, which: slice | Ints) -> Rows:
+    """Some of the rows, without what is said of lifted ones."""
+    columns = {name: getattr(rows, name)[which] for name in Rows._fields[:-2]}
+    return Rows(**columns, lifted=np.empty(0, np.int64), centre=np.empty((3, 0)))
+
+
 def find_segments(contact: ContactPath) -> Segments:
     """The segments of a contact path in their order, without those that have no length (a plane through a vertex)."""
     point, normal = np.ascontiguousarray(contact.point.T), np.ascontiguousarray(contact.normal.T)
@@ -118,6 +127,19 @@ def find_segments(contact: ContactPath) -> Segments:
     following = np.arange(1, len(live) + 1)
     following[last] = np.where((seam < SAME) & (last > first), first, -1)
     return Segments(point, normal, length, live, following, first)
+
+
+def groups(segments: Segments) -> list[Segments]:
+    """The same in parts of whole polylines, of GROUP segments or a little more where polylines are shorter than that."""
+    ends = np.append(segments.first[1:], len(segments.live))[: len(segments.first)]
+    bounds = ends[np.diff(ends // GROUP, append=-1) != 0].tolist()
+    parts = []
+    for low, high in zip([0, *bounds], bounds, strict=False):
+        following, first = segments.following[low:high], segments.first
+        here = first[(first >= low) & (first < high)] - low
+        following = np.where(following < 0, -1, following - low)
+        parts.append(replace(segments, live=segments.live[low:high], following=following, first=here))
+    return parts
 
 
 def find_junctions(segments: Segments, radius: float, tolerance: float) -> Junctions:
@@ -206,5 +228,4 @@ def junction_rows(segments: Segments, junctions: Junctions, at: Ints, step: Ints
     reach[middle] = radius / np.cos(half)
     shift = np.where(step > 0, junctions.trim_start.take(at), junctions.trim_end.take(at))
     base = np.where(final, 2 * after, 2 * before + 1)
-    none = np.empty(0, np.int64)
-    return Rows(base, after, before, after, w1, w2, w3, reach, shift, step > 0, none, np.empty((3, 0)))
+    return Rows(base, after, before, after, w1, w2, w3, reach, shift, step > 0, np.empty(0, np.int64), np.empty((3, 0)))

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From some polylines of segments to the rows of their offset, in short form and in their order.
+
+easy      a polyline in which no segment is used up: its rows follow from each junction alone.
+tight     any other; its rows come from :mod:`.trimming`.
+number    of a row: its place among all rows of these polylines, those that are left out counted too.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.records import Bools, Ints
+
+from .junction import Junctions, Rows, Segments, chosen, find_junctions, junction_rows
+from .trimming import Trimmed, find_used_up, trim_polylines
+
+
+class Closed(NamedTuple):
+    """``rows`` in their order; ``begins`` (n,) where a polyline begins, None where all rows are kept; ``trimmed`` the tight
+    polylines, None where there are none."""
+
+    rows: Rows
+    begins: Bools | None
+    trimmed: Trimmed | None
+
+
+class _Numbered(NamedTuple):
+    """Rows with their ``number`` and ``line``, the polyline, (n,) each."""
+
+    number: Ints
+    line: Ints
+    rows: Rows
+
+
+def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools | None) -> Closed:
+    """The rows of whole polylines. ``cut``: which segments of the contact path are cut, None: all; of the others no row stays,
+    nor a row that has no neighbour left."""
+    junctions = find_junctions(segments, radius, tolerance)
+    tight = find_used_up(segments, junctions)
+    if not len(tight):
+        place = _places(segments, junctions.rows)
+        found, trimmed = _easy(segments, junctions, _near(segments, None, cut), place, radius), None
+    else:
+        is_tight = np.isin(segments.line, tight)
+        trimmed = trim_polylines(segments, junctions, np.flatnonzero(is_tight), radius, tolerance)
+        place = _places(segments, np.where(is_tight, 0, junctions.rows), is_tight[segments.first], trimmed.line)
+        easy = _easy(segments, junctions, _near(segments, is_tight, cut), place, radius)
+        found = _merged(easy, _numbered(segments, place, trimmed))
+    if cut is None:
+        return Closed(found.rows, None, trimmed)
+    return Closed(*_lasting(found, cut), trimmed)
+
+
+def _places(segments: Segments, count: Ints, tight: Bools | None = None, line: Ints | None = None) -> Ints:
+    """The number (m + 1,) of the first row of each position, ``count`` (m,) rows each and one where a polyline begins; all rows
+    of a ``tight`` (p,) polyline stand at its first position, ``line`` of each."""
+    place = np.zeros(len(count) + 1, np.int64)
+    place[1:] = count
+    place[1 + segments.first] += 1
+    if tight is not None and line is not None:
+        place[1 + segments.first[tight]] = np.bincount(line, minlength=len(segments.first))[tight]
+    return np.cumsum(place, out=place)
+
+
+def _near(segments: Segments, tight: Bools | None, cut: Bools | None) -> Ints:
+    """The positions whose junction lies beside a segment that is cut, but for those of tight polylines."""
+    m = len(segments.live)
+    here = np.ones(m, bool) if cut is None else cut.take(segments.live)
+    near = here | here.take(np.where(segments.following < 0, np.arange(m), segments.following))
+    return np.flatnonzero(near if tight is None else near & ~tight)
+
+
+def _easy(segments: Segments, junctions: Junctions, at: Ints, place: Ints, radius: float) -> _Numbered:
+    """The rows of junctions at positions ``at`` (k,); step -1 is the row where a polyline begins: its first contact, or the last
+    row of its seam."""
+    last = np.full(len(segments.live), -1)
+    last[segments.first] = segments.last
+    low = place[at]
+    count = place[at + 1] - low
+    head = np.cumsum(count) - count
+    row = np.arange(count.sum())
+    number, step = row + np.repeat(low - head, count), row - np.repeat(head + (last[at] >= 0), count)
+    at = np.repeat(at, count)
+    line = segments.line.take(at)
+    begin = np.flatnonzero(step < 0)
+    first, end = at[begin], last[at[begin]]
+    closed = segments.following[end] >= 0
+    at[begin], step[begin] = np.where(closed, end, first), np.where(closed, junctions.rows[end] - 1, 0)
+    rows = junction_rows(segments, junctions, at, step, radius)
+    rows.fill[begin] = False
+    opened, segment = begin[~closed], segments.live[first[~closed]]
+    for column, value in ((rows.w1, 1.0), (rows.w2, 0.0), (rows.w3, 0.0), (rows.reach, radius), (rows.shift, 0.0)):
+        column[opened] = value
+    rows.base[opened], rows.left[opened], rows.right[opened] = 2 * segment, segment, segment
+    return _Numbered(number, line, rows)
+
+
+def _numbered(segments: Segments, place: Ints, trimmed: Trimmed) -> _Numbered:
+    line = trimmed.line
+    start = np.flatnonzero(np.diff(line, prepend=-1))
+    shift = place[segments.first[line[start]]] - start
+    return _Numbered(np.arange(len(line)) + np.repeat(shift, np.diff(start, append=len(line))), line, trimmed.rows)
+
+
+def _merged(one: _Numbered, two: _Numbered) -> _Numbered:
+    """The rows of both in the order of their numbers."""
+    number, line = np.concatenate([one.number, two.number]), np.concatenate([one.line, two.line])
+    columns = {name: np.concatenate([getattr(one.rows, name), getattr(two.rows, name)]) for name in Rows._fields[:-2]}
+    both = Rows(**columns, lifted=two.rows.lifted + len(one.number), centre=two.rows.centre)
+    order = np.argsort(number, kind="stable")
+    return _Numbered(number[order], line[order], _picked(both, order))
+
+
+def _picked(rows: Rows, index: Ints) -> Rows:
+    """The rows ``index`` (k,), in that order."""
+    picked = chosen(rows, index)
+    if not len(rows.lifted):
+        return picked
+    place = np.full(len(rows.base), -1)
+    place[index] = np.arange(len(index))
+    lifted = place[rows.lifted]
+    return picked._replace(lifted=lifted[lifted >= 0], centre=rows.centre[:, lifted >= 0])
+
+
+def _lasting(found: _Numbered, cut: Bools) -> tuple[Rows, Bools]:
+    """The rows that stand over what is cut and have a neighbour, and which of them begin a polyline. The segments on their sides
+    become ones that are cut."""
+    rows = found.rows
+    left, right = cut.take(rows.left), cut.take(rows.right)
+    between = (left != right) & ((rows.w2 != 0.0) | (rows.w3 != 0.0))  # on its way round an edge to a left-out facet
+    kept = np.flatnonzero(cut.take(rows.base >> 1) & ~between)
+    begins = row_begins(found.number.take(kept), found.line.take(kept))
+    size = np.diff(np.flatnonzero(begins), append=len(kept))
+    lasting = np.repeat(size > 1, size)
+    rows = rows._replace(left=np.where(left, rows.left, rows.right), right=np.where(right, rows.right, rows.left))
+    return _picked(rows, kept[lasting]), begins[lasting]
+
+
+def row_begins(number: Ints, line: Ints) -> Bools:
+    """Which rows begin a polyline when only those of these numbers, of that polyline each, are left."""
+    return np.asarray((np.diff(number, prepend=-2) != 1) | (np.diff(line, prepend=-1) != 0))
