@@ -12,20 +12,29 @@ from collections.abc import Callable, Mapping, Sequence
 from freecad_fiveaxis.core.cl_path import CLPath
 from freecad_fiveaxis.core.coedge import OffsetPath
 from freecad_fiveaxis.core.compare import Cure, Station, solved
+from freecad_fiveaxis.core.deform import deform_axes
 from freecad_fiveaxis.core.joint_path import JointPath
 from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.linearize import linearize
+from freecad_fiveaxis.core.minimax import minimax_axes
 
 from .errors import SettingsError
-from .job import Milled, Posted, linked
+from .job import Milled, Posted, linked, reach
 from .progress import Progress
 from .records import Floats
 
-CURES: Mapping[str, Callable[[Posted], Cure]] = {
-    "none": lambda made: solved,
-}
-
 Lead = Callable[[OffsetPath, Floats, Chain, Progress], Floats]
 """From the rows of the passes, their tool axes (n, 3) and a machine to better axes (n, 3)."""
+
+
+def dividing(made: Posted) -> Cure:
+    """The cure that divides feed blocks over tolerance into the fewest that hold it."""
+
+    def cure(path: CLPath, where: Station, progress: Progress) -> JointPath:
+        joints = solved(path, where, progress)
+        return linearize(joints, where.links, where.posting.dialect, made.settings.proof.tolerance, None, progress)
+
+    return cure
 
 
 def known_cures(names: Sequence[str] = ()) -> tuple[str, ...]:
@@ -52,3 +61,23 @@ def leading(made: Posted, lead: Lead) -> Cure:
         return solved(linked(made.settings, made.offset, axis, made.mesh, progress), where, progress)
 
     return cure
+
+
+def _to_least_deviation(made: Posted) -> Cure:
+    tool, feed, distance = made.settings.tool_axis, made.settings.feeds.feed, reach(made.settings)
+    return leading(
+        made, lambda offset, axis, links, progress: minimax_axes(offset, axis, links, distance, tool.max_tilt, feed, progress)
+    )
+
+
+def _past_pole(made: Posted) -> Cure:
+    change = made.settings.cure.max_axis_change
+    return leading(made, lambda offset, axis, links, progress: deform_axes(offset, axis, links, change, progress)[0])
+
+
+CURES: Mapping[str, Callable[[Posted], Cure]] = {
+    "none": lambda made: solved,
+    "linearize": dividing,
+    "minimax": _to_least_deviation,
+    "deform": _past_pole,
+}

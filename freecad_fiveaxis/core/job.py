@@ -143,17 +143,17 @@ def _led(
     settings: Settings, offset: OffsetPath, axis: Floats, links: Chain, progress: Progress
 ) -> tuple[Floats, tuple[Finding, ...]]:
     """The strategy's axes, led where the settings ask for it: to the least deviation, then past the pole."""
-    tool, cure, reach = settings.tool_axis, settings.cure, _reach(settings)
+    tool, cure, distance = settings.tool_axis, settings.cure, reach(settings)
     if tool.tool_axis == "minimax":
-        axis = minimax_axes(offset, axis, links, reach, tool.max_tilt, settings.feeds.feed, progress)
+        axis = minimax_axes(offset, axis, links, distance, tool.max_tilt, settings.feeds.feed, progress)
     if cure.singularity != "deform":
         return axis, ()
     made, led = deform_axes(offset, axis, links, cure.max_axis_change, progress)
     tolerance = settings.proof.tolerance
-    return made, led + (trade_findings(offset, axis, links, cure.max_axis_change, tolerance, reach, progress) if led else ())
+    return made, led + (trade_findings(offset, axis, links, cure.max_axis_change, tolerance, distance, progress) if led else ())
 
 
-def _reach(settings: Settings) -> float:
+def reach(settings: Settings) -> float:
     """From the driven point to the ball's centre, mm."""
     return settings.cutter.cutter.radius if settings.machine.control_point == "tip" else 0.0
 

@@ -171,7 +171,7 @@ class CureSettings:
         "off", "choice", "divide feed blocks over tolerance into the fewest that hold it", (MILL, POST), choices=("on", "off")
     )
     singularity: str = option(
-        "report", "choice", "near the pole: only report, divide blocks over tolerance there, or lead the tool axis past it (deform)",
+        "report", "choice", "near the pole: only report, divide blocks over tolerance, or lead the tool axis past it (deform)",
         (MILL, POST), choices=SINGULARITY,
     )  # fmt: skip
     max_axis_change: float = option(
