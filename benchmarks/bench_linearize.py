@@ -13,6 +13,8 @@ from __future__ import annotations
 
 import statistics
 import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +24,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "core"
 
 from five_kinds import interleaved, links_of, random_blocks
 
-from benchmarks.timing import print_table, run_seconds
+from benchmarks.timing import print_table
 from freecad_fiveaxis.core.deviation import measure
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, inverse_axis, joint_words, q_to_words, words_to_q
 from freecad_fiveaxis.core.linearize import linearize_words
@@ -107,12 +109,18 @@ def compare(name: str, links: Chain, words: Floats, feeds: Ints) -> tuple[list[o
         lambda: linearize_words(links, words, (DECIMALS, DECIMALS), TOLERANCE, wanted),
         lambda: bisected(links, words[rows - 1], words[rows]),
     )
-    ours, peers = np.min([[run_seconds(call, 1)[0] for call in calls] for _ in range(ROUNDS)], axis=0)  # least disturbed
+    ours, peers = np.min([[_seconds(call) for call in calls] for _ in range(ROUNDS)], axis=0)  # both are warm; least disturbed
     many, rate, other = halves > 4, count.sum() / ours, halves.sum() / peers
     ratio = statistics.median((count[many] / halves[many]).tolist())
     more = f"{int((count > halves)[halves > 0].sum())} of {int((halves > 0).sum())}"
     rates = [f"{rate / 1e3:.0f} k", f"{other / 1e3:.0f} k", f"{rate / other:.1f}"]
     return [name, len(rows), count.sum(), *rates, f"{ratio:.2f}", more], rate
+
+
+def _seconds(call: Callable[[], object]) -> float:
+    start = time.perf_counter()
+    call()
+    return time.perf_counter() - start
 
 
 HEADS = ("blocks", "over", "made", "made/s", "peer made/s", "ratio", "made/peer made", "worse than the peer")

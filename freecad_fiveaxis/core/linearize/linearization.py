@@ -41,7 +41,7 @@ from .proof import judge_pieces, off_points
 CHUNK = 8192
 """Blocks judged at a time."""
 
-PORTION = 16384
+PORTION = 32768
 """Pieces aimed at in a portion of blocks that are divided together."""
 
 LIMIT_SPARE, LIMIT_FACTOR = 64, 8.0
