@@ -204,7 +204,12 @@ class SetupSettings:
         None, "counts", "places that the map shows along X,Y,Z [as many as take some seconds]", (SETUP,), least=1, most=200
     )
     turns: float = option(
-        1.0, "count", "so many turns of the part about Z are tried, evenly over 360 deg", (SETUP,), least=1, most=360
+        1.0,
+        "count",
+        "so many turns of the part about Z are tried, evenly over 360 deg [1: as it stands]",
+        (SETUP,),
+        least=1,
+        most=360,
     )
 
 

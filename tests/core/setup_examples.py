@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A spherical cap and its path, for the tests of setups and comparisons."""
+
+from functools import cache
+
+import numpy as np
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.mesh import from_triangles
+from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.setup_map import Posting
+
+RADIUS, CENTRE = 40.0, -10.0
+"""mm; the sphere's centre lies on Z of the part."""
+
+
+def cap(half_angle=50.0, rings=20, sectors=60):
+    """An open cap of the sphere, its pole up."""
+    tilt, turn = np.radians(half_angle) * np.arange(rings + 1) / rings, 2.0 * np.pi * np.arange(sectors) / sectors
+    x, y, z = np.outer(np.sin(tilt), np.cos(turn)), np.outer(np.sin(tilt), np.sin(turn)), np.outer(np.cos(tilt), np.ones(sectors))
+    here = RADIUS * np.stack([x, y, z], axis=-1) + (0.0, 0.0, CENTRE)
+    there = np.roll(here, -1, axis=1)
+    one = np.stack([here[:-1], here[1:], there[1:]], axis=2).reshape(-1, 3, 3)
+    two = np.stack([here[1:-1], there[2:], there[1:-1]], axis=2).reshape(-1, 3, 3)
+    return from_triangles(np.concatenate([one, two]))
+
+
+@cache
+def milled(machine="trunnion_ac", stepover=3.8, rings=20, **options):
+    """The cap's program, as ``mill`` makes it."""
+    given = {"machine": machine, "stepover": stepover, **options}
+    return job.make(build_settings("mill", "cap.stl", given), mesh=cap(rings=rings, sectors=3 * rings))
+
+
+def posting(made):
+    """As the street posts."""
+    return Posting(made.dialect, True, made.settings.links.clearance, made.settings.cutter.cutter.radius, made.mesh.vertex)

@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The map of setups: against full runs, its proof of the least deviation, and what is said of it."""
+
+import base64
+import json
+import math
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from setup_examples import CENTRE, cap, milled, posting
+
+from freecad_fiveaxis.core import trials
+from freecad_fiveaxis.core.deviation import measure
+from freecad_fiveaxis.core.errors import Cancelled, ReachError, SettingsError
+from freecad_fiveaxis.core.joint_path import solve
+from freecad_fiveaxis.core.kinematics import Setup, chain
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.program import build_program
+from freecad_fiveaxis.core.report import Marker
+from freecad_fiveaxis.core.report.figures import feed_blocks
+from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.setup_map import (
+    Kind, Region, advice, heat_map_html, heat_maps, origin_option, part_box, setup_json, setup_map, setup_markers, setup_text,
+    turned_path, verdict,
+)  # fmt: skip
+from freecad_fiveaxis.core.setup_map.driven import drive_turned
+from freecad_fiveaxis.core.setup_map.setups import MOST_SETUPS, recommended
+
+COARSE = {"stepover": 12.0, "rings": 8}
+
+
+def full_run(made, machine, origin, turn):
+    """Deviation mm, rotary travel rad, time s and excess over limits mm of one setup, by the street's own calls."""
+    links = chain(machine, Setup(tuple(origin), made.settings.machine.tool_length or 0.0))
+    path, how = turned_path(made.path, turn), posting(made)
+    joints = solve(path, links, *part_box(path, how.part, turn), how.clearance, how.radius)
+    program = build_program(joints, links, how.dialect, how.inverse_time)
+    segment = measure(links, program.words).segment[feed_blocks(program)]
+    over = np.maximum(joints.q[:, :3] - links.high[:3], links.low[:3] - joints.q[:, :3]).max()
+    travel = np.abs(np.diff(np.radians(program.words[:, 3:]), axis=0)).sum()
+    return segment.max(), travel, program.seconds.sum(), max(over, 0.0)
+
+
+@pytest.fixture(scope="module")
+def chart():
+    """A map that has something of everything: three axes, two turns, places beyond the limits."""
+    made = milled(**COARSE)
+    region = Region((-700.0, -100.0, -90.0), (100.0, 120.0, 30.0), (3, 2, 2), (0.0, 0.7))
+    return setup_map(made.path, made.machine, Setup((60.0, 10.0, -20.0)), region, posting(made), 0.01)
+
+
+@pytest.mark.parametrize("machine", ["trunnion_ac", "trunnion_bc"])
+def test_the_rotary_centre_is_found_for_a_spherical_part(machine):
+    """Both rotary axes meet at (0, 0, z) of these machines; the ball's centre belongs there."""
+    centre = np.array([0.0, 0.0, load_machine(machine).axes[0].point[2] - CENTRE])
+    away = (100.0, 0.0, float(centre[2]))
+    given = {"machine": machine, "stepover": 3.8, "origin": away, "grid": "1,1,1", "region": "120,120,50"}
+    found = trials.try_setups(build_settings("setup", "cap.stl", given), mesh=cap()).chart
+    made = milled(machine)
+    at_centre = full_run(made, made.machine, centre, 0.0)[0]
+    assert found.max_deviation[0] > 10.0 * found.max_deviation[found.best]
+    assert found.max_deviation[found.best] <= 1.02 * at_centre + 1e-4
+    assert np.linalg.norm(found.origin[found.best][:2]) < 3.8  # within a stepover of the table's axis
+    assert found.least <= at_centre
+
+
+def test_the_map_agrees_with_a_full_run_at_20_random_setups():
+    made, rng = milled(**COARSE), np.random.default_rng(4)
+    low = rng.uniform(-200.0, 0.0, 3)
+    region = Region(tuple(low), tuple(low + rng.uniform(50.0, 300.0, 3)), (3, 2, 2), (0.0, 0.7))
+    chart = setup_map(made.path, made.machine, Setup((60.0, 10.0, -20.0)), region, posting(made))
+    for row in rng.choice(len(chart.turn), 20, replace=False):
+        run = full_run(made, made.machine, chart.origin[row], chart.turn[row])
+        mapped = [column[row] for column in (chart.max_deviation, chart.rotary_travel, chart.time, chart.over)]
+        assert np.abs(np.subtract(mapped, run)).max() <= 1e-6
+    assert abs(mapped[0] - full_run(made, made.machine, chart.origin[row] + (1.0, 0.0, 0.0), chart.turn[row])[0]) > 1e-6
+
+
+@pytest.mark.parametrize("machine", ["mikron_ucp710", "head_b_table_c", "nutating_table_b45"])
+def test_the_map_agrees_with_a_full_run_on_other_chains(machine):
+    made = milled(machine, tool_length=80.0, **COARSE)
+    region = Region((-50.0, -30.0, 0.0), (40.0, 60.0, 90.0), (2, 1, 1), (1.0,))
+    chart = setup_map(made.path, made.machine, Setup((10.0, 10.0, 10.0), 80.0), region, posting(made))
+    for row in range(len(chart.turn)):
+        run = full_run(made, made.machine, chart.origin[row], chart.turn[row])
+        mapped = [column[row] for column in (chart.max_deviation, chart.rotary_travel, chart.time, chart.over)]
+        assert np.abs(np.subtract(mapped, run)).max() <= 1e-6
+
+
+def test_the_present_row_is_what_mill_reports(chart):
+    made = milled(**COARSE, origin=(60.0, 10.0, -20.0))
+    segment = measure(made.links, made.program.words).segment[feed_blocks(made.program)]
+    assert chart.max_deviation[0] == pytest.approx(segment.max(), abs=1e-9)
+    assert chart.time[0] == pytest.approx(made.program.seconds.sum(), abs=1e-9)
+
+
+def test_the_deviation_is_convex_in_the_work_zero():
+    """What the proof rests on: at the middle of two work zeros it is no more than the mean, but for the rounding of words."""
+    made, rng = milled(**COARSE), np.random.default_rng(1)
+    driven = drive_turned(made.path, made.machine, Setup(), posting(made), 0.3)
+    for _ in range(12):
+        a, b = rng.uniform(-150.0, 150.0, (2, 3))
+        ends = [driven.cost(one).deviation for one in (a, b)]
+        assert driven.cost(0.5 * (a + b)).deviation <= 0.5 * sum(ends) + 5e-4
+
+
+def test_no_work_zero_has_less_than_the_proven_least():
+    made, rng = milled(**COARSE), np.random.default_rng(2)
+    region = Region((-80.0, -80.0, -80.0), (80.0, 80.0, 80.0), (1, 1, 1))
+    chart = setup_map(made.path, made.machine, Setup((70.0, 0.0, 0.0)), region, posting(made))
+    driven = drive_turned(made.path, made.machine, Setup(), posting(made), 0.0)
+    around = np.concatenate([rng.uniform(-80.0, 80.0, (20, 3)), chart.origin[-1] + rng.normal(0.0, 3.0, (20, 3))])
+    tried = [driven.cost(origin).deviation for origin in around]
+    assert min(tried) >= chart.least - 5e-4
+    assert chart.max_deviation[-1] <= 1.02 * chart.least + 1e-3  # the place that was found is as good as the proof
+    assert min(tried) < 1.3 * chart.least  # a least of nothing would prove nothing
+
+
+def test_where_no_direction_matters_the_part_stays():
+    """Of a machine whose both axes are in the head the deviation does not depend on the work zero at all."""
+    made = milled("fork_head_bc", tool_length=80.0, **COARSE)
+    region = Region((-50.0, -50.0, -50.0), (50.0, 50.0, 50.0), (2, 1, 1))
+    chart = setup_map(made.path, made.machine, Setup((0.0, 0.0, 0.0), 80.0), region, posting(made))
+    assert chart.origin[chart.best] == pytest.approx([0.0, 0.0, 0.0], abs=1e-3)
+    assert verdict(chart).startswith("The present setup is as good as any")
+
+
+def test_limits_are_told_where_they_are_left(chart):
+    made = milled(**COARSE)
+    assert not chart.within_limits.all() and chart.within_limits.any()
+    assert (chart.within_limits == (chart.over <= 1e-6)).all()
+    row = int(chart.over.argmax())
+    assert chart.over[row] == pytest.approx(full_run(made, made.machine, chart.origin[row], chart.turn[row])[3], abs=1e-6)
+    assert chart.within_limits[chart.best]
+
+
+def test_a_region_that_leaves_every_limit_recommends_nothing_and_tells_by_how_much():
+    made = milled(**COARSE)
+    region = Region((900.0, -10.0, -10.0), (1000.0, 10.0, 10.0), (2, 1, 1))
+    chart = setup_map(made.path, made.machine, Setup(), region, posting(made))
+    assert chart.best is None and not chart.within_limits[chart.kind == Kind.GRID].any()
+    (finding,) = chart.findings
+    assert finding.code == "no-setup-within-limits"
+    assert 0.9 * chart.over[chart.kind == Kind.GRID].min() <= finding.value <= chart.over[chart.kind == Kind.GRID].min() + 1e-6
+    assert verdict(chart).startswith("No setup") and advice(chart) == () and origin_option(chart) == ""
+    assert "No setup" in heat_map_html(chart) and setup_markers(chart)[0].kind == "setup-present"
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "count", "turns", "named"),
+    [((0, 0, 0), (-1, 0, 0), (1, 1, 1), (0.0,), "swap"), ((0, 0, 0), (1, 1, 1), (0, 1, 1), (0.0,), "at least 1"),
+     ((0, 0, 0), (1, 1, 1), (1, 1, 1), (), "at least 1"), ((0, 0, 0), (math.inf, 1, 1), (1, 1, 1), (0.0,), "finite"),
+     ((0, 0, 0), (1, 1, 1), (200, 200, 1), (0.0,), str(MOST_SETUPS))],
+)  # fmt: skip
+def test_a_region_that_is_none_is_refused(low, high, count, turns, named):
+    with pytest.raises(SettingsError, match=named):
+        Region(low, high, count, turns)
+
+
+def test_what_cannot_be_mapped_is_refused():
+    made = milled(**COARSE)
+    empty = replace(
+        made.path, **{name: getattr(made.path, name)[:0] for name in made.path.__dataclass_fields__ if name != "findings"}
+    )
+    region = Region((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (1, 1, 1))
+    with pytest.raises(SettingsError, match="no rows"):
+        setup_map(empty, made.machine, Setup(), region, posting(made))
+    with pytest.raises(SettingsError, match="0 or more"):
+        setup_map(made.path, made.machine, Setup(), region, posting(made), -1.0)
+
+
+def test_a_machine_whose_rotary_limits_allow_no_way_is_refused():
+    made = milled(**COARSE)
+    turned = replace(made.path, axis=made.path.axis * (1.0, 1.0, -1.0))  # from below
+    with pytest.raises(ReachError):
+        setup_map(turned, load_machine("mikron_ucp710"), Setup(), Region((0, 0, 0), (1, 1, 1), (1, 1, 1)), posting(made))
+
+
+@pytest.mark.parametrize(
+    ("deviation", "time", "rewinds", "within", "enough", "best"),
+    [([3, 1, 2], [1, 9, 1], [0, 0, 0], [1, 1, 1], 0.0, 1), ([3, 1, 2], [1, 9, 1], [0, 0, 0], [1, 0, 1], 0.0, 2),
+     ([3, 1, 2], [1, 9, 1], [0, 0, 0], [0, 0, 0], 0.0, None), ([3, 1, 2], [5, 9, 1], [0, 0, 0], [1, 1, 1], 5.0, 2),
+     ([1, 1, 1], [1, 1, 1], [1, 0, 1], [1, 1, 1], 0.0, 1), ([1, 1, 1], [1, 1, 1], [0, 0, 0], [1, 1, 1], 0.0, 0),
+     ([math.nan, 1, 2], [1, 1, 1], [0, 0, 0], [1, 1, 1], 0.0, 1)],
+)  # fmt: skip
+def test_the_recommended_one_deviates_least_then_rewinds_least_then_is_quickest_then_nearest(
+    deviation, time, rewinds, within, enough, best
+):
+    origin = np.array([[0.0, 0, 0], [5, 0, 0], [9, 0, 0]])
+    columns = (np.array(deviation, float), np.array(time, float), np.array(rewinds), np.array(within, bool))
+    assert recommended(origin, (0.0, 0.0, 0.0), *columns, enough) == best
+
+
+def test_markers_stand_at_places_of_the_map_in_work_coordinates(chart):
+    made = setup_markers(chart)
+    assert all(isinstance(one, Marker) for one in made)
+    assert [one.kind for one in made[:2]] == ["setup-best", "setup-present"]
+    assert made[0].place == pytest.approx(chart.origin[chart.best] - np.array(chart.base.origin))
+    assert made[1].place == (0.0, 0.0, 0.0) and made[1].label == f"work zero now: {chart.max_deviation[0]:.4f} mm"
+    grid = chart.origin[(chart.kind == Kind.GRID) & (chart.turn == chart.turn[chart.best])] - np.array(chart.base.origin)
+    assert sorted(one.place for one in made[2:]) == sorted(map(tuple, grid.tolist()))
+    assert {one.kind for one in made[2:]} == {"setup", "setup-beyond-limits"}
+
+
+def test_the_page_needs_nothing_else_and_the_pictures_have_units(chart):
+    page = heat_map_html(chart, "cap.stl")
+    assert verdict(chart) in page and origin_option(chart) in page and page.count("data:image/svg+xml") == 4
+    assert not re.search(r'(src|href)="(?!data:)', page) and "<script" not in page
+    pictures = heat_maps(chart)
+    assert [plot.name for plot in pictures] == ["heat-xy", "heat-xz", "heat-yz", "turns"]
+    assert all(b"<svg" in plot.svg and "mm" in plot.alt for plot in pictures)
+    assert all(base64.b64encode(plot.svg).decode() in page for plot in pictures)  # the same bytes again
+
+
+def test_a_region_along_one_axis_is_drawn_as_a_curve():
+    made = milled(**COARSE)
+    chart = setup_map(made.path, made.machine, Setup(), Region((-9.0, 0.0, 0.0), (9.0, 0.0, 0.0), (3, 1, 1)), posting(made))
+    assert [plot.name for plot in heat_maps(chart)] == ["curve-x"]
+
+
+def test_the_text_says_what_to_give_to_mill(chart):
+    text = setup_text(chart)
+    x, y, z = (float(part) for part in re.search(r"--origin=(\S+)", text).group(1).split(","))
+    assert (x, y, z) == pytest.approx(chart.origin[chart.best], abs=1e-4)
+    turned = chart.turn[chart.best] != 0.0
+    assert ("turn the part in CAD" in text) == ("--direction" in text) == turned
+
+
+def test_the_json_has_every_setup_in_degrees_and_no_nan(chart):
+    record = json.loads(setup_json(chart, {"task": "setup"}))
+    assert len(record["setups"]) == len(chart.turn) == 1 + 24 + 2 and record["inputs"] == {"task": "setup"}
+    best = record["setups"][record["best"]]
+    assert best["max_deviation"] == chart.max_deviation[chart.best]
+    assert {one["turn_deg"] for one in record["setups"]} == {0.0, math.degrees(0.7)}
+
+
+def test_progress_runs_from_0_to_1_and_may_be_cancelled():
+    made, seen = milled(**COARSE), []
+    region = Region((-9.0, 0.0, 0.0), (9.0, 0.0, 0.0), (2, 1, 1))
+    setup_map(made.path, made.machine, Setup(), region, posting(made), progress=lambda stage, fraction: seen.append(fraction))
+    assert seen == sorted(seen) and seen[0] == 0.0 and seen[-1] == 1.0 and len(seen) > 5
+
+    def stop(stage, fraction):
+        if fraction > 0.3:
+            raise Cancelled(stage)
+
+    with pytest.raises(Cancelled):
+        setup_map(made.path, made.machine, Setup(), region, posting(made), progress=stop)
