@@ -22,8 +22,19 @@ from freecad_fiveaxis.core.report import Marker
 from freecad_fiveaxis.core.report.figures import feed_blocks
 from freecad_fiveaxis.core.settings import build_settings
 from freecad_fiveaxis.core.setup_map import (
-    Kind, Region, advice, heat_map_html, heat_maps, origin_option, part_box, setup_json, setup_map, setup_markers, setup_text,
-    turned_path, verdict,
+    Kind,
+    Region,
+    advice,
+    heat_map_html,
+    heat_maps,
+    origin_option,
+    part_box,
+    setup_json,
+    setup_map,
+    setup_markers,
+    setup_text,
+    turned_path,
+    verdict,
 )  # fmt: skip
 from freecad_fiveaxis.core.setup_map.driven import drive_turned
 from freecad_fiveaxis.core.setup_map.setups import MOST_SETUPS, recommended

@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The comparison: every cell against a run of its own, tool-centre control against dense sampling."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from setup_examples import cap, milled, posting
+
+from freecad_fiveaxis.core import cures as cure_table
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.apt import write_apt
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.compare import compare, compare_html, compare_json, compare_text, guide, solved, station
+from freecad_fiveaxis.core.compare.words import verdict
+from freecad_fiveaxis.core.cures import CURES, cures, leading
+from freecad_fiveaxis.core.errors import Cancelled, MachineError, ReachError, SettingsError
+from freecad_fiveaxis.core.joint_path import JointPath
+from freecad_fiveaxis.core.kinematics import Setup, chain, forward, joint_words
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.post import find_dialect
+from freecad_fiveaxis.core.report import summary
+from freecad_fiveaxis.core.report.figures import axis_rates, feed_blocks
+from freecad_fiveaxis.core.report.text import duration
+from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.trials import try_machines
+
+COARSE = {"stepover": 12.0, "rings": 8}
+MACHINES = ("trunnion_ac", "mikron_ucp710", "head_b_table_c")
+
+
+def stations(made, names=MACHINES):
+    how = posting(made)
+    for name in names:
+        machine = load_machine(name)
+        dialect = find_dialect(machine.controller or job.DEFAULT_CONTROLLER)
+        yield station(machine, Setup(machine.origin, 80.0), replace(how, dialect=dialect))
+
+
+def halved(path, where, progress):
+    """A cure for the tests: every feed block in two, tip and rotary words half way."""
+    joints = solved(path, where, progress)
+    first = np.flatnonzero(joints.path.motion[1:] != Motion.RAPID)
+    at = np.sort(np.concatenate([np.arange(len(joints.q)), first + 0.5]))
+    low, high = np.floor(at).astype(int), np.ceil(at).astype(int)
+
+    def middle(column):
+        return 0.5 * (column[low] + column[high])
+
+    taken = {name: getattr(joints.path, name)[high] for name in joints.path.__dataclass_fields__ if name != "findings"}
+    longer = replace(joints.path, **(taken | {name: middle(getattr(joints.path, name)) for name in ("tip", "contact")}))
+    q = joint_words(where.links, longer.tip, middle(joints.q[:, 3:]))
+    return JointPath(longer, joints.row[high], q, joints.branch[high], joints.sine[high])
+
+
+def leaned(offset, axis, links, progress):
+    """Axes half way to the vertical."""
+    axis = axis + (0.0, 0.0, 1.0)
+    return axis / np.linalg.norm(axis, axis=1)[:, None]
+
+
+def separate(path, where, cure):
+    """The figures of one cell, by the street's own calls."""
+    joints = cure(path, where, lambda stage, fraction: None)
+    program = job.build_program(joints, where.links, where.posting.dialect, True)
+    deviation, feeds = job.measure(where.links, program.words), feed_blocks(program)
+    rates = axis_rates(program)[feeds].max(axis=0) * np.array([1.0, 1.0, 1.0, math.pi / 180.0, math.pi / 180.0])
+    largest = [column[feeds].max() for column in (deviation.segment, deviation.bound, deviation.axis)]
+    return [*largest, len(program.words), len(feeds), program.seconds.sum(), *rates]
+
+
+def cells(row):
+    return [row.deviation, row.bound, row.axis_deviation, row.blocks, row.feed_blocks, row.time, *row.peak_rate]
+
+
+def test_every_cell_is_that_of_a_separate_run_with_every_cure():
+    made = milled(tool_length=80.0, **COARSE)
+    tried = {**cures(made), "halved": halved, "leaned": leading(made, leaned)}
+    places = list(stations(made))
+    rows = compare(made.path, places, tried, guided=(False,))
+    assert [(row.machine, row.cure) for row in rows] == [(where.name, name) for where in places for name in tried]
+    for row, (where, name) in zip(rows, [(where, name) for where in places for name in tried], strict=True):
+        assert cells(row) == pytest.approx(separate(made.path, where, tried[name]), rel=1e-12)
+    by_cure = {name: [row for row in rows if row.cure == name] for name in tried}
+    for none, half, lean in zip(by_cure["none"], by_cure["halved"], by_cure["leaned"], strict=True):
+        assert half.deviation < 0.5 * none.deviation and half.feed_blocks > 1.9 * none.feed_blocks  # the cures do what they say
+        assert lean.deviation != none.deviation
+    assert cells(rows[0]) != pytest.approx(cells(rows[3]), rel=1e-3)  # and machines differ
+
+
+def test_a_cl_file_compared_is_the_same_as_posted_to_each_machine(tmp_path):
+    made = milled(tool_length=80.0, **COARSE)
+    source = tmp_path / "cap.apt"
+    source.write_bytes(write_apt(made.path, made.settings.cutter.cutter, "cap"))
+    given = {"tool_length": 80.0, "feed_mode": "g94"}
+    found = try_machines(build_settings("compare", str(source), {"machines": ",".join(MACHINES), **given}))
+    rows = [row for row in found.rows if not row.tool_centre and row.cure == "none"]
+    for row, name in zip(rows, MACHINES, strict=True):
+        numbers = summary(job.figures(job.run(build_settings("post", str(source), {"machine": name, **given}))))
+        assert row.machine == name
+        assert [row.deviation, row.bound, row.blocks, row.feed_blocks, row.time] == pytest.approx(
+            [numbers[key] for key in ("max_segment_deviation", "max_bound", "blocks", "feed_blocks", "time_s")], rel=1e-12
+        )
+        peaks = {letter: numbers["axes"][letter]["peak_rate"] for letter in row.letters}
+        ours = dict(zip(row.letters, [*row.peak_rate[:3], *map(math.degrees, row.peak_rate[3:])], strict=True))
+        assert ours == pytest.approx(peaks, rel=1e-9)
+
+
+def test_a_solid_compared_is_the_same_as_milled_on_the_first_machine():
+    options = {"stepover": 12.0, "tool_length": 80.0}
+    found = try_machines(
+        build_settings("compare", "cap.stl", {"machines": "mikron_ucp710,trunnion_ac", **options}), mesh=cap(rings=8, sectors=24)
+    )
+    numbers = summary(job.figures(job.prove(milled("mikron_ucp710", tool_length=80.0, **COARSE))))
+    assert found.rows[0].deviation == numbers["max_segment_deviation"] and found.rows[0].time == numbers["time_s"]
+    with_guide = [row.tool_centre for row in found.rows if row.cure == "none"]
+    assert with_guide == [False, True, False, True]
+
+
+def test_peaks_under_tool_centre_control_are_those_of_dense_sampling():
+    links = chain(load_machine("mikron_ucp710"), Setup())
+    rng = np.random.default_rng(7)
+    tip, angles = rng.uniform(-60.0, 60.0, (12, 3)), rng.uniform(-1.0, 1.0, (12, 2)) * (2.0, 0.4)
+    motion, feed = np.full(12, Motion.CUT, np.int8), np.full(12, 1000.0)
+    course = guide(links, tip, angles, motion, feed)
+    u = np.linspace(0.0, 1.0, 4001)[:, None]
+    for row in range(1, 12):
+        place, turned = ((1.0 - u) * one[row - 1] + u * one[row] for one in (tip, angles))
+        q = joint_words(links, place, turned)
+        assert np.abs(forward(links, q)[0] - place).max() < 1e-9  # the tip is on its chord
+        slope = np.abs(np.gradient(q, u[:, 0], axis=0)).max(axis=0)
+        assert course.peak[row] == pytest.approx(slope, rel=2e-3, abs=1e-6)
+        least = max(np.linalg.norm(tip[row] - tip[row - 1]) / 1000.0, (course.peak[row] / links.rate).max())
+        assert course.seconds[row] == pytest.approx(60.0 * least)
+    assert (course.rates(np.arange(1, 12)) <= links.rate * (1.0 + 1e-9)).all()
+
+
+def test_with_tool_centre_control_the_tip_stays_on_its_chord_and_the_axes_pay():
+    made = milled(tool_length=80.0, **COARSE)
+    off, on = compare(made.path, list(stations(made, ["trunnion_ac"])))
+    assert (off.tool_centre, on.tool_centre) == (False, True) and off.deviation > 0.01 and on.deviation == on.bound == 0.0
+    assert max(on.peak_rate[:3]) > max(off.peak_rate[:3]) and on.blocks == off.blocks
+
+
+def test_a_machine_that_cannot_and_a_cure_that_refuses_are_rows_with_their_reason():
+    made = milled(**COARSE)
+
+    def refusing(path, where, progress):
+        raise SettingsError("this cure wants 2 deg at least")
+
+    beneath = replace(made.path, axis=made.path.axis * (1.0, 1.0, -1.0))
+    rows = compare(beneath, list(stations(made, ["mikron_ucp710"])), {"none": solved, "refusing": refusing})
+    assert all(row.problem and math.isnan(row.deviation) for row in rows) and len(rows) == 4
+    with pytest.raises(ReachError):
+        solved(beneath, next(stations(made, ["mikron_ucp710"])))
+    assert "None of the machines" in verdict(rows) and "impossible" in compare_text(rows) and "wants 2 deg" in compare_html(rows)
+    assert json.loads(compare_json(rows))["rows"][0]["deviation"] is None
+
+
+def test_a_cure_that_leads_the_axes_needs_the_solid():
+    made = milled(**COARSE)
+    posted = job.Posted(**{name: value for name, value in vars(made).items() if name in job.Posted.__dataclass_fields__})
+    row, _ = compare(made.path, list(stations(made, ["trunnion_ac"])), {"leaned": leading(posted, leaned)})
+    assert "STL" in row.problem
+
+
+def test_nothing_to_compare_is_refused():
+    made = milled(**COARSE)
+    with pytest.raises(SettingsError, match="at least one machine"):
+        compare(made.path, [])
+    empty = replace(
+        made.path, **{name: getattr(made.path, name)[:0] for name in made.path.__dataclass_fields__ if name != "findings"}
+    )
+    with pytest.raises(SettingsError, match="no rows"):
+        compare(empty, list(stations(made)))
+
+
+def test_an_unknown_cure_is_named_with_those_that_there_are():
+    with pytest.raises(SettingsError, match="unknown cure 'magic'; known: none"):
+        cures(milled(**COARSE), ["none", "magic"])
+
+
+def test_a_new_line_in_the_table_of_cures_is_compared(monkeypatch):
+    monkeypatch.setattr(cure_table, "CURES", {**CURES, "halved": lambda made: halved})
+    settings = build_settings("compare", "cap.stl", {"machines": "trunnion_ac", "stepover": 12.0})
+    found = try_machines(settings, mesh=cap(rings=8, sectors=24))
+    assert [row.cure for row in found.rows] == [name for name in (*CURES, "halved") for _ in range(2)]
+    one = try_machines(
+        build_settings("compare", "cap.stl", {"machines": "trunnion_ac", "stepover": 12.0, "cures": "halved"}),
+        mesh=cap(rings=8, sectors=24),
+    )
+    assert one.rows == found.rows[-2:]
+
+
+def test_an_unknown_machine_is_refused_before_the_work():
+    def never(stage, fraction):
+        raise AssertionError("work has begun")
+
+    with pytest.raises(MachineError, match="no_such"):
+        try_machines(
+            build_settings("compare", "cap.stl", {"machines": "trunnion_ac,no_such"}), never, mesh=cap(rings=8, sectors=24)
+        )
+
+
+def test_the_words_name_the_quickest_that_holds_the_tolerance():
+    made = milled(tool_length=80.0, **COARSE)
+    rows = compare(made.path, list(stations(made)))
+    best = min((row for row in rows if row.tool_centre), key=lambda row: row.time)
+    told = f"{best.machine} with no cure, tool-centre control, {duration(best.time)}."
+    assert verdict(rows, 0.001) == f"3 of 6 ways hold 0.001 mm; the quickest is {told}"
+    assert verdict([rows[0]], 1e-9).startswith("Nothing here holds 1e-09 mm")
+    assert verdict(rows).startswith("Least deviation")
+    record = json.loads(compare_json(rows, {"task": "compare"}))
+    assert record["rows"][0]["peak_rate"]["C"] == pytest.approx(math.degrees(rows[0].peak_rate[3]))
+    page = compare_html(rows, "cap.stl", 0.001)
+    assert page.count("<tr>") == 1 + len(rows) and "<script" not in page and "src=" not in page
+
+
+def test_progress_runs_to_1_and_may_be_cancelled():
+    made, seen = milled(**COARSE), []
+    places = list(stations(made, ["trunnion_ac", "trunnion_bc"]))
+    compare(made.path, places, progress=lambda stage, fraction: seen.append(fraction))
+    assert seen == sorted(seen) and seen[-1] == 1.0
+
+    def stop(stage, fraction):
+        raise Cancelled(stage)
+
+    with pytest.raises(Cancelled):
+        compare(made.path, places, progress=stop)
