@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from itertools import combinations
 from typing import Any
 
@@ -30,18 +30,20 @@ FLOOR = 1e-6
 
 def heat_maps(chart: SetupMap) -> tuple[Plot, ...]:
     """A heat map for each pair of axes along which the grid has places, or a curve; and what the turns cost."""
+    return tuple(Plot(*told, _svg(figure)) for told, figure in pictures(chart))
+
+
+def pictures(chart: SetupMap) -> Iterator[tuple[Told, Any]]:
+    """The pictures as matplotlib's figures, each to be saved before the next is drawn; none without matplotlib."""
     try:
         import matplotlib
         from matplotlib.figure import Figure
     except ImportError:
-        return ()
-    made: list[Plot] = []
+        return
     for draw in _drawings(chart):
         with matplotlib.rc_context(STYLE):
             figure = Figure(figsize=(WIDE, 3.7), layout="constrained")
-            told = draw(figure)
-            made.append(Plot(*told, _svg(figure)))
-    return tuple(made)
+            yield draw(figure), figure
 
 
 def _svg(figure: Any) -> bytes:
