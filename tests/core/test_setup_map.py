@@ -11,12 +11,13 @@ import numpy as np
 import pytest
 from setup_examples import CENTRE, cap, milled, posting
 
-from freecad_fiveaxis.core import trials
+from freecad_fiveaxis.core import job, trials
 from freecad_fiveaxis.core.deviation import measure
 from freecad_fiveaxis.core.errors import Cancelled, ReachError, SettingsError
 from freecad_fiveaxis.core.joint_path import solve
 from freecad_fiveaxis.core.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.mesh import from_faces
 from freecad_fiveaxis.core.program import build_program
 from freecad_fiveaxis.core.report import Marker
 from freecad_fiveaxis.core.report.figures import feed_blocks
@@ -36,7 +37,7 @@ from freecad_fiveaxis.core.setup_map import (
     turned_path,
     verdict,
 )  # fmt: skip
-from freecad_fiveaxis.core.setup_map.driven import drive_turned
+from freecad_fiveaxis.core.setup_map.driven import drive_turned, turned
 from freecad_fiveaxis.core.setup_map.setups import MOST_SETUPS, recommended
 
 COARSE = {"stepover": 12.0, "rings": 8}
@@ -98,6 +99,19 @@ def test_the_map_agrees_with_a_full_run_on_other_chains(machine):
         run = full_run(made, made.machine, chart.origin[row], chart.turn[row])
         mapped = [column[row] for column in (chart.max_deviation, chart.rotary_travel, chart.time, chart.over)]
         assert np.abs(np.subtract(mapped, run)).max() <= 1e-6
+
+
+def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
+    """The solid turned about Z, the passes' direction by as much: `mill` makes the same cuts, at the work zero of the map."""
+    off, turn = from_faces(cap(rings=8, sectors=24).vertex + (15.0, 5.0, 0.0), cap(rings=8, sectors=24).face), math.radians(120.0)
+    given = {"machine": "trunnion_ac", "stepover": 12.0}
+    asked = {"grid": "1,1,1", "region": "30,30,0", "turns": 3}
+    chart = trials.try_setups(build_settings("setup", "cap.stl", given | asked), mesh=off).chart
+    row = int(np.flatnonzero((chart.kind == Kind.FOUND) & (np.abs(chart.turn - turn) < 1e-9))[0])
+    given |= {"direction": 120.0, "origin": chart.origin[row].tolist()}
+    made = job.make(build_settings("mill", "cap.stl", given), mesh=from_faces(turned(off.vertex, turn), off.face))
+    segment = measure(made.links, made.program.words).segment[feed_blocks(made.program)]
+    assert segment.max() == pytest.approx(chart.max_deviation[row], abs=1e-6)
 
 
 def test_the_present_row_is_what_mill_reports(chart):
@@ -184,9 +198,9 @@ def test_what_cannot_be_mapped_is_refused():
 
 def test_a_machine_whose_rotary_limits_allow_no_way_is_refused():
     made = milled(**COARSE)
-    turned = replace(made.path, axis=made.path.axis * (1.0, 1.0, -1.0))  # from below
+    beneath = replace(made.path, axis=made.path.axis * (1.0, 1.0, -1.0))  # from below
     with pytest.raises(ReachError):
-        setup_map(turned, load_machine("mikron_ucp710"), Setup(), Region((0, 0, 0), (1, 1, 1), (1, 1, 1)), posting(made))
+        setup_map(beneath, load_machine("mikron_ucp710"), Setup(), Region((0, 0, 0), (1, 1, 1), (1, 1, 1)), posting(made))
 
 
 @pytest.mark.parametrize(
@@ -235,8 +249,8 @@ def test_the_text_says_what_to_give_to_mill(chart):
     text = setup_text(chart)
     x, y, z = (float(part) for part in re.search(r"--origin=(\S+)", text).group(1).split(","))
     assert (x, y, z) == pytest.approx(chart.origin[chart.best], abs=1e-4)
-    turned = chart.turn[chart.best] != 0.0
-    assert ("turn the part in CAD" in text) == ("--direction" in text) == turned
+    is_turned = chart.turn[chart.best] != 0.0
+    assert ("turn the part in CAD" in text) == ("--direction" in text) == is_turned
 
 
 def test_the_json_has_every_setup_in_degrees_and_no_nan(chart):
