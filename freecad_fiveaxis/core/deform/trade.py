@@ -8,7 +8,7 @@ pieces    of a block: into how many equal parts it has to be cut for its deviati
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,7 +21,8 @@ from freecad_fiveaxis.core.kinematics import Chain, joint_words, q_to_words
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 
-from .deform import LARGEST_CHANGE, LEAST_CHANGE, NEAR, check_change, led_axes, near_polylines
+from .choice import NEAR, led_axes, near_polylines
+from .deform import LARGEST_CHANGE, LEAST_CHANGE, check_change
 from .drive import drive, figures, starts
 from .meridian import Globe, angle_between
 
@@ -79,7 +80,7 @@ def trade_off(
     if not 0.0 < tolerance < math.inf:
         raise SettingsError(f"tolerance is {tolerance:g} mm; give a length above 0", tolerance)
     axis = np.asarray(axis, float)
-    offset, axis = _near(offset, axis, links, max(changes, default=0.0))
+    offset, axis = _near(offset, axis, links, NEAR * max(changes, default=0.0))
     allowed = [0.0, *changes]
     if not len(axis):
         nothing = np.zeros(len(allowed))
@@ -98,35 +99,34 @@ def trade_findings(
     offset: OffsetPath, axis: Floats, links: Chain, change: float, tolerance: float, radius: float = 0.0,
     progress: Progress = silent,
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """What smaller and larger changes than ``change`` (rad) would give, one note each; arguments as in :func:`trade_off`."""
+    """What smaller and larger changes than ``change`` (rad) would give the passes that come within ``change`` of the pole, as a
+    note; none where no pass does. Other arguments as in :func:`trade_off`."""
     changes = sorted({min(step * change, LARGEST_CHANGE) for step in STEPS if step * change >= LEAST_CHANGE})
-    offset, axis = _near(offset, axis, links, max(changes))
+    offset, axis = _near(offset, axis, links, change)
     if not len(axis):
         return ()
     begin = starts(offset.polyline)
-    stride = math.ceil(len(axis) / MOST_ROWS)
-    chosen = np.arange(len(begin)) % stride == 0
+    chosen = np.arange(len(begin)) % math.ceil(len(axis) / MOST_ROWS) == 0
     rows = np.flatnonzero(np.repeat(chosen, np.diff(begin, append=len(axis))))
     trade = trade_off(take_rows(offset, rows), axis[rows], links, changes, tolerance, radius, progress)
-    if not trade.passes.any():
-        return ()
-    of_all = f"of {int(chosen.sum())} of the {len(begin)} passes near the pole" if stride > 1 else "of the passes near the pole"
-    return tuple(_told(trade, row, links.letters[3], of_all, tolerance) for row in range(len(trade.allowed)))
-
-
-def _told(trade: Trade, row: int, letter: str, of_all: str, tolerance: float) -> Finding:
-    allowed, peak, first = (math.degrees(float(part[row])) for part in (trade.allowed, trade.peak, trade.first))
-    made = f"An axis change of at most {allowed:.3g} deg leads {int(trade.passes[row])}" if row else "As given, the axes"
+    part = f"{int(chosen.sum())} of the {len(begin)}" if not chosen.all() else f"the {len(begin)}"
     text = (
-        f"{made} {of_all}: {letter} turns at most {peak:.3g} deg/mm and {first:.0f} deg in all; a block deviates by "
-        f"{trade.deviation[row]:.3g} mm at most, and about {int(trade.blocks[row])} blocks would hold {tolerance:g} mm."
+        f"What an axis change buys on {part} passes that come within {math.degrees(change):.3g} deg of the pole (peak rate and "
+        f"travel of {links.letters[3]}, blocks that would hold {tolerance:g} mm): " + "; ".join(_told(trade)) + "."
     )
-    return Finding(Severity.NOTE, "axis-change-trade", text, peak, None, "deg/mm")
+    return (Finding(Severity.NOTE, "axis-change-trade", text, math.degrees(change), None, "deg"),)
 
 
-def _near(offset: OffsetPath, axis: Floats, links: Chain, change: float) -> tuple[OffsetPath, Floats]:
-    """The polylines that come near the pole at that change, and their axes."""
-    near = near_polylines(offset, axis, Globe.of(links), NEAR * change) if len(axis) else np.zeros(0, bool)
+def _told(trade: Trade) -> Iterator[str]:
+    columns = (trade.allowed, trade.peak, trade.first, trade.blocks)
+    for row, (allowed, peak, first, blocks) in enumerate(zip(*columns, strict=True)):
+        name = f"{math.degrees(allowed):.3g} deg" if row else "as given"
+        yield f"{name} {math.degrees(peak):.3g} deg/mm, {math.degrees(first):.0f} deg, {blocks}"
+
+
+def _near(offset: OffsetPath, axis: Floats, links: Chain, angle: float) -> tuple[OffsetPath, Floats]:
+    """The polylines that come within ``angle`` (rad) of the pole, and their axes."""
+    near = near_polylines(offset, axis, Globe.of(links), angle) if len(axis) else np.zeros(0, bool)
     rows = np.flatnonzero(np.repeat(near, np.diff(starts(offset.polyline), append=len(axis)))) if near.any() else np.empty(0, int)
     return take_rows(offset, rows), axis[rows]
 
