@@ -13,8 +13,7 @@ are driven together; those that are no better, or make another polyline worse, a
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from itertools import product
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -25,12 +24,12 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
 
 from .drive import Figures, drive, figures, starts
-from .leading import ZONE, Given, Way, given, lead, mirrored, peak_rate
+from .leading import Given, Way, given, lead, mirrored, peak_rate
 from .meridian import Globe
 
 NEAR = 3.0
 """Passes that come within so many allowed changes of the pole are led, if that makes them better."""
-ROUNDS = 5
+ROUNDS = 6
 """Times that the ways led are driven and those that did not help are tried another way; as many times again they are left as
 given, and if the rest still harms somebody, all are."""
 ENOUGH = 0.1
@@ -44,12 +43,14 @@ LEAN = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Attempt:
-    """A polyline (by its number in order) that comes near the pole: its ``rows`` and the ways to lead it, best first, each
-    with the parity it is for: 1 where the branch on arrival is the other one than in the given drive, else 0."""
+    """A polyline (by its number in order) that comes near the pole: its ``rows``, how it is driven as given, and the ways to lead
+    it, best first, each with the parity it is for. ``whole``: there are no other ways."""
 
     polyline: int
     rows: slice
+    line: Given
     ways: tuple[tuple[int, Way], ...]
+    whole: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,6 +93,8 @@ def led_axes(offset: OffsetPath, axis: Floats, links: Chain, change: float, prog
             return Led(made, near, led, before, after)
         for number, ways in failed.items():
             dropped[number] |= ways if round_ < ROUNDS else set(range(len(attempts[number].ways)))
+            if not attempts[number].whole and round_ < ROUNDS:
+                attempts[number] = _with_ways(attempts[number], offset, links, globe, change, whole=True)
     return Led(axis, near, np.zeros(len(near), bool), before, before)
 
 
@@ -105,10 +108,25 @@ def _attempts(
         progress("leading past the pole", count / int(near.sum()))
         rows = slice(int(begin[line]), int(end[line]))
         polyline = given(globe, axis[rows], offset.centre[rows], offset.fill[rows], word[rows])
-        ways = [(parity, way) for parity, way in _ways(globe, polyline, change) if _usable(offset, links, rows, way.axis)]
-        if ways:
-            attempts.append(Attempt(line, rows, tuple(sorted(ways, key=lambda found: _rank(polyline, found[1])))))
+        attempt = Attempt(line, rows, polyline, (), False)
+        attempts.append(_with_ways(attempt, offset, links, globe, change))
     return attempts
+
+
+def _with_ways(attempt: Attempt, offset: OffsetPath, links: Chain, globe: Globe, change: float, whole: bool = False) -> Attempt:
+    """The attempt with more ways: up to one that is low enough, where parity says nothing; or all."""
+    line, ways = attempt.line, [*attempt.ways]
+    known = len(ways)
+    for parity, polyline in [(0, line)] if globe.straight else [(0, line), (1, mirrored(line))]:
+        for way in lead(globe, polyline, change) if len(line.word) > 1 else ():
+            if any(np.allclose(way.axis, other.axis, atol=SAME_AXIS, rtol=0.0) for _, other in ways):
+                continue
+            if _usable(offset, links, attempt.rows, way.axis):
+                ways.append((parity, way))
+                if globe.straight and not whole and not _rank(line, way)[0]:
+                    return replace(attempt, ways=tuple(sorted(ways, key=lambda found: _rank(line, found[1]))))
+    more = sorted(ways[known:], key=lambda found: _rank(line, found[1]))
+    return replace(attempt, ways=(*ways[:known], *more), whole=True)
 
 
 def _rank(line: Given, way: Way) -> tuple[bool, float, float]:
@@ -117,20 +135,6 @@ def _rank(line: Given, way: Way) -> tuple[bool, float, float]:
     peak, travel = peak_rate(line.along, line.word), float(step.sum())
     enough = way.peak <= ENOUGH * peak and way.travel <= ENOUGH * travel
     return not enough, way.zone if enough else 0.0, way.peak * way.travel
-
-
-def _ways(globe: Globe, line: Given, change: float) -> list[tuple[int, Way]]:
-    """The different ways to lead a polyline, and their parity; where one near the pole is enough, none that goes all along."""
-    ways: list[tuple[int, Way]] = []
-    taken = [(0, line)] if globe.straight else [(0, line), (1, mirrored(line))]
-    for zone in (ZONE, math.inf) if len(line.word) > 1 else ():
-        for through, (parity, polyline) in product((True, False), taken):
-            way = lead(globe, polyline, change, through, zone)
-            if way is not None and not any(np.allclose(way.axis, other.axis, atol=SAME_AXIS, rtol=0.0) for _, other in ways):
-                ways.append((parity, way))
-        if any(not _rank(line, way)[0] for _, way in ways):
-            break
-    return ways
 
 
 def _usable(offset: OffsetPath, links: Chain, rows: slice, way: Floats) -> bool:

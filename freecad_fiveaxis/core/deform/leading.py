@@ -10,6 +10,7 @@ around     on the same branch: the first rotary word makes its turn, but over as
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -57,8 +58,8 @@ def mirrored(line: Given) -> Given:
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """A polyline led: its ``axis`` (n, 3); ``peak`` rad/mm and ``travel`` rad of the first word on it; ``zone`` as asked for;
-    ``swaps``: it ends on another branch than without leading."""
+    """A polyline led: its ``axis`` (n, 3); ``peak`` rad/mm and ``travel`` rad of the first word on it; ``zone``: how far from
+    the pole it leaves the given axes, in changes; ``swaps``: it ends on another branch than without leading."""
 
     axis: Floats
     peak: float
@@ -67,27 +68,47 @@ class Way:
     swaps: bool
 
 
-def lead(globe: Globe, line: Given, change: float, through: bool, zone: float = ZONE) -> Way | None:
-    """The polyline led past the pole within ``change`` rad; None where that is not possible or needed.
-
-    ``through``: the branch may change at an encounter where that makes the first word's turn smaller. ``zone``: how far from the
-    pole the word may turn less than given, in changes; inf: all along.
-    """
+def lead(globe: Globe, line: Given, change: float) -> Iterator[Way]:
+    """The ways to lead a polyline past the pole within ``change`` rad, those that are possible and change anything: through
+    the pole before around it, and of either the way that keeps to the given axes away from the pole before the one that turns
+    least all along. Each is made when it is asked for."""
     allowed = change - LEAST_TILT
-    word, side = _met(globe, line, allowed, through)
-    below, above = globe.room(line.axis, side, allowed)
-    if line.closed:
-        below[[0, -1]] = above[[0, -1]] = 0.0
-    rates = least_rates(line.along, word - below, word + above, _gentle_rate(globe, line, change))
-    if rates is None:
+    for through in (True, False):
+        word, side = _met(globe, line, allowed, through)
+        below, above = globe.room(line.axis, side, allowed)
+        if line.closed:
+            below[[0, -1]] = above[[0, -1]] = 0.0
+        rates = least_rates(line.along, word - below, word + above, _gentle_rate(globe, line, change))
+        if rates is not None:
+            met = Met(word, side, below, above, leash_of(line.along, rates))
+            yield from (way for zone in (ZONE, math.inf) if (way := _led(globe, line, met, change, zone)) is not None)
+        if np.array_equal(side, line.side):  # nothing to go through
+            return
+
+
+@dataclass(frozen=True, eq=False)
+class Met:
+    """How a polyline meets the pole: the ``word`` and ``side`` (n,) by which the given axes are taken up, the word's room
+    ``below`` and ``above``, and the ``leash`` that it is led on, all (n,) rad."""
+
+    word: Floats
+    side: Floats
+    below: Floats
+    above: Floats
+    leash: Floats
+
+
+def _led(globe: Globe, line: Given, met: Met, change: float, zone: float) -> Way | None:
+    """The way that keeps to the given axes beyond ``zone`` changes from the pole; None where that changes nothing."""
+    low, high = _kept(globe, line, zone * change, met)
+    led = evened(met.leash, laziest(low, high, float(met.word[0])), met.word - met.below, met.word + met.above)
+    moved = np.flatnonzero(np.abs(led - met.word) > SAME_WORD)
+    if not len(moved):
         return None
-    low, high = _kept(globe, line, zone * change, word, below, above)
-    led = evened(leash_of(line.along, rates), laziest(low, high, float(word[0])), word - below, word + above)
-    moved = np.flatnonzero(np.abs(led - word) > SAME_WORD)
     axis = line.axis.copy()
     axis[moved] = globe.nearest(line.axis[moved], led[moved])
-    travel, swaps = float(np.abs(np.diff(led)).sum()), bool(side[-1] * line.side[-1] < 0.0)
-    return Way(axis, peak_rate(line.along, led), travel, zone, swaps) if len(moved) else None
+    travel, swaps = float(np.abs(np.diff(led)).sum()), bool(met.side[-1] * line.side[-1] < 0.0)
+    return Way(axis, peak_rate(line.along, led), travel, zone, swaps)
 
 
 def peak_rate(along: Floats, word: Floats) -> float:
@@ -95,15 +116,15 @@ def peak_rate(along: Floats, word: Floats) -> float:
     return float((np.abs(np.diff(word)) / np.maximum(np.diff(along), SHORT)).max())
 
 
-def _kept(globe: Globe, line: Given, reach: float, word: Floats, below: Floats, above: Floats) -> tuple[Floats, Floats]:
+def _kept(globe: Globe, line: Given, reach: float, met: Met) -> tuple[Floats, Floats]:
     """The least and the most (n,) that the word may be to turn less: all its room next to the pole, none ``reach`` rad off it."""
     if reach == math.inf:
-        return word - below, word + above
+        return met.word - met.below, met.word + met.above
     angle = np.arcsin(np.minimum(np.linalg.norm(globe.across(line.axis), axis=1), 1.0))
     share = np.clip(2.0 - 2.0 * angle / min(reach, 0.5 * math.pi), 0.0, 1.0)
     with np.errstate(invalid="ignore"):
-        low, high = (np.where(share > 0.0, share * part, 0.0) for part in (below, above))
-    return word - low, word + high
+        low, high = (np.where(share > 0.0, share * part, 0.0) for part in (met.below, met.above))
+    return met.word - low, met.word + high
 
 
 def _gentle_rate(globe: Globe, line: Given, change: float) -> float:
