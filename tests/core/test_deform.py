@@ -125,6 +125,12 @@ def test_any_axes_are_led(options):
         assert least_turn(links, axis[offset.polyline == line], CHANGE) > 0.1 * found.before.first[line], line
 
 
+def test_a_way_that_the_machine_cannot_drive_as_meant_gives_way_to_one_around():
+    """Through the pole the mikron would have to turn C by half a turn at once: lower than given, but no cure."""
+    found = led("mikron_ucp710", 1.0, np.radians(45.0), half_width=2.0)
+    assert found.led.all() and found.before.peak.max() > 100 * found.after.peak.max()
+
+
 def test_after_an_odd_number_of_passes_through_the_pole_nothing_else_is_worse_on_a_nutating_axis():
     """On the other branch its C turns further on every pass that follows; so one pass goes around, or the machine swaps back."""
     offset, axis, links = dome_passes("nutating_table_b45", 0.5)

@@ -35,6 +35,8 @@ given, and if the rest still harms somebody, all are."""
 ENOUGH = 0.1
 """Share of the given peak rate and travel of the first word that is low enough: of ways that reach it, the one that leaves most
 of the pass alone is taken."""
+AS_MEANT = 1.5
+"""Times the meant peak rate up to which a way counts as driven the way it was meant."""
 SAME_AXIS = 1e-9
 """Ways whose axes differ by less than this (rad) are one."""
 LEAN = 1e-6
@@ -165,10 +167,13 @@ def _assembled(axis: Floats, attempts: list[Attempt], chosen: dict[int, int], co
 
 
 def _failed(attempts: list[Attempt], chosen: dict[int, int], led: Bools, before: Figures, after: Figures) -> dict[int, set[int]]:
-    """The ways that have to go, by attempt: those that are no better; or, where all are, what makes another polyline worse, which
-    is the last swap before it, or else the nearest way."""
-    better = after.better(before)
-    failed = {number: {way} for number, way in chosen.items() if not better[attempts[number].polyline]}
+    """The ways that have to go, by attempt: those that are no better, or that the machine drives on another branch, far faster
+    than meant; or, where there are none, what makes another polyline worse: the last swap before it, or else the nearest way."""
+    better, failed = after.better(before), {}
+    for number, way in chosen.items():
+        line, meant = attempts[number].polyline, attempts[number].ways[way][1].peak
+        if not better[line] or after.peak[line] > max(AS_MEANT * meant, ENOUGH * before.peak[line]):
+            failed[number] = {way}
     if failed or not chosen:
         return failed
     swaps = {number for number, way in chosen.items() if attempts[number].ways[way][1].swaps}
