@@ -100,12 +100,12 @@ def origin(part: str, depth: float | None) -> tuple[float, float, float]:
 
 
 @functools.cache
-def mill(part: str, table: str, strategy: str, depth: float | None) -> Cuts:
-    """The cutting blocks of one job: ball 10, planes 5 mm apart along X, all passes in one direction."""
+def mill(part: str, table: str, strategy: str, depth: float | None, **others: float) -> Cuts:
+    """The cutting blocks of one job: ball 10, planes 5 mm apart along X, all passes one way; ``others``: more options."""
     options = {
         "machine": str(workshop() / f"{table}.fcm"), "origin": list(origin(part, depth)), "cutter": "ball:10",
         "stepover": STEPOVER, "order": "one_way", "tool_axis": strategy, "control_point": "centre",
-        "max_axis_angle": STEEPEST,
+        "max_axis_angle": STEEPEST, **others,
     }  # fmt: skip
     result = job.run(build_settings("mill", str(workshop() / f"{part}.stl"), options))
     program, path = result.made.program, result.made.joints.path

@@ -6,7 +6,7 @@ round     a line of the second word, one of the first, and a coarse grid of both
 
 The rotary words are the coordinates because the deviation is smooth in them, at the pole too: through it the second word just
 changes sign. The axis is only asked whether it is allowed. What a search makes as small as it can be on its grid is the sum over
-the blocks of ``(deviation / level) ** POWER``, which for a high power is nearly the largest deviation. The present way is in the
+the blocks of ``(deviation / level) ** 32``, which for a high power is nearly the largest deviation. The present way is in the
 grid: no search makes that sum larger.
 """
 
@@ -22,13 +22,13 @@ from .rows import Rows
 from .steps import Task, levels, step_costs, usable
 from .sweep import cheapest
 
-LINE, GRID = (5, 5), (3, 3)
+LINE, GRID = (21, 5), (3, 3)
 """States of a line, and along each side of a grid: of a wide corridor, and of a narrow one."""
 NARROW = 0.2
 """Half width below which a corridor is narrow, in units of the largest tilt."""
 WIDEST, FINEST = 1.2, 1e-3
 """Half width of the first corridor, and that of the last, in units of the largest tilt."""
-SHRINK, SLOW = 0.7, 0.9
+SHRINK, SLOW = 0.6, 0.9
 """The corridor becomes narrower by the first where a round did not bring the level below the second of what it was."""
 ROUNDS = 40
 STEEP = 0.05
@@ -53,7 +53,7 @@ def improve(task: Task, at: Rows, angles: Floats, progress: Progress = silent) -
         width = np.where(level > SLOW * before, SHRINK * width, width)
         better = level < best_level
         best, best_level = np.where(better[at.run][:, None], angles, best), np.minimum(level, best_level)
-    return best
+    return best.copy()
 
 
 def portions(at: Rows, runs: Ints, edges: int) -> list[Ints]:
@@ -70,29 +70,33 @@ def _round(task: Task, at: Rows, angles: Floats, width: Floats, level: Floats, b
             some, rows = at.take(part)
             own, now = task.take(rows), angles[rows]
             for offsets in _corridors(line, side):
-                grid = now[:, None] + offsets * (_scale(task, now) * width[part][some.run][:, None])[:, None]
-                now = _chosen(own, some, grid, level[part])
+                now = _chosen(own, some, _grid(own, some, now, offsets, width[part]), level[part])
             angles[rows] = now
     return angles
 
 
 def _corridors(count: int, side: int) -> list[Floats]:
-    """Offsets (m, 2) of half width 1; the middle one is the present way."""
+    """Offsets (2, m) of half width 1; the middle one is the present way."""
     line, zero, edge = np.linspace(-1.0, 1.0, count), np.zeros(count), np.linspace(-0.5, 0.5, side)
-    return [np.column_stack([zero, line]), np.column_stack([line, zero]), np.stack(np.meshgrid(edge, edge), -1).reshape(-1, 2)]
+    return [np.stack([zero, line]), np.stack([line, zero]), np.stack(np.meshgrid(edge, edge)).reshape(2, -1)]
+
+
+def _grid(task: Task, at: Rows, angles: Floats, offsets: Floats, width: Floats) -> Floats:
+    """States (2, m, k): ``angles`` (k, 2) and ``offsets`` (2, m) of them, ``width`` (p,) rad wide."""
+    return np.asarray(angles.T[:, None] + offsets[:, :, None] * (_scale(task, angles) * width[at.run])[:, None])
 
 
 def _scale(task: Task, angles: Floats) -> Floats:
-    """Steps (k, 2) of the words that turn the axis by equal angles."""
+    """Steps (2, k) of the words that turn the axis by equal angles."""
     sine = np.abs(np.sin(angles[:, 1] - task.pair.best))
-    return np.column_stack([1.0 / np.maximum(sine, STEEP), np.ones(len(angles))])
+    return np.stack([1.0 / np.maximum(sine, STEEP), np.ones(len(angles))])
 
 
 def _chosen(task: Task, at: Rows, grid: Floats, level: Floats) -> Floats:
-    """The best states (k, 2) of a grid (k, m, 2), the middle one of which is allowed whatever it is."""
+    """The best states (k, 2) of a grid (2, m, k), the middle one of which is allowed whatever it is."""
     there, middle = states(task.links, grid, at.centre, task.reach), grid.shape[1] // 2
     good = usable(task, at, grid, there)
-    good[:, middle] = True
+    good[middle] = True
     cost = step_costs(task, at, there, np.maximum(level, GOOD), known=middle)
     state = cheapest(cost, np.where(good, 0.0, np.inf), at.first, at.size)
-    return np.asarray(grid[np.arange(len(grid)), state])
+    return np.asarray(grid[:, state, np.arange(len(state))].T)

@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.kinematics import Chain, q_to_words
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats
 
-from .corridor import improve
+from .corridor import GOOD, improve
 from .pole import other_way
 from .rows import Rows, find_rows, run_begins
 from .steps import Task, axes_of, levels
@@ -36,7 +36,10 @@ LEAST_TILT, MOST_TILT = math.radians(1e-3), math.radians(30.0)
 """Less is hardly more than the words' last digit; with more an axis has little to do with its surface."""
 GAIN = 0.99
 """A run's new axes are kept where its largest deviation is below this share of the old one: rounded words then agree."""
-CHECKS = 3
+AGAIN, OTHER = 3, 1.1
+"""Where the joint path takes up the new axes on the other branch, on which the deviation is larger by the second, the run is
+bettered there, so many times."""
+CHECKS = 10
 """Runs influence each other's branch: after so many checks with some of them put back, all are."""
 SAME = 1e-9
 """mm, and a share: deviations that differ by less are the same."""
@@ -71,19 +74,30 @@ def minimax_axes(
     length = np.linalg.norm(np.diff(at.centre, axis=0, prepend=at.centre[:1]), axis=1)
     minutes = length / feed if feed < math.inf else np.full(len(length), math.inf)
     task = Task(links, reach, max_tilt, minutes, np.abs(np.diff(start, axis=0, prepend=start[:1])))
-    better = _best(task, at, start, progress)
-    return _kept(path, axis, axes_of(links, better), links, reach, before)
+    found = _best(task, at, start, progress)
+    for _ in range(AGAIN):
+        words, after = _driven(path, axes_of(links, found), links, reach)
+        other = np.flatnonzero(after > OTHER * levels(task, at, found) + SAME)
+        if not len(other):
+            break
+        some, rows = at.take(other)
+        found[rows] = improve(task.take(rows), some, words[rows], progress)
+    return _kept(path, axis, axes_of(links, found), links, reach, before)
 
 
 def _best(task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
     """Rotary words (k, 2): from the way that is known, or another one by the pole, whichever leads to the lower level."""
     better = improve(task, at, start, progress)
-    runs, way = other_way(task, at, start, levels(task, at, start))
+    bad = np.flatnonzero(levels(task, at, better) > GOOD)
+    if not len(bad):
+        return better
+    some, rows = at.take(bad)
+    runs, way = other_way(task.take(rows), some, start[rows], levels(task, at, start)[bad])
     if len(runs):
-        some, rows = at.take(runs)
-        own = task.take(rows)
-        found = improve(own, some, way[rows], progress)
-        lower = (levels(own, some, found) < levels(own, some, better[rows]))[some.run]
+        part, own = some.take(runs)
+        rows, own_task = rows[own], task.take(rows[own])
+        found = improve(own_task, part, way[own], progress)
+        lower = (levels(own_task, part, found) < levels(own_task, part, better[rows]))[part.run]
         better[rows[lower]] = found[lower]
     return better
 

@@ -75,12 +75,13 @@ def _stretches(task: Task, at: Rows, axis: Floats) -> tuple[Rows, Ints, Bools]:
 def _searched(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools, level: Floats) -> Floats:
     """The best states (s, 2) of stretches on the lattice."""
     grid, good = _lattice(task, at, angles, axis, inner)
+    grid = np.ascontiguousarray(grid.transpose(2, 1, 0))
     there = states(task.links, grid, at.centre, task.reach)
-    good &= usable(task, at, grid, there)
-    good[:, -1] = True
+    good = good.T & usable(task, at, grid, there)
+    good[-1] = True
     cost = step_costs(task, at, there, np.maximum(level, GOOD), nearest=True, known=-1)
     state = cheapest(cost, np.where(good, 0.0, np.inf), at.first, at.size)
-    return np.asarray(grid[np.arange(len(grid)), state])
+    return np.asarray(grid[:, state, np.arange(len(state))].T)
 
 
 def _lattice(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools) -> tuple[Floats, Bools]:
@@ -91,7 +92,7 @@ def _lattice(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools) -
     first = np.arange(-math.pi, math.pi - 0.5 * FIRST, FIRST)
     points = np.stack(np.meshgrid(first, task.pair.best + np.concatenate([-second, second])), -1).reshape(-1, 2)
     there = axes_of(task.links, points)
-    near = inner[:, None] & allowed(at.before, at.after, task.max_tilt, np.broadcast_to(there, (len(angles), *there.shape)))
+    near = inner[:, None] & allowed(at.before, at.after, task.max_tilt, there.T[:, :, None]).T
     width = int(near.sum(axis=1).max())
     order = np.argsort(~near, axis=1, kind="stable")[:, :width]
     grid = np.concatenate([points[order], _other(task, axis, angles)[:, None], angles[:, None]], axis=1)

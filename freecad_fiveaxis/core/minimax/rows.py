@@ -63,7 +63,7 @@ def run_begins(path: OffsetPath) -> Bools:
 
 
 def allowed(before: Floats, after: Floats, max_tilt: float, axis: Floats) -> Bools:
-    """Whether unit ``axis`` (k, m, 3) is within ``max_tilt`` rad of the range between ``before`` and ``after`` (k, 3): (k, m).
+    """Whether unit ``axis`` (3, m, k) is within ``max_tilt`` rad of the range between ``before`` and ``after`` (k, 3): (m, k).
 
     An axis that leans below a facet beside its contact is not allowed: the shank would stand in the part.
     """
@@ -74,10 +74,10 @@ def allowed(before: Floats, after: Floats, max_tilt: float, axis: Floats) -> Boo
     near, far = _along(axis, before), _along(axis, after)
     beside = np.abs(_along(axis, across)) <= math.sin(max_tilt) + EDGE
     beside &= (_along(axis, np.cross(across, before)) >= 0.0) & (_along(axis, np.cross(after, across)) >= 0.0)
-    beside &= ~point[:, None]
+    beside &= ~point
     at_end = np.maximum(near, far) >= math.cos(max_tilt) - EDGE * max(max_tilt, EDGE)
     return np.asarray((beside | at_end) & (np.minimum(near, far) >= 0.0))
 
 
 def _along(axis: Floats, vector: Floats) -> Floats:
-    return np.asarray(np.einsum("kmi,ki->km", axis, vector))
+    return np.asarray(axis[0] * vector[:, 0] + axis[1] * vector[:, 1] + axis[2] * vector[:, 2])

@@ -20,8 +20,9 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from .blocks import MIDDLE, QUARTERS, Ends, States, bow, states
 from .rows import Rows, allowed
 
-POWER = 32.0
-"""Of 50 blocks that are all at the level, a sum of this power misses the smallest largest by at most 13 %, mostly far less."""
+DOUBLINGS = 4
+"""The deviation counts with the power 2 ** (this + 1), 32. Of 50 blocks that are all at the level, such a sum misses the
+smallest largest by at most 13 %, mostly far less."""
 EVENLY, STILL = 1e-3, 1e-6
 """Weights of the squared deviation, and of the squared turn in units of the largest tilt: among ways of one level, the one that
 deviates less elsewhere and turns less."""
@@ -65,51 +66,53 @@ def levels(task: Task, at: Rows, angles: Floats) -> Floats:
 
 def deviations(task: Task, at: Rows, angles: Floats) -> Floats:
     """The deviation (k,) mm of the block that leads to each row; 0 where a run begins."""
-    start, end = _blocks(states(task.links, angles[:, None], at.centre, task.reach).ends)
+    start, end = _blocks(states(task.links, angles.T[:, None], at.centre, task.reach).ends)
     found = np.zeros(len(angles))
-    found[1:] = bow(task.links, start, end, QUARTERS)[:, 0, 0]
+    found[1:] = bow(task.links, start, end, QUARTERS)[0, 0]
     found[at.first] = 0.0
     return found
 
 
 def usable(task: Task, at: Rows, grid: Floats, there: States) -> Bools:
-    """Which states (k, m) the limits and the row's range allow; ``grid`` (k, m, 2) rad."""
-    low, high = task.links.low[3:], task.links.high[3:]
-    good = ((grid >= low) & (grid <= high)).all(-1) & (np.abs(np.sin(grid[..., 1] - task.pair.best)) > POLE)
+    """Which states (m, k) the limits and the row's range allow; ``grid`` (2, m, k) rad."""
+    low, high = task.links.low[3:, None, None], task.links.high[3:, None, None]
+    good = ((grid >= low) & (grid <= high)).all(0) & (np.abs(np.sin(grid[1] - task.pair.best)) > POLE)
     return np.asarray(good & allowed(at.before, at.after, task.max_tilt, there.axis))
 
 
 def step_costs(task: Task, at: Rows, there: States, level: Floats, nearest: bool = False, known: int | None = None) -> Floats:
-    """Costs (k - 1, m, m) of the steps between the states, inf where there must be none; from run to run they mean nothing.
+    """Costs (m, m, k - 1) of the steps between the states, inf where there must be none; from run to run they mean nothing.
 
     ``level`` (p,) mm: what the deviations are measured by; ``nearest``: the first word turns the shorter way; ``known``: a state
     of every row whose steps to each other are allowed whatever they are.
     """
     start, end = _blocks(there.ends)
     ratio = bow(task.links, start, end, MIDDLE if nearest else QUARTERS, nearest)
-    ratio /= level[at.run[1:]][:, None, None]
+    ratio /= level[at.run[1:]]
     np.square(ratio, out=ratio)
-    cost = ratio ** (0.5 * POWER)
-    cost += EVENLY * ratio
+    cost = ratio * EVENLY
+    for _ in range(DOUBLINGS):
+        np.square(ratio, out=ratio)
+    cost += ratio
     bad = _sides_differ(task, there, start, end)
     for word, (one, two) in enumerate(((start.a, end.a), (start.b, end.b))):
-        turn = two[:, None, :] - one[:, :, None]
+        turn = two[None] - one[:, None]
         if nearest and word == 0:
             turn -= TURN * np.rint(turn / TURN)
         most = np.maximum(task.links.rate[3 + word] * task.minutes[1:], task.least[1:, word])
-        bad |= np.abs(turn) > most[:, None, None]
+        bad |= np.abs(turn) > most
         turn *= turn
         turn *= STILL / task.max_tilt**2
         cost += turn
     if known is not None:
-        bad[:, known, known] = False
+        bad[known, known] = False
     cost[bad] = np.inf
     return cost
 
 
 def _blocks(ends: Ends) -> tuple[Ends, Ends]:
     """Both ends of the blocks from each row to the next."""
-    count = len(ends.a)
+    count = ends.a.shape[1]
     return ends.take(slice(0, count - 1)), ends.take(slice(1, count))
 
 
@@ -119,19 +122,19 @@ def side(task: Task, second: Floats) -> Bools:
 
 
 def _sides_differ(task: Task, there: States, start: Ends, end: Ends) -> Bools:
-    """The steps (k, m, m') that change sides of the pole and do not go through it."""
+    """The steps (m, m', k) that change sides of the pole and do not go through it."""
     one, two = side(task, start.b), side(task, end.b)
-    bad = np.zeros((len(one), one.shape[1], two.shape[1]), bool)
-    rows = np.flatnonzero(~((one.all(1) & two.all(1)) | ~(one.any(1) | two.any(1))))
-    bad[rows] = one[rows][:, :, None] != two[rows][:, None, :]
-    bad[rows] &= ~through_pole(task.links.direction[3], there.axis[rows], there.axis[rows + 1])
+    bad = np.zeros((len(one), len(two), one.shape[1]), bool)
+    rows = np.flatnonzero(~((one.all(0) & two.all(0)) | ~(one.any(0) | two.any(0))))
+    if len(rows):
+        through = through_pole(task.links.direction[3], there.axis[:, :, rows], there.axis[:, :, rows + 1])
+        bad[..., rows] = (one[:, None, rows] != two[None, :, rows]) & ~through
     return bad
 
 
 def through_pole(first: Floats, one: Floats, two: Floats) -> Bools:
-    """Which great arcs from axes ``one`` (k, m, 3) to axes ``two`` (k, m', 3) pass ``first`` (3,) or its opposite."""
+    """Which great arcs from axes ``one`` (3, m, k) to axes ``two`` (3, m', k) pass ``first`` (3,) or its opposite."""
     frame = np.linalg.svd(first[None])[2][1:]
-    (x0, y0), (x1, y1) = (np.moveaxis(axis @ frame.T, -1, 0) for axis in (one, two))
-    x0, y0, x1, y1 = x0[:, :, None], y0[:, :, None], x1[:, None, :], y1[:, None, :]
+    (x0, y0), (x1, y1) = (np.einsum("ij,j...->i...", frame, axis) for axis in (one[:, :, None], two[:, None]))
     area = np.abs(x0 * y1 - y0 * x1)
     return np.asarray((x0 * x1 + y0 * y1 < 0.0) & (area <= THROUGH * np.sqrt((x1 - x0) ** 2 + (y1 - y0) ** 2)))

@@ -15,9 +15,10 @@ from freecad_fiveaxis.core.records import Floats, Ints
 def cheapest(cost: Floats, entry: Floats, first: Ints, size: Ints) -> Ints:
     """The state (k,) of each row on the cheapest way through its run.
 
-    ``cost`` (k - 1, m, m) of the step from row i to i + 1, inf where there is none; those from one run to the next are not
-    used. ``entry`` (k, m) cost of being in a state. ``first``, ``size`` (p,): the rows of each run.
+    ``cost`` (m, m, k - 1) of the step from row i to i + 1, inf where there is none; those from one run to the next are not
+    used. ``entry`` (m, k) cost of being in a state. ``first``, ``size`` (p,): the rows of each run.
     """
+    cost, entry = (np.ascontiguousarray(np.moveaxis(table, -1, 0)) for table in (cost, entry))
     order = np.argsort(-size, kind="stable")
     first, size = first[order], size[order]
     value = entry[first]
