@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import IntEnum
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -19,11 +19,15 @@ from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze, picked
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.side_by_side import side_by_side
 
 from .linking import SAME, WayOut, keepout, way_out
 
 ORDERS = ("zigzag", "one_way")
+BACKWARDS = {name: name for name in ("point", "centre", "normal", "face", "coedge", "segment", "polyline", "pass_")}
+BACKWARDS |= {"before": "after", "after": "before", "step_before": "step_after", "step_after": "step_before"}
+"""From which column each one comes in a pass that is cut backwards."""
 CONTROL_POINTS = ("tip", "centre")
 
 
@@ -92,17 +96,21 @@ def order_passes(path: OffsetPath, order: str) -> OffsetPath:
         raise SettingsError(f"order is {order!r}; choose one of {', '.join(ORDERS)}", order)
     if order == "one_way" or not len(path.point):
         return path
-    row, backwards = _to_and_fro(path.pass_)
-    fill = path.fill[np.minimum(row + backwards, len(row) - 1)]  # the move between two rows, gone the other way
-    fill[_starts(path.polyline[row])] = False
-    columns = {name: getattr(path, name)[row] for name in ("face", "coedge", "segment", "polyline", "pass_")}
-    columns |= {name: picked(getattr(path, name), row) for name in ("point", "centre", "normal")}
-    before, after, turned = picked(path.before, row), picked(path.after, row), backwards[:, None]
-    return replace(
-        path, **columns, fill=fill, before=np.where(turned, after, before), after=np.where(turned, before, after),
-        step_before=np.where(backwards, path.step_after[row], path.step_before[row]),
-        step_after=np.where(backwards, path.step_before[row], path.step_after[row]),
-    )  # fmt: skip
+    start = _starts(path.pass_).tolist()
+    backwards = list(zip(start[1::2], [*start[2::2], len(path.point)], strict=False))
+
+    def turned(name: str) -> Any:
+        column, other = getattr(path, name).T.copy(), getattr(path, BACKWARDS[name]).T
+        for first, end in backwards:
+            column[..., first:end] = other[..., first:end][..., ::-1]
+        return column.T
+
+    columns: dict[str, Any] = dict(zip(BACKWARDS, side_by_side(turned, list(BACKWARDS), rows=len(path.point)), strict=True))
+    fill = path.fill.copy()
+    for first, end in backwards:  # the move between two rows, gone the other way
+        fill[first + 1 : end] = path.fill[first + 1 : end][::-1]
+    fill[_starts(columns["polyline"])] = False
+    return replace(path, **columns, fill=fill)
 
 
 def link_passes(
@@ -163,8 +171,11 @@ def _merged(path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: 
 
     def woven(own: Floats, link: Floats) -> Floats:
         rows = np.empty((3, n + m))
-        for k in range(3):
+
+        def put(k: int) -> None:
             rows[k, on_path], rows[k, between] = own[:, k], link[:, k]
+
+        side_by_side(put, range(3), rows=n)
         return rows.T
 
     def column(own: Ints | Bytes, link: Bytes | int) -> Ints:
@@ -191,14 +202,6 @@ def _goes_on(centre: Floats, first: Ints, last: Ints) -> Bools:
     """Which polylines start where the one before them ended."""
     near = np.abs(centre[first[1:]] - centre[last[:-1]]).max(axis=1, initial=0.0) < SAME
     return np.concatenate([[False], near])
-
-
-def _to_and_fro(pass_: Ints) -> tuple[Ints, Bools]:
-    """Row of the path for each row of the zigzag (n,), and which of these are cut backwards (n,)."""
-    start, row = _starts(pass_), np.arange(len(pass_))
-    size = np.diff(start, append=len(pass_))
-    backwards = np.repeat(np.arange(len(start)) % 2 == 1, size)
-    return np.where(backwards, np.repeat(2 * start + size - 1, size) - row, row), backwards
 
 
 def _starts(label: Ints) -> Ints:

@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.deviation import quick_bound
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, branch_of, forward, inverse_axis, joint_words, q_to_words
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.side_by_side import side_by_side
 
 from .branches import POLE_ANGLE, SLACK, TURN
 
@@ -191,7 +192,8 @@ def _insert(
         columns[..., place] = rows.T
         return columns.T
 
-    longer = replace(path, **{name: woven(getattr(path, name), rows) for name, rows in new.items()})
+    columns = side_by_side(lambda name: woven(getattr(path, name), new[name]), list(new), rows=len(source))
+    longer = replace(path, **dict(zip(new, columns, strict=True)))
     branch = woven(drive.branch, branch_of(links, angles[:, 1]))
     return Drive(longer, drive.row.take(source), woven(drive.angles, angles), branch)
 
