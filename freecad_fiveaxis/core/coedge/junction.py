@@ -201,11 +201,12 @@ def dot(one: Floats, two: Floats) -> Floats:
 
 def arc_weights(theta: Floats, angle: Floats) -> tuple[Floats, Floats, Floats]:
     """w1, w2, w3 of the unit normal at ``angle`` from the first of two normals that are ``theta`` apart (rad, not 0)."""
-    knife = np.pi - theta < KNIFE
-    sine = np.where(knife, 1.0, np.sin(theta))
-    first = np.where(knife, np.cos(angle), np.sin(theta - angle) / sine)
-    second = np.where(knife, 0.0, np.sin(angle) / sine)
-    return first, second, np.where(knife, np.sin(angle), 0.0)
+    knife = np.flatnonzero(np.pi - theta < KNIFE)
+    sine, third = np.sin(theta), np.zeros(len(theta))
+    sine[knife], third[knife] = 1.0, np.sin(angle[knife])
+    first, second = np.sin(theta - angle) / sine, np.sin(angle) / sine
+    first[knife], second[knife] = np.cos(angle[knife]), 0.0
+    return first, second, third
 
 
 def junction_rows(segments: Segments, junctions: Junctions, at: Ints, step: Ints, radius: float) -> Rows:

@@ -192,11 +192,14 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions) -> _Spot:
     seam = [np.where(apart[last], b[last], a[last]) for a, b in zip(end, start, strict=True)]
     begin = _Spot(one, chords.start[one], ~yes, ~yes, right, right, ~yes, none)
     head = _Spot(*(np.where(opened[last], a[first], b) for a, b in zip(begin, seam, strict=True)))._replace(fill=~yes[first])
+    place = np.cumsum(used).reshape(used.shape) - 1
+    over, on = np.flatnonzero(used[:, 2]), np.flatnonzero(apart)
     woven = []
-    for begins, *others in zip(head, end, lift, start, strict=True):
-        four = np.stack([others[0], *others], axis=1)
-        four[first, 0] = begins
-        woven.append(four[used])
+    for begins, ends, lifts, starts in zip(head, end, lift, start, strict=True):
+        column = np.empty(int(used.sum()), ends.dtype)
+        column[place[first, 0]], column[place[:, 1]] = begins, ends
+        column[place[over, 2]], column[place[on, 3]] = lifts[over], starts[on]
+        woven.append(column)
     return _Spot(*woven)
 
 
