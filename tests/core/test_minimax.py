@@ -246,7 +246,7 @@ def test_it_says_where_it_stands_and_can_be_stopped():
 @pytest.mark.parametrize("tilt", [0.0, -0.1, 1.0, np.nan])
 def test_a_tilt_of_zero_or_beyond_all_sense_is_refused(tilt):
     offset, axis, links, reach = given("trunnion_ac")
-    with pytest.raises(SettingsError, match="max-tilt .* is out of range; give 0.001 to 30 deg"):
+    with pytest.raises(SettingsError, match=r"max-tilt .* is out of range; give 0.001 to 30 deg"):
         minimax_axes(offset, axis, links, reach, tilt)
 
 
@@ -301,7 +301,10 @@ def test_bows_are_those_of_the_real_path(machine):
     for row, one, two in itertools.product(range(3), range(3), range(3)):
         place = [centre[row] - 5.0 * axis[one, row], centre[row + 1] - 5.0 * axis[two, row + 1]]
         turn = [angles[:, one, row], angles[:, two, row + 1]]
-        words = [q_to_words(np.column_stack([linear_words(links, p[None], a[None]), a[None]])) for p, a in zip(place, turn)]
+        words = [
+            q_to_words(np.column_stack([linear_words(links, p[None], a[None]), a[None]]))
+            for p, a in zip(place, turn, strict=True)
+        ]
         real = tip_at(links, words[0], words[1], np.array([[0.25, 0.5, 0.75]]))[0]
         chord = place[1] - place[0]
         foot = np.clip((real - place[0]) @ chord / (chord @ chord), 0, 1)

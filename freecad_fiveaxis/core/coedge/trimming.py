@@ -12,7 +12,7 @@ shrinks; all that do not disturb each other are dropped in one round.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -194,7 +194,7 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions) -> _Spot:
     head = _Spot(*(np.where(opened[last], a[first], b) for a, b in zip(begin, seam, strict=True)))._replace(fill=~yes[first])
     place = np.cumsum(used).reshape(used.shape) - 1
     over, on = np.flatnonzero(used[:, 2]), np.flatnonzero(apart)
-    woven = []
+    woven: list[Any] = []
     for begins, ends, lifts, starts in zip(head, end, lift, start, strict=True):
         column = np.empty(int(used.sum()), ends.dtype)
         column[place[first, 0]], column[place[:, 1]] = begins, ends
