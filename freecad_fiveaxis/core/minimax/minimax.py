@@ -15,6 +15,7 @@ kept      a run's new axes count only where its largest deviation, by the joint 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -30,15 +31,17 @@ from freecad_fiveaxis.core.records import Floats
 from .corridor import GOOD, improve
 from .pole import other_way
 from .rows import Rows, find_rows, run_begins
-from .steps import Task, axes_of, levels
+from .steps import Task, axes_of, hastes, levels
 
 LEAST_TILT, MOST_TILT = math.radians(1e-3), math.radians(30.0)
 """Less is hardly more than the words' last digit; with more an axis has little to do with its surface."""
 GAIN = 0.99
 """A run's new axes are kept where its largest deviation is below this share of the old one: rounded words then agree."""
-AGAIN, OTHER = 3, 1.1
-"""Where the joint path takes up the new axes on the other branch, on which the deviation is larger by the second, the run is
-bettered there, so many times."""
+AGAIN, OTHER, HASTE = 3, 1.1, 1.01
+"""The joint path may take up the new axes on the other branch. A run that there deviates more by the second is bettered there;
+one that turns faster than it may by the third is searched again with as much less turn: so many times."""
+INSTANT = 1e-15
+"""Minutes that a block takes at least: no time for any turn, but an axis without a rate has one that is infinite."""
 CHECKS = 10
 """Runs influence each other's branch: after so many checks with some of them put back, all are."""
 SAME = 1e-9
@@ -72,17 +75,28 @@ def minimax_axes(
     start, before = _driven(path, axis, links, reach)
     at = find_rows(path)
     length = np.linalg.norm(np.diff(at.centre, axis=0, prepend=at.centre[:1]), axis=1)
-    minutes = length / feed if feed < math.inf else np.full(len(length), math.inf)
+    minutes = np.maximum(length / feed, INSTANT) if feed < math.inf else np.full(len(length), math.inf)
     task = Task(links, reach, max_tilt, minutes, np.abs(np.diff(start, axis=0, prepend=start[:1])))
-    found = _best(task, at, start, progress)
+    found = _followed(path, links, reach, task, at, start, progress)
+    return _kept(path, axis, found, task, at, before)
+
+
+def _followed(path: OffsetPath, links: Chain, reach: float, task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
+    """The axes (k, 3) of small levels on the branches that the joint path will take them up on, and within the rates there."""
+    words, room = _best(task, at, start, progress), np.ones(len(at.first))
     for _ in range(AGAIN):
-        words, after = _driven(path, axes_of(links, found), links, reach)
-        other = np.flatnonzero(after > OTHER * levels(task, at, found) + SAME)
-        if not len(other):
+        taken, after = _driven(path, axes_of(links, words), links, reach)
+        haste = hastes(task, at, taken)
+        fast, other = haste > HASTE, after > OTHER * levels(task, at, words) + SAME
+        if not (fast | other).any():
             break
-        some, rows = at.take(other)
-        found[rows] = improve(task.take(rows), some, words[rows], progress)
-    return _kept(path, axis, axes_of(links, found), links, reach, before)
+        room /= np.where(fast, HASTE * haste, 1.0)
+        for runs, search, begin in ((fast, _best, start), (other & ~fast, improve, taken)):
+            some, rows = at.take(np.flatnonzero(runs))
+            if len(rows):
+                own = task.take(rows)
+                words[rows] = search(replace(own, minutes=own.minutes * room[at.run[rows]]), some, begin[rows], progress)
+    return axes_of(links, words)
 
 
 def _best(task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
@@ -102,16 +116,19 @@ def _best(task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
     return better
 
 
-def _kept(path: OffsetPath, axis: Floats, found: Floats, links: Chain, reach: float, before: Floats) -> Floats:
-    """``found`` in the runs where the largest deviation is really smaller than ``before`` (p,), ``axis`` in the others."""
-    run = np.cumsum(run_begins(path)) - 1
+def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, before: Floats) -> Floats:
+    """``found`` in the runs where the largest deviation is really smaller than ``before`` (p,) and no axis too fast, ``axis`` in
+    the others."""
     keep = np.ones(len(before), bool)
     for _ in range(CHECKS):
-        mixed = np.where(keep[run][:, None], found, axis)
-        after = _driven(path, mixed, links, reach)[1]
+        mixed = np.where(keep[at.run][:, None], found, axis)
+        words, after = _driven(path, mixed, task.links, task.reach)
         worse = np.where(keep, after >= GAIN * before, after > before * (1.0 + SAME) + SAME)
+        worse |= keep & (hastes(task, at, words) > HASTE)
         if not worse.any():
             return mixed
+        if not (keep & worse).any():
+            break
         keep &= ~worse
     return axis
 

@@ -18,7 +18,7 @@ import numpy as np
 from freecad_fiveaxis.core.kinematics import inverse_axis
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
-from .blocks import states
+from .blocks import MIDDLE, states
 from .corridor import GOOD, portions
 from .rows import Rows, allowed
 from .steps import TURN, Task, axes_of, side, step_costs, usable
@@ -79,7 +79,7 @@ def _searched(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools, 
     there = states(task.links, grid, at.centre, task.reach)
     good = good.T & usable(task, at, grid, there)
     good[-1] = True
-    cost = step_costs(task, at, there, np.maximum(level, GOOD), nearest=True, known=-1)
+    cost = step_costs(task, at, there, np.maximum(level, GOOD), MIDDLE, nearest=True, known=-1)
     state = cheapest(cost, np.where(good, 0.0, np.inf), at.first, at.size)
     return np.asarray(grid[:, state, np.arange(len(state))].T)
 

@@ -10,6 +10,7 @@ side      of the pole: the branch. A step may change it only where its great arc
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +18,7 @@ import numpy as np
 from freecad_fiveaxis.core.kinematics import Chain, RotaryPair, forward
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
-from .blocks import MIDDLE, QUARTERS, Ends, States, bow, states
+from .blocks import QUARTERS, Ends, States, bow, states
 from .rows import Rows, allowed
 
 DOUBLINGS = 4
@@ -30,6 +31,8 @@ POLE = 1e-4
 """States nearer to the pole (rad) are left out: the first word is not known there."""
 THROUGH = math.radians(0.08)
 """A great arc that passes the pole that near (rad) goes through it: less than what the joint path takes for a crossing."""
+STEADY = 1e-6
+"""rad: a turn that rounding may make."""
 TURN = 2.0 * math.pi
 
 
@@ -73,6 +76,14 @@ def deviations(task: Task, at: Rows, angles: Floats) -> Floats:
     return found
 
 
+def hastes(task: Task, at: Rows, angles: Floats) -> Floats:
+    """How many times faster than it may a rotary axis turns in each run (p,); below 1: none does."""
+    turn = np.abs(np.diff(angles, axis=0, prepend=angles[:1]))
+    turn[at.first] = 0.0
+    most = np.maximum(task.links.rate[3:] * task.minutes[:, None], task.least)
+    return np.asarray(np.maximum.reduceat((turn / (most + STEADY)).max(axis=1), at.first))
+
+
 def usable(task: Task, at: Rows, grid: Floats, there: States) -> Bools:
     """Which states (m, k) the limits and the row's range allow; ``grid`` (2, m, k) rad."""
     low, high = task.links.low[3:, None, None], task.links.high[3:, None, None]
@@ -80,14 +91,16 @@ def usable(task: Task, at: Rows, grid: Floats, there: States) -> Bools:
     return np.asarray(good & allowed(at.before, at.after, task.max_tilt, there.axis))
 
 
-def step_costs(task: Task, at: Rows, there: States, level: Floats, nearest: bool = False, known: int | None = None) -> Floats:
+def step_costs(
+    task: Task, at: Rows, there: States, level: Floats, shares: Sequence[float], nearest: bool = False, known: int | None = None
+) -> Floats:
     """Costs (m, m, k - 1) of the steps between the states, inf where there must be none; from run to run they mean nothing.
 
-    ``level`` (p,) mm: what the deviations are measured by; ``nearest``: the first word turns the shorter way; ``known``: a state
-    of every row whose steps to each other are allowed whatever they are.
+    ``level`` (p,) mm: what the deviations, those at ``shares`` of the blocks, are measured by; ``nearest``: the first word turns
+    the shorter way; ``known``: a state of every row whose steps to each other are allowed whatever they are.
     """
     start, end = _blocks(there.ends)
-    ratio = bow(task.links, start, end, MIDDLE if nearest else QUARTERS, nearest)
+    ratio = bow(task.links, start, end, shares, nearest)
     ratio /= level[at.run[1:]]
     np.square(ratio, out=ratio)
     cost = ratio * EVENLY
