@@ -2,7 +2,8 @@
 """Memory of a process that does one job and ends.
 
 The street makes and drops columns of some ten megabytes. glibc gives each of them back to the system at once and asks for it
-anew, which on a virtual machine costs more than the work on it. A process that ends with its job keeps them instead.
+anew, which on a virtual machine costs more than the work on it. A process that ends with its job keeps them instead, and its
+threads take from one store: a store of their own would not keep what is large.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ elementwise work on ``p[:, 0]`` runs at memory speed. Nothing depends on the ord
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,6 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 Bytes = NDArray[np.int8]
-S = TypeVar("S", np.float64, np.int64)
 
 _KINDS: dict[str, Any] = {"f": np.float64, "i": np.int64, "b": np.bool_, "m": np.int8}
 
@@ -41,6 +40,6 @@ def freeze(record: object, rows: int | None, **columns: str) -> None:
         object.__setattr__(record, name, array)
 
 
-def picked(table: NDArray[S], rows: Ints) -> NDArray[S]:
-    """Rows (k,) of a long ``table`` (n,) or (n, w), in Fortran order: column by column, at memory speed."""
-    return np.ascontiguousarray(table.T).take(rows, axis=-1).T
+def picked(table: Floats, rows: Ints) -> Floats:
+    """Rows (k,) of a long ``table`` (n, w), in Fortran order: column by column, at memory speed."""
+    return np.ascontiguousarray(table.T).take(rows, axis=1).T

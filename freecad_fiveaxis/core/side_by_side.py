@@ -19,20 +19,13 @@ THREADS = 2
 """More of them wait for Python more often than they gain."""
 
 
-LONG = 65536
-"""Rows from which a column is worth a thread: starting two takes as long as to copy so many."""
-
-
-def side_by_side(
-    work: Callable[[P], T], parts: Sequence[P], done: Callable[[float], None] = lambda share: None, rows: int = LONG
-) -> list[T]:
-    """What ``work`` gives for each of the parts, in their order. One after another where there is one core or one part, or where
-    the columns have fewer than LONG ``rows``.
+def side_by_side(work: Callable[[P], T], parts: Sequence[P], done: Callable[[float], None] = lambda share: None) -> list[T]:
+    """What ``work`` gives for each of the parts, in their order. One after another where there is one core or one part.
 
     ``done(share)`` is called from this thread after each part with the share of the parts that are done, 0 to 1. What it or
     ``work`` raises is raised here; parts that have not begun by then are left.
     """
-    if len(parts) < 2 or rows < LONG or _cores() < 2:
+    if len(parts) < 2 or _cores() < 2:
         return [_told(work(part), number, parts, done) for number, part in enumerate(parts)]
     pool = ThreadPoolExecutor(THREADS)
     try:

@@ -40,10 +40,6 @@ def test_several_parts_go_to_threads_only_where_there_are_cores(cores):
     assert side_by_side(lambda part: threading.current_thread(), range(1)) == [threading.current_thread()]
 
 
-def test_short_columns_are_not_worth_a_thread(cores):
-    assert set(side_by_side(lambda part: threading.current_thread(), range(50), rows=100)) == {threading.current_thread()}
-
-
 def test_what_a_part_raises_is_raised(cores):
     def work(part):
         if part == 3:

@@ -20,7 +20,6 @@ from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
-from freecad_fiveaxis.core.side_by_side import side_by_side
 
 from .linking import SAME, WayOut, keepout, way_out
 
@@ -105,7 +104,7 @@ def order_passes(path: OffsetPath, order: str) -> OffsetPath:
             column[..., first:end] = other[..., first:end][..., ::-1]
         return column.T
 
-    columns: dict[str, Any] = dict(zip(BACKWARDS, side_by_side(turned, list(BACKWARDS), rows=len(path.point)), strict=True))
+    columns = {name: turned(name) for name in BACKWARDS}
     fill = path.fill.copy()
     for first, end in backwards:  # the move between two rows, gone the other way
         fill[first + 1 : end] = path.fill[first + 1 : end][::-1]
@@ -171,11 +170,8 @@ def _merged(path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: 
 
     def woven(own: Floats, link: Floats) -> Floats:
         rows = np.empty((3, n + m))
-
-        def put(k: int) -> None:
+        for k in range(3):
             rows[k, on_path], rows[k, between] = own[:, k], link[:, k]
-
-        side_by_side(put, range(3), rows=n)
         return rows.T
 
     def column(own: Ints | Bytes, link: Bytes | int) -> Ints:

@@ -9,7 +9,7 @@ R         length of the co-edge normal, r / cos(theta / 2) (eq. 4), at which the
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,10 +27,6 @@ from .rows import Closed, closed_rows, row_begins
 
 NOTABLE = 0.01
 """mm cut into the part or left on it before it is worth a finding: a usual finishing tolerance."""
-
-
-TAKEN = ("point", "centre", "normal", "before", "after", "step_before", "step_after", "face", "coedge", "segment", "pass_")
-"""Columns that stay as they are when rows are left out."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,9 +72,9 @@ def lasting_rows(path: OffsetPath, rows: Ints) -> Ints:
 def take_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
     """Some rows of a path, ascending: a polyline ends where rows are left out, and what is left of it begins a new one."""
     begins = row_begins(rows, path.polyline[rows])
-    columns = side_by_side(lambda name: picked(getattr(path, name), rows), TAKEN, rows=len(rows))
-    taken: dict[str, Any] = dict(zip(TAKEN, columns, strict=True))
-    return replace(path, **taken, polyline=np.cumsum(begins) - 1, fill=path.fill[rows] & ~begins)
+    columns = {name: getattr(path, name)[rows] for name in ("face", "coedge", "segment", "pass_", "step_before", "step_after")}
+    columns |= {name: picked(getattr(path, name), rows) for name in ("point", "centre", "normal", "before", "after")}
+    return replace(path, **columns, polyline=np.cumsum(begins) - 1, fill=path.fill[rows] & ~begins)
 
 
 def close_gaps(

@@ -22,7 +22,6 @@ from freecad_fiveaxis.core.deviation import quick_bound
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, branch_of, forward, inverse_axis, joint_words, q_to_words
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
-from freecad_fiveaxis.core.side_by_side import side_by_side
 
 from .branches import POLE_ANGLE, SLACK, TURN
 
@@ -192,8 +191,7 @@ def _insert(
         columns[..., place] = rows.T
         return columns.T
 
-    columns = side_by_side(lambda name: woven(getattr(path, name), new[name]), list(new), rows=len(source))
-    longer = replace(path, **dict(zip(new, columns, strict=True)))
+    longer = replace(path, **{name: woven(getattr(path, name), rows) for name, rows in new.items()})
     branch = woven(drive.branch, branch_of(links, angles[:, 1]))
     return Drive(longer, drive.row.take(source), woven(drive.angles, angles), branch)
 
