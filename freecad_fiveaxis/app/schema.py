@@ -17,7 +17,7 @@ import FreeCAD
 
 from .properties import HIDDEN, Property, add_missing
 
-SCHEMA = 1
+SCHEMA = 2
 VERSION = Property(
     "SchemaVersion", "App::PropertyInteger", "Base", "The version of this object's properties", 0, HIDDEN
 )  # fmt: skip
@@ -80,5 +80,9 @@ def _from_0(obj: Any) -> None:
     """Version 0 had the same properties under the same names, but fewer, and no SchemaVersion: adding the missing is all."""
 
 
-STEPS: dict[int, Callable[[Any], None]] = {0: _from_0}
+def _from_1(obj: Any) -> None:
+    """Version 1 had no cure but Linearize, which could only be ``off``: more choices, and properties that are added."""
+
+
+STEPS: dict[int, Callable[[Any], None]] = {0: _from_0, 1: _from_1}
 """From each version to the next: what the plain adding of missing properties would lose, as the value of a renamed one."""

@@ -175,7 +175,7 @@ class CureSettings:
         (MILL, POST), choices=SINGULARITY,
     )  # fmt: skip
     max_axis_change: float = option(
-        math.radians(2.0), "angle", "largest change of the tool axis by `--singularity deform`",
+        math.radians(2.0), "angle", "largest change of the tool axis where it is led past the pole (deform)",
         least=LEAST_CHANGE, most=LARGEST_CHANGE,
     )  # fmt: skip
 

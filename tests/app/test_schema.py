@@ -40,7 +40,7 @@ def test_a_document_of_version_0_opens_and_nothing_is_lost(old, reopen):
     new = reopen(old)
     for name, lacked in LACKED.items():
         assert set(lacked) <= set(new.getObject(name).PropertiesList)
-        assert new.getObject(name).SchemaVersion == schema.SCHEMA == 1
+        assert new.getObject(name).SchemaVersion == schema.SCHEMA == 2
     path = new.Toolpath
     assert {name: path.getPropertyByName(name) for name in before} == before
     assert (path.HolderDiameter.Value, path.HolderLength.Value, path.OriginFromMachine) == (40, 60, True)
@@ -57,6 +57,23 @@ def test_it_is_recomputed_to_the_same_program(old, reopen):
     assert new.Toolpath.Blocks == blocks and results.out_of_date(new.Toolpath) == "" and new.Toolpath.MaxBound > 0
     again = reopen(new)
     assert results.out_of_date(again.Toolpath) == "" and list(again.Markers.Labels)
+
+
+def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8})
+    blocks, deviation = path.Blocks, path.MaxSegmentDeviation.Value
+    for name in ("Singularity", "MaxTilt", "MaxAxisChange"):
+        assert path.removeProperty(name)
+    path.Linearize, path.ToolAxis = ["off"], ["facet_mean", "step_weighted", "fixed"]
+    path.SchemaVersion = 1
+    path = reopen(doc).Toolpath
+    assert (path.SchemaVersion, path.Linearize, path.Singularity, path.ToolAxis) == (2, "off", "report", "facet_mean")
+    assert (path.MaxTilt.Value, path.MaxAxisChange.Value) == pytest.approx((5, 2))
+    path.Document.recompute()
+    assert path.Blocks == blocks
+    path.Linearize, path.Singularity, path.ToolAxis = "on", "deform", "minimax"
+    path.Document.recompute()
+    assert path.MaxSegmentDeviation.Value < deviation and path.State == ["Up-to-date"]
 
 
 def test_every_version_has_its_step():
@@ -76,7 +93,7 @@ def test_a_step_runs_before_the_missing_are_added(doc, monkeypatch):
 
     monkeypatch.setitem(schema.STEPS, 0, renamed)
     path.Proxy.onDocumentRestored(path)
-    assert path.HolderDiameter.Value == 33 and path.OldHolder.Value == 33 and path.SchemaVersion == 1
+    assert path.HolderDiameter.Value == 33 and path.OldHolder.Value == 33 and path.SchemaVersion == schema.SCHEMA
 
 
 def test_an_object_of_a_later_version_is_kept_as_it_is(doc, reopen):

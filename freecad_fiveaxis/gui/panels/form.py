@@ -22,6 +22,13 @@ MORE = "more"
 Section = tuple[str, str, Sequence[str]]
 """Name, title, and the names of the fields in their order."""
 
+DEPENDS = (
+    ("tool_axis", "fixed", ("axis",), ()),
+    ("tool_axis", "minimax", ("max_tilt",), ("lead", "tilt")),
+    ("singularity", "deform", ("max_axis_change",), ()),
+)
+"""A choice and its value; the options that count only then, and those that do not count then."""
+
 
 class Form(QtCore.QObject):
     """The fields of one task. ``edited`` tells that any of them changed; ``widget`` is what to show."""
@@ -112,13 +119,22 @@ class Form(QtCore.QObject):
         self.edited.emit()
 
     def _depend(self) -> None:
-        """Show only the fields that count for the machine and the strategy chosen."""
-        if "tool_length" in self.rows:
+        """Show only the fields that count for the machine and the choices made."""
+        if "tool_length" in self.rows and "machine" in self.fields:
             self._show_row("tool_length", self.fields["machine"].has_head())
-        if "axis" in self.rows:
-            self._show_row("axis", self.fields["tool_axis"].value() == "fixed")
-        if "max_tilt" in self.rows:
-            self._show_row("max_tilt", self.fields["tool_axis"].value() == "minimax")
+        idle = self._idle()
+        for name in (one for _, _, only, never in DEPENDS for one in (*only, *never)):
+            if name in self.rows:
+                self._show_row(name, name not in idle)
+
+    def _idle(self) -> set[str]:
+        """The options that count for nothing as the choices stand: they are not shown, not checked and not given."""
+        return {
+            name
+            for choice, value, only, never in DEPENDS
+            if choice in self.fields
+            for name in (never if self.fields[choice].value() == value else only)
+        }
 
     def _show_row(self, name: str, shown: bool) -> None:
         for widget in self.rows[name]:
@@ -130,7 +146,8 @@ class Form(QtCore.QObject):
         for name, field in self.fields.items():
             if name not in self.extras:
                 said.update(field.value() if name == SPACING else {name: field.value()})
-        return {name: value for name, value in said.items() if value is not None and value != ""}
+        idle = self._idle()
+        return {name: value for name, value in said.items() if value is not None and value != "" and name not in idle}
 
     def said(self) -> dict[str, Any]:
         """The options and the extras."""

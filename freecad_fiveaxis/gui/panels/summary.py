@@ -26,6 +26,16 @@ def summary_lines(obj: Any) -> list[tuple[str, str]]:
     ]
 
 
+CURES = ("linearized", "rotary-words-even", "axis-led-past-pole", "axis-left-near-pole")
+"""Codes of what linearize and deform say of their work."""
+
+
+def cured(obj: Any) -> list[str]:
+    """What was done against deviation, in the core's sentences; after opening a document only once it is computed again."""
+    last = getattr(obj.Proxy, "last", None)
+    return [] if last is None else [one.text for one in last.figures.findings if one.code in CURES]
+
+
 def gravest(obj: Any) -> str:
     """The gravest finding of an object that was computed since its document was opened, else the first one."""
     last = getattr(obj.Proxy, "last", None)
@@ -69,5 +79,6 @@ class Summary(QtWidgets.QGroupBox):
         cells = "".join(
             f"<tr><td>{label}&nbsp;</td><td><b>{html.escape(value)}</b></td></tr>" for label, value in summary_lines(obj)
         )
-        found = f"<p>{html.escape(gravest(obj))}</p>"
+        sentences = dict.fromkeys((*cured(obj), gravest(obj)))
+        found = "".join(f"<p>{html.escape(text)}</p>" for text in sentences if text)
         self.text.setText(f"<table>{cells}</table>{found}")

@@ -85,6 +85,7 @@ def _sections() -> list[tuple[str, str, list[str]]]:
         ("cutter", translate("FiveAxis", "Ball cutter"), ["cutter"]),
         ("passes", translate("FiveAxis", "Passes"), [SPACING, "direction", "tolerance"]),
         ("axis", translate("FiveAxis", "Tool axis"), ["tool_axis", "axis", "lead", "tilt", "max_tilt"]),
+        ("cure", translate("FiveAxis", "Against deviation"), ["linearize", "singularity", "max_axis_change"]),
         ("feeds", translate("FiveAxis", "Feeds"), ["feed", "plunge_feed"]),
         ("zero", translate("FiveAxis", "Work zero"), ["work_zero"]),
     ]

@@ -118,13 +118,18 @@ def _POLE() -> str:
 
 
 def _SPLIT() -> str:
-    return translate("FiveAxis", "Shorter blocks help: half the length leaves about a quarter of the deviation.")
+    return translate(
+        "FiveAxis",
+        "Shorter blocks help: half the length leaves about a quarter of the deviation. Linearize, in the tool path's panel, makes "
+        "as many of them as are needed.",
+    )
 
 
 def _AWAY() -> str:
     return translate(
         "FiveAxis",
-        "Lead or tilt the tool by a few degrees, or clamp the part in another position, so that the tool keeps off the pole.",
+        "Let the tool path's panel lead the axis past the pole, lead or tilt the tool by a few degrees, or clamp the part in "
+        "another position.",
     )
 
 
