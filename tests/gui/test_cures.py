@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Trajectory control in the tool path's panel: choices made by mouse and keys, and what the program then is."""
+
+import pytest
+from conftest import picture
+from test_clicks import command_line, look
+
+from freecad_fiveaxis.app import results
+
+
+@pytest.fixture
+def dome(doc, parameters):
+    """A half ball of 20 mm whose top passes the pole of trunnion_ac; the preferences are the defaults."""
+    parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").Clear()
+    ball = doc.addObject("Part::Sphere", "Dome")
+    ball.Radius, ball.Angle1 = 20, 0
+    doc.recompute()
+    look(doc)
+    return ball
+
+
+@pytest.fixture
+def panel(dome, tree_row, press, field, choose, type_into):
+    """The panel of a new, coarse path over the dome, opened by clicks."""
+    tree_row("Dome")
+    press("FiveAxis_Toolpath")
+    choose(field("spacing_kind"), "Stepover")
+    type_into(field("stepover"), "4 mm")
+    return dome
+
+
+def shown(field, name):
+    try:
+        return field(name).isVisible()
+    except AssertionError:
+        return False
+
+
+def calculate(field, click, until):
+    click(field("calculate"))
+    until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
+
+
+def test_minimax_and_deform_by_clicks_give_the_bytes_of_the_command_line(panel, doc, field, choose, type_into, click, until,
+                                                                         panel_button, screenshot, tmp_path):  # fmt: skip
+    type_into(field("tolerance"), "0.05 mm")
+    assert not shown(field, "max_tilt") and not shown(field, "max_axis_change") and shown(field, "lead")
+    choose(field("tool_axis"), "least deviation (minimax)")
+    assert shown(field, "max_tilt") and not shown(field, "lead") and not shown(field, "tilt")
+    type_into(field("max_tilt"), "3 deg")
+    choose(field("singularity"), "lead the axis past it")
+    type_into(field("max_axis_change"), "1.5 deg")
+    choose(field("linearize"), "on")
+    calculate(field, click, until)
+    screenshot("panel_minimax")
+    panel_button("OK", 500)
+    path = doc.Toolpath
+    assert (path.ToolAxis, path.Singularity, path.Linearize) == ("minimax", "deform", "on")
+    assert (path.MaxTilt.Value, path.MaxAxisChange.Value) == pytest.approx((3, 1.5))
+    assert 0 < path.MaxBound.Value <= 0.05 and path.OverTolerance == 0
+    assert results.nc_of(path) == command_line(path, tmp_path)
+
+
+def test_an_angle_out_of_range_says_so_in_place_and_not_where_it_does_not_count(panel, field, choose, type_into, screenshot):
+    choose(field("singularity"), "lead the axis past it")
+    type_into(field("max_axis_change"), "50 deg")
+    assert "out of range" in field("max_axis_change_error").text()
+    screenshot("panel_out_of_range")
+    choose(field("singularity"), "only report")
+    assert not shown(field, "max_axis_change") and not shown(field, "max_axis_change_error")
+    type_into(field("lead"), "5 deg")
+    choose(field("tool_axis"), "least deviation (minimax)")  # has no lead: what was typed does not count
+    assert not shown(field, "form_error")
+
+
+def test_a_divided_path_is_drawn_marked_and_played_block_by_block(panel, doc, dome, field, choose, type_into, click, until, press,
+                                                                  panel_button, tree_row, shown_pixels, screenshot, tmp_path):  # fmt: skip
+    type_into(field("tolerance"), "0.005 mm")
+    choose(field("singularity"), "lead the axis past it")
+    choose(field("linearize"), "on")
+    calculate(field, click, until)
+    said = field("summary").text()
+    screenshot("panel_cures")
+    assert "led past the pole" in said and "were divided into" in said, said
+    panel_button("OK", 500)
+    path = doc.Toolpath
+    assert results.nc_of(path) == command_line(path, tmp_path)
+    figures = results.figures_of(path)
+    made = results.result_of(path).made
+    assert len(made.program.words) > len(made.path.tip), "no block was divided: this test would show nothing"
+    dome.ViewObject.hide()
+    tree_row(path.Label)
+    press("FiveAxis_Annotate", 500)
+    assert shown_pixels("divided", path, "ColourGood") > 300
+    tree_row(path.Label)
+    press("FiveAxis_Play", 800)
+    click(field("worst"))
+    assert str(path.WorstLine) in field("line").text()
+    before = picture(screenshot("divided-play"))
+    for _ in range(3):
+        click(field("forward"))
+    assert int((abs(before - picture(screenshot("divided-later"))).max(axis=2) > 40).sum()) > 50
+    panel_button("Close")
+    assert path.Blocks == len(figures.program.words)
+
+
+@pytest.fixture
+def shown_pixels(pixels, screenshot, view_box):
+    """shown_pixels(name, obj, colour): how many pixels of the view have that colour of the object's view."""
+
+    def count(name, obj, colour):
+        wanted = [round(255 * part) for part in tuple(getattr(obj.ViewObject, colour))[:3]]
+        return pixels(screenshot(name), wanted, 24, view_box())
+
+    return count
