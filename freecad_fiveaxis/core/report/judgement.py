@@ -30,7 +30,7 @@ OVER, UNPROVEN, SINGULAR = "deviation-over-tolerance", "bound-over-tolerance", "
 
 _SPLIT = "Shorter blocks help: half the length leaves about a quarter of the deviation; linearize makes as many as are needed."
 _AWAY = (
-    "Let the axis be led past the pole (singularity deform), lead or tilt the tool by a few degrees, or clamp the part in another "
+    "Let the axis be led past the pole (deform), lead or tilt the tool by a few degrees, or clamp the part in another "
     "position (setup finds one), so that the tool keeps off the pole."
 )
 _GUIDE = "A controller with tool tip control (RTCP) guides the tip along the segment itself."
