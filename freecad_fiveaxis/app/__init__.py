@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The document side of FreeCAD, with and without a window: five functions for macros, and the objects behind them.
+"""The document side of FreeCAD, with and without a window: functions for macros, and the objects behind them.
 
 Nothing is imported before it is used: numpy and scipy take their time to load.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["annotate", "audit", "create_toolpath", "post_process", "tessellate"]
+__all__ = ["annotate", "apply_setup", "audit", "compare", "create_toolpath", "post_process", "setup_map", "tessellate"]
 
 
 def tessellate(obj: Any, stl_path: Any = None, *, overwrite: bool = False, **settings: Any) -> Any:
@@ -64,3 +64,33 @@ def audit(doc: Any, nc_path: Any, machine: str, **settings: Any) -> Any:
     from .actions import audit as act
 
     return act(doc, nc_path, machine, settings)
+
+
+def setup_map(toolpath: Any, **settings: Any) -> Any:
+    """Try where the part of a toolpath could be clamped; returns the SetupMap object, one a toolpath, computed.
+
+    Settings: ``region`` (100, 100, 100) mm to either side of the present work zero, ``grid`` (nx, ny, nz) places, ``turns`` of
+    the part about Z. ``Recommended`` is the work zero to take, in the machine frame; :func:`apply_setup` gives it to the path.
+    Raises FiveAxisError, as SettingsError for a region that leaves every limit; then no object is left behind.
+    """
+    from .setups import setup_map as act
+
+    return act(toolpath, settings)
+
+
+def apply_setup(setup_map: Any) -> Any:
+    """Give the toolpath of a SetupMap the recommended work zero and compute it; returns the toolpath. Raises FiveAxisError."""
+    from .setups import apply as act
+
+    return act(setup_map)
+
+
+def compare(toolpath: Any, machines: Any, cures: Any = (), tool_length: Any = None) -> Any:
+    """The path of a toolpath on several machines, with each cure, with and without tool-centre control; returns the rows.
+
+    ``machines``: names or .fcm files; ``cures``: names, without any: all; ``tool_length`` mm, for machines with a rotary head.
+    Each row is a :class:`freecad_fiveaxis.core.compare.Row`. Raises FiveAxisError. The document stays as it is.
+    """
+    from .comparing import compare as act
+
+    return act(toolpath, machines, cures, tool_length).rows

@@ -29,7 +29,7 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     build_settings(MILL, "mesh", options)
     _put_mesh(obj.Mesh, settings)
     _put(obj, MILL, options, settings.get("work_zero"))
-    return _compute(obj)
+    return compute(obj)
 
 
 def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
@@ -38,7 +38,7 @@ def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
     build_settings(AUDIT, nc_path, options)
     obj.NCFile = os.path.abspath(nc_path)
     _put(obj, AUDIT, options, settings.get("work_zero"))
-    return _compute(obj)
+    return compute(obj)
 
 
 def shown_options(obj: Any, task: str) -> dict[str, Any]:
@@ -87,7 +87,7 @@ def _put_mesh(mesh: Any, settings: Mapping[str, Any]) -> None:
         mesh.Document.recompute([mesh])
 
 
-def _compute(obj: Any) -> Any:
+def compute(obj: Any) -> Any:
     """Compute, so that errors reach the caller; the recompute then finds the work done, for what hangs on the path too."""
     result_of(obj)
     obj.Document.recompute([obj, *obj.InList])

@@ -50,7 +50,8 @@ class Property:
 KINDS = {
     "length": "App::PropertyLength", "angle": "App::PropertyAngle", "feed": "App::PropertySpeed",
     "choice": "App::PropertyEnumeration", "text": "App::PropertyString", "vector": "App::PropertyVector",
-    "point": "App::PropertyVectorDistance", "number": "App::PropertyFloat", "count": "App::PropertyInteger",
+    "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance", "counts": "App::PropertyVector",
+    "number": "App::PropertyFloat", "count": "App::PropertyInteger",
 }  # fmt: skip
 """FreeCAD's kind of property for each kind of option. A kind that is not here (files to write) makes no property."""
 _ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRATEGIES)}
@@ -111,7 +112,7 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
     """A value of the core (rad, mm/min) as the property holds it."""
     kind = leaf.metadata["kind"]
     if value is None:
-        return {"point": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN}.get(kind, 0.0)
+        return {"point": (0.0, 0.0, 0.0), "counts": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN}.get(kind, 0.0)
     if kind == "angle":
         return round(math.degrees(value), 12)
     if kind == "feed":

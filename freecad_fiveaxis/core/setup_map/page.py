@@ -115,20 +115,25 @@ def setup_markers(chart: SetupMap) -> tuple[Marker, ...]:
     """Places for the 3D view, in the work frame of the present setup: where the work zero should stand, where it stands, and
     the grid at the recommended turn, the best first."""
     place = chart.origin - np.array(chart.base.origin)
-
-    def marker(row: int, kind: str, label: str) -> Marker:
-        x, y, z = place[row].tolist()
-        return Marker((x, y, z), kind, label)
-
     turn = math.degrees(chart.turn[chart.best]) if chart.best is not None else 0.0
     turned = f", turned by {turn:g} deg" if turn else ""
-    best = () if chart.best is None else (marker(chart.best, "setup-best", f"best work zero: {_mm(chart, chart.best)}{turned}"),)
+    words = {"setup-best": f"best work zero: {{}}{turned}", "setup-present": "work zero now: {}"}
+
+    def marker(row: int, kind: str) -> Marker:
+        x, y, z = place[row].tolist()
+        return Marker((x, y, z), kind, words.get(kind, "{}").format(_mm(chart, row)))
+
+    return tuple(marker(row, kind) for row, kind in marked_rows(chart))
+
+
+def marked_rows(chart: SetupMap) -> tuple[tuple[int, str], ...]:
+    """The row and the kind of each of :func:`setup_markers`."""
+    best = () if chart.best is None else ((chart.best, "setup-best"),)
     at = chart.turn[chart.best] if chart.best is not None else chart.region.turns[0]
     rows = np.flatnonzero((chart.kind == Kind.GRID) & (chart.turn == at) & np.isfinite(chart.max_deviation))
     rows = rows[np.argsort(chart.max_deviation[rows], kind="stable")][:MARKERS]
-    kinds = ["setup" if chart.within_limits[row] else "setup-beyond-limits" for row in rows]
-    grid = [marker(int(row), kind, _mm(chart, int(row))) for row, kind in zip(rows, kinds, strict=True)]
-    return (*best, marker(0, "setup-present", f"work zero now: {_mm(chart, 0)}"), *grid)
+    grid = [(row, "setup" if chart.within_limits[row] else "setup-beyond-limits") for row in rows.tolist()]
+    return (*best, (0, "setup-present"), *grid)
 
 
 def _mm(chart: SetupMap, row: int) -> str:

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A toolpath's path on several machines: computed when somebody asks, and kept by whoever asked. The document holds none of it.
+
+stand    on each machine the work zero is where that machine's file says; a place that the toolpath has on its own machine means
+         nothing on another one.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from freecad_fiveaxis.core import trials
+from freecad_fiveaxis.core.cures import CURES
+from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.settings import COMPARE, CureSettings, Settings, build_settings
+
+from . import convert
+from .long_work import listening
+from .selection import SelectionError
+from .setups import write_report
+from .toolpath import Toolpath
+
+
+def cures() -> tuple[str, ...]:
+    """The names of the cures there are."""
+    return tuple(CURES)
+
+
+def settings_of(toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (), tool_length: float | None = None) -> Settings:
+    """What is asked of the core: the toolpath's settings without its own cure, on other machines. Raises FiveAxisError."""
+    if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
+        raise SelectionError("machines are compared on a toolpath: select a toolpath", toolpath)
+    path = toolpath.Proxy.task(toolpath).settings
+    given = {"machines": list(machines), "cures": list(cures), "tool_length": tool_length or path.machine.tool_length}
+    own = build_settings(COMPARE, path.source, given)
+    machine = replace(path.machine, origin=None, controller=None, tool_length=own.machine.tool_length)
+    cure = CureSettings(max_axis_change=path.cure.max_axis_change)
+    return replace(path, task=COMPARE, machine=machine, cure=cure, compare=own.compare)
+
+
+def compare(
+    toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (), tool_length: float | None = None,
+    progress: Progress | None = None,
+) -> trials.Comparison:  # fmt: skip
+    """See :func:`freecad_fiveaxis.app.compare`; this gives the core's whole Comparison."""
+    settings = settings_of(toolpath, machines, cures, tool_length)
+    task = toolpath.Proxy.task(toolpath)
+    with listening(progress) as listener:
+        mesh = convert.mesh_of(task.data)
+        return trials.try_machines(settings, listener, mesh, convert.facet_mask(task.data, mesh, task.runs))
+
+
+def write(comparison: trials.Comparison, file: str | os.PathLike[str], overwrite: bool = False) -> None:
+    """The table as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file that is there."""
+    write_report(lambda: comparison, file, overwrite)

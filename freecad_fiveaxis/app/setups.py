@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The SetupMap object: where on the machine's table the part of a toolpath could stand, and what each place costs.
+
+centre     the work zero in the machine frame (mm) about which setups were tried: that of the toolpath when they were.
+place      where in the document a work zero of the map lies: the part as it is drawn, its work zero shifted by so much.
+asked      the map's own settings were changed, so that setups are to be tried anew. A change of the toolpath only puts the map
+           out of date: to try hundreds of setups after every change would hold the user up.
+
+What is recommended is applied to the toolpath by :func:`apply`; the map stays true, for its centre stays where it was.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import FreeCAD
+import numpy as np
+
+from freecad_fiveaxis.core import trials
+from freecad_fiveaxis.core.errors import FileError, FiveAxisError, SettingsError
+from freecad_fiveaxis.core.files import check_writable, write_whole
+from freecad_fiveaxis.core.job import clamped
+from freecad_fiveaxis.core.machine import Vector
+from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.settings import MILL, SETUP, HeadSettings, SetupSettings, build_settings, option_fields
+from freecad_fiveaxis.core.setup_map import SetupMap as Chart
+from freecad_fiveaxis.core.setup_map import marked_rows, verdict
+
+from . import changes, convert
+from .long_work import listening
+from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property, default_value, property_name, setting_properties
+from .results import Task
+from .schema import Proxy
+from .selection import SelectionError
+from .toolpath import Toolpath
+
+LEAVES = tuple(leaf for cls, leaf in option_fields(SETUP) if cls is SetupSettings)
+OWN = tuple(property_name(leaf.name) for leaf in LEAVES)
+BEST, PRESENT, BEYOND = "setup-best", "setup-present", "setup-beyond-limits"
+"""Kinds of places that have a look of their own."""
+FLOOR = 1e-6
+"""mm: what is below is coloured as this."""
+
+PROPERTIES = (
+    Property(
+        "Path", "App::PropertyLinkGlobal", "Base", QT_TRANSLATE_NOOP("App::Property", "The toolpath whose part is to be clamped"),
+        None, READ_ONLY,
+    ),
+    *(one for one in setting_properties(SETUP) if one.name in OWN),
+    Property(
+        "Recommended", "App::PropertyVectorDistance", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Where the work zero should stand, in the machine frame"), (0.0, 0.0, 0.0), RESULT,
+    ),
+    Property(
+        "RecommendedTurn", "App::PropertyAngle", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "How far the part should be turned about Z, counter-clockwise"), 0.0, RESULT,
+    ),
+    Property(
+        "DeviationBefore", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Largest deviation where the work zero stood"), 0.0, RESULT,
+    ),
+    Property(
+        "DeviationAfter", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Largest deviation in the recommended setup"), 0.0, RESULT,
+    ),
+    Property(
+        "TimeBefore", "App::PropertyTime", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Time of the program where the work zero stood"), 0.0, RESULT,
+    ),
+    Property(
+        "TimeAfter", "App::PropertyTime", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Time of the program in the recommended setup"), 0.0, RESULT,
+    ),
+    Property(
+        "Verdict", "App::PropertyString", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "What is recommended, in a plain sentence"), "", RESULT,
+    ),
+    Property(
+        "Findings", "App::PropertyStringList", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [], RESULT,
+    ),
+    Property(
+        "UpToDate", "App::PropertyBool", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "The map is of the toolpath as it is now; if it is not, try the setups again"),
+        False, RESULT,
+    ),
+    Property(
+        "Centre", "App::PropertyVectorDistance", "Map",
+        QT_TRANSLATE_NOOP("App::Property", "The work zero in the machine frame about which setups were tried"),
+        (0.0, 0.0, 0.0), RESULT,
+    ),
+    Property(
+        "Places", "App::PropertyVectorList", "Map",
+        QT_TRANSLATE_NOOP("App::Property", "Where the work zeros of the map lie in the document"), [], RESULT,
+    ),
+    Property(
+        "Kinds", "App::PropertyStringList", "Map", QT_TRANSLATE_NOOP("App::Property", "What each place is"), [], RESULT,
+    ),
+    Property(
+        "Deviations", "App::PropertyFloatList", "Map",
+        QT_TRANSLATE_NOOP("App::Property", "The largest deviation at each place, mm"), [], RESULT,
+    ),
+    Property(
+        "Fingerprint", "App::PropertyString", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Of the mesh and the settings that the result is of"), "", RESULT | HIDDEN,
+    ),
+)  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Last:
+    """What a proxy remembers of the last setups tried."""
+
+    fingerprint: str
+    trial: trials.SetupTrial
+
+
+@dataclass(frozen=True, eq=False)
+class Scale:
+    """``level`` (k,) of each place: 0 the least deviation of the map, 1 the largest, evenly by its logarithm; NaN where the
+    deviation is not known; ``good`` (k,) within the tolerance; ``marks``: level and deviation, mm."""
+
+    level: np.ndarray
+    good: np.ndarray
+    marks: tuple[tuple[float, float], ...]
+
+
+class SetupMap(Proxy):
+    """Proxy of a map of setups."""
+
+    last: Last | None
+    asked: bool
+
+    def _begin(self) -> None:
+        self.last, self.asked = None, False
+
+    @classmethod
+    def properties(cls) -> Sequence[Property]:
+        """The toolpath, the settings of ``setup`` itself, and the results."""
+        return PROPERTIES
+
+    def task(self, obj: Any) -> Task:
+        """What the object asks of the core, about its Centre. Raises FiveAxisError."""
+        if obj.Path is None:
+            raise SelectionError(f"The toolpath of {obj.Label} was deleted: make the map of another one.", obj.Label)
+        path = obj.Path.Proxy.task(obj.Path)
+        own = build_settings(SETUP, path.settings.source, {"machine": path.settings.machine.machine, **own_options(obj)})
+        x, y, z = convert.plain(obj.Centre)
+        machine = replace(path.settings.machine, origin=(x, y, z))
+        settings = replace(path.settings, task=SETUP, machine=machine, setup=own.setup, head=HeadSettings())
+        return Task(settings, path.data, path.runs)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """A change of the map's own settings asks for other setups."""
+        if name in OWN:
+            self.asked = True
+
+    def execute(self, obj: Any) -> None:
+        """FreeCAD recomputes the object."""
+        if self.asked or not obj.Fingerprint:
+            try_out(obj)
+        else:
+            obj.UpToDate = is_up_to_date(obj)
+
+
+def own_options(obj: Any) -> dict[str, Any]:
+    """The options of ``setup`` itself that differ from their defaults, as a job file would hold them."""
+    values = {leaf: convert.plain(getattr(obj, property_name(leaf.name))) for leaf in LEAVES}
+    return {leaf.name: value for leaf, value in values.items() if value != convert.plain(default_value(leaf))}
+
+
+def of(path: Any) -> Any:
+    """The map of a toolpath, or None."""
+    return next((one for one in path.InList if isinstance(getattr(one, "Proxy", None), SetupMap)), None)
+
+
+def setup_map(path: Any, settings: Mapping[str, Any]) -> Any:
+    """See :func:`freecad_fiveaxis.app.setup_map`."""
+    if not isinstance(getattr(path, "Proxy", None), Toolpath):
+        raise SelectionError("setups are tried for a toolpath: select a toolpath", path)
+    build_settings(SETUP, "part.stl", {"machine": path.Machine, **settings})
+    obj = of(path)
+    new = obj is None
+    if new:
+        obj = path.Document.addObject("App::FeaturePython", "SetupMap")
+        SetupMap(obj)
+        obj.Label = "Setup map"
+    try:
+        obj.Path = path
+        for leaf in LEAVES:
+            value = default_value(leaf)
+            setattr(obj, property_name(leaf.name), FreeCAD.Vector(*value) if isinstance(value, tuple) else value)
+        convert.put_options(obj, SETUP, settings)
+        try_out(obj)
+        path.Document.recompute([obj])
+    except BaseException:
+        if new:
+            path.Document.removeObject(obj.Name)
+        raise
+    return obj
+
+
+def try_out(obj: Any) -> None:
+    """Try the setups about the toolpath's present work zero. Raises FiveAxisError, and then the old map is out of date."""
+    before = obj.Centre
+    obj.UpToDate = False
+    try:
+        obj.Centre = FreeCAD.Vector(*present_zero(obj.Path))
+        trial = trial_of(obj)
+    except BaseException:
+        obj.Centre = before
+        raise
+    _show(obj, trial.chart, obj.Proxy.last.fingerprint)
+    obj.Proxy.asked = False
+
+
+def present_zero(path: Any) -> Vector:
+    """Where a toolpath's work zero stands in the machine frame, mm. Raises FiveAxisError."""
+    if path is None:
+        raise SelectionError("the toolpath of the map was deleted: make the map of another one", path)
+    return clamped(convert.settings_of(path, MILL, "part.stl"))[1].origin
+
+
+def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
+    """The core's trial of a map, computed anew only where something has changed. Raises FiveAxisError."""
+    task = obj.Proxy.task(obj)
+    fingerprint = task.fingerprint
+    if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
+        with listening(progress) as listener:
+            mesh = convert.mesh_of(task.data)
+            faces = convert.facet_mask(task.data, mesh, task.runs)
+            obj.Proxy.last = Last(fingerprint, trials.try_setups(task.settings, listener, mesh, faces))
+    return obj.Proxy.last.trial
+
+
+def is_up_to_date(obj: Any) -> bool:
+    """Whether the map is of the toolpath as it is now, wherever that stands."""
+    try:
+        return bool(obj.Proxy.task(obj).fingerprint == obj.Fingerprint)
+    except FiveAxisError:  # a toolpath that is gone or cannot be computed: it says so itself
+        return False
+
+
+def apply(obj: Any) -> Any:
+    """Give the toolpath the recommended work zero and compute it; returns it. Raises FiveAxisError.
+
+    A turn of the part is a matter of the solid, which is the user's: it is asked for, not made.
+    """
+    if not is_up_to_date(obj):
+        raise SelectionError(f"{obj.Path.Label if obj.Path else 'the toolpath'} has changed since: try the setups again", obj)
+    turn = obj.RecommendedTurn.Value
+    if turn:
+        text = f"turn the part by {turn:g} deg about Z through its zero first, counter-clockwise, and try one turn only"
+        raise SettingsError(text, turn)
+    convert.put_options(obj.Path, MILL, {"origin": convert.plain(obj.Recommended)})
+    return changes.compute(obj.Path)
+
+
+def write_page(obj: Any, file: str | os.PathLike[str], overwrite: bool = False) -> None:
+    """The map as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file that is there."""
+    write_report(lambda: trial_of(obj), file, overwrite)
+
+
+def write_report(trial: Any, file: str | os.PathLike[str], overwrite: bool) -> None:
+    """Write what ``trial()`` gives, as the ending of the file says. A file that is there is replaced only where asked."""
+    ending = os.path.splitext(os.fspath(file))[1].lower()
+    if ending not in trials.REPORTS:
+        raise FileError(f"{file} needs one of the endings {', '.join(trials.REPORTS)}", file)
+    check_writable(file)
+    if not overwrite and os.path.lexists(file):
+        raise FileError(f"{file} exists; choose another name, or ask for it to be overwritten", file)
+    write_whole(file, trials.REPORTS[ending](trial()).encode("utf-8", "backslashreplace"))
+
+
+def scale(obj: Any) -> Scale:
+    """How the places of a map are coloured; from its properties alone."""
+    value = np.maximum(np.array(obj.Deviations, float), FLOOR)
+    known = value[np.isfinite(value) & (value < convert.UNKNOWN)]
+    low, high = (float(known.min()), float(known.max())) if len(known) else (FLOOR, FLOOR)
+    spread = math.log(high / low)
+    level = np.log(value / low) / spread if spread > 1e-6 else np.zeros(len(value))
+    shares = (0.0, 0.25, 0.5, 0.75, 1.0) if spread > 1e-6 else (0.0,)
+    tolerance = obj.Path.Tolerance.Value if obj.Path is not None else 0.0
+    return Scale(np.clip(level, 0.0, 1.0), value <= tolerance, tuple((at, low * math.exp(at * spread)) for at in shares))
+
+
+def _show(obj: Any, chart: Chart, fingerprint: str) -> None:
+    """Show a map in the object's properties."""
+    best = chart.best
+    assert best is not None  # the core refuses a region that leaves every limit
+    marked = marked_rows(chart)
+    shift = FreeCAD.Vector(*obj.Path.WorkZero) - FreeCAD.Vector(*chart.base.origin)
+    values = {
+        "Recommended": FreeCAD.Vector(*chart.origin[best]), "RecommendedTurn": math.degrees(chart.turn[best]),
+        "DeviationBefore": _known(chart.max_deviation[0]), "DeviationAfter": _known(chart.max_deviation[best]),
+        "TimeBefore": _known(chart.time[0]), "TimeAfter": _known(chart.time[best]), "Verdict": verdict(chart),
+        "Findings": [finding.text for finding in chart.findings],
+        "Places": [FreeCAD.Vector(*chart.origin[row]) + shift for row, _ in marked],
+        "Kinds": [kind for _, kind in marked], "Deviations": [_known(chart.max_deviation[row]) for row, _ in marked],
+        "Fingerprint": fingerprint, "UpToDate": True,
+    }  # fmt: skip
+    for name, value in values.items():
+        setattr(obj, name, value)
+
+
+def _known(value: float) -> float:
+    return float(value) if math.isfinite(value) else convert.UNKNOWN

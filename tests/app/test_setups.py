@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The map of setups and the comparison of machines, on the document side."""
+
+import json
+
+import pytest
+from conftest import FAST
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import comparing, setups
+from freecad_fiveaxis.app.selection import SelectionError
+from freecad_fiveaxis.core.errors import FileError, SettingsError
+
+SMALL = {"region": (50, 50, 50), "grid": (3, 3, 2)}
+
+
+@pytest.fixture
+def path(doc, ball):
+    """A coarse path over the half ball, its work zero 40 mm off the document's."""
+    return app.create_toolpath(doc, ball, **{**FAST, "stepover": 6}, work_zero=(0, 0, 40))
+
+
+def test_the_map_says_where_to_clamp_and_applying_it_lowers_the_deviation(path):
+    made = app.setup_map(path, **SMALL)
+    before = path.MaxSegmentDeviation.Value
+    assert made.DeviationBefore.Value == pytest.approx(before, abs=1e-9)
+    assert made.DeviationAfter.Value < 0.5 * before and made.UpToDate
+    assert made.Kinds[:2] == ["setup-best", "setup-present"] and len(made.Places) == 2 + 18
+    assert tuple(made.Places[1]) == pytest.approx((0, 0, 40))  # where the work zero is drawn
+    best, present = made.Recommended, made.Centre
+    assert tuple(made.Places[0] - made.Places[1]) == pytest.approx(tuple(best - present))
+    app.apply_setup(made)
+    assert tuple(path.Origin) == pytest.approx(tuple(best)) and not path.OriginFromMachine
+    assert path.MaxSegmentDeviation.Value == pytest.approx(made.DeviationAfter.Value, abs=1e-9)
+    assert made.UpToDate, "the map is of the same path about the same centre"
+
+
+def test_a_map_survives_and_is_out_of_date_only_when_its_path_is_another(path, reopen):
+    made = app.setup_map(path, **SMALL, turns=1)
+    kept = {name: made.getPropertyByName(name) for name in ("Verdict", "Kinds", "Deviations", "Fingerprint", "UpToDate")}
+    doc = reopen(path.Document)
+    made = doc.SetupMap
+    assert {name: made.getPropertyByName(name) for name in kept} == kept and made.Proxy.last is None
+    doc.Toolpath.Spindle = 5000  # is nothing to a setup
+    doc.recompute()
+    assert made.UpToDate and made.Proxy.last is None
+    doc.Toolpath.Stepover = 7
+    doc.recompute()
+    assert not made.UpToDate and made.Proxy.last is None, "a change of the path tries no setups"
+    with pytest.raises(SelectionError, match="try the setups again"):
+        app.apply_setup(made)
+    made.Region = (20, 0, 0)
+    doc.recompute()
+    assert made.UpToDate and len(made.Places) < len(kept["Kinds"])
+
+
+def test_what_cannot_be_leaves_nothing_behind(path):
+    for settings, words in (({"region": (0, 0, 0)}, "one setup only"), ({"grid": (0, 1, 1)}, "out of range")):
+        with pytest.raises(SettingsError, match=words):
+            app.setup_map(path, **settings)
+    with pytest.raises(SelectionError):
+        app.setup_map(path.Mesh)
+    assert not [obj for obj in path.Document.Objects if "SetupMap" in obj.Name]
+
+
+def test_a_turned_part_is_asked_for_not_made(path):
+    made = app.setup_map(path, **SMALL)
+    made.RecommendedTurn = 90
+    with pytest.raises(SettingsError, match="turn the part by 90 deg"):
+        setups.apply(made)
+
+
+def test_the_page_replaces_nothing_unasked(path, tmp_path):
+    made = app.setup_map(path, **SMALL)
+    file = tmp_path / "map.html"
+    setups.write_page(made, file)
+    assert "Where the part should stand" in file.read_text(encoding="utf-8")
+    file.write_text("mine")
+    with pytest.raises(FileError, match="exists"):
+        setups.write_page(made, file)
+    assert file.read_text() == "mine"
+    setups.write_page(made, file, overwrite=True)
+    assert "mine" not in file.read_text(encoding="utf-8")[:10]
+    with pytest.raises(FileError, match="endings"):
+        setups.write_page(made, tmp_path / "map.png")
+
+
+def test_the_scale_runs_from_the_least_to_the_largest_deviation(path):
+    made = app.setup_map(path, **SMALL)
+    scale, values = setups.scale(made), list(made.Deviations)
+    assert scale.marks[0][1] == pytest.approx(min(values)) and scale.marks[-1][1] == pytest.approx(max(values))
+    assert scale.level[values.index(min(values))] == 0.0 and scale.level[values.index(max(values))] == pytest.approx(1.0)
+    assert list(scale.good) == [value <= path.Tolerance.Value for value in values]
+    made.Deviations = [0.5] * len(values)
+    assert not setups.scale(made).level.any() and len(setups.scale(made).marks) == 1
+
+
+def test_machines_are_compared_on_the_same_path(path, tmp_path):
+    path.Linearize, path.Origin, path.OriginFromMachine = "on", (1, 2, 3), False
+    path.recompute()
+    comparison = comparing.compare(path, ["trunnion_ac", "trunnion_bc"], ["none", "linearize"])
+    rows = {(row.machine, row.cure, row.tool_centre): row for row in comparison.rows}
+    assert len(rows) == 2 * 2 * 2 and not any(row.problem for row in rows.values())
+    path.Linearize, path.OriginFromMachine = "off", True
+    path.recompute()
+    assert rows["trunnion_ac", "none", False].deviation == pytest.approx(path.MaxSegmentDeviation.Value, abs=1e-12)
+    assert rows["trunnion_ac", "none", False].blocks == path.Blocks
+    path.Linearize = "on"
+    path.recompute()
+    assert rows["trunnion_ac", "linearize", False].deviation == pytest.approx(path.MaxSegmentDeviation.Value, abs=1e-12)
+    file = tmp_path / "table.json"
+    comparing.write(comparison, file)
+    assert len(json.loads(file.read_text(encoding="utf-8"))["rows"]) == 8
+
+
+def test_what_cannot_be_compared_says_why(path):
+    for machines, words in (([], "no machines"), (["no_such"], "no_such")):
+        with pytest.raises(Exception, match=words):
+            app.compare(path, machines)
+    before = [obj.Name for obj in path.Document.Objects]
+    assert app.compare(path, ["trunnion_ac"], ["none"])[0].blocks == path.Blocks
+    assert [obj.Name for obj in path.Document.Objects] == before
