@@ -16,6 +16,7 @@ VIEWS = {
     "freecad_fiveaxis.app.auditing": "PathView",
     "freecad_fiveaxis.app.markers": "MarkersView",
     "freecad_fiveaxis.app.nc_output": "NCOutputView",
+    "freecad_fiveaxis.app.setups": "SetupMapView",
 }
 """The module of a document object's proxy, and the class in ``view_providers`` that shows it."""
 

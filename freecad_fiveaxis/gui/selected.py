@@ -12,7 +12,7 @@ import FreeCAD
 import FreeCADGui
 
 APP = "freecad_fiveaxis.app."
-TOOLPATH, AUDIT, TESSELLATION = "Toolpath", "Audit", "Tessellation"
+TOOLPATH, AUDIT, TESSELLATION, SETUP_MAP = "Toolpath", "Audit", "Tessellation", "SetupMap"
 
 
 def idle() -> bool:
@@ -61,6 +61,19 @@ def part() -> tuple[Any, tuple[str, ...]]:
     from freecad_fiveaxis.app import selection
 
     return selection.pick([(one.Object, one.SubElementNames) for one in FreeCADGui.Selection.getSelectionEx()])
+
+
+def path_or_part() -> tuple[Any, tuple[Any, tuple[str, ...]] | None]:
+    """The Toolpath that is meant, or None and the part with its chosen faces. Raises SelectionError.
+
+    With nothing selected the document's only Toolpath is meant.
+    """
+    chosen = FreeCADGui.Selection.getSelection()
+    if not chosen or any(_paths_of(obj, (TOOLPATH,)) for obj in chosen):
+        path = selected_path(TOOLPATH)
+        if path is not None:
+            return path, None
+    return None, part()
 
 
 def job_or_part() -> tuple[Any, tuple[str, ...], dict[str, Any]]:

@@ -47,6 +47,18 @@ PATH: tuple[Row, ...] = (
 MARKERS: tuple[Row, ...] = (*MARKS, *COLOURS[1:])
 
 
+SETUPS: tuple[Row, ...] = (
+    ("App::PropertyBool", "ShowLabel", True, QT_TRANSLATE_NOOP("App::Property", "Show the value at the recommended place")),
+    ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours mean")),
+    ("App::PropertyFloatConstraint", "MarkerSize", (9.0, 3.0, 25.0, 1.0),
+     QT_TRANSLATE_NOOP("App::Property", "Size of the markers in pixels")),
+    ("App::PropertyColor", "ColourGood", preferences.colour_good,
+     QT_TRANSLATE_NOOP("App::Property", "Colour of places within the tolerance")),
+    ("App::PropertyColor", "ColourBad", preferences.colour_bad,
+     QT_TRANSLATE_NOOP("App::Property", "Colour between the least and the largest deviation")),
+)  # fmt: skip
+
+
 def add_missing(vobj: Any, rows: tuple[Row, ...]) -> None:
     """Give the view object each property that it does not have."""
     there = set(vobj.PropertiesList)

@@ -21,11 +21,16 @@ APP = "freecad_fiveaxis.app."
 
 ICONS = {
     "tessellation": "Tessellation", "toolpath": "Toolpath", "audit": "Audit", "markers": "Markers", "nc_output": "NCOutput",
+    "setups": "SetupMap",
 }  # fmt: skip
 
 
+CHILDREN = ("markers", "nc_output", "setups")
+"""What stands below its path."""
+
+
 def kind_of(obj: Any) -> str:
-    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``; empty for objects that are not ours."""
+    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``, ``setups``; empty for objects that are not ours."""
     module = type(getattr(obj, "Proxy", None)).__module__
     return module[len(APP) :].replace("auditing", "audit") if module.startswith(APP) else ""
 
@@ -159,11 +164,11 @@ class PathView(DrawnView):
         super().attach(vobj)
 
     def claimChildren(self) -> list[Any]:
-        """The tessellation, markers and NC files stand below the path in the tree."""
+        """The tessellation, markers, NC files and the map of setups stand below the path in the tree."""
         if not hasattr(self, "obj"):  # FreeCAD asks this before it attaches the view
             return []
         mesh = [one for one in (getattr(self.obj, "Mesh", None),) if kind_of(one) == "tessellation"]
-        rest = [one for one in self.obj.InList if kind_of(one) in ("markers", "nc_output") and one.Path is self.obj]
+        rest = [one for one in self.obj.InList if kind_of(one) in CHILDREN and one.Path is self.obj]
         return mesh + list(dict.fromkeys(rest))
 
     def updateData(self, obj: Any, prop: str) -> None:
@@ -268,6 +273,52 @@ class MarkersView(DrawnView):
     def doubleClicked(self, vobj: Any) -> bool:
         """Open the list of findings."""
         self.show_findings()
+        return True
+
+
+class SetupMapView(DrawnView):
+    """A map of setups: a point for each work zero tried, coloured by deviation, the recommended one with its value."""
+
+    ROWS = view_properties.SETUPS
+
+    def attach(self, vobj: Any) -> None:
+        """Nothing drawn yet."""
+        self.picture: Any = None
+        super().attach(vobj)
+
+    def refresh(self) -> None:
+        """Draw the map."""
+        from .setup_picture import SetupPicture
+
+        view_properties.add_missing(self.vobj, self.ROWS)
+        if self.picture is None:
+            self.picture = SetupPicture(self.vobj)
+            self.root.addChild(self.picture.root)
+        self.picture.refresh()
+
+    def getElementPicked(self, point: Any) -> str:
+        """The points have no names."""
+        return ""
+
+    def setupContextMenu(self, vobj: Any, menu: Any) -> None:
+        """Nothing of its own."""
+
+    def setEdit(self, vobj: Any, mode: int = 0) -> bool:
+        """Open the panel."""
+        if mode:
+            return False
+        self.doubleClicked(vobj)
+        return True
+
+    def unsetEdit(self, vobj: Any, mode: int = 0) -> bool:
+        """The panel closes itself."""
+        return True
+
+    def doubleClicked(self, vobj: Any) -> bool:
+        """Open the panel."""
+        from .panels import setup
+
+        setup.edit(self.obj)
         return True
 
 

@@ -5,18 +5,12 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
-import FreeCADGui
-
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .fields import TextField
 from .form import Form
-from .path_panel import PathPanel, show
+from .path_panel import DRAWN, PathPanel, fit, show
 from .picking import PointField
-
-DRAWN = 500
-"""ms after which a new path is drawn."""
 
 
 class FileField(TextField):
@@ -65,7 +59,7 @@ class AuditPanel(PathPanel):
         path = settings.pop("nc_file")
         made = changes.change_audit(self.obj, path, settings) if self.obj else app.audit(self.doc, path, **settings)
         if empty:  # nobody has chosen a view yet
-            QtCore.QTimer.singleShot(DRAWN, lambda: _fit(self.doc.Name))
+            QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
         return made
 
     def finish(self) -> None:
@@ -92,12 +86,6 @@ def edit(obj: Any) -> AuditPanel:
     panel = AuditPanel(obj.Document, obj)
     panel.fill(changes.shown_options(obj, "audit") | {"nc_file": obj.NCFile, "work_zero": tuple(obj.WorkZero)})
     return show(panel)
-
-
-def _fit(name: str) -> None:
-    """Show all of a document, unless it was closed meanwhile."""
-    if name in FreeCAD.listDocuments():
-        FreeCADGui.getDocument(name).ActiveView.fitAll()
 
 
 def _sections() -> list[tuple[str, str, list[str]]]:

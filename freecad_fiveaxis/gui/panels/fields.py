@@ -173,13 +173,15 @@ class TextField(Field):
 
 
 class TripleField(Field):
-    """Three lengths (mm) or three numbers. ``none_text``: what a box says that, ticked, gives None."""
+    """Three lengths (mm), three numbers, or three counts. ``none_text``: what a box says that, ticked, gives None."""
 
-    def __init__(self, name: str, kind: str, hint: str = "", none_text: str = "") -> None:
+    def __init__(self, name: str, kind: str, hint: str = "", none_text: str = "", width: int = 60) -> None:
         super().__init__(name, QtWidgets.QWidget(), hint)
         parts = [f"{name}_{letter}" for letter in "xyz"]
-        self.parts = [QuantityField(part, "length") if kind == "point" else RatioField(part) for part in parts]
+        makers = {"point": lambda part: QuantityField(part, "length"), "counts": lambda part: NumberField(part, whole=True)}
+        self.parts = [makers.get(kind, RatioField)(part) for part in parts]
         self.none = QtWidgets.QCheckBox(none_text) if none_text else None
+        self.width = width
         self._lay_out()
         for part in self.parts:
             part.edited.connect(self._changed)
@@ -188,7 +190,7 @@ class TripleField(Field):
         self.row = QtWidgets.QGridLayout(self.editor)
         self.row.setContentsMargins(0, 0, 0, 0)
         for at, part in enumerate(self.parts):
-            part.editor.setMinimumWidth(60)
+            part.editor.setMinimumWidth(self.width)
             self.row.addWidget(part.editor, 1, at)
         if self.none:
             self.row.addWidget(self.none, 0, 0, 1, 3)
@@ -240,7 +242,7 @@ def error_line(name: str) -> Any:
 def option_field(leaf: Any, choices: Sequence[tuple[Any, str]] = (), none_text: str = "") -> Field:
     """The field of one option of the core's settings (a field of its dataclass).
 
-    ``choices`` where it is one of some names; ``none_text`` for a point that may be left to the machine.
+    ``choices`` where it is one of some names; ``none_text`` for a triple that may be left open.
     """
     kind, hint = leaf.metadata["kind"], option_hint(leaf)
     optional = leaf.default is None
@@ -252,6 +254,8 @@ def option_field(leaf: Any, choices: Sequence[tuple[Any, str]] = (), none_text: 
         "text": lambda: TextField(leaf.name, hint),
         "vector": lambda: TripleField(leaf.name, "vector", hint),
         "point": lambda: TripleField(leaf.name, "point", hint, none_text),
+        "lengths": lambda: TripleField(leaf.name, "point", hint, none_text, 90),
+        "counts": lambda: TripleField(leaf.name, "counts", hint, none_text),
         "feed": lambda: FeedField(leaf.name, hint),
     }
     return makers[kind]() if kind in makers else QuantityField(leaf.name, kind, hint, optional)

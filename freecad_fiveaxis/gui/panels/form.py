@@ -35,12 +35,17 @@ class Form(QtCore.QObject):
 
     edited = QtCore.Signal()
 
-    def __init__(self, task: str, doc: Any, sections: Sequence[Section], extras: Sequence[Field] = ()) -> None:
+    def __init__(
+        self, task: str, doc: Any, sections: Sequence[Section], extras: Sequence[Field] = (), group: str = "",
+        given: Mapping[str, Any] | None = None,
+    ) -> None:  # fmt: skip
+        """``group``: the settings class whose options alone are asked for; ``given``: options that are settled elsewhere."""
         super().__init__()
         from freecad_fiveaxis.core.settings import option_fields
 
-        self.task = task
-        self.leaves = {leaf.name: leaf for _, leaf in option_fields(task) if leaf.metadata["kind"] not in ("path", "paths")}
+        self.task, self.given = task, dict(given or {})
+        fields = [leaf for cls, leaf in option_fields(task) if group in ("", cls.__name__)]
+        self.leaves = {leaf.name: leaf for leaf in fields if leaf.metadata["kind"] not in ("path", "paths")}
         self.extras = {field.name: field for field in extras}
         self.fields = {**self._option_fields(doc), **self.extras}
         self.rows: dict[str, list[Any]] = {}
@@ -172,7 +177,7 @@ class Form(QtCore.QObject):
         self.show_error("")
         if all(good):
             try:
-                build_settings(self.task, "part", options)
+                build_settings(self.task, "part", self.given | options)
             except FiveAxisError as error:
                 self.show_error(str(error))
                 return False
@@ -214,4 +219,6 @@ class Form(QtCore.QObject):
 def _plain(leaf: Any) -> Field:
     choices = [(name, choice_label(name)) for name in leaf.metadata["choices"]]
     none_text = translate("FiveAxis", "as the machine file says") if leaf.default is None else ""
+    if leaf.metadata["kind"] == "counts":
+        none_text = translate("FiveAxis", "as many as take some seconds")
     return option_field(leaf, choices, none_text)

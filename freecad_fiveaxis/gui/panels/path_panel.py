@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+import FreeCAD
 import FreeCADGui
 
 from freecad_fiveaxis.gui.messages import status, warn
@@ -21,9 +22,14 @@ from freecad_fiveaxis.gui.waiting import waiting
 from .form import Form
 from .summary import Summary
 
+DRAWN = 500
+"""ms after which something new is drawn."""
+
 
 class PathPanel:
-    """A task panel. A subclass fills ``form``, and says how to ``compute``."""
+    """A task panel. A subclass fills ``form``, and says how to ``compute``; it may show another ``summary``."""
+
+    SUMMARY: type = Summary
 
     def __init__(self, doc: Any, title: str, form: Form, obj: Any = None) -> None:
         self.doc, self.title, self.options, self.obj = doc, title, form, obj
@@ -31,7 +37,7 @@ class PathPanel:
         self.step, self.calculated = OpenStep(doc, title), None
         self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
         self.calculate_button.setObjectName("calculate")
-        self.summary = Summary()
+        self.summary = self.SUMMARY()
         self.form = self._widget(title)
         self.calculate_button.clicked.connect(lambda *_: self.calculate())
         form.edited.connect(self._edited)
@@ -49,9 +55,12 @@ class PathPanel:
     def fill(self, values: Mapping[str, Any]) -> None:
         """Show these values; an object that is there shows its last result."""
         self.options.show_options(values)
-        current = not self.made and self.obj.Blocks > 0 and "Touched" not in self.obj.State
-        self.calculated = self.options.said() if current else None
+        self.calculated = self.options.said() if not self.made and self.is_current() else None
         self._edited()
+
+    def is_current(self) -> bool:
+        """Whether the object that is there shows the result of its settings."""
+        return self.obj.Blocks > 0 and "Touched" not in self.obj.State
 
     @property
     def stale(self) -> bool:
@@ -154,11 +163,18 @@ def show(panel: Any) -> Any:
     return panel
 
 
+def fit(name: str) -> None:
+    """Show all of a document, unless it was closed meanwhile."""
+    if name in FreeCAD.listDocuments() and hasattr(FreeCADGui.getDocument(name).ActiveView, "fitAll"):
+        FreeCADGui.getDocument(name).ActiveView.fitAll()
+
+
 def reveal(form: Any) -> None:
-    """Scroll the task view to the panel's head, where summary and buttons are."""
+    """Scroll the task view to the panel's head, where summary and buttons are, and make room for what the summary says."""
     area = _above(form, QtWidgets.QScrollArea)
     if area:
         later(lambda: area.verticalScrollBar().setValue(0))
+        later(lambda: _widen(form))
 
 
 def _widen(form: Any) -> None:

@@ -47,17 +47,23 @@ class ToolpathPanel(PathPanel):
 
 def create(base: Any, faces: tuple[str, ...] = (), settings: Mapping[str, Any] | None = None) -> ToolpathPanel:
     """Open the panel for a new path over ``base``; its first values are the user's preferences, and above them ``settings``."""
-    from freecad_fiveaxis.app import changes, preferences
+    from freecad_fiveaxis.app import changes
     from freecad_fiveaxis.app.tessellation import ANGULAR, LINEAR
 
     panel = ToolpathPanel(base.Document, base, faces)
-    preferred = {
+    meshing = {"linear_deflection": LINEAR, "angular_deflection": ANGULAR}
+    panel.fill(changes.default_options("mill") | preferred() | meshing | dict(settings or {}))
+    return show(panel)
+
+
+def preferred() -> dict[str, Any]:
+    """What the user's preferences say of a new path."""
+    from freecad_fiveaxis.app import preferences
+
+    return {
         "machine": preferences.machine(), "controller": preferences.controller(), "scallop": preferences.scallop(),
         "cutter": f"ball:{preferences.cutter_diameter()!r}", "tolerance": preferences.tolerance(), "feed": preferences.feed(),
-        "linear_deflection": LINEAR, "angular_deflection": ANGULAR,
     }  # fmt: skip
-    panel.fill(changes.default_options("mill") | preferred | dict(settings or {}))
-    return show(panel)
 
 
 def edit(obj: Any) -> ToolpathPanel:

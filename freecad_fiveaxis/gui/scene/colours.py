@@ -17,6 +17,8 @@ Colour = tuple[float, float, float]
 
 DEEP, PALE = (0.02, 0.13, 0.24), (1.0, 0.87, 0.42)
 """What the good colour goes to, and the bad one comes from."""
+DARK = (0.24, 0.0, 0.08)
+"""The largest deviation of a map of setups."""
 SHADES = 256
 
 _LMS = np.array(
@@ -51,6 +53,19 @@ def packed(levels: Floats, good: Colour, bad: Colour) -> np.ndarray:
     calm = np.minimum(levels * 2.0 * half, half - 1)
     loud = half + np.minimum((levels - 0.5) * 2.0 * half, half - 1)
     return table[np.where(levels <= 0.5, calm, loud).astype(np.int64)].astype(np.uint32)
+
+
+def heat(bad: Colour) -> Floats:
+    """The colours (SHADES, 3) of a map: from the pale colour over the bad one to a dark one, ever darker."""
+    half = np.linspace(0.0, 1.0, SHADES // 2)[:, None]
+    return np.concatenate([_mixed(PALE, bad, half), _mixed(bad, DARK, half)])
+
+
+def heated(levels: Floats, bad: Colour) -> np.ndarray:
+    """0xRRGGBBAA (k,) for levels (k,) on the ramp :func:`heat`."""
+    shades = np.round(heat(bad) * 255.0).astype(np.uint32)
+    table = shades[:, 0] << 24 | shades[:, 1] << 16 | shades[:, 2] << 8 | np.uint32(255)
+    return table[np.minimum(levels * SHADES, SHADES - 1).astype(np.int64)].astype(np.uint32)
 
 
 def pack(colour: Colour) -> int:

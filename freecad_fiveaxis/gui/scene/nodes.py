@@ -13,6 +13,8 @@ from pivy import coin
 
 Colour = tuple[float, float, float]
 
+WHITE = (1.0, 1.0, 1.0)
+
 
 def vertices(points: np.ndarray, colours: np.ndarray | None = None) -> Any:
     """Points (n, 3), each with its colour 0xRRGGBBAA (n,) where given."""
@@ -34,10 +36,10 @@ def lines(points: np.ndarray, each: int = 2, colours: np.ndarray | None = None) 
     return made
 
 
-def points(places: np.ndarray) -> Any:
+def points(places: np.ndarray, colours: np.ndarray | None = None) -> Any:
     """Points; their size is that of the draw style before them."""
     made = coin.SoPointSet()
-    made.vertexProperty = vertices(places)
+    made.vertexProperty = vertices(places, colours)
     return made
 
 

@@ -50,17 +50,18 @@ def label_node(place: Sequence[float], text: str) -> Any:
     return _over_all(place_node, image)
 
 
-def legend_node(legend: Legend, slot: int = 0) -> Any:
-    """The legend at the left edge; ``slot``: how many other legends stand before it."""
+def legend_node(legend: Legend, slot: int = 0, right: bool = False) -> Any:
+    """The legend at the left or the ``right`` edge; ``slot``: how many other legends stand before it."""
     camera = coin.SoOrthographicCamera()
     camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
     camera.position.setValue(0.0, 0.0, 1.0)
     camera.height, camera.nearDistance, camera.farDistance = 2.0, 0.0, 2.0
     picture = _legend_picture(legend)
     place_node = coin.SoTranslation()
-    place_node.translation.setValue(LEFT + 0.3 * slot, SLOT, 0.0)
+    place = LEFT + 0.3 * slot
+    place_node.translation.setValue(-place if right else place, SLOT, 0.0)
     image = _image(picture)
-    image.horAlignment, image.vertAlignment = coin.SoImage.LEFT, coin.SoImage.HALF
+    image.horAlignment, image.vertAlignment = coin.SoImage.RIGHT if right else coin.SoImage.LEFT, coin.SoImage.HALF
     return _over_all(camera, place_node, image)
 
 

@@ -120,8 +120,8 @@ def _POLE() -> str:
 def _SPLIT() -> str:
     return translate(
         "FiveAxis",
-        "Shorter blocks help: half the length leaves about a quarter of the deviation. Linearize, in the tool path's panel, makes "
-        "as many of them as are needed.",
+        "Shorter blocks help: half the length leaves about a quarter of the deviation. Linearize, in the tool path's panel, "
+        "makes as many of them as are needed.",
     )
 
 

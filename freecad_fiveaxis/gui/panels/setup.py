@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of a map of setups: how far the part may be moved, what is recommended, and the button that applies it.
+
+Over a solid without a tool path one is made first, with the preferences; it is part of the same step of undo.
+"""
+
+from __future__ import annotations
+
+import html
+import os
+from typing import Any
+
+from freecad_fiveaxis.gui.messages import ask, status
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
+from freecad_fiveaxis.gui.scene.units import angle_text, length_text
+from freecad_fiveaxis.gui.waiting import waiting
+
+from .form import Form
+from .path_panel import DRAWN, PathPanel, fit, reveal, show
+from .post import FORBIDDEN
+from .summary import Summary, clock
+from .toolpath import preferred
+
+
+class SetupSummary(Summary):
+    """What is recommended, before and after."""
+
+    def show_result(self, obj: Any) -> None:
+        """The figures of the map."""
+        cells = "".join(
+            f"<tr><td>{label}&nbsp;</td><td>{html.escape(before)}&nbsp;</td><td><b>{html.escape(after)}</b></td></tr>"
+            for label, before, after in rows(obj)
+        )
+        said = "".join(f"<p>{html.escape(text)}</p>" for text in (obj.Verdict, *obj.Findings))
+        self.text.setText(f"<table>{cells}</table>{said}")
+
+
+def rows(obj: Any) -> list[tuple[str, str, str]]:
+    """Label, value before and value after of each line of the summary."""
+    zeros = [
+        f"{letter} {length_text(value, 6)}" for letter, value in zip("XYZ" * 2, (*obj.Centre, *obj.Recommended), strict=True)
+    ]
+    times = [clock(float(getattr(time, "Value", time))) for time in (obj.TimeBefore, obj.TimeAfter)]
+    return [
+        ("", translate("FiveAxis", "now"), translate("FiveAxis", "recommended")),
+        *((translate("FiveAxis", "Work zero"), *pair) for pair in zip(zeros[:3], zeros[3:], strict=True)),
+        (translate("FiveAxis", "Turn about Z"), angle_text(0.0), angle_text(obj.RecommendedTurn.Value)),
+        (
+            translate("FiveAxis", "Largest deviation"),
+            length_text(obj.DeviationBefore.Value),
+            length_text(obj.DeviationAfter.Value),
+        ),
+        (translate("FiveAxis", "Time"), *times),
+    ]
+
+
+class SetupPanel(PathPanel):
+    """The map of the Toolpath ``path``, of a new one over ``base`` and its ``faces``, or the map ``obj`` to change."""
+
+    SUMMARY = SetupSummary
+
+    def __init__(self, path: Any = None, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
+        from freecad_fiveaxis.app import preferences
+
+        self.path, self.base, self.faces = path, base, faces
+        doc = (path or base).Document
+        machine = path.Machine if path else preferences.machine()
+        section = ("setup", translate("FiveAxis", "Setup"), ["region", "grid", "turns"])
+        form = Form("setup", doc, [section], group="SetupSettings", given={"machine": machine})
+        super().__init__(doc, translate("FiveAxis", "Where to clamp"), form, obj)
+
+    def _widget(self, title: str) -> Any:
+        widget = super()._widget(title)
+        self.apply_button = QtWidgets.QPushButton(translate("FiveAxis", "Apply to the tool path"))
+        self.page_button = QtWidgets.QPushButton(translate("FiveAxis", "Save as a web page…"))
+        for at, (name, button) in enumerate((("apply", self.apply_button), ("page", self.page_button))):
+            button.setObjectName(name)
+            widget.layout().insertWidget(2 + at, button)
+        self.apply_button.clicked.connect(lambda *_: self.apply())
+        self.page_button.clicked.connect(lambda *_: self.save())
+        return widget
+
+    def is_current(self) -> bool:
+        """Whether the map is of its toolpath as it is."""
+        return bool(self.obj.UpToDate)
+
+    def calculate(self) -> bool:
+        """The places of the map lie about the part: all of them are to be seen."""
+        good = super().calculate()
+        if good:
+            QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
+        return good
+
+    def compute(self) -> Any:
+        """The map of the toolpath; over a part, of a new toolpath with the preferences."""
+        from freecad_fiveaxis import app
+
+        if self.path is None:
+            self.path = app.create_toolpath(self.doc, self.base, faces=self.faces, **preferred())
+        return app.setup_map(self.path, **self.options.said())
+
+    def _undone(self) -> None:
+        super()._undone()
+        if self.base is not None:
+            self.path = None
+
+    def _edited(self) -> None:
+        super()._edited()
+        turned = not self.stale and self.obj.RecommendedTurn.Value != 0.0
+        self.apply_button.setEnabled(not self.stale and not turned)
+        self.apply_button.setToolTip(
+            translate("FiveAxis", "Turn the solid first, as the recommendation says, then try one turn only.")
+            if turned
+            else translate("FiveAxis", "Set the tool path's work zero on the machine to the recommended one, and compute it.")
+        )
+        self.page_button.setEnabled(not self.stale)
+
+    def apply(self) -> bool:
+        """Give the toolpath the recommended work zero; whether that went well. Cancel takes it back."""
+        from freecad_fiveaxis import app
+
+        self.step.begin()
+        try:
+            with waiting(self.title):
+                app.apply_setup(self.obj)
+        except BaseException as error:  # FreeCADAbort (Esc) is no Exception
+            self._undone()
+            self._tell(error)
+            return False
+        text = translate("FiveAxis", "Applied: the largest deviation is now {deviation}.")
+        self.options.show_error("")
+        self.summary.text.setText(
+            self.summary.text.text() + f"<p><b>{text.format(deviation=length_text(self.path.MaxSegmentDeviation.Value))}</b></p>"
+        )
+        reveal(self.form)
+        return True
+
+    def save(self) -> None:
+        """Ask for a file and write the map there; a file that is there is replaced only if the user says so."""
+        from freecad_fiveaxis.app import setups
+
+        file = ask_file(self.form, self.doc, self.path.Label + " " + translate("FiveAxis", "setups"))
+        if file:
+            write_asking(file, lambda agreed: setups.write_page(self.obj, file, agreed), self.options.show_error)
+
+
+def ask_file(parent: Any, doc: Any, name: str) -> str:
+    """The file that the user names for a report, proposed beside the document; empty where he names none."""
+    from freecad_fiveaxis.app import preferences
+
+    folder = preferences.output_folder() or os.path.dirname(doc.FileName) or os.path.expanduser("~")
+    proposed = os.path.join(str(folder), FORBIDDEN.sub("_", name).strip(" .") + ".html")
+    kinds = translate("FiveAxis", "Web page (*.html);;For programs (*.json);;Text (*.txt)")
+    dialog = QtWidgets.QFileDialog
+    return dialog.getSaveFileName(
+        parent, translate("FiveAxis", "Save the table and its pictures"), proposed, kinds, "", dialog.DontConfirmOverwrite
+    )[0]
+
+
+def write_asking(file: str, write: Any, tell: Any) -> bool:
+    """``write(agreed)`` the file; where one is there, ask first. What cannot be written is told by ``tell``."""
+    from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+
+    there = os.path.lexists(file)
+    question = translate("FiveAxis", "These files are there already. Replace them?")
+    if there and not ask(question + "\n\n" + file, translate("FiveAxis", "Replace")):
+        return False
+    tell("")
+    try:
+        with waiting(translate("FiveAxis", "Save")):
+            write(there)
+    except Cancelled:
+        status(translate("FiveAxis", "Stopped; the document is as it was."))
+        return False
+    except FiveAxisError as error:
+        tell(str(error))
+        return False
+    status(translate("FiveAxis", "Written: {}").format(file))
+    return True
+
+
+def create(path: Any) -> SetupPanel:
+    """Open the panel for a Toolpath; its map, where there is one, is renewed."""
+    from freecad_fiveaxis.app import setups
+
+    made = setups.of(path)
+    return edit(made) if made is not None else _open(SetupPanel(path), {})
+
+
+def create_over(base: Any, faces: tuple[str, ...] = ()) -> SetupPanel:
+    """Open the panel for a part that has no tool path yet."""
+    return _open(SetupPanel(base=base, faces=faces), {})
+
+
+def edit(obj: Any) -> SetupPanel:
+    """Open the panel for a map that is there."""
+    from freecad_fiveaxis.app import setups
+
+    return _open(SetupPanel(obj.Path, obj=obj), setups.own_options(obj))
+
+
+def _open(panel: SetupPanel, values: dict[str, Any]) -> SetupPanel:
+    from freecad_fiveaxis.app import changes
+
+    panel.fill(changes.default_options("setup") | values)
+    return show(panel)

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where to clamp: the command pressed, the map seen as coloured points, the recommendation applied, saved and undone."""
+
+import FreeCAD
+import pytest
+from conftest import QtWidgets, close_all
+from test_clicks import look
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.gui.scene import colours
+from freecad_fiveaxis.gui.view_properties import rgb
+
+
+@pytest.fixture
+def dome(doc, parameters, tmp_path):
+    """A half ball of 20 mm; what is saved goes into the test's own folder."""
+    group = parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis")
+    group.Clear()
+    group.SetString("OutputFolder", str(tmp_path))
+    group.SetFloat("Scallop", 0.3)
+    ball = doc.addObject("Part::Sphere", "Dome")
+    ball.Radius, ball.Angle1 = 20, 0
+    doc.recompute()
+    look(doc)
+    return ball
+
+
+@pytest.fixture
+def path(dome, doc, pump):
+    """A coarse path over the dome, off the rotary centre."""
+    made = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=6, linear_deflection=0.1)
+    doc.clearUndos()
+    pump(500)
+    return made
+
+
+@pytest.fixture
+def ask_small(field, type_into, click):
+    """Fill the panel with a region of 40 mm and a map of 3 x 3 x 2 places."""
+
+    def fill():
+        for letter in "xyz":
+            type_into(field(f"region_{letter}"), "40 mm")
+        box = field("grid").findChild(QtWidgets.QCheckBox)
+        if box.isChecked():
+            click(box)
+        for letter, count in zip("xyz", "332", strict=True):
+            type_into(field(f"grid_{letter}"), count)
+
+    return fill
+
+
+def seen(pixels, picture, rgba, box):
+    return pixels(picture, [round(255 * part) for part in rgba], 16, box)
+
+
+def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, tree_row, press, field, ask_small, click, until,
+                                                              panel_button, screenshot, pixels, view_box, pump):  # fmt: skip
+    before = path.MaxSegmentDeviation.Value
+    tree_row(path.Label)
+    press("FiveAxis_Setup")
+    screenshot("setup_panel")
+    assert not field("apply").isEnabled() and not field("page").isEnabled()
+    ask_small()
+    click(field("calculate"))
+    until(lambda: "<table>" in field("summary").text(), 60000, "a recommendation")
+    (made,) = [obj for obj in doc.Objects if hasattr(obj, "Recommended")]
+    assert tuple(made.Region) == (40, 40, 40) and tuple(made.Grid) == (3, 3, 2)
+    dome.ViewObject.hide()
+    path.ViewObject.hide()
+    pump(1000)
+    picture, box = screenshot("setup_map"), view_box()
+    ramp = colours.heat(rgb(made.ViewObject.ColourBad))
+    assert seen(pixels, picture, ramp[-1], box) > 60, "the place of the largest deviation is not seen"
+    assert seen(pixels, picture, (0.35, 0.71, 0.91), box) > 60, "the present work zero is not seen"
+    click(field("apply"))
+    until(lambda: path.MaxSegmentDeviation.Value < before, 60000, "a lower deviation")
+    pump(300)
+    screenshot("setup_applied")
+    assert "Applied" in field("summary").text()
+    panel_button("OK")
+    assert tuple(path.Origin) == pytest.approx(tuple(made.Recommended)) and not path.OriginFromMachine
+    assert path.MaxSegmentDeviation.Value == pytest.approx(made.DeviationAfter.Value, abs=1e-9) and made.UpToDate
+    assert doc.UndoCount == 1
+    doc.undo()
+    assert path.OriginFromMachine and not [obj for obj in doc.Objects if "SetupMap" in obj.Name]
+
+
+def test_cancel_leaves_the_document_as_it_was(path, doc, tree_row, press, field, ask_small, click, until, panel_button):
+    names = [obj.Name for obj in doc.Objects]
+    tree_row(path.Label)
+    press("FiveAxis_Setup")
+    ask_small()
+    click(field("calculate"))
+    until(lambda: "<table>" in field("summary").text(), 60000, "a recommendation")
+    click(field("apply"))
+    panel_button("Cancel")
+    assert [obj.Name for obj in doc.Objects] == names and path.OriginFromMachine and "Touched" not in path.State
+
+
+def test_a_solid_without_a_path_gets_one_in_the_same_step(dome, doc, tree_row, press, field, ask_small, panel_button, screenshot):
+    doc.clearUndos()
+    tree_row("Dome")
+    press("FiveAxis_Setup")
+    ask_small()
+    panel_button("OK", 1000)
+    screenshot("setup_over_solid")
+    assert [obj.Name for obj in doc.Objects] == ["Dome", "Tessellation", "Toolpath", "SetupMap"] and doc.UndoCount == 1
+    assert doc.Toolpath.ViewObject.Proxy.claimChildren() == [doc.Tessellation, doc.SetupMap]
+    doc.undo()
+    assert [obj.Name for obj in doc.Objects] == ["Dome"]
+
+
+def test_a_region_without_a_choice_says_so_and_nothing_selected_is_told(dome, path, doc, tree_row, press, field, type_into, click,
+                                                                        until, panel_button, pump):  # fmt: skip
+    tree_row(path.Label)
+    press("FiveAxis_Setup")
+    for letter in "xyz":
+        type_into(field(f"region_{letter}"), "0 mm")
+    click(field("calculate"))
+    pump(500)
+    assert "one setup only" in field("form_error").text()
+    type_into(field("turns"), "0")
+    assert "out of range" in field("turns_error").text()
+    panel_button("Cancel")
+
+
+def test_the_page_is_saved_where_the_user_says_and_replaces_nothing_unasked(path, doc, monkeypatch, modal, pump, tmp_path):
+    from freecad_fiveaxis.gui.panels import setup
+
+    made = app.setup_map(path, region=(40, 40, 0), grid=(3, 3, 1))
+    panel = setup.edit(made)
+    pump(300)
+    file = tmp_path / "map.html"
+    monkeypatch.setattr(setup, "ask_file", lambda *_: str(file))
+    panel.save()
+    assert "Where the part should stand" in file.read_text(encoding="utf-8")
+    file.write_text("mine")
+    met = modal("Cancel")
+    panel.save()
+    assert met.said and file.read_text() == "mine"
+    modal("Replace")
+    panel.save()
+    assert file.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
+def test_a_reopened_map_is_drawn_and_says_when_it_is_old(
+    path, doc, pump, tmp_path, screenshot, pixels, view_box, tree_row, press
+):
+    app.setup_map(path, region=(40, 40, 0), grid=(3, 3, 1))
+    file = str(tmp_path / "map.FCStd")
+    doc.saveAs(file)
+    FreeCAD.closeDocument(doc.Name)
+    pump(300)
+    again = FreeCAD.openDocument(file)
+    try:
+        again.Dome.ViewObject.hide()
+        again.Toolpath.ViewObject.hide()
+        again.Toolpath.Stepover = 8
+        again.recompute()
+        pump(800)
+        look(again)
+        made = again.SetupMap
+        assert made.Proxy.last is None and not made.UpToDate
+        picture = screenshot("setup_reopened")
+        assert seen(pixels, picture, colours.heat(rgb(made.ViewObject.ColourBad))[-1], view_box()) > 60
+        assert seen(pixels, picture, (1.0, 205 / 255, 70 / 255), view_box()) > 20, "the legend does not warn"
+        assert made.ViewObject.Proxy.getIcon().endswith("SetupMap.svg")
+    finally:
+        close_all(again.Name)
