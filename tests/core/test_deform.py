@@ -312,7 +312,7 @@ def test_linuxcnc_accepts_the_program(milled, tmp_path):
 
 @pytest.mark.parametrize(
     ("options", "said"),
-    [(["--singularity", "bend"], "'report', 'deform'"), (["--max-axis-change", "40"], "40 is out of range; it must be at least 0.01 deg"),
+    [(["--singularity", "bend"], "'report', 'linearize', 'deform'"), (["--max-axis-change", "40"], "40 is out of range; it must be at least 0.01 deg"),
      (["--max-axis-change", "0"], "0 is out of range; it must be at least 0.01 deg and at most 30 deg"),
      (["--max-axis-change", "nan"], "nan")],
 )  # fmt: skip
@@ -322,7 +322,9 @@ def test_bad_values_end_with_2_and_are_named_with_a_remedy(options, said, dome, 
         code = cli.main(["mill", str(dome), "--machine", "trunnion_ac", *options, "-o", str(target)])
     except SystemExit as left:
         code = left.code
-    assert code == 2 and said in capsys.readouterr().err.replace("choose from report, deform", "'report', 'deform'")
+    assert code == 2 and said in capsys.readouterr().err.replace(
+        "choose from report, linearize, deform", "'report', 'linearize', 'deform'"
+    )
     assert not target.exists()
 
 
