@@ -12,22 +12,18 @@ grid: no search makes that sum larger.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints
 
-from .blocks import MIDDLE, QUARTERS, states
+from .blocks import QUARTERS, states
 from .rows import Rows
 from .steps import Task, levels, step_costs, usable
 from .sweep import cheapest
 
 LINE, GRID = (21, 5), (3, 3)
 """States of a line, and along each side of a grid: of a wide corridor, and of a narrow one."""
-SHARES = (MIDDLE, QUARTERS)
-"""Where the blocks are looked at, in either."""
 NARROW = 0.2
 """Half width below which a corridor is narrow, in units of the largest tilt."""
 WIDEST, FINEST = 1.2, 1e-3
@@ -69,12 +65,12 @@ def portions(at: Rows, runs: Ints, edges: int) -> list[Ints]:
 def _round(task: Task, at: Rows, angles: Floats, width: Floats, level: Floats, busy: Ints) -> Floats:
     """One corridor of each kind for the ``busy`` runs."""
     angles, wide = angles.copy(), width[busy] > NARROW * task.max_tilt
-    for runs, line, side, shares in zip((busy[wide], busy[~wide]), LINE, GRID, SHARES, strict=True):
+    for runs, line, side in zip((busy[wide], busy[~wide]), LINE, GRID, strict=True):
         for part in portions(at, runs, line**2):
             some, rows = at.take(part)
             own, now = task.take(rows), angles[rows]
             for offsets in _corridors(line, side):
-                now = _chosen(own, some, _grid(own, some, now, offsets, width[part]), level[part], shares)
+                now = _chosen(own, some, _grid(own, some, now, offsets, width[part]), level[part])
             angles[rows] = now
     return angles
 
@@ -96,11 +92,11 @@ def _scale(task: Task, angles: Floats) -> Floats:
     return np.stack([1.0 / np.maximum(sine, STEEP), np.ones(len(angles))])
 
 
-def _chosen(task: Task, at: Rows, grid: Floats, level: Floats, shares: Sequence[float]) -> Floats:
+def _chosen(task: Task, at: Rows, grid: Floats, level: Floats) -> Floats:
     """The best states (k, 2) of a grid (2, m, k), the middle one of which is allowed whatever it is."""
     there, middle = states(task.links, grid, at.centre, task.reach), grid.shape[1] // 2
     good = usable(task, at, grid, there)
     good[middle] = True
-    cost = step_costs(task, at, there, np.maximum(level, GOOD), shares, known=middle)
+    cost = step_costs(task, at, there, np.maximum(level, GOOD), QUARTERS, known=middle)
     state = cheapest(cost, np.where(good, 0.0, np.inf), at.first, at.size)
     return np.asarray(grid[:, state, np.arange(len(state))].T)
