@@ -25,7 +25,7 @@ ZONE = 12.0
 """Half length of the way over which the axis is led, in allowed changes d. An axis that passes the pole at d, along a straight
 line in the azimuthal view, then turns the first word by about 2 / ZONE rad on this way instead of half a turn."""
 GENTLE = 4.0
-""""Rate that is always allowed, in rates of the first word at the rim of that zone, ``1 / (ZONE^2 d)`` of the axis' own rate."""
+"""Rate that is always allowed, in rates of the first word at the rim of that zone, ``1 / (ZONE^2 d)`` of the axis' own rate."""
 SAME_WORD = 1e-12
 """A first rotary word that is led by less than this (rad) leaves its axis as it was given."""
 CLOSED = 1e-9
