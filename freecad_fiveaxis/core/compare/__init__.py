@@ -3,8 +3,9 @@
 
 from .compare import Cure, Row, Station, compare, solved, station
 from .tool_centre import Guided, guide
-from .words import compare_html, compare_json, compare_text
+from .words import compare_html, compare_json, compare_text, verdict
 
 __all__ = [
     "Cure", "Guided", "Row", "Station", "compare", "compare_html", "compare_json", "compare_text", "guide", "solved", "station",
+    "verdict",
 ]  # fmt: skip

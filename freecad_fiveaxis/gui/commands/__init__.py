@@ -7,13 +7,14 @@ import FreeCADGui
 
 from .annotate import Annotate
 from .audit import Audit
+from .compare import Compare
 from .play import Play
 from .post_process import PostProcess
 from .setup import Setup
 from .tessellate import Tessellate
 from .toolpath import Toolpath
 
-COMMANDS = (Tessellate, Toolpath, Setup, PostProcess, Annotate, Audit, Play)
+COMMANDS = (Tessellate, Toolpath, Setup, Compare, PostProcess, Annotate, Audit, Play)
 NAMES = [command.NAME for command in COMMANDS]
 
 

@@ -27,14 +27,8 @@ class MachineField(ChoiceField):
         self.browse.clicked.connect(self._browse)
 
     def has_head(self) -> bool:
-        """Whether the chosen machine carries a rotary axis in its head, and so needs the tool's length."""
-        from freecad_fiveaxis.core.errors import FiveAxisError
-        from freecad_fiveaxis.core.machine import load_machine
-
-        try:
-            return load_machine(self.value() or "").has_head
-        except FiveAxisError:
-            return False  # the form tells why the machine cannot be used
+        """Whether the chosen machine needs the tool's length."""
+        return has_head(self.value() or "")
 
     def _browse(self, *_: Any) -> None:
         text = translate("FiveAxis", "Machine files (*.fcm)")
@@ -42,6 +36,17 @@ class MachineField(ChoiceField):
         path, _ = QtWidgets.QFileDialog.getOpenFileName(self.editor, title, "", text)
         if path:
             self.show_value(path)
+
+
+def has_head(machine: str) -> bool:
+    """Whether a machine carries a rotary axis in its head, and so needs the tool's length."""
+    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.core.machine import load_machine
+
+    try:
+        return bool(load_machine(machine).has_head)
+    except FiveAxisError:
+        return False  # whoever uses the machine tells why it cannot be used
 
 
 class SpacingField(Field):

@@ -139,16 +139,16 @@ class SetupPanel(PathPanel):
         """Ask for a file and write the map there; a file that is there is replaced only if the user says so."""
         from freecad_fiveaxis.app import setups
 
-        file = ask_file(self.form, self.doc, self.path.Label + " " + translate("FiveAxis", "setups"))
+        file = ask_file(self.form, self.doc.FileName, self.path.Label + " " + translate("FiveAxis", "setups"))
         if file:
             write_asking(file, lambda agreed: setups.write_page(self.obj, file, agreed), self.options.show_error)
 
 
-def ask_file(parent: Any, doc: Any, name: str) -> str:
-    """The file that the user names for a report, proposed beside the document; empty where he names none."""
+def ask_file(parent: Any, document: str, name: str) -> str:
+    """The file that the user names for a report, proposed beside the file of the document; empty where he names none."""
     from freecad_fiveaxis.app import preferences
 
-    folder = preferences.output_folder() or os.path.dirname(doc.FileName) or os.path.expanduser("~")
+    folder = preferences.output_folder() or os.path.dirname(document) or os.path.expanduser("~")
     proposed = os.path.join(str(folder), FORBIDDEN.sub("_", name).strip(" .") + ".html")
     kinds = translate("FiveAxis", "Web page (*.html);;For programs (*.json);;Text (*.txt)")
     dialog = QtWidgets.QFileDialog

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The table of a comparison, a window below the view: one row a machine, cure and kind of control. A click on a head sorts it.
+
+The numbers are the core's; each cell keeps its own (mm, s, rad) under the text in the user's units, and is sorted by it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import FreeCADGui
+
+from .qt import QtCore, QtWidgets, translate
+
+NAME = "FiveAxisComparison"
+NUMBER = QtCore.Qt.UserRole
+_docks: dict[str, Any] = {}
+
+
+class Cell(QtWidgets.QTableWidgetItem):
+    """A text, and the number that it is sorted by; without a number it comes last."""
+
+    def __init__(self, text: str, number: float | None = None) -> None:
+        super().__init__(text)
+        if number is not None:
+            self.setData(NUMBER, float(number))
+            self.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+
+    def __lt__(self, other: Any) -> bool:
+        mine, others = self.data(NUMBER), other.data(NUMBER)
+        if mine is None and others is None:
+            return bool(self.text() < other.text())
+        return (math.inf if mine is None else mine) < (math.inf if others is None else others)
+
+
+class Table:
+    """The window: a sentence, the table, and a button that saves it."""
+
+    def __init__(self, dock: Any) -> None:
+        self.dock, self.comparison, self.label, self.document = dock, None, "", ""
+        self.verdict, self.table = QtWidgets.QLabel(), QtWidgets.QTableWidget(0, len(heads()))
+        self.save_button = QtWidgets.QPushButton(translate("FiveAxis", "Save…"))
+        self.error = QtWidgets.QLabel()
+        for widget, name in ((self.table, "Table"), (self.save_button, "Save"), (self.verdict, "Verdict")):
+            widget.setObjectName(NAME + name)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.table.verticalHeader().hide()
+        self.table.setHorizontalHeaderLabels(heads())
+        self.save_button.clicked.connect(lambda *_: self.save())
+        dock.setWidget(self._widget())
+
+    def _widget(self) -> Any:
+        widget = QtWidgets.QWidget()
+        row = QtWidgets.QHBoxLayout()
+        row.addWidget(self.verdict, 1)
+        row.addWidget(self.error)
+        row.addWidget(self.save_button)
+        column = QtWidgets.QVBoxLayout(widget)
+        column.addLayout(row)
+        column.addWidget(self.table)
+        self.error.setStyleSheet("color: #d0342c;")
+        return widget
+
+    def show_rows(self, path: Any, comparison: Any) -> None:
+        """Fill the table."""
+        from freecad_fiveaxis.core.compare import verdict
+
+        self.comparison = comparison
+        self.label, self.document = path.Label, path.Document.FileName
+        self.dock.setWindowTitle(translate("FiveAxis", "Machines on {label}").format(label=path.Label))
+        self.verdict.setText(verdict(comparison.rows, comparison.settings.proof.tolerance))
+        self.error.setText("")
+        self.table.setSortingEnabled(False)
+        self.table.setRowCount(len(comparison.rows))
+        for at, row in enumerate(comparison.rows):
+            for column, cell in enumerate(cells(row)):
+                self.table.setItem(at, column, cell)
+        self.table.horizontalHeader().setSortIndicator(
+            -1, QtCore.Qt.AscendingOrder
+        )  # in the core's order until a head is clicked
+        self.table.setSortingEnabled(True)
+        self.table.resizeColumnsToContents()
+        self.table.resizeRowsToContents()
+
+    def save(self) -> None:
+        """Ask for a file and write the table there; a file that is there is replaced only if the user says so."""
+        from freecad_fiveaxis.app import comparing
+
+        from .panels.setup import ask_file, write_asking
+
+        file = ask_file(self.dock, self.document, self.label + " " + translate("FiveAxis", "machines"))
+        if file:
+            write_asking(file, lambda agreed: comparing.write(self.comparison, file, agreed), self.error.setText)
+
+
+def show(path: Any, comparison: Any) -> Table:
+    """Open the window with the rows of a comparison."""
+    window = FreeCADGui.getMainWindow()
+    if "table" not in _docks:
+        dock = QtWidgets.QDockWidget(translate("FiveAxis", "Machines"), window)
+        dock.setObjectName(NAME)
+        _docks["table"] = Table(dock)
+        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, dock)
+        _join(window, dock)
+    shown = _docks["table"]
+    shown.show_rows(path, comparison)
+    shown.dock.show()
+    shown.dock.raise_()
+    return shown
+
+
+def _join(window: Any, dock: Any) -> None:
+    """Share the place of what stands below the view already, so that the table has the whole width."""
+    for other in window.findChildren(QtWidgets.QDockWidget):
+        if other is not dock and other.isVisible() and window.dockWidgetArea(other) == QtCore.Qt.BottomDockWidgetArea:
+            window.tabifyDockWidget(other, dock)
+            return
+
+
+def heads() -> list[str]:
+    """The titles of the columns."""
+    return [
+        translate("FiveAxis", "Machine"), translate("FiveAxis", "Cure"), translate("FiveAxis", "Tip guided (RTCP)"),
+        translate("FiveAxis", "Largest deviation"), translate("FiveAxis", "Proven bound"), translate("FiveAxis", "Blocks"),
+        translate("FiveAxis", "Time"), translate("FiveAxis", "Peak of X, Y, Z"), translate("FiveAxis", "Peak of 1st rotary"),
+        translate("FiveAxis", "Peak of 2nd rotary"), translate("FiveAxis", "Limits"),
+    ]  # fmt: skip
+
+
+def cells(row: Any) -> list[Cell]:
+    """The cells of one row of the core."""
+    from .panels.compare import cure_label
+    from .panels.summary import clock
+    from .scene.units import length_text
+
+    guided = translate("FiveAxis", "yes") if row.tool_centre else translate("FiveAxis", "no")
+    named = [Cell(row.machine), Cell(cure_label(row.cure)), Cell(guided)]
+    if row.problem:
+        told = Cell(translate("FiveAxis", "impossible: {why}").format(why=row.problem))
+        told.setToolTip(row.problem)
+        return [*named, *(Cell("–") for _ in range(7)), told]
+    linear = max(row.peak_rate[:3])
+    within = translate("FiveAxis", "within")
+    over = translate("FiveAxis", "over by {length}").format(length=length_text(row.over))
+    return [
+        *named,
+        Cell(length_text(row.deviation), row.deviation),
+        Cell(length_text(row.bound), row.bound),
+        Cell(str(row.blocks), row.blocks),
+        Cell(clock(row.time), row.time),
+        Cell(f"{length_text(linear)}/min", linear),
+        *(Cell(f"{letter} {math.degrees(rate):.0f}°/min", rate) for letter, rate in zip(row.letters[3:], row.peak_rate[3:],
+                                                                                        strict=True)),
+        Cell(over if row.over > LEAST_OVER else within, row.over),
+    ]  # fmt: skip
+
+
+LEAST_OVER = 5e-4
+"""mm; less beyond a limit than this is none, as in the core's own table."""

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Compare machines: ticked and pressed, read from the table, sorted by a click, saved where the user says."""
+
+import json
+import math
+
+import pytest
+from conftest import QtCore, QtWidgets
+from test_clicks import look
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import comparing
+
+COLUMNS = {"machine": 0, "cure": 1, "guided": 2, "deviation": 3, "blocks": 5, "time": 6, "linear": 7, "first": 8}
+
+
+@pytest.fixture
+def path(doc, pump):
+    """A coarse path over a half ball of 20 mm."""
+    ball = doc.addObject("Part::Sphere", "Dome")
+    ball.Radius, ball.Angle1 = 20, 0
+    doc.recompute()
+    look(doc)
+    made = app.create_toolpath(doc, ball, machine="trunnion_ac", stepover=8, linear_deflection=0.1)
+    pump(500)
+    return made
+
+
+def tick(box, click, *values):
+    """Tick these lines of a list by the mouse, and no others."""
+    for at in range(box.count()):
+        line = box.item(at)
+        if (line.checkState() == QtCore.Qt.Checked) != (line.data(QtCore.Qt.UserRole) in values):
+            box.scrollToItem(line)
+            spot = box.visualItemRect(line)
+            click(box.viewport(), QtCore.QPoint(spot.left() + 10, spot.center().y()))
+        assert (line.checkState() == QtCore.Qt.Checked) == (line.data(QtCore.Qt.UserRole) in values), line.text()
+
+
+def field_text(window, name):
+    return window.findChild(QtWidgets.QLabel, name).text()
+
+
+def rows_of(table):
+    read = []
+    for row in range(table.rowCount()):
+        read.append([table.item(row, column) for column in range(table.columnCount())])
+    return read
+
+
+def test_the_table_says_what_the_core_says_and_is_sorted_by_a_click(path, doc, tree_row, press, field, click, until, window,
+                                                                    panel_button, screenshot, pump):  # fmt: skip
+    names = [obj.Name for obj in doc.Objects]
+    tree_row(path.Label)
+    press("FiveAxis_Compare")
+    tick(field("machines"), click, "trunnion_ac", "trunnion_bc", "head_b_table_c")
+    tick(field("cures"), click, "none", "linearize")
+    click(field("calculate"))
+    assert "give the tool length" in field("compare_error").text(), "one of them has a head that turns"
+    tick(field("machines"), click, "trunnion_ac", "trunnion_bc")
+    click(field("calculate"))
+    assert not field_text(window, "compare_error")
+    table = until(lambda: window.findChild(QtWidgets.QTableWidget, "FiveAxisComparisonTable"), 60000, "a table")
+    pump(300)
+    screenshot("compare")
+    expected = comparing.compare(path, ["trunnion_ac", "trunnion_bc"], ["none", "linearize"]).rows
+    shown = rows_of(table)
+    assert len(shown) == len(expected) == 8
+    for cells, row in zip(shown, expected, strict=True):
+        number = {name: cells[at].data(QtCore.Qt.UserRole) for name, at in COLUMNS.items()}
+        assert cells[0].text() == row.machine
+        assert number["deviation"] == row.deviation and number["blocks"] == row.blocks and number["time"] == row.time
+        assert number["linear"] == max(row.peak_rate[:3]) and number["first"] == row.peak_rate[3]
+        assert f"{math.degrees(row.peak_rate[3]):.0f}°" in cells[COLUMNS["first"]].text()
+    assert shown[0][COLUMNS["deviation"]].data(QtCore.Qt.UserRole) == pytest.approx(path.MaxSegmentDeviation.Value, abs=1e-12)
+    head = table.horizontalHeader()
+    spot = QtCore.QPoint(head.sectionViewportPosition(COLUMNS["blocks"]) + 15, head.height() // 2)
+    click(head.viewport(), spot)
+    blocks = [int(cells[COLUMNS["blocks"]].text()) for cells in rows_of(table)]
+    assert blocks == sorted(blocks) and len(set(blocks)) > 1
+    panel_button("Close")
+    assert [obj.Name for obj in doc.Objects] == names and table.isVisible()
+
+
+def test_nothing_ticked_and_a_stop_leave_no_table(path, tree_row, press, field, click, panel_button, monkeypatch, window):
+    from freecad_fiveaxis.core.errors import Cancelled
+    from freecad_fiveaxis.gui import waiting
+
+    tree_row(path.Label)
+    press("FiveAxis_Compare")
+    tick(field("cures"), click)
+    click(field("calculate"))
+    assert "Tick at least one" in field("compare_error").text()
+    tick(field("cures"), click, "none")
+
+    def stop(self, stage, fraction):
+        raise Cancelled("stopped by the user")
+
+    monkeypatch.setattr(waiting.Waiting, "__call__", stop)
+    click(field("calculate"))
+    assert "Stopped" in window.statusBar().currentMessage() and not field_text(window, "compare_error")
+    panel_button("Close")
+
+
+def test_the_table_is_saved_where_the_user_says_and_replaces_nothing_unasked(path, monkeypatch, modal, tmp_path):
+    from freecad_fiveaxis.gui import comparison_table
+    from freecad_fiveaxis.gui.panels import setup
+
+    shown = comparison_table.show(path, comparing.compare(path, ["trunnion_ac"], ["none"]))
+    file = tmp_path / "table.json"
+    monkeypatch.setattr(setup, "ask_file", lambda *_: str(file))
+    shown.save()
+    assert len(json.loads(file.read_text(encoding="utf-8"))["rows"]) == 2
+    file.write_text("mine")
+    met = modal("Cancel")
+    shown.save()
+    assert met.said and file.read_text() == "mine"
+    file = tmp_path / "table.html"
+    shown.save()
+    assert "trunnion_ac" in file.read_text(encoding="utf-8")
+    file = tmp_path / "table.png"
+    shown.save()
+    assert "endings" in shown.error.text() and not file.exists()
+    shown.dock.close()
+
+
+def test_without_a_toolpath_the_command_is_disabled(doc, tool_button):
+    doc.addObject("Part::Box", "Box")
+    doc.recompute()
+    assert not tool_button("FiveAxis_Compare").isEnabled() and tool_button("FiveAxis_Setup").isEnabled()
