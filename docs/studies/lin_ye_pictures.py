@@ -13,7 +13,7 @@ import matplotlib
 import numpy as np
 
 from freecad_fiveaxis.core.deviation import lin_ye_deviation
-from freecad_fiveaxis.core.report import BLUE, GREEN, GREY, ORANGE, RED, STYLE, WIDE
+from freecad_fiveaxis.core.report.plot_style import BLUE, GREEN, GREY, ORANGE, RED, STYLE, WIDE
 from freecad_fiveaxis.core.trajectory import tip_at
 
 matplotlib.use("Agg")
