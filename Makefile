@@ -5,7 +5,7 @@
 PYTHON := .venv/bin/python
 FIVEAXIS := $(PYTHON) -m freecad_fiveaxis
 
-.PHONY: help demo test lint core linuxcnc freecad test-matrix install bench clean
+.PHONY: help demo test lint core slow linuxcnc freecad test-matrix install bench clean
 
 help:
 	@sed -n '2,4s/^# //p' Makefile
@@ -14,7 +14,7 @@ demo:
 	@scripts/prepare demo
 	@scripts/demo
 
-test: lint core linuxcnc freecad
+test: lint core slow linuxcnc freecad
 
 lint:
 	@scripts/prepare test
@@ -24,7 +24,11 @@ lint:
 
 core:
 	@scripts/prepare test
-	$(PYTHON) -m pytest -n 2 -m "not rs274"
+	$(PYTHON) -m pytest -n 2 -m "not rs274 and not slow"
+
+slow: # what takes long to prove: dense samples of many blocks, dynamic programmes, every cure on every machine
+	@scripts/prepare test
+	$(PYTHON) -m pytest -n 2 -m "slow and not rs274"
 
 linuxcnc:
 	@scripts/prepare test

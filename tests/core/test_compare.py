@@ -75,6 +75,7 @@ def cells(row):
     return [row.deviation, row.bound, row.axis_deviation, row.blocks, row.feed_blocks, row.time, *row.peak_rate]
 
 
+@pytest.mark.slow
 def test_every_cell_is_that_of_a_separate_run_with_every_cure():
     made = milled(tool_length=80.0, **COARSE)
     tried = {**cures(made), "halved": halved, "leaned": leading(made, leaned)}

@@ -126,7 +126,9 @@ def test_more_tilt_makes_it_smaller():
 # ------------------------------------------------------------------------------------------------ what it must keep
 
 
-MACHINES = ["trunnion_ac", "nutating_table_b45", "fork_head_bc", "head_b_table_c"]
+MACHINES = [
+    "head_b_table_c", *(pytest.param(name, marks=pytest.mark.slow) for name in ("trunnion_ac", "nutating_table_b45", "fork_head_bc"))
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("machine", MACHINES)

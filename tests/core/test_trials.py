@@ -58,7 +58,7 @@ def test_a_turned_setup_says_how_to_turn_the_part(part, capsys):
     assert ("turn the part in CAD" in out) == bool(re.search(r"recommended(\s+\S+){3}\s+[1-9]", out))
 
 
-@pytest.mark.parametrize("task", ["setup", "compare"])
+@pytest.mark.parametrize("task", ["setup", pytest.param("compare", marks=pytest.mark.slow)])
 def test_every_report_is_written_and_its_inputs_are_a_job_file(task, part, tmp_path):
     names = [tmp_path / name for name in ("r.json", "r.html", "r.txt")]
     words = ("--machine", "trunnion_ac", *QUICK, *(SMALL if task == "setup" else ()), "--quiet")
