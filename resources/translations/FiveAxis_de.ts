@@ -44,6 +44,10 @@
         <translation>NC-Sätze, die um mehr als die Toleranz von der Sollstrecke abweichen</translation>
     </message>
     <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
         <source>Checksum (sha256) of what was written</source>
         <translation>Prüfsumme (sha256) des Geschriebenen</translation>
     </message>
@@ -72,6 +76,10 @@
         <translation>Farbe singulär</translation>
     </message>
     <message>
+        <source>Colour between the least and the largest deviation</source>
+        <translation>Farbe zwischen der kleinsten und der größten Abweichung</translation>
+    </message>
+    <message>
         <source>Colour of blocks over the tolerance</source>
         <translation>Farbe der NC-Sätze über der Toleranz</translation>
     </message>
@@ -84,8 +92,16 @@
         <translation>Farbe der Markierungen nahe am Pol</translation>
     </message>
     <message>
+        <source>Colour of places within the tolerance</source>
+        <translation>Farbe der Orte in der Toleranz</translation>
+    </message>
+    <message>
         <source>Colour of the tool axes</source>
         <translation>Farbe der Werkzeugachsen</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Control Point</source>
@@ -98,6 +114,14 @@
     <message>
         <source>Coolant</source>
         <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Cure</source>
+        <translation>Abhilfe</translation>
+    </message>
+    <message>
+        <source>Cures</source>
+        <translation>Abhilfen</translation>
     </message>
     <message>
         <source>Cut Length</source>
@@ -114,6 +138,18 @@
     <message>
         <source>Cutter Length</source>
         <translation>Schneidenlänge</translation>
+    </message>
+    <message>
+        <source>Deviation After</source>
+        <translation>Abweichung nachher</translation>
+    </message>
+    <message>
+        <source>Deviation Before</source>
+        <translation>Abweichung vorher</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Abweichungen</translation>
     </message>
     <message>
         <source>Diameter of the ball-end cutter</source>
@@ -160,6 +196,10 @@
         <translation>Fingerabdruck</translation>
     </message>
     <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
         <source>Head</source>
         <translation>Programmkopf</translation>
     </message>
@@ -170,6 +210,10 @@
     <message>
         <source>Holder Length</source>
         <translation>Halterlänge</translation>
+    </message>
+    <message>
+        <source>How far the part should be turned about Z, counter-clockwise</source>
+        <translation>Wie weit das Werkstück um Z gedreht werden sollte, gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>I,J,K of the strategy `fixed`, tip to holder</source>
@@ -192,12 +236,20 @@
         <translation>Größter Winkel zwischen benachbarten Facetten</translation>
     </message>
     <message>
+        <source>Largest deviation in the recommended setup</source>
+        <translation>Größte Abweichung in der empfohlenen Aufspannung</translation>
+    </message>
+    <message>
         <source>Largest deviation of the tip from the commanded segments</source>
         <translation>Größte Abweichung der Werkzeugspitze von den Sollstrecken</translation>
     </message>
     <message>
         <source>Largest deviation of the tip from the lines of the commanded segments</source>
         <translation>Größte Abweichung der Werkzeugspitze von den Geraden durch die Sollstrecken</translation>
+    </message>
+    <message>
+        <source>Largest deviation where the work zero stood</source>
+        <translation>Größte Abweichung dort, wo der Werkstücknullpunkt stand</translation>
     </message>
     <message>
         <source>Largest distance of a facet from the surface</source>
@@ -244,6 +296,14 @@
         <translation>Maschine</translation>
     </message>
     <message>
+        <source>Machines</source>
+        <translation>Maschinen</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
         <source>Marker Size</source>
         <translation>Markierungsgröße</translation>
     </message>
@@ -256,6 +316,10 @@
         <translation>Steilste Facette</translation>
     </message>
     <message>
+        <source>Max Axis Change</source>
+        <translation>Größte Achsänderung</translation>
+    </message>
+    <message>
         <source>Max Bound</source>
         <translation>Größte Schranke</translation>
     </message>
@@ -266,6 +330,10 @@
     <message>
         <source>Max Segment Deviation</source>
         <translation>Größte Abweichung von der Strecke</translation>
+    </message>
+    <message>
+        <source>Max Tilt</source>
+        <translation>Größte Neigung</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -344,6 +412,18 @@
         <translation>Bewiesene obere Schranke der Abweichung von den Sollstrecken</translation>
     </message>
     <message>
+        <source>Recommended</source>
+        <translation>Empfohlen</translation>
+    </message>
+    <message>
+        <source>Recommended Turn</source>
+        <translation>Empfohlene Drehung</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
@@ -354,6 +434,10 @@
     <message>
         <source>Schema Version</source>
         <translation>Schemaversion</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Aufspannung</translation>
     </message>
     <message>
         <source>Show Axes</source>
@@ -400,12 +484,20 @@
         <translation>Den Wert an der größten Abweichung zeigen</translation>
     </message>
     <message>
+        <source>Show the value at the recommended place</source>
+        <translation>Den Wert am empfohlenen Ort zeigen</translation>
+    </message>
+    <message>
         <source>Show what the colours mean</source>
         <translation>Zeigen, was die Farben bedeuten</translation>
     </message>
     <message>
         <source>Singular Blocks</source>
         <translation>Singuläre NC-Sätze</translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation>Singularität</translation>
     </message>
     <message>
         <source>Size of the markers in pixels</source>
@@ -444,6 +536,14 @@
         <translation>Die Datei ist, was der Werkzeugweg jetzt ergibt; sonst die NC-Datei neu ausgeben</translation>
     </message>
     <message>
+        <source>The largest deviation at each place, mm</source>
+        <translation>Die größte Abweichung an jedem Ort, mm</translation>
+    </message>
+    <message>
+        <source>The map is of the toolpath as it is now; if it is not, try the setups again</source>
+        <translation>Die Karte gehört zum Werkzeugweg, wie er jetzt ist; sonst die Aufspannungen neu erproben</translation>
+    </message>
+    <message>
         <source>The place of the work zero in the document</source>
         <translation>Die Lage des Werkstücknullpunkts im Dokument</translation>
     </message>
@@ -472,12 +572,36 @@
         <translation>Der Werkzeugweg, aus dem die Datei entsteht</translation>
     </message>
     <message>
+        <source>The toolpath whose part is to be clamped</source>
+        <translation>Der Werkzeugweg, dessen Werkstück aufgespannt werden soll</translation>
+    </message>
+    <message>
+        <source>The work zero in the machine frame about which setups were tried</source>
+        <translation>Der Werkstücknullpunkt im Maschinensystem, um den herum Aufspannungen erprobt wurden</translation>
+    </message>
+    <message>
         <source>Tilt</source>
         <translation>Seitwinkel</translation>
     </message>
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Time After</source>
+        <translation>Zeit nachher</translation>
+    </message>
+    <message>
+        <source>Time Before</source>
+        <translation>Zeit vorher</translation>
+    </message>
+    <message>
+        <source>Time of the program in the recommended setup</source>
+        <translation>Zeit des Programms in der empfohlenen Aufspannung</translation>
+    </message>
+    <message>
+        <source>Time of the program where the work zero stood</source>
+        <translation>Zeit des Programms dort, wo der Werkstücknullpunkt stand</translation>
     </message>
     <message>
         <source>Time that the program takes</source>
@@ -504,8 +628,16 @@
         <translation>Werkzeugweg</translation>
     </message>
     <message>
+        <source>Turns</source>
+        <translation>Drehungen</translation>
+    </message>
+    <message>
         <source>Up To Date</source>
         <translation>Auf dem neuesten Stand</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
     </message>
     <message>
         <source>Way of the tip along the part</source>
@@ -516,12 +648,28 @@
         <translation>Was jede Markierung bezeichnet</translation>
     </message>
     <message>
+        <source>What each place is</source>
+        <translation>Was jeder Ort ist</translation>
+    </message>
+    <message>
+        <source>What is recommended, in a plain sentence</source>
+        <translation>Was empfohlen wird, in einem einfachen Satz</translation>
+    </message>
+    <message>
         <source>What the result says about itself, in plain sentences</source>
         <translation>Was das Ergebnis über sich selbst sagt, in einfachen Sätzen</translation>
     </message>
     <message>
         <source>Where the markers stand in the document</source>
         <translation>Wo die Markierungen im Dokument stehen</translation>
+    </message>
+    <message>
+        <source>Where the work zero should stand, in the machine frame</source>
+        <translation>Wo der Werkstücknullpunkt stehen sollte, im Maschinensystem</translation>
+    </message>
+    <message>
+        <source>Where the work zeros of the map lie in the document</source>
+        <translation>Wo die Werkstücknullpunkte der Karte im Dokument liegen</translation>
     </message>
     <message>
         <source>Width of the path in pixels</source>
@@ -548,12 +696,12 @@
         <translation>X,Y,Z des Werkstücknullpunkts im Maschinensystem [der aus der Maschinendatei]</translation>
     </message>
     <message>
-        <source>a shipped machine's name or a path to a .fcm</source>
-        <translation>Name einer mitgelieferten Maschine oder Pfad einer .fcm-Datei</translation>
+        <source>X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays</source>
+        <translation>X,Y,Z: so weit darf der Werkstücknullpunkt von seinem Ort aus nach beiden Seiten rücken; 0: er bleibt</translation>
     </message>
     <message>
-        <source>blocks are posted as they are</source>
-        <translation>NC-Sätze werden unverändert ausgegeben</translation>
+        <source>a shipped machine's name or a path to a .fcm</source>
+        <translation>Name einer mitgelieferten Maschine oder Pfad einer .fcm-Datei</translation>
     </message>
     <message>
         <source>constant distance of the planes, instead of a scallop</source>
@@ -562,6 +710,14 @@
     <message>
         <source>coolant during the program</source>
         <translation>Kühlmittel während des Programms</translation>
+    </message>
+    <message>
+        <source>cures to compare, with commas between [every one there is]</source>
+        <translation>Abhilfen zum Vergleich, mit Komma dazwischen [alle, die es gibt]</translation>
+    </message>
+    <message>
+        <source>divide feed blocks over tolerance into the fewest that hold it</source>
+        <translation>Vorschubsätze über der Toleranz in die wenigsten teilen, die sie einhalten</translation>
     </message>
     <message>
         <source>facets steeper than this are left out</source>
@@ -584,12 +740,20 @@
         <translation>wie weit die Steuerung Ecken verschleifen darf, wo sie es kann; 0: genaue Bahn</translation>
     </message>
     <message>
+        <source>how far the strategy `minimax` may leave the facet normals</source>
+        <translation>wie weit die Strategie `minimax` die Facettennormalen verlassen darf</translation>
+    </message>
+    <message>
         <source>inverse time, or units a minute</source>
         <translation>zeitreziprok, oder Einheiten je Minute</translation>
     </message>
     <message>
         <source>largest R - r at a convex co-edge before an arc is used</source>
         <translation>größtes R - r an einer konvexen gemeinsamen Kante, bevor ein Bogen genommen wird</translation>
+    </message>
+    <message>
+        <source>largest change of the tool axis where it is led past the pole (deform)</source>
+        <translation>größte Änderung der Werkzeugachse, wo sie am Pol vorbeigeführt wird (deform)</translation>
     </message>
     <message>
         <source>largest deviation of the tip from the commanded segment</source>
@@ -612,8 +776,20 @@
         <translation>Abweichung von der Geraden: genau, oder nach dem Modell von So u. a. 2008</translation>
     </message>
     <message>
+        <source>machines to compare, as for `mill`, with commas between; or --machine again for each</source>
+        <translation>Maschinen zum Vergleich, wie bei `mill`, mit Komma dazwischen; oder --machine für jede</translation>
+    </message>
+    <message>
+        <source>near the pole: only report, divide blocks over tolerance, or lead the tool axis past it (deform)</source>
+        <translation>nahe am Pol: nur berichten, NC-Sätze über der Toleranz teilen, oder die Werkzeugachse vorbeiführen (deform)</translation>
+    </message>
+    <message>
         <source>passes run to and fro, or all in one direction</source>
         <translation>Zeilen laufen hin und her, oder alle in einer Richtung</translation>
+    </message>
+    <message>
+        <source>places that the map shows along X,Y,Z [as many as take some seconds]</source>
+        <translation>Orte, die die Karte entlang X,Y,Z zeigt [so viele, wie einige Sekunden dauern]</translation>
     </message>
     <message>
         <source>planes never come closer than this (steep walls)</source>
@@ -622,6 +798,10 @@
     <message>
         <source>rapids stay this far off the part's bounding box</source>
         <translation>so weit bleibt der Eilgang vom Hüllquader des Werkstücks weg</translation>
+    </message>
+    <message>
+        <source>so many turns of the part about Z are tried, evenly over 360 deg</source>
+        <translation>so viele Drehungen des Werkstücks um Z werden erprobt, gleichmäßig über 360 Grad</translation>
     </message>
     <message>
         <source>spindle speed, 1/min; 0 leaves the spindle off</source>
@@ -659,6 +839,10 @@
         <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Spitze von sich aus auf der Geraden.</translation>
     </message>
     <message>
+        <source>Against deviation</source>
+        <translation>Gegen Abweichung</translation>
+    </message>
+    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
@@ -667,8 +851,20 @@
         <translation>Markieren</translation>
     </message>
     <message>
+        <source>Another machine file (.fcm)…</source>
+        <translation>Andere Maschinendatei (.fcm) …</translation>
+    </message>
+    <message>
         <source>Another task panel is open: close it first.</source>
         <translation>Ein anderer Aufgabendialog ist offen: ihn zuerst schließen.</translation>
+    </message>
+    <message>
+        <source>Applied: the largest deviation is now {deviation}.</source>
+        <translation>Übernommen: die größte Abweichung ist jetzt {deviation}.</translation>
+    </message>
+    <message>
+        <source>Apply to the tool path</source>
+        <translation>Für den Werkzeugweg übernehmen</translation>
     </message>
     <message>
         <source>Audit</source>
@@ -731,6 +927,22 @@
         <translation>Einen Punkt anklicken, oder Esc drücken</translation>
     </message>
     <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare machines</source>
+        <translation>Maschinen vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare machines on {label}</source>
+        <translation>Maschinen an {label} vergleichen</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
         <source>Controller</source>
         <translation>Steuerung</translation>
     </message>
@@ -741,6 +953,14 @@
     <message>
         <source>Corner rounding</source>
         <translation>Verschleifen</translation>
+    </message>
+    <message>
+        <source>Cure</source>
+        <translation>Abhilfe</translation>
+    </message>
+    <message>
+        <source>Cures</source>
+        <translation>Abhilfen</translation>
     </message>
     <message>
         <source>Cutter</source>
@@ -823,6 +1043,10 @@
         <translation>Aus einer Werkzeugdatei …</translation>
     </message>
     <message>
+        <source>From the gauge point to the tip: machines whose head turns need it</source>
+        <translation>Vom Bezugspunkt bis zur Spitze: Maschinen mit drehendem Kopf brauchen sie</translation>
+    </message>
+    <message>
         <source>Head of the NC file</source>
         <translation>Kopf der NC-Datei</translation>
     </message>
@@ -847,8 +1071,20 @@
         <translation>Art</translation>
     </message>
     <message>
+        <source>Largest axis change</source>
+        <translation>Größte Achsänderung</translation>
+    </message>
+    <message>
         <source>Largest deviation</source>
         <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>Largest deviation with the work zero there</source>
+        <translation>Größte Abweichung mit dem Werkstücknullpunkt dort</translation>
+    </message>
+    <message>
+        <source>Largest tilt</source>
+        <translation>Größte Neigung</translation>
     </message>
     <message>
         <source>Largest: {largest}</source>
@@ -859,12 +1095,16 @@
         <translation>Voreilwinkel</translation>
     </message>
     <message>
-        <source>Lead or tilt the tool by a few degrees, or clamp the part in another position, so that the tool keeps off the pole.</source>
-        <translation>Das Werkzeug um einige Grad voreilen lassen oder zur Seite neigen, oder das Werkstück anders aufspannen, damit das Werkzeug vom Pol wegbleibt.</translation>
-    </message>
-    <message>
         <source>Least interval</source>
         <translation>Kleinster Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Let the tool path's panel lead the axis past the pole, lead or tilt the tool by a few degrees, or clamp the part in another position.</source>
+        <translation>Im Fenster des Werkzeugwegs die Achse am Pol vorbeiführen lassen, das Werkzeug um einige Grad voreilen lassen oder zur Seite neigen, oder das Werkstück anders aufspannen.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
     </message>
     <message>
         <source>Line deviation by</source>
@@ -881,6 +1121,14 @@
     <message>
         <source>Machine files (*.fcm)</source>
         <translation>Maschinendateien (*.fcm)</translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation>Maschinen</translation>
+    </message>
+    <message>
+        <source>Machines on {label}</source>
+        <translation>Maschinen an {label}</translation>
     </message>
     <message>
         <source>Mesh angle</source>
@@ -951,6 +1199,10 @@
         <translation>Neben der Sollstrecke</translation>
     </message>
     <message>
+        <source>On each machine the work zero stands where its file says. The document stays as it is.</source>
+        <translation>Auf jeder Maschine steht der Werkstücknullpunkt dort, wo ihre Datei es sagt. Das Dokument bleibt, wie es ist.</translation>
+    </message>
+    <message>
         <source>On the machine</source>
         <translation>Auf der Maschine</translation>
     </message>
@@ -975,8 +1227,24 @@
         <translation>Zeilen</translation>
     </message>
     <message>
+        <source>Peak of 1st rotary</source>
+        <translation>Spitze der 1. Rundachse</translation>
+    </message>
+    <message>
+        <source>Peak of 2nd rotary</source>
+        <translation>Spitze der 2. Rundachse</translation>
+    </message>
+    <message>
+        <source>Peak of X, Y, Z</source>
+        <translation>Spitze von X, Y, Z</translation>
+    </message>
+    <message>
         <source>Pick in the 3D view</source>
         <translation>In der 3D-Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>Places on the map</source>
+        <translation>Orte auf der Karte</translation>
     </message>
     <message>
         <source>Play</source>
@@ -1035,12 +1303,40 @@
         <translation>Bericht für Programme (.json)</translation>
     </message>
     <message>
+        <source>Room for the work zero</source>
+        <translation>Spielraum des Nullpunkts</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save as a web page…</source>
+        <translation>Als Webseite speichern …</translation>
+    </message>
+    <message>
+        <source>Save the table and its pictures</source>
+        <translation>Die Tabelle und ihre Bilder speichern</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
         <source>Scallop</source>
         <translation>Kuppenhöhe</translation>
     </message>
     <message>
-        <source>Shorter blocks help: half the length leaves about a quarter of the deviation.</source>
-        <translation>Kürzere NC-Sätze helfen: die halbe Länge lässt etwa ein Viertel der Abweichung übrig.</translation>
+        <source>Set the tool path's work zero on the machine to the recommended one, and compute it.</source>
+        <translation>Den Werkstücknullpunkt des Werkzeugwegs auf der Maschine auf den empfohlenen setzen und den Werkzeugweg berechnen.</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Aufspannung</translation>
+    </message>
+    <message>
+        <source>Shorter blocks help: half the length leaves about a quarter of the deviation. Linearize, in the tool path's panel, makes as many of them as are needed.</source>
+        <translation>Kürzere NC-Sätze helfen: die halbe Länge lässt etwa ein Viertel der Abweichung übrig. „Linearisieren“ im Fenster des Werkzeugwegs macht so viele davon, wie nötig sind.</translation>
     </message>
     <message>
         <source>Show findings</source>
@@ -1099,6 +1395,10 @@
         <translation>Der NC-Satz liegt nahe am Pol: das Werkzeug steht fast in Richtung der Achse {first}, und dort muss {first} weit drehen, um das Werkzeug ein wenig zu neigen.</translation>
     </message>
     <message>
+        <source>The head of a machine that is ticked turns: give the tool length.</source>
+        <translation>Der Kopf einer angehakten Maschine dreht: die Werkzeuglänge angeben.</translation>
+    </message>
+    <message>
         <source>The largest distance in this block</source>
         <translation>Der größte Abstand in diesem NC-Satz</translation>
     </message>
@@ -1131,12 +1431,24 @@
         <translation>Gesehen wurde, dass die Werkzeugspitze um {deviation} von der Strecke abweicht; bewiesen ist nur, dass es nicht mehr als {bound} ist.</translation>
     </message>
     <message>
+        <source>The tool path was changed since: double-click the map to try again</source>
+        <translation>Der Werkzeugweg wurde seither geändert: Doppelklick auf die Karte erprobt neu</translation>
+    </message>
+    <message>
+        <source>The tool path was deleted meanwhile: close this panel.</source>
+        <translation>Der Werkzeugweg wurde inzwischen gelöscht: dieses Fenster schließen.</translation>
+    </message>
+    <message>
         <source>There are several paths: select the one to mark.</source>
         <translation>Es gibt mehrere Werkzeugwege: den auswählen, der markiert werden soll.</translation>
     </message>
     <message>
         <source>There are several paths: select the one to play.</source>
         <translation>Es gibt mehrere Werkzeugwege: den auswählen, der abgespielt werden soll.</translation>
+    </message>
+    <message>
+        <source>There are several tool paths: select the one to compare machines on.</source>
+        <translation>Es gibt mehrere Werkzeugwege: den auswählen, an dem Maschinen verglichen werden sollen.</translation>
     </message>
     <message>
         <source>There are several tool paths: select the one to write.</source>
@@ -1151,12 +1463,20 @@
         <translation>Der Kopf dieser Maschine schwenkt: die Länge vom Bezugspunkt der Spindel bis zur Werkzeugspitze angeben.</translation>
     </message>
     <message>
+        <source>Tick at least one machine and one cure.</source>
+        <translation>Mindestens eine Maschine und eine Abhilfe anhaken.</translation>
+    </message>
+    <message>
         <source>Tilt</source>
         <translation>Seitwinkel</translation>
     </message>
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Tip guided (RTCP)</source>
+        <translation>Spitze geführt (RTCP)</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -1183,12 +1503,28 @@
         <translation>Werkzeugweg</translation>
     </message>
     <message>
+        <source>Turn about Z</source>
+        <translation>Drehung um Z</translation>
+    </message>
+    <message>
+        <source>Turn the solid first, as the recommendation says, then try one turn only.</source>
+        <translation>Zuerst den Volumenkörper drehen, wie empfohlen, dann nur eine Drehung erproben.</translation>
+    </message>
+    <message>
+        <source>Turns of the part</source>
+        <translation>Drehungen des Werkstücks</translation>
+    </message>
+    <message>
         <source>Value</source>
         <translation>Wert</translation>
     </message>
     <message>
         <source>Warning</source>
         <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Web page (*.html);;For programs (*.json);;Text (*.txt)</source>
+        <translation>Webseite (*.html);;Für Programme (*.json);;Text (*.txt)</translation>
     </message>
     <message>
         <source>What</source>
@@ -1213,6 +1549,10 @@
     <message>
         <source>Where the tip is farthest from its commanded segment</source>
         <translation>Wo die Werkzeugspitze am weitesten von ihrer Sollstrecke entfernt ist</translation>
+    </message>
+    <message>
+        <source>Where to clamp</source>
+        <translation>Wohin spannen</translation>
     </message>
     <message>
         <source>Why</source>
@@ -1251,6 +1591,10 @@
         <translation>um eine Kante</translation>
     </message>
     <message>
+        <source>as many as take some seconds</source>
+        <translation>so viele, wie einige Sekunden dauern</translation>
+    </message>
+    <message>
         <source>as the machine file says</source>
         <translation>wie in der Maschinendatei</translation>
     </message>
@@ -1267,6 +1611,14 @@
         <translation>Sollstrecke neben der wirklichen Kurve</translation>
     </message>
     <message>
+        <source>comparing axis changes</source>
+        <translation>Achsänderungen vergleichen</translation>
+    </message>
+    <message>
+        <source>comparing machines</source>
+        <translation>Maschinen vergleichen</translation>
+    </message>
+    <message>
         <source>cut</source>
         <translation>Schnitt</translation>
     </message>
@@ -1279,12 +1631,32 @@
         <translation>Abweichung nach So u. a.</translation>
     </message>
     <message>
+        <source>divide blocks</source>
+        <translation>NC-Sätze teilen</translation>
+    </message>
+    <message>
+        <source>dividing blocks</source>
+        <translation>NC-Sätze teilen</translation>
+    </message>
+    <message>
+        <source>driving what is led</source>
+        <translation>Geführtes nachfahren</translation>
+    </message>
+    <message>
         <source>exact</source>
         <translation>genau</translation>
     </message>
     <message>
         <source>fixed</source>
         <translation>fest</translation>
+    </message>
+    <message>
+        <source>impossible: {why}</source>
+        <translation>unmöglich: {why}</translation>
+    </message>
+    <message>
+        <source>instead of {deviation} where it stood</source>
+        <translation>statt {deviation}, wo er stand</translation>
     </message>
     <message>
         <source>inverse time (G93)</source>
@@ -1295,12 +1667,32 @@
         <translation>Facetten verbinden</translation>
     </message>
     <message>
+        <source>lead the axis past it</source>
+        <translation>die Achse vorbeiführen</translation>
+    </message>
+    <message>
+        <source>lead the axis past the pole</source>
+        <translation>die Achse am Pol vorbeiführen</translation>
+    </message>
+    <message>
+        <source>leading the axis past the pole</source>
+        <translation>Achse am Pol vorbeiführen</translation>
+    </message>
+    <message>
+        <source>least deviation (minimax)</source>
+        <translation>kleinste Abweichung (minimax)</translation>
+    </message>
+    <message>
         <source>link</source>
         <translation>Verbindung</translation>
     </message>
     <message>
         <source>linking the passes</source>
         <translation>Zeilen verbinden</translation>
+    </message>
+    <message>
+        <source>machines</source>
+        <translation>Maschinen</translation>
     </message>
     <message>
         <source>mean of the facet normals</source>
@@ -1319,12 +1711,20 @@
         <translation>nahe am Pol: {count} NC-Sätze</translation>
     </message>
     <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
     <message>
         <source>normals weighted by step</source>
         <translation>nach Schrittlänge gewichtete Normalen</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
     </message>
     <message>
         <source>off</source>
@@ -1337,6 +1737,14 @@
     <message>
         <source>one way</source>
         <translation>in einer Richtung</translation>
+    </message>
+    <message>
+        <source>only report</source>
+        <translation>nur berichten</translation>
+    </message>
+    <message>
+        <source>over by {length}</source>
+        <translation>um {length} überschritten</translation>
     </message>
     <message>
         <source>over the tolerance: {count} blocks</source>
@@ -1367,12 +1775,32 @@
         <translation>Netz lesen</translation>
     </message>
     <message>
+        <source>recommended</source>
+        <translation>empfohlen</translation>
+    </message>
+    <message>
+        <source>recommended: {deviation}</source>
+        <translation>empfohlen: {deviation}</translation>
+    </message>
+    <message>
+        <source>seeking the axes of least deviation</source>
+        <translation>Achsen kleinster Abweichung suchen</translation>
+    </message>
+    <message>
         <source>setting feeds</source>
         <translation>Vorschübe bestimmen</translation>
     </message>
     <message>
+        <source>setups</source>
+        <translation>Aufspannungen</translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>vom Benutzer abgebrochen</translation>
+    </message>
+    <message>
+        <source>the axes leave their limits</source>
+        <translation>die Achsen verlassen ihre Grenzen</translation>
     </message>
     <message>
         <source>the machine's own</source>
@@ -1387,6 +1815,10 @@
         <translation>hin und her</translation>
     </message>
     <message>
+        <source>trying setups</source>
+        <translation>Aufspannungen erproben</translation>
+    </message>
+    <message>
         <source>turning the axes</source>
         <translation>Rundachsen berechnen</translation>
     </message>
@@ -1395,12 +1827,24 @@
         <translation>Einheiten je Minute (G94)</translation>
     </message>
     <message>
+        <source>where the work zero stood</source>
+        <translation>wo der Werkstücknullpunkt stand</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>eingehalten</translation>
+    </message>
+    <message>
         <source>within tolerance</source>
         <translation>in der Toleranz</translation>
     </message>
     <message>
         <source>writing NC blocks</source>
         <translation>NC-Sätze schreiben</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
     </message>
     <message>
         <source>{block} of {last}, {motion}</source>
@@ -1577,6 +2021,17 @@
     </message>
 </context>
 <context>
+    <name>FiveAxis_Compare</name>
+    <message>
+        <source>Compare machines…</source>
+        <translation>Maschinen vergleichen …</translation>
+    </message>
+    <message>
+        <source>Drive a tool path on several machines, with each cure, and show what each makes of it</source>
+        <translation>Einen Werkzeugweg auf mehreren Maschinen fahren, mit jeder Abhilfe, und zeigen, was jede daraus macht</translation>
+    </message>
+</context>
+<context>
     <name>FiveAxis_Play</name>
     <message>
         <source>Play</source>
@@ -1596,6 +2051,17 @@
     <message>
         <source>Write the NC file of a tool path, and a report of its deviations</source>
         <translation>Die NC-Datei eines Werkzeugwegs schreiben, und einen Bericht über seine Abweichungen</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_Setup</name>
+    <message>
+        <source>Try where on the machine's table the part should stand, and show the deviation of each place</source>
+        <translation>Erproben, wo auf dem Maschinentisch das Werkstück stehen sollte, und die Abweichung jedes Ortes zeigen</translation>
+    </message>
+    <message>
+        <source>Where to clamp…</source>
+        <translation>Wohin spannen …</translation>
     </message>
 </context>
 <context>

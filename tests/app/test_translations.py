@@ -34,7 +34,7 @@ def test_every_property_of_every_object_is_translated(doc, ball, tmp_path):
     path = app.create_toolpath(doc, ball, **FAST)
     output = app.post_process(path, tmp_path / "ball.ngc")
     audit = app.audit(doc, tmp_path / "ball.ngc", "trunnion_ac", tolerance=50)
-    objects = [path.Mesh, path, output, app.annotate(path), audit]
+    objects = [path.Mesh, path, output, app.annotate(path), audit, app.setup_map(path, region=(5, 0, 0), grid=(2, 1, 1))]
     for obj in objects:
         texts = set(shown_texts(obj))
         assert len(texts) > 5, obj.Name
