@@ -800,8 +800,8 @@
         <translation>so weit bleibt der Eilgang vom Hüllquader des Werkstücks weg</translation>
     </message>
     <message>
-        <source>so many turns of the part about Z are tried, evenly over 360 deg</source>
-        <translation>so viele Drehungen des Werkstücks um Z werden erprobt, gleichmäßig über 360 Grad</translation>
+        <source>so many turns of the part about Z are tried, evenly over 360 deg [1: as it stands]</source>
+        <translation>so viele Drehungen des Werkstücks um Z werden erprobt, gleichmäßig über 360 Grad [1: wie es steht]</translation>
     </message>
     <message>
         <source>spindle speed, 1/min; 0 leaves the spindle off</source>
