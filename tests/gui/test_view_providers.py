@@ -248,7 +248,7 @@ def test_a_document_that_is_opened_again_shows_its_picture(path, doc, pump, tmp_
         assert picture.checked == "" and path.ViewObject.LineWidth == 3.0
         assert (picture.drawing.stroke == before.stroke).all() and (picture.drawing.level == before.level).all()
         assert [one.Name for one in path.ViewObject.Proxy.claimChildren()] == ["Tessellation", "Markers"]
-        assert path.ViewObject.Proxy.getIcon().endswith("FiveAxis_Toolpath.svg")
+        assert path.ViewObject.Proxy.getIcon().endswith("/Toolpath.svg")
         assert again.getObject("Markers").ViewObject.Proxy.picture is not None
     finally:
         FreeCAD.closeDocument(again.Name)
