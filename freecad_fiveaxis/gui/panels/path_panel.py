@@ -26,6 +26,10 @@ DRAWN = 500
 """ms after which something new is drawn."""
 
 
+LAID_OUT = 150
+"""ms after which the first panel of a session is laid out, too: how wide it has to be is not known before."""
+
+
 class PathPanel:
     """A task panel. A subclass fills ``form``, and says how to ``compute``; it may show another ``summary``."""
 
@@ -159,7 +163,8 @@ def show(panel: Any) -> Any:
         warn(translate("FiveAxis", "Another task panel is open: close it first."))
         return panel
     FreeCADGui.Control.showDialog(panel)
-    later(lambda: _widen(panel.form))
+    for delay in (0, LAID_OUT):
+        QtCore.QTimer.singleShot(delay, lambda: _widen(panel.form))
     return panel
 
 
@@ -178,6 +183,10 @@ def reveal(form: Any) -> None:
 
 
 def _widen(form: Any) -> None:
+    try:
+        form.objectName()
+    except RuntimeError:  # PySide: already deleted, the panel was closed meanwhile
+        return
     dock, area = _above(form, QtWidgets.QDockWidget), _above(form, QtWidgets.QScrollArea)
     if dock and area:
         lacking = area.widget().minimumSizeHint().width() - area.viewport().width()

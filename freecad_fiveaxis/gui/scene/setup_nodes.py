@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from pivy import coin
 
 from freecad_fiveaxis.core.records import Bools, Floats
 
@@ -40,7 +41,15 @@ def setup_points(
             continue
         for rim, width in rims:
             ring = (nodes.colour(rim), nodes.style(point=width), nodes.points(places[chosen]))
-            root.addChild(nodes.separate(nodes.nearer(depth, covers=False), *ring))
+            root.addChild(nodes.separate(_depth(depth, covers=False), *ring))
         spot = (nodes.style(point=inner), nodes.points(places[chosen], rgba[chosen]))
-        root.addChild(nodes.separate(nodes.nearer(depth), *spot))
+        root.addChild(nodes.separate(_depth(depth), *spot))
     return root
+
+
+def _depth(depth: float, covers: bool = True) -> Any:
+    """As ``nodes.nearer``; at 1 drawn over what stands at the view's near end as well, as the foremost corner of a map does."""
+    made = nodes.nearer(depth, covers)
+    if depth == 1.0:
+        made.function = coin.SoDepthBuffer.ALWAYS
+    return made
