@@ -81,9 +81,17 @@ def attach(obj: Any) -> None:
 
 def _adopt(path: Any) -> None:
     """A path has a new child."""
-    view = getattr(path.ViewObject, "Proxy", None)
+    view = _view_of(path)
     if hasattr(view, "adopt"):
         view.adopt()
+
+
+def _view_of(obj: Any) -> Any:
+    """The view provider of an object, or None."""
+    try:
+        return getattr(obj.ViewObject, "Proxy", None)
+    except RuntimeError:  # FreeCAD 1.0: undo has the object still in its list while its view is gone already
+        return None
 
 
 def _forget(gone: Any) -> None:
@@ -95,7 +103,7 @@ def _forget(gone: Any) -> None:
 def _look_again(doc: Any, changed: Any = None, only_old: bool = False) -> None:
     """The paths that depend on ``changed`` (None: all), or only those that say so already, see whether they are out of date."""
     for obj in doc.Objects:
-        view = getattr(obj.ViewObject, "Proxy", None)
+        view = _view_of(obj)
         if type(view).__name__ != "PathView" or (changed is not None and not view.depends_on(changed)):
             continue
         if not only_old or view.says_old():
