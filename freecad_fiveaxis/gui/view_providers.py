@@ -240,10 +240,8 @@ class PathView(DrawnView):
         return True
 
 
-class MarkersView(DrawnView):
-    """Markers, each of which can be picked, and the label at the largest deviation."""
-
-    ROWS = view_properties.MARKERS
+class PictureView(DrawnView):
+    """A view that is one picture, made when it is first drawn."""
 
     def attach(self, vobj: Any) -> None:
         """Nothing drawn yet."""
@@ -251,14 +249,32 @@ class MarkersView(DrawnView):
         super().attach(vobj)
 
     def refresh(self) -> None:
-        """Draw the markers."""
-        from .markers_picture import MarkersPicture
-
+        """Draw the picture."""
         view_properties.add_missing(self.vobj, self.ROWS)
         if self.picture is None:
-            self.picture = MarkersPicture(self.vobj)
+            self.picture = self.make_picture()
             self.root.addChild(self.picture.root)
         self.picture.refresh()
+
+    def make_picture(self) -> Any:
+        """The picture: it has a ``root`` and can ``refresh``."""
+        raise NotImplementedError
+
+
+class MarkersView(PictureView):
+    """Markers, each of which can be picked, and the label at the largest deviation."""
+
+    ROWS = view_properties.MARKERS
+
+    def make_picture(self) -> Any:
+        """The markers."""
+        from .markers_picture import MarkersPicture
+
+        return MarkersPicture(self.vobj)
+
+    def refresh(self) -> None:
+        """Draw the markers."""
+        super().refresh()
         if self.obj.Path is not None:
             redraw.soon(self.obj.Path.ViewObject.Proxy)  # the path leaves marks and label to this object
 
@@ -276,25 +292,16 @@ class MarkersView(DrawnView):
         return True
 
 
-class SetupMapView(DrawnView):
+class SetupMapView(PictureView):
     """A map of setups: a point for each work zero tried, coloured by deviation, the recommended one with its value."""
 
     ROWS = view_properties.SETUPS
 
-    def attach(self, vobj: Any) -> None:
-        """Nothing drawn yet."""
-        self.picture: Any = None
-        super().attach(vobj)
-
-    def refresh(self) -> None:
-        """Draw the map."""
+    def make_picture(self) -> Any:
+        """The map."""
         from .setup_picture import SetupPicture
 
-        view_properties.add_missing(self.vobj, self.ROWS)
-        if self.picture is None:
-            self.picture = SetupPicture(self.vobj)
-            self.root.addChild(self.picture.root)
-        self.picture.refresh()
+        return SetupPicture(self.vobj)
 
     def getElementPicked(self, point: Any) -> str:
         """The points have no names."""

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The example parts, and what the street makes of them, each made once."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.settings import build_settings
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="session")
+def parts(tmp_path_factory):
+    """A folder with the example parts, made by the project's own script."""
+    folder = tmp_path_factory.mktemp("parts")
+    script = ROOT / "resources" / "examples" / "make_parts.py"
+    subprocess.run([sys.executable, str(script), str(folder)], check=True, capture_output=True, timeout=120)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def milled(parts):
+    """Results by part, machine and controller, each made once."""
+    made = {}
+
+    def mill(part, machine, controller="linuxcnc", **options):
+        key = (part, machine, controller, *sorted(options.items()))
+        if key not in made:
+            given = {"machine": machine, "controller": controller, "stepover": 5, "tool_length": 120, **options}
+            made[key] = job.run(build_settings("mill", str(parts / f"{part}.stl"), given))
+        return made[key]
+
+    return mill
