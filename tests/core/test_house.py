@@ -14,7 +14,7 @@ CORE = ROOT / "freecad_fiveaxis" / "core"
 FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySide2", "PySide6", "pivy", "Path")
 MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
 STREET = [  # rooms and single modules of the core; imports only point up this list
-    "errors", "findings", "records", "progress", "quantity", "files", "number_text", "side_by_side", "machine", "kinematics", "mesh",
+    "errors", "findings", "records", "progress", "quantity", "files", "number_text", "machine", "kinematics", "mesh",
     "passes", "cutter", "coedge", "tool_axis", "feasible", "cl_path", "apt", "trajectory", "deviation", "joint_path", "minimax",
     "deform", "singularity", "post", "linearize", "program", "nc_reader", "report", "setup_map", "compare", "playback", "settings", "job",
     "cures", "trials", "memory", "terminal", "cli",

@@ -19,7 +19,6 @@ from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze, picked
-from freecad_fiveaxis.core.side_by_side import side_by_side
 
 from .columns import Columns
 from .junction import find_segments, groups
@@ -98,13 +97,15 @@ def close_gaps(
     progress("closing co-edges", 0.0)
     cut = None if keep is None else keep[contact.face[::2]]  # which segments lie in facets that are kept
     segments = find_segments(contact)
-    parts = side_by_side(
-        lambda group: closed_rows(group, radius, tolerance, cut),
-        groups(segments),
-        lambda share: progress("closing co-edges", 0.5 * share),
-    )
+    parts, together = [], groups(segments)
+    for number, group in enumerate(together):
+        progress("closing co-edges", 0.5 * number / len(together))
+        parts.append(closed_rows(group, radius, tolerance, cut))
     columns = Columns(contact, segments, parts)
-    side_by_side(columns.write, range(len(parts)), lambda share: progress("closing co-edges", 0.5 + 0.5 * share))
+    for number in range(len(parts)):
+        progress("closing co-edges", 0.5 + 0.5 * number / len(parts))
+        columns.write(number)
+    progress("closing co-edges", 1.0)
     return OffsetPath(**columns.values, findings=_findings(contact, parts, cut))
 
 

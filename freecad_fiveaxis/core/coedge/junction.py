@@ -37,7 +37,7 @@ KNIFE = 1e-6
 """rad; nearer than this to half a turn two normals do not span a plane. The arc then goes round in the direction of travel."""
 
 GROUP = 32768
-"""Segments that are closed together, about half as many as rows: columns long enough for two threads."""
+"""Segments that are closed together, about half as many as rows: few enough for their columns to stay in the cache."""
 
 CHUNK = 16384
 """Rows handled at a time: a few dozen columns of these stay in the processor's cache."""

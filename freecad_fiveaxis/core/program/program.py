@@ -24,13 +24,11 @@ from freecad_fiveaxis.core.number_text import rounded
 from freecad_fiveaxis.core.post.dialect import Dialect, feed_distance
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
-from freecad_fiveaxis.core.side_by_side import side_by_side
 
 from .feeds import feed_minutes, rapid_minutes, tip_travel
 
 PORTION = 65536
-"""Blocks timed at a time: few enough to stay in the cache, enough to sample the curved ones of each kind in long columns
-and for two threads to gain."""
+"""Blocks timed at a time: few enough to stay in the cache, enough to sample the curved ones of each kind in long columns."""
 FEED_SLACK = 1e-9
 """F is rounded down, but a relative rounding error of this size must not cost a whole step (999.9999 for 1000)."""
 
@@ -148,8 +146,8 @@ class _Times(NamedTuple):
 def _time_blocks(words: Floats, motion: Bytes, tip_feed: Floats, links: Chain, scale: _FeedScale, progress: Progress) -> _Times:
     count = len(words)
     times = _Times(np.zeros(count), np.zeros(count, np.bool_), np.zeros(count), np.zeros(count))
-
-    def portion(first: int) -> None:
+    for first in range(1, count, PORTION):
+        progress("feeds", first / count)
         rows = slice(first, min(first + PORTION, count))
         ends = words[first - 1 : rows.stop]
         q, rapid = words_to_q(ends), np.flatnonzero(motion[rows] == Motion.RAPID)
@@ -166,9 +164,7 @@ def _time_blocks(words: Floats, motion: Bytes, tip_feed: Floats, links: Chain, s
         feed[rapid] = 0.0
         for whole, part in zip(times, (asked, held, feed, seconds), strict=True):
             whole[rows] = part
-
-    progress("feeds", 0.0)
-    side_by_side(portion, range(1, count, PORTION), lambda share: progress("feeds", share))
+    progress("feeds", 1.0)
     return times
 
 
