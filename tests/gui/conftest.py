@@ -354,23 +354,28 @@ def panel_button():
 
 @pytest.fixture
 def tree_row():
-    """tree_row(label, double=False): click that row of the model tree (parents are unfolded); the QTreeWidgetItem."""
+    """tree_row(label, double=False): click that row of the model tree (parents are unfolded).
 
-    def rows(tree):
-        walk = QtWidgets.QTreeWidgetItemIterator(tree)
-        while walk.value():
-            yield walk.value()
-            walk += 1
+    The tree is read through its model: PySide keeps what it hands out of FreeCAD's own QTreeWidgetItems after FreeCAD has deleted
+    them, takes the next widget made at such an address for an item, and in the end deletes it a second time.
+    """
+
+    def rows(model, parent):
+        for at in range(model.rowCount(parent)):
+            index = model.index(at, 0, parent)
+            yield index
+            yield from rows(model, index)
 
     def click_row(label, double=False):
         tree = _tree()
-        item = _until(
-            lambda: next((item for item in rows(tree) if item.text(0) == label), None), 3000, f"row {label!r} in the tree"
+        index = _until(
+            lambda: next((index for index in rows(tree.model(), QtCore.QModelIndex()) if index.data() == label), None),
+            3000,
+            f"row {label!r} in the tree",
         )
-        tree.scrollToItem(item)
+        tree.scrollTo(index)
         _pump(100)
-        _click(tree.viewport(), tree.visualItemRect(item).center(), double)
-        return item
+        _click(tree.viewport(), tree.visualRect(index).center(), double)
 
     return click_row
 
