@@ -8,7 +8,7 @@ proof of the rounded words, because that is what the machine gets. ``run`` makes
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from freecad_fiveaxis.core.cl_path import CLPath, LinkOptions, Motion, link_passes, order_passes
@@ -26,11 +26,11 @@ from freecad_fiveaxis.core.passes import ContactPath, place_planes, reachable_fa
 from freecad_fiveaxis.core.program import Program, block_findings, build_program
 from freecad_fiveaxis.core.report import Figures, as_html, as_json, as_text, blocks_csv, judge
 
-from .apt import read_apt, write_apt
+from .apt import ClHead, read_cl_file, write_apt
 from .errors import SettingsError
 from .feasible import feasible_rows
 from .files import check_writable, read_bytes, write_whole
-from .findings import Finding
+from .findings import Finding, Severity
 from .post import Dialect, PostOptions, find_dialect
 from .post.writer import write_nc
 from .progress import Progress, silent
@@ -42,6 +42,9 @@ from .tool_axis import AxisOptions, find_strategy, tool_axes
 DEFAULT_CONTROLLER = "linuxcnc"
 DEFAULT_SCALLOP = 0.01
 """mm, where neither a scallop nor a stepover is asked for: a usual finishing quality."""
+
+SAME_CUTTER = 1e-3
+"""mm by which a cutter's diameter may differ from the CL file's: what its four printed decimals, in inches too, leave open."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,10 +163,31 @@ def reach(settings: Settings) -> float:
 
 def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:
     """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the feed moves."""
-    path = read_apt(read_bytes(settings.source, "CL file"), settings.feeds.feed, progress)
+    file = read_cl_file(read_bytes(settings.source, "CL file"), settings.feeds.feed, progress)
+    settings, path = with_head(settings, file.head), file.path
     feeding = path.tip[path.motion != Motion.RAPID] if (path.motion != Motion.RAPID).any() else path.tip
     low, high = feeding.min(axis=0), feeding.max(axis=0)
-    return _posted(settings, path, low, high, machine, links, dialect, path.findings, progress)
+    return _posted(
+        settings, path, low, high, machine, links, dialect, path.findings + _cutter_note(settings, file.head), progress
+    )
+
+
+def _cutter_note(settings: Settings, said: ClHead) -> tuple[Finding, ...]:
+    given = settings.cutter.cutter.diameter
+    if said.diameter == 0.0 or abs(said.diameter - given) <= SAME_CUTTER:
+        return ()
+    text = f"The CL file is for a cutter of {said.diameter:g} mm, retracts are laid out for {given:g} mm; give --cutter."
+    return (Finding(Severity.NOTE, "cutter-differs", text, said.diameter, given, "mm"),)
+
+
+def with_head(settings: Settings, said: ClHead) -> Settings:
+    """The settings with the tool, speed and coolant of a CL file where they have none of their own."""
+    given = settings.head
+    head = replace(
+        given, tool=said.tool if given.tool is None else given.tool, spindle=given.spindle or said.speed,
+        coolant="on" if said.coolant else given.coolant,
+    )  # fmt: skip
+    return replace(settings, head=head)
 
 
 def _posted(
@@ -241,7 +265,9 @@ def _program_files(made: Made) -> dict[str, bytes]:
     if isinstance(made, Posted) and output.output:
         files[output.output] = made.nc
     if isinstance(made, Posted) and output.cl:
-        files[output.cl] = write_apt(made.path, made.settings.cutter.cutter, _title(made.settings))
+        files[output.cl] = write_apt(
+            made.path, made.settings.cutter.cutter, _title(made.settings), head=_cl_head(made.settings)
+        )  # fmt: skip
     return files
 
 
@@ -287,6 +313,11 @@ def _head(settings: Settings) -> PostOptions:
     head = settings.head
     tool = None if head.tool is None else int(head.tool)
     return PostOptions(tool, head.spindle, head.coolant == "on", head.work_offset, blend=head.blend)
+
+
+def _cl_head(settings: Settings) -> ClHead:
+    options = _head(settings)
+    return ClHead(options.tool, options.speed, options.coolant)
 
 
 def _nc_title(settings: Settings, machine: Machine) -> str:

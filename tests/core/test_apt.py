@@ -106,7 +106,7 @@ def test_line_endings_do_not_matter(end: bytes) -> None:
 
 @pytest.mark.parametrize(
     ("statement", "severity"),
-    [(b"CYCLE/DRILL,5", Severity.ERROR), (b"TLAXIS/0,0,1", Severity.ERROR), (b"FOO/1", Severity.WARNING)],
+    [(b"CYCLE/DRILL,5", Severity.ERROR), (b"TLAXIS/PERPTO", Severity.ERROR), (b"FOO/1", Severity.WARNING)],
 )
 def test_statements_that_are_not_interpreted_are_told_once_each(statement: bytes, severity: Severity) -> None:
     path = read_apt(b"FEDRAT/100\nGOTO/1,2,3\n" + statement + b"\n" + statement + b"\nGOTO/1,2,4\n")

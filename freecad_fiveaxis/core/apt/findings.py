@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is poor about a CL file: statements not interpreted, axes that are no unit vectors, moves without a feed, more tools."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.records import Bytes, Floats, Ints
+
+from .poses import Moves
+from .said import Kind, Said, name_of
+from .source import Source
+from .vocabulary import CURVES, SPOILING
+
+NOT_UNIT = 1e-4
+"""An axis whose length differs by more than this from 1 was not meant as a unit vector; four printed decimals stay below."""
+TILTED = 1e-6
+"""An axis that leans more than this, in sine, is not upright."""
+LINES_TOLD, NAMES_TOLD = 5, 20
+"""How many lines of one word, and how many words, are told."""
+
+
+def find_poor_spots(
+    source: Source, said: Said, moves: Moves, length: Floats, motion: Bytes, speed: Floats
+) -> tuple[Finding, ...]:  # fmt: skip
+    """The findings of a CL file; ``length`` (n,) of the axes as printed, ``motion`` and ``speed`` (n,) of its rows."""
+    found = [*_passed_over(source, said), *_frames(source, said), *_tools(source, said, len(length))]
+    return (*found, *_rows(source, said, moves, length, motion, speed))
+
+
+def _passed_over(source: Source, said: Said) -> Iterator[Finding]:
+    """One finding for each word that is not interpreted, in the order in which they first stand."""
+    at = said.of(Kind.UNKNOWN)
+    names = [name_of(said.texts[which]) if said.meanings[which].kind is Kind.UNKNOWN else "" for which in range(len(said.texts))]
+    number = {name: k for k, name in enumerate(dict.fromkeys(names))}
+    word = np.array([number[name] for name in names] or [0])[said.which[at]]
+    order = np.argsort(word, kind="stable")
+    groups = np.split(at[order], np.flatnonzero(np.diff(word[order])) + 1) if len(at) else []
+    groups.sort(key=lambda group: int(group[0]))
+    for group in groups[:NAMES_TOLD]:
+        yield _not_interpreted(name_of(said.texts[said.which[group[0]]]), source.line[said.statement[group]])
+    rest = groups[NAMES_TOLD:]
+    if rest:
+        count, line = sum(map(len, rest)), int(source.line[said.statement[rest[0][0]]])
+        text = f"{len(rest)} further words ({count} statements) are not interpreted; is this a CL file?"
+        yield Finding(Severity.WARNING, "statement-not-interpreted", text, float(count), line=line)
+
+
+def _not_interpreted(name: str, lines: Ints) -> Finding:
+    told = ", ".join(map(str, lines[:LINES_TOLD].tolist())) + (" ..." if len(lines) > LINES_TOLD else "")
+    remedy = " The path goes straight on to the next GOTO: have curves written as points." if name in CURVES else ""
+    where = f"{len(lines)} statements, line{'s' * (len(lines) > 1)} {told}"
+    text = f"{name} is not interpreted ({where}); what it does is missing in the path.{remedy}"
+    severity = Severity.ERROR if name in SPOILING else Severity.WARNING
+    return Finding(severity, "statement-not-interpreted", text, float(len(lines)), line=int(lines[0]))
+
+
+def _frames(source: Source, said: Said) -> Iterator[Finding]:
+    """Points are counted from MSYS: one for the whole file is the work zero, a second one means another zero."""
+    at = said.of(Kind.FRAME)
+    other = at[said.which[at] != said.which[at[0]]] if len(at) else at
+    if len(other):
+        line = int(source.line[said.statement[other[0]]])
+        text = "MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system."
+        yield Finding(Severity.ERROR, "several-coordinate-systems", text, float(len(other)), line=line)
+
+
+def _tools(source: Source, said: Said, rows: int) -> Iterator[Finding]:
+    at = said.of(Kind.TOOL)
+    at = at[said.row[at] < rows]
+    value = said.value(at)
+    tools = list(dict.fromkeys(value.tolist()))
+    if len(tools) > 1:
+        line = int(source.line[said.statement[at[(value != value[0]).argmax()]]])
+        told = ", ".join(f"{tool:g}" for tool in tools[:NAMES_TOLD])
+        text = f"The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool."
+        yield Finding(Severity.ERROR, "several-tools", text, float(len(tools)), 1.0, line=line)
+
+
+def _rows(source: Source, said: Said, moves: Moves, length: Floats, motion: Bytes, speed: Floats) -> Iterator[Finding]:
+    line = source.line[source.move_at]
+    off = np.abs(length - 1.0)
+    if (off > NOT_UNIT).any():
+        text = f"{int((off > NOT_UNIT).sum())} tool axes are no unit vectors; they are scaled to length 1."
+        first = int((off > NOT_UNIT).argmax())
+        yield Finding(Severity.WARNING, "axis-not-unit", text, float(off.max()), NOT_UNIT, "1", line=int(line[first]))
+    switch = said.of(Kind.MULTAX)
+    on = np.concatenate([[1.0], said.value(switch)])[np.searchsorted(said.row[switch], np.arange(len(length)), side="right")]
+    leaning = (on == 0.0) & ~moves.full & (np.hypot(*moves.axis[:, :2].T) > TILTED * length)
+    if leaning.any():
+        text = f"{int(leaning.sum())} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright."
+        yield Finding(Severity.WARNING, "axis-carried-on", text, line=int(line[leaning.argmax()]))
+    unfed = (motion != Motion.RAPID) & (speed <= 0.0)
+    if unfed.any():
+        text = f"{int(unfed.sum())} moves come before any FEDRAT; give a feed."
+        yield Finding(Severity.WARNING, "no-feed", text, line=int(line[unfed.argmax()]))
+    if source.after_end:
+        yield Finding(Severity.NOTE, "text-after-end", "The text after FINI is not read.", line=source.after_end)

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CL files read, from any CAM system: the path, and what else they say.
+
+row       one of the path for each GOTO, GODLTA and FROM (a rapid).
+RAPID     the next move alone is a rapid.            FEDRAT/   the feed of those that follow, per minute, or per turn of SPINDL.
+UNITS/    the unit of all numbers from there on (mm at first).
+
+Nothing is passed over in silence: what is not interpreted is a finding with its count and its lines.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+
+from .findings import find_poor_spots
+from .head import ClHead
+from .poses import places, read_moves
+from .said import Kind, Said, head_of, read_statements
+from .source import Source
+
+
+@dataclass(frozen=True, eq=False)
+class ClFile:
+    """A CL file: its path, and what it says of tool, spindle, coolant and cutter."""
+
+    path: CLPath
+    head: ClHead
+
+
+def read_apt(text: bytes | str, feed: float = 0.0, progress: Progress = silent) -> CLPath:
+    """The CLPath of an APT text: a row for each move. ``feed`` mm/min serves until the first FEDRAT.
+
+    The contact is the tip and the normal the axis; face and co-edge are -1; ``pass_`` counts the runs of cutting moves. A move
+    of three numbers keeps the axis (0, 0, 1 at first). Raises ProgramError, naming line and column.
+    """
+    return read_cl_file(text, feed, progress).path
+
+
+def read_cl_file(text: bytes | str, feed: float = 0.0, progress: Progress = silent) -> ClFile:
+    """The path of an APT text as ``read_apt`` gives it, and its head."""
+    progress("reading CL", 0.0)
+    source = Source(text.encode("utf-8") if isinstance(text, str) else text)
+    progress("reading CL", 0.3)
+    said = read_statements(source)
+    turning = said.of(Kind.AXIS)
+    turned = np.array([said.meanings[which].more for which in said.which[turning]]).reshape(-1, 3)
+    moves = read_moves(source, said.statement[turning], turned)
+    progress("reading CL", 0.8)
+    rows, units = len(moves.point), said.of(Kind.UNITS)
+    length = _lengths(moves.axis, source, said)
+    axis = moves.axis / length[:, None]
+    scale = held(said.row[units], said.value(units), 1.0, np.arange(rows))
+    tip = places(moves, axis, scale, source)
+    motion = _motion(source, said, rows)
+    scale_said = held(said.statement[units], said.value(units), 1.0, said.statement)
+    at, rate = _feeds(said, scale_said, source)
+    speed = np.where(motion == Motion.RAPID, 0.0, held(said.row[at], rate, feed, np.arange(rows)))
+    none = np.full(rows, -1)
+    findings = find_poor_spots(source, said, moves, length, motion, speed)
+    path = CLPath(tip, axis, motion, speed, tip, axis, none, none, _runs(motion), findings)
+    return ClFile(path, head_of(said, scale_said))
+
+
+def held(at: Ints, value: Floats, first: float, rows: Ints) -> Floats:
+    """The value of the last event at or before each row; ``at`` (e,) rises; ``first`` before all of them."""
+    return np.concatenate([[first], value])[np.searchsorted(at, rows, side="right")]
+
+
+def _motion(source: Source, said: Said, rows: int) -> Bytes:
+    links = said.of(Kind.LINK)
+    link = held(said.row[links], said.value(links), 0.0, np.arange(rows)) > 0.0
+    rapid = source.move_rows(b"FROM/")
+    one_shot = said.row[said.of(Kind.RAPID)]
+    rapid[one_shot[one_shot < rows]] = True
+    return np.where(rapid, Motion.RAPID, np.where(link, Motion.LINK, Motion.CUT)).astype(np.int8)
+
+
+def _feeds(said: Said, scale: Floats, source: Source) -> tuple[Ints, Floats]:
+    """The rows of ``said`` that say a feed, and the feeds in mm/min. Raises ProgramError for a feed per turn of no spindle."""
+    at, spindle = said.of(Kind.FEED), said.of(Kind.SPINDLE)
+    unit, turn = said.unit(at), said.turn(at)
+    speed = said.value(spindle)
+    going = ~np.isnan(speed)
+    turns = held(said.statement[spindle[going]], speed[going], 0.0, said.statement[at])
+    lost = np.flatnonzero(turn & ~(turns > 0.0))
+    if len(lost):
+        k = int(said.statement[at[lost[0]]])
+        source.fail(k, "", "a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute")
+    return at, said.value(at) * np.where(np.isnan(unit), scale[at], unit) * np.where(turn, turns, 1.0)
+
+
+def _lengths(axis: Floats, source: Source, said: Said) -> Floats:
+    length: Floats = np.linalg.norm(axis, axis=1)
+    wrong: Bools = ~((length > 0.0) & (length < np.inf))
+    if wrong.any():
+        source.fail(int(source.move_at[wrong.argmax()]), "", "the tool axis is 0, 0, 0, or beyond all bounds")
+    return length
+
+
+def _runs(motion: Bytes) -> Ints:
+    """Counts the runs of cutting moves; -1 in the others."""
+    cut = motion == Motion.CUT
+    begins = cut & ~np.concatenate([[False], cut[:-1]])
+    return np.where(cut, np.cumsum(begins) - 1, -1)

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The text of a CL file cut into statements.
+
+$      the statement goes on in the next line.
+$$     the rest of the line is a comment. Creo's ``$$->`` lines go on with $ as statements do, and are comments throughout.
+soft   a byte that stands for the end of a line within a statement.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freecad_fiveaxis.core.errors import ProgramError
+from freecad_fiveaxis.core.records import Bools, Ints
+
+from .vocabulary import FREE_TEXT, MOTIONS
+
+TEXT = bytes({*range(32, 256), *b"\t\n\v\f\r"})
+SOFT = b"\x01"
+COMMENT = re.compile(rb"\$\$->(?:[^\n]*\$[ \t]*\n)*[^\n]*|\$\$[^\n]*")
+CONTINUED = re.compile(rb"\$[^\n]*\n")
+FREE_LINE = re.compile(rb"(?m)^[ \t]*(?:" + "|".join(FREE_TEXT).encode() + rb")[^\n]*\$[^\n]*")
+WIDE = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}
+"""What files of two-byte characters begin with."""
+
+
+class Source:
+    """The statements of the text without blanks, in capitals: where each begins and ends, its line, and which are moves."""
+
+    def __init__(self, raw: bytes) -> None:
+        self.plain = plain_text(raw)
+        joined = COMMENT.sub(_lines_only, self.plain) if b"$$" in self.plain else self.plain
+        joined = FREE_LINE.sub(_without_dollar, joined) if b"$" in joined else joined
+        joined = CONTINUED.sub(SOFT, joined) if b"$" in joined else joined
+        self.text = joined.translate(None, b" \t\v\f$") + b"\n"
+        self.code: NDArray[Any] = np.frombuffer(self.text, np.uint8)
+        ends = np.flatnonzero(self.code == ord("\n"))
+        self.line: Ints = np.arange(1, len(ends) + 1)
+        soft = np.flatnonzero(self.code == SOFT[0])
+        if len(soft):
+            self.line += np.searchsorted(soft, np.concatenate([[0], ends[:-1]]))
+        begins = np.concatenate([[0], ends[:-1] + 1])
+        real = ends > begins
+        self.begin, self.end, self.line = begins[real], ends[real], self.line[real]
+        self._cut_at_end()
+        kinds = [self.starts(word) for word in MOTIONS]
+        self.moves: Bools = np.logical_or.reduce(kinds)
+        self.moves_before: Ints = np.cumsum(self.moves) - self.moves
+        self.move_at: Ints = np.flatnonzero(self.moves)
+
+    def starts(self, word: bytes) -> Bools:
+        """Which statements start with the word."""
+        found: Bools = self.end - self.begin >= len(word)
+        for k, byte in enumerate(word):
+            found &= self.code[np.minimum(self.begin + k, len(self.code) - 1)] == byte
+        return found
+
+    def move_rows(self, word: bytes) -> Bools:
+        """Which moves start with the word."""
+        rows: Bools = self.starts(word)[self.move_at]
+        return rows
+
+    def statement(self, k: int) -> str:
+        """The text of statement k."""
+        return self.text[self.begin[k] : self.end[k]].replace(SOFT, b"").decode("latin-1")
+
+    def chosen(self, begin: Ints, end: Ints) -> NDArray[Any]:
+        """The bytes from each ``begin`` up to and with its end of line, one after the other, as codes."""
+        edge = np.zeros(len(self.code) + 1, np.int8)
+        edge[begin] += 1
+        edge[end + 1] -= 1  # the end of line goes along: it separates the last number from the next
+        taken: NDArray[Any] = self.code[np.cumsum(edge[:-1], dtype=np.int8).view(np.bool_)]
+        return taken
+
+    def fail(self, k: int, part: str, reason: str) -> NoReturn:
+        """Raise for statement k, pointing at ``part`` of it in the file."""
+        lines = self.plain.split(b"\n")
+        line = int(self.line[k])
+        last = line + self.text.count(SOFT, int(self.begin[k]), int(self.end[k]))
+        for number in range(line, last + 1):
+            column = lines[number - 1].find(part.encode("latin-1")) if part else -1
+            if column >= 0:
+                break
+        else:
+            number, column = line, 0
+        raise ProgramError(f"line {number}, column {column + 1}: {reason}: {self.statement(k)[:60]!r}", part)
+
+    def _cut_at_end(self) -> None:
+        last = np.flatnonzero(self.starts(b"FINI") & (self.end - self.begin == len(b"FINI")))
+        self.after_end = int(self.line[last[0] + 1]) if len(last) and last[0] + 1 < len(self.line) else 0
+        if len(last):
+            keep = slice(0, last[0] + 1)
+            self.begin, self.end, self.line = self.begin[keep], self.end[keep], self.line[keep]
+
+
+def plain_text(raw: bytes) -> bytes:
+    """The text in capitals, lines ended by LF, whatever system it comes from. Raises ProgramError for what is no text."""
+    codec = WIDE.get(raw[:2])
+    if codec:
+        raw = raw[2:].decode(codec, "replace").encode("latin-1", "replace")
+    raw = raw.rstrip(b"\x1a\0\r\n\t ").removeprefix(b"\xef\xbb\xbf")
+    if b"\r" in raw:
+        raw = raw.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    if control := raw.translate(None, TEXT):
+        offset = raw.index(control[:1])
+        line, column = raw.count(b"\n", 0, offset) + 1, offset - raw.rfind(b"\n", 0, offset)
+        reason = f"this is no CL file: byte {control[0]} (offset {offset}) stands in no text; give a text file"
+        raise ProgramError(f"line {line}, column {column}: {reason}", control[0])
+    return raw.upper()
+
+
+def _lines_only(comment: re.Match[bytes]) -> bytes:
+    return b"\n" * comment[0].count(b"\n")
+
+
+def _without_dollar(line: re.Match[bytes]) -> bytes:
+    return line[0].replace(b"$", b" ")
