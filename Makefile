@@ -34,6 +34,7 @@ linuxcnc:
 	@scripts/prepare test
 	@scripts/prepare linuxcnc
 	$(PYTHON) -m pytest -m rs274
+	$(PYTHON) -m pytest -m linuxcnc tests/linuxcnc
 
 freecad:
 	@scripts/prepare test

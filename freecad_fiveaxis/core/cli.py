@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 from freecad_fiveaxis import __version__
 
 from .errors import Cancelled, FileError, FiveAxisError, SettingsError
-from .files import check_readable, read_bytes
+from .files import check_readable, check_writable, read_bytes
 from .findings import Severity
 from .memory import keep_freed_memory
 from .terminal import bars, show
@@ -74,9 +74,21 @@ def _parser() -> argparse.ArgumentParser:
     again.add_argument("source", metavar="JOB.json")
     again.add_argument("--quiet", action="store_true", help="no progress, no report on the terminal")
     again.set_defaults(act=_run_file)
+    _add_import(commands)
     for name, act in (("machines", _machines), ("controllers", _controllers), ("strategies", _strategies)):
         commands.add_parser(name, help=f"list the {name}").set_defaults(act=act)
     return top
+
+
+def _add_import(commands: Any) -> None:
+    text = "make a machine file from a LinuxCNC configuration (trt kinematics) or a file of FreeCAD's Machine editor"
+    parser = commands.add_parser("import-machine", help=text, description=text)
+    parser.add_argument("source", metavar="CONFIG.ini|MACHINE.fcm")
+    parser.add_argument(
+        "-o", "--output", metavar="OUT.fcm", required=True, help="the machine file to write; no file is overwritten"
+    )
+    parser.add_argument("--quiet", action="store_true", help="no table on the terminal")
+    parser.set_defaults(act=_import_machine)
 
 
 def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
@@ -207,6 +219,21 @@ def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:
         show("\n".join(parts), sys.stdout)
     except FileError as error:
         raise FileError(f"{error}; these files are written: {', '.join(written) or 'none asked for'}", error.value) from error
+
+
+def _import_machine(arguments: argparse.Namespace) -> int:
+    from freecad_fiveaxis.core.machine import save_machine
+    from freecad_fiveaxis.core.machine_import import as_text, import_machine
+
+    if not arguments.output.lower().endswith(".fcm"):
+        raise SettingsError(f"machine file {arguments.output} needs the ending .fcm", arguments.output)
+    check_readable(arguments.source)
+    check_writable(arguments.output)
+    imported = import_machine(arguments.source)
+    save_machine(imported.machine, arguments.output)
+    if not arguments.quiet:
+        _show_report([as_text(imported), f"wrote {arguments.output}"], [arguments.output])
+    return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in imported.findings) else DONE
 
 
 def _machines(arguments: argparse.Namespace) -> int:

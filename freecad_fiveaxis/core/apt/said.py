@@ -40,8 +40,8 @@ class Kind(IntEnum):
 
 
 class Meaning(NamedTuple):
-    """``value``: the number it says; ``unit``: mm of its unit, NaN the file's; ``more``: further numbers; ``turn``: a feed per turn
-    of the spindle."""
+    """``value``: the number it says; ``unit``: mm of its unit, NaN the file's; ``more``: further numbers; ``turn``: a feed
+    per turn of the spindle."""
 
     kind: Kind
     value: float = 0.0
