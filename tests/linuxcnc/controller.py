@@ -30,6 +30,8 @@ LINUXCNC_LOCK = Path("/tmp/linuxcnc.lock")
 """The controller's own: its shared memory has fixed keys, so only one can run on a computer."""
 PATIENCE = 300.0
 """Seconds to wait for another LinuxCNC on this computer."""
+TOOL, LENGTH = 2, 87.5
+"""The tool in the controller's table, and its length, mm."""
 SWITCH = "o<{code}remap>sub\n  M68 E3 Q{kind}\n  M66 E0 L0\no<{code}remap>endsub\nM2\n"
 
 HEAD = """[EMC]
@@ -105,7 +107,7 @@ def write_configuration(folder: Path, kinematics: str, pins: dict[str, float]) -
         ini += AXIS.format(letter=letter, joint=joint, kind=kind, limit=limit)
     (folder / "ring.ini").write_text(ini)
     (folder / "ring.hal").write_text(_hal(kinematics, pins))
-    (folder / "ring.tbl").write_text("T1 P1 Z0 D10\n")
+    (folder / "ring.tbl").write_text(f"T{TOOL} P{TOOL} Z{LENGTH} D10\n")
     for code, kind in ((428, 1), (429, 0)):
         (folder / f"{code}remap.ngc").write_text(SWITCH.format(code=code, kind=kind))
     shutil.copy(HERE / "drive.py", folder / "drive.py")
@@ -127,6 +129,7 @@ def _hal(kinematics: str, pins: dict[str, float]) -> str:
         "net change iocontrol.0.tool-change => iocontrol.0.tool-changed",
         *(f"net loop{k} joint.{k}.motor-pos-cmd => joint.{k}.motor-pos-fb" for k in range(5)),
         *(f"net at{k} joint.{k}.pos-cmd => sampler.0.pin.{k + 1}" for k in range(5)),
+        f"net length motion.tooloffset.z => {kinematics}.tool-offset",
         *(f"setp {kinematics}.{pin} {value}" for pin, value in pins.items()),
     ]
     return "\n".join(lines) + "\n"

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from controller import missing, run_programs, write_configuration
+from controller import LENGTH, TOOL, missing, run_programs, write_configuration
 
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.deviation import measure
@@ -96,7 +96,15 @@ def some_joints(links: Chain, blocks: int = 9, seed: int = 5) -> JointPath:
 
 def rtcp_text(program: Program, tip: np.ndarray) -> str:
     """The same poses under the controller's own tool centre point control: the words of X Y Z are the tip in the work."""
-    lines = ["(tool centre point control)", *["(head)"] * 7, "G21 G17 G40 G80 G90 G61", "M428", "G93"]
+    lines = [
+        "(tool centre point control)",
+        *["(head)"] * 7,
+        "G21 G17 G40 G80 G90 G61",
+        f"T{TOOL} M6",
+        f"G43 H{TOOL}",
+        "M428",
+        "G93",
+    ]
     for k, (place, words) in enumerate(zip(tip, program.words, strict=True)):
         numbers = (*place, words[4], words[3])  # our order: C, nearer to the work, comes first
         named = " ".join(f"{letter}{number:.6f}" for letter, number in zip(axes_of(program), numbers, strict=True))
@@ -115,9 +123,11 @@ def travelled(request, tmp_path_factory):
     links = links_of(kinematics, tmp_path_factory.mktemp("ring"))
     program = build_program(some_joints(links), links, LINUXCNC, inverse_time=True)
     tip = np.round(forward(links, words_to_q(program.words))[0], 6)
-    text = write_nc(program, LINUXCNC, "ring", PostOptions()).decode()
+    text = write_nc(program, LINUXCNC, "ring", PostOptions(tool=TOOL)).decode()
     rtcp = rtcp_text(program, tip)
     joints, controlled = run_programs(kinematics, PINS[kinematics], [text, rtcp])
+    for samples in (joints, controlled):
+        samples[:, 3] -= LENGTH  # from the spindle's gauge point to the tip
     return kinematics, links, program, joints, controlled, rtcp, tip
 
 
@@ -135,7 +145,7 @@ def test_a_joint_program_travels_the_deviation_that_is_predicted_for_every_block
     real = real_deviations(kinematics, program, samples)
     assert predicted.max() > 1.0  # there is something to predict
     assert np.abs(real - predicted).max() < JOINT_TOLERANCE
-    again = read_nc(write_nc(program, LINUXCNC, "ring", PostOptions()), links, LINUXCNC)
+    again = read_nc(write_nc(program, LINUXCNC, "ring", PostOptions(tool=TOOL)), links, LINUXCNC)
     assert np.array_equal(again.words, program.words)
 
 
