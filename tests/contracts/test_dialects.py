@@ -20,12 +20,19 @@ from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.nc_reader import read_nc
 from freecad_fiveaxis.core.post import DIALECTS, Dialect, PostOptions, find_dialect
-from freecad_fiveaxis.core.post.dialect import SLOTS, feed_distance
+from freecad_fiveaxis.core.post.dialect import feed_distance
+from freecad_fiveaxis.core.post.head import SLOTS
 from freecad_fiveaxis.core.post.writer import write_nc
 from freecad_fiveaxis.core.program import Program, build_program
 
 EVERY = pytest.mark.parametrize("dialect", DIALECTS.values(), ids=DIALECTS)
-BOTH = pytest.mark.parametrize("inverse_time", [True, False], ids=["g93", "g94"])
+MODES = [(dialect, inverse) for dialect in DIALECTS.values() for inverse in (True, False) if dialect.inverse_time or not inverse]
+READ = [(dialect, inverse) for dialect, inverse in MODES if dialect.language == "iso"]
+READ_ALL = pytest.mark.parametrize("dialect", [d for d in DIALECTS.values() if d.language == "iso"])
+READ_MODE = pytest.mark.parametrize(("dialect", "inverse_time"), READ, ids=[f"{d.name}-{'g93' if i else 'g94'}" for d, i in READ])
+EVERY_MODE = pytest.mark.parametrize(
+    ("dialect", "inverse_time"), MODES, ids=[f"{d.name}-{'g93' if i else 'g94'}" for d, i in MODES]
+)
 needs_rs274 = pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
 
 
@@ -57,12 +64,13 @@ def some_program(dialect: Dialect, inverse_time: bool, links: Chain = LINKS) -> 
 
 
 def block_lines(text: bytes, dialect: Dialect) -> list[str]:
+    """The blocks without their numbers."""
     lines = text.decode("ascii").split(dialect.newline)
-    return lines[len(dialect.head) : len(lines) - len(dialect.tail) - 1]
+    lines = lines[len(dialect.head) : len(lines) - len(dialect.tail) - 1]
+    return [line.split(" ", 1)[1] for line in lines] if dialect.number_step else lines
 
 
-@EVERY
-@BOTH
+@READ_MODE
 @pytest.mark.parametrize("letters", ["CA", "CB", "AB", "BA"])
 @pytest.mark.parametrize("modal", [True, False], ids=["modal", "all-words"])
 def test_every_word_is_read_back_exactly_as_it_was_rounded(dialect, inverse_time, letters, modal) -> None:
@@ -81,7 +89,7 @@ def test_every_word_is_read_back_exactly_as_it_was_rounded(dialect, inverse_time
     assert (np.abs(again.words - exact) <= half * (1 + 1e-9)).all()
 
 
-@EVERY
+@READ_ALL
 def test_one_changed_digit_is_seen_by_the_comparison(dialect) -> None:
     program = some_program(dialect, True)
     text = write_nc(program, dialect, "part")
@@ -91,61 +99,67 @@ def test_one_changed_digit_is_seen_by_the_comparison(dialect) -> None:
     assert not np.array_equal(read_nc(changed, LINKS, dialect).words, program.words)
 
 
-@EVERY
-@BOTH
+@EVERY_MODE
 def test_there_is_exactly_one_line_for_each_block_in_the_line_that_the_program_says(dialect, inverse_time) -> None:
     program = some_program(dialect, inverse_time)
     lines = write_nc(program, dialect, "part").decode("ascii").split(dialect.newline)
-    blocks = [number for number, line in enumerate(lines, 1) if line.startswith((dialect.rapid + " ", dialect.straight + " "))]
+    number = r"\d+ " if dialect.number_all else ""
+    form = re.compile(f"{number}({dialect.rapid}|{dialect.straight}) [XYZABC]")
+    blocks = [at for at, line in enumerate(lines, 1) if form.match(line)]
     assert blocks == program.line.tolist()
 
 
-@EVERY
-@BOTH
+@EVERY_MODE
 def test_the_motion_word_stands_in_every_block_and_under_g93_an_f_in_every_feed_block(dialect, inverse_time) -> None:
     program = some_program(dialect, inverse_time)
     for line, motion in zip(block_lines(write_nc(program, dialect, "part"), dialect), program.motion, strict=True):
         rapid = motion == Motion.RAPID
         assert line.split()[0] == (dialect.rapid if rapid else dialect.straight)
-        assert re.search(r" [XYZAC]-?\d", line)
+        assert re.search(r" [XYZAC][+-]?\d", line)
+        assert line.endswith(dialect.rapid_end) == rapid or not dialect.rapid_end
         if rapid or inverse_time:
-            assert (" F" in line) != rapid
+            assert (" F" in line.removesuffix(dialect.rapid_end)) != rapid
 
 
-@EVERY
-@BOTH
+@EVERY_MODE
 def test_modal_words_are_left_out_and_no_others(dialect, inverse_time) -> None:
     program = some_program(dialect, inverse_time)
     lines = block_lines(write_nc(program, dialect, "part"), dialect)
     changed = np.concatenate([[5], (np.diff(program.words, axis=0) != 0).sum(axis=1)])
-    assert [len(re.findall(r"[XYZAC]", line)) for line in lines] == changed.tolist()
+    assert [len(re.findall(r" [XYZAC]", line)) for line in lines] == changed.tolist()
 
 
-@EVERY
-@BOTH
+@EVERY_MODE
 def test_lines_are_short_ascii_without_minus_zero_and_numbers_have_points(dialect, inverse_time) -> None:
     text = write_nc(some_program(dialect, inverse_time), dialect, "part" * 100).decode("ascii")
     assert max(map(len, text.split(dialect.newline))) <= dialect.line_length
     assert not re.search(r"-0\.0+\b", text)
-    assert all("." in word for line in block_lines(text.encode(), dialect) for word in line.split()[1:])
+    assert not re.search(r"\+-|-\+", text)
+    blocks = [line.removesuffix(dialect.rapid_end) for line in block_lines(text.encode(), dialect)]
+    assert all("." in word for line in blocks for word in line.split()[1:])
+    assert not dialect.plus or all(word[1] in "+-" for line in blocks for word in line.split()[1:] if word[0] != "F")
 
 
-@EVERY
+@READ_ALL
 @pytest.mark.parametrize("title", ["Düse (5)", "a)b(c;%", "\n\rM30", "LOGOPEN,/tmp/x", "日本", "", "x" * 500, "{title} {0}"])
 def test_no_title_becomes_an_instruction(dialect, title) -> None:
     program = some_program(dialect, True)
     text = write_nc(program, dialect, title)
     assert np.array_equal(read_nc(text, LINKS, dialect).words, program.words)
     assert text.count(b"\n") == len(dialect.head) + len(program.words) + len(dialect.tail)
-    comments = re.findall(r"\(([^\n]*)\)", text.decode("ascii"))
+    comments = [] if dialect.comment[1] == "" else re.findall(r"\(([^\n]*)\)", text.decode("ascii"))
     assert not any(set(comment) & set("();%,") for comment in comments)
 
 
 @EVERY
 def test_every_slot_of_the_templates_is_known_and_the_head_says_units_distance_and_feed_mode(dialect) -> None:
-    used = {name for line in (*dialect.head, *dialect.tail) for _, name, _, _ in string.Formatter().parse(line) if name}
-    assert used <= set(SLOTS) and {"title", "feed_mode", "tool", "offset", "spindle", "coolant"} <= used
-    assert {"G21", "G90"} <= set(" ".join(dialect.head).split())
+    lines = [*dialect.head, *dialect.tail, *dialect.high_speed[0], *dialect.high_speed[1]]
+    lines += [line for how in dialect.guides for line in (*dialect.guided(how).head, *dialect.guided(how).tail)]
+    used = {name for line in lines for _, name, _, _ in string.Formatter().parse(line) if name}
+    assert used <= set(SLOTS) and {"title", "tool", "offset", "spindle", "coolant"} <= used
+    assert ("feed_mode" in used) == bool(dialect.inverse_time)
+    for head in filter(None, (dialect.head, dialect.guided_head)):
+        assert {dialect.metric, dialect.absolute} <= set(" ".join(head).split())
     assert dialect.description and "\n" not in dialect.description and dialect.convention
 
 
@@ -153,10 +167,14 @@ def test_every_slot_of_the_templates_is_known_and_the_head_says_units_distance_a
 def test_options_change_what_the_head_says_but_no_line_of_a_block(dialect) -> None:
     program = some_program(dialect, True)
     plain = write_nc(program, dialect, "part")
-    full = write_nc(program, dialect, "part", PostOptions(tool=7, speed=12000, coolant=True, offset="G55", program=42))
+    offset = "G55" if re.fullmatch(dialect.work_offsets[0], "G55") else "G54"
+    full = write_nc(program, dialect, "part", PostOptions(tool=7, speed=12000, coolant=True, offset=offset, program=42))
     head = full.decode().split(dialect.newline)[: len(dialect.head)]
-    for expected in ("T7", "M6", "H7", "S12000", "M3", "M8", "G55"):
-        assert expected in " ".join(head).split()
+    called = (dialect.tool_call.format(tool=7, speed=12000), dialect.tool_length.format(tool=7))
+    said = (called[0], called[1] if "{length}" in dialect.head else "", dialect.work_offset.format(offset=offset))
+    for expected in (*said, "S12000", "M3", "M8"):
+        assert expected in " ".join(head)
+    assert ("42" in " ".join(head)) == any("{program}" in line for line in dialect.head)
     assert block_lines(full, dialect) == block_lines(plain, dialect)
 
 
@@ -180,7 +198,8 @@ def test_block_numbers_go_by_the_step_and_start_again_after_the_largest() -> Non
     dialect = replace(DIALECTS["fanuc"], number_step=10, number_most=1000)
     program = some_program(dialect, True)
     text = write_nc(program, dialect, "part")
-    numbers = [int(line.split()[0][1:]) for line in block_lines(text, dialect)]
+    lines = text.decode().split("\n")[len(dialect.head) : -len(dialect.tail) - 1]
+    numbers = [int(line.split()[0][1:]) for line in lines]
     assert numbers[:3] == [10, 20, 30] and max(numbers) == 1000 and numbers[100] == 10
     assert np.array_equal(read_nc(text, LINKS, dialect).words, program.words)
 
@@ -196,14 +215,18 @@ def test_a_change_of_feed_mode_inside_a_program_is_written_and_read_back() -> No
 
 def test_an_unknown_controller_is_refused_with_the_names_that_are_known() -> None:
     assert find_dialect("LinuxCNC") is DIALECTS["linuxcnc"]
-    with pytest.raises(SettingsError, match=r"heidenhain.*linuxcnc, fanuc"):
-        find_dialect("heidenhain")
+    with pytest.raises(
+        SettingsError, match=r"hal9000.*linuxcnc, fanuc, haas, siemens840d, heidenhain, heidenhain_m128, mach3, grbl"
+    ):
+        find_dialect("hal9000")
 
 
 @pytest.mark.rs274
 @needs_rs274
-@EVERY
-@BOTH
+@pytest.mark.parametrize(
+    "dialect", [DIALECTS[name] for name in ("linuxcnc", "fanuc", "mach3")], ids=["linuxcnc", "fanuc", "mach3"]
+)
+@pytest.mark.parametrize("inverse_time", [True, False], ids=["g93", "g94"])
 @pytest.mark.parametrize(
     "options", [PostOptions(), PostOptions(tool=3, speed=5000, coolant=True, blend=0.01)], ids=["plain", "full"]
 )
@@ -251,3 +274,31 @@ def test_linuxcncs_interpreter_refuses_a_g93_block_without_f(tmp_path: Path) -> 
         ["rs274", "-g", str(file)], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL
     )
     assert run.returncode == 1
+
+
+HIGH_SPEED = [dialect for dialect in DIALECTS.values() if dialect.high_speed[0]]
+
+
+@pytest.mark.parametrize("dialect", HIGH_SPEED, ids=[dialect.name for dialect in HIGH_SPEED])
+def test_the_high_speed_mode_is_switched_on_before_the_blocks_and_off_after_them(dialect) -> None:
+    fast = dialect.fast()
+    program = some_program(fast, False)
+    text = write_nc(program, fast, "part", PostOptions(blend=0.02)).decode()
+    lines = text.split(fast.newline)
+    on, off = ([line.format(tolerance="0.0200") for line in told] for told in dialect.high_speed)
+    at = next(k for k, line in enumerate(lines) if line.endswith(on[0]))
+    last = max(k for k, line in enumerate(lines) if line.endswith(off[-1]))
+    assert at < program.line[0] - 1 and last > program.line[-1] - 1
+    assert block_lines(text.encode(), fast) == block_lines(write_nc(some_program(dialect, False), dialect, "part"), dialect)
+    for how in dialect.guides:
+        head = fast.guided(how).head
+        assert head.index(dialect.high_speed[0][0]) < head.index(dialect.guides[how].on[0])
+
+
+def test_a_controller_without_a_high_speed_mode_or_without_rtcp_says_so() -> None:
+    with pytest.raises(SettingsError, match=r"grbl has no high-speed mode"):
+        DIALECTS["grbl"].fast()
+    with pytest.raises(SettingsError, match=r"mach3 does not guide the tip"):
+        DIALECTS["mach3"].guided("angles")
+    with pytest.raises(SettingsError, match=r"haas has no RTCP by vectors; give angles"):
+        DIALECTS["haas"].guided("vectors")

@@ -60,15 +60,19 @@ def in_radians(words: Floats) -> Floats:
     return np.concatenate([words[:, :3], np.radians(words[:, 3:])], axis=1)
 
 
-@pytest.mark.parametrize("dialect", DIALECTS.values(), ids=DIALECTS)
-@pytest.mark.parametrize("inverse_time", [True, False])
+MODES = [(dialect, inverse) for dialect in DIALECTS.values() for inverse in (True, False) if dialect.inverse_time or not inverse]
+TOLD = [f"{dialect.name}-{'g93' if inverse else 'g94'}" for dialect, inverse in MODES]
+
+
+@pytest.mark.parametrize(("dialect", "inverse_time"), MODES, ids=TOLD)
 class TestEveryDialectAndMode:
     def test_words_are_the_decimals_that_are_printed(self, dialect, inverse_time) -> None:
         links, q = trunnion(), wander(300)
         words = build_program(joints_of(q, links), links, dialect, inverse_time).words
         exact = np.concatenate([q[:, :3], np.degrees(q[:, 3:])], axis=1)
-        assert all(float(f"{value:.4f}") == value for value in words.ravel())
-        assert np.abs(words - exact).max() <= 0.5e-4 * (1 + 1e-9)
+        for k in range(5):
+            assert all(float(f"{value:.{dialect.decimals(k)}f}") == value for value in words[:, k])
+            assert np.abs(words - exact)[:, k].max() <= 0.5 * 10.0 ** -dialect.decimals(k) * (1 + 1e-9)
         assert not np.signbit(words[words == 0]).any()
 
     def test_no_axis_exceeds_its_rate_and_no_tip_its_feed(self, dialect, inverse_time) -> None:
@@ -91,7 +95,8 @@ class TestEveryDialectAndMode:
         program = build_program(joints_of(q, links), links, dialect, inverse_time)
         change = np.diff(program.words, axis=0)
         linear, rotary = np.linalg.norm(change[:, :3], axis=1), np.linalg.norm(change[:, 3:], axis=1)
-        distance = np.hypot(linear, rotary) if dialect.name == "fanuc" else linear
+        distance = np.hypot(linear, rotary) if dialect.rotary_in_feed else linear
+        distance = np.where(linear == 0.0, rotary, distance)
         expected = 60 / program.feed[1:] if inverse_time else 60 * distance / program.feed[1:]
         assert np.allclose(program.seconds[1:], expected, rtol=1e-12)
         assert program.seconds[0] == 0 and program.feed[0] == 0
@@ -101,8 +106,9 @@ class TestEveryDialectAndMode:
         program = build_program(joints_of(wander(50), links), links, dialect, inverse_time)
         lines = write_nc(program, dialect, "t").decode().split(dialect.newline)
         for i, number in enumerate(program.line):
-            assert lines[number - 1].startswith(("G0", "G1")[i > 0] + " ")
-            assert f"X{program.words[i, 0]:.4f}" in lines[number - 1]
+            start = f"{number - 1} " if dialect.number_all else ""
+            assert lines[number - 1].startswith(f"{start}{(dialect.rapid, dialect.straight)[i > 0]} ")
+            assert f"X{program.words[i, 0]:{'+' if dialect.plus else ''}.4f}" in lines[number - 1]
         assert len(lines) == len(dialect.head) + len(program.words) + len(dialect.tail) + 1
 
     def test_f_is_never_zero_and_a_finding_tells_of_the_step(self, dialect, inverse_time) -> None:

@@ -20,14 +20,18 @@ from freecad_fiveaxis.core.post.writer import write_nc
 from freecad_fiveaxis.core.program import build_program
 
 HERE = Path(__file__).parent
-CASES = [(name, mode) for name in DIALECTS for mode in ("g93", "g94")]
+CASES = [
+    (name, mode, "") for name, dialect in DIALECTS.items() for mode in ("g93", "g94") if mode == "g94" or dialect.inverse_time
+]
+CASES += [(name, "g94", how) for name, dialect in DIALECTS.items() for how in dialect.guides]
+CASES += [(name, "g93", how) for name, dialect in DIALECTS.items() if dialect.inverse_time for how in dialect.guides]
 
 
-def golden_file(name: str, mode: str) -> Path:
-    return HERE / f"{name}_{mode}.nc"
+def golden_file(name: str, mode: str, how: str = "") -> Path:
+    return HERE / f"{'_'.join(filter(None, (name, mode, how)))}.nc"
 
 
-def golden_text(name: str, mode: str) -> bytes:
+def golden_text(name: str, mode: str, how: str = "") -> bytes:
     """A retract, an approach, a cut with both table axes, a turn about the tip, a block of nothing, and a rapid away."""
     linear = [Axis(letter, False, "head", tuple(row), max_rate=8000.0) for letter, row in zip("XYZ", np.eye(3), strict=True)]
     c = Axis("C", True, "table", (0, 0, 1), max_rate=float(np.radians(7200.0)))
@@ -48,13 +52,14 @@ def golden_text(name: str, mode: str) -> bytes:
     none = np.full(len(q), -1)
     path = CLPath(tip, axis, motion, feed, tip, axis, none, none, none)
     joints = JointPath(path, np.arange(len(q)), q, np.zeros(len(q), np.int8), np.ones(len(q)))
-    program = build_program(joints, links, DIALECTS[name], mode == "g93")
-    return write_nc(program, DIALECTS[name], "golden", PostOptions(tool=2, speed=12000, coolant=True))
+    dialect = DIALECTS[name].guided(how) if how else DIALECTS[name]
+    program = build_program(joints, links, dialect, mode == "g93")
+    return write_nc(program, dialect, "golden", PostOptions(tool=2, speed=12000, coolant=True))
 
 
-@pytest.mark.parametrize(("name", "mode"), CASES)
-def test_the_nc_file_has_not_changed_by_one_byte(name: str, mode: str) -> None:
-    assert golden_text(name, mode) == golden_file(name, mode).read_bytes()
+@pytest.mark.parametrize(("name", "mode", "how"), CASES)
+def test_the_nc_file_has_not_changed_by_one_byte(name: str, mode: str, how: str) -> None:
+    assert golden_text(name, mode, how) == golden_file(name, mode, how).read_bytes()
 
 
 def test_every_golden_file_belongs_to_a_case() -> None:

@@ -5,11 +5,20 @@ from __future__ import annotations
 
 from freecad_fiveaxis.core.errors import SettingsError
 
-from .dialect import Dialect, PostOptions
+from .dialect import ANGLES, VECTORS, Dialect, Guide
 from .fanuc import FANUC
+from .grbl import GRBL
+from .haas import HAAS
+from .head import PostOptions
+from .heidenhain import HEIDENHAIN, HEIDENHAIN_M128
 from .linuxcnc import LINUXCNC
+from .mach3 import MACH3
+from .siemens840d import SIEMENS840D
 
-DIALECTS: dict[str, Dialect] = {dialect.name: dialect for dialect in (LINUXCNC, FANUC)}
+DIALECTS: dict[str, Dialect] = {
+    dialect.name: dialect
+    for dialect in (LINUXCNC, FANUC, HAAS, SIEMENS840D, HEIDENHAIN, HEIDENHAIN_M128, MACH3, GRBL)
+}  # fmt: skip
 
 
 def find_dialect(name: str) -> Dialect:
@@ -19,4 +28,4 @@ def find_dialect(name: str) -> Dialect:
     return DIALECTS[name.lower()]
 
 
-__all__ = ["DIALECTS", "Dialect", "PostOptions", "find_dialect"]
+__all__ = ["ANGLES", "DIALECTS", "VECTORS", "Dialect", "Guide", "PostOptions", "find_dialect"]

@@ -3,36 +3,67 @@
 
 head, tail   template lines before and after the blocks. Each template gives exactly one line, whatever its slots hold, so
              that the line of every block is known before anything is written.
-slots        ``{title}`` a comment: what it is for; ``{program}`` the program number; ``{path}`` the path control mode;
-             ``{offset}`` the work offset; ``{tool}``, ``{length}``, ``{spindle}``, ``{coolant}``; ``{feed_mode}``.
+slots        see :mod:`.head`.
 block        one line: block number, motion word, axis words, F word. The motion word stands in every block.
+guide        the controller guides the tip (RTCP, TCPC, TCPM, TRAORI): X Y Z are then the tip's place on the part, and the tool
+             axis is given by the rotary words (``angles``) or by its vector (``vectors``).
+joint output the words are where the axes stand; the controller moves all of them evenly.
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.records import Bools, Floats
 
-SLOTS = ("title", "program", "path", "offset", "tool", "length", "spindle", "coolant", "feed_mode")
+ANGLES, VECTORS = "angles", "vectors"
+
+
+@dataclass(frozen=True)
+class Guide:
+    """How one controller is told to guide the tip. ``on``, ``off``: the lines that switch it, templates as in the head.
+
+    ``vector``: the three words of the tool axis, tip to holder, in the work frame; None where the rotary words give it.
+    ``vector_decimals`` of them. ``straight``: the motion word of all blocks, "" the dialect's own. ``rotary_in_feed``: as in
+    Dialect, but over the tip's way. ``needs_tool``: the switch names the number of the length offset.
+    """
+
+    on: tuple[str, ...]
+    off: tuple[str, ...]
+    vector: tuple[str, str, str] | None = None
+    vector_decimals: int = 7
+    straight: str = ""
+    rotary_in_feed: bool = False
+    needs_tool: bool = False
 
 
 @dataclass(frozen=True)
 class Dialect:
     """One controller. ``description`` is one line for lists; ``convention`` says in prose how words and F are meant.
 
+    ``language``: whose grammar the text follows: ``iso``, ``siemens`` or ``heidenhain``.
+    ``head``, ``tail``: joint output. ``guided_head``, ``guided_tail``: with the tip guided; the lines ``{guide}`` stand for the
+    guide's. ``guides``: by name, :data:`ANGLES` or :data:`VECTORS`; ``guide``: the one in force, None for joint output.
     ``linear_decimals``, ``rotary_decimals``: the step of a word, mm and degrees. ``feed_decimals``, ``inverse_decimals``: of
     F under G94 and under G93. ``largest_feed``, ``largest_inverse``: the largest F that the controller takes (mm/min or
     deg/min, 1/min); a block that would need more takes longer. ``rotary_in_feed``: how F is meant under G94 where linear and
     rotary axes move together: True: over all axes, a degree counted as a millimetre; False: over X Y Z alone. Where
-    only rotary axes move, F is in degrees a minute in both.
+    only rotary axes move, F is in degrees a minute in both. ``inverse_time``: "" where the controller has none.
+    ``rapid_end``: what ends a block in rapid (Heidenhain's FMAX). ``plus``: positive numbers have their sign.
     ``modal``: words that do not change are left out (never the motion word). ``order``: the order of the axis words.
     ``work_offsets``: the work offsets that the controller has, as a regular expression and in words for messages; the
     default is Fanuc's, whose basic machines have 48 of the additional ones.
-    ``number_step``: blocks are numbered N10 N20 ... by this step, 0 for none, starting again after ``number_most``.
+    ``number_step``: blocks are numbered by this step, after ``number_letter``, 0 for none, starting again after
+    ``number_most``; ``number_all``: every line is, head and tail too, from 0 on.
+    ``shorter_way``: the controller takes a rotary word of 0 to 360 by the shorter way, where the machine file says ``modulo``;
+    ``shorter_on``, ``shorter_off``: the line that tells it so, or not; ``shorter_word``: what stands before and after the number.
+    ``high_speed``: lines that switch the high-speed mode on and off, empty where there is none.
+    ``metric``, ``absolute``: the words of the head for mm and for absolute words.
+    ``speed_call``: the line that sets the speed where no tool is called, if it is not the spindle's.
     """
 
     name: str
@@ -40,10 +71,18 @@ class Dialect:
     convention: str
     head: tuple[str, ...]
     tail: tuple[str, ...]
+    guided_head: tuple[str, ...] = ()
+    guided_tail: tuple[str, ...] = ()
+    guides: Mapping[str, Guide] = field(default_factory=dict)
+    guide: Guide | None = None
+    language: str = "iso"
     rapid: str = "G0"
     straight: str = "G1"
+    rapid_end: str = ""
     inverse_time: str = "G93"
     per_minute: str = "G94"
+    metric: str = "G21"
+    absolute: str = "G90"
     linear_decimals: int = 4
     rotary_decimals: int = 4
     feed_decimals: int = 4
@@ -51,10 +90,13 @@ class Dialect:
     largest_feed: float = 1e9
     largest_inverse: float = 1e9
     rotary_in_feed: bool = False
+    plus: bool = False
     modal: bool = True
     order: str = "XYZABC"
     number_step: int = 0
     number_most: int = 99_999_999
+    number_letter: str = "N"
+    number_all: bool = False
     comment: tuple[str, str] = ("(", ")")
     upper_case: bool = False
     line_length: int = 255
@@ -66,8 +108,14 @@ class Dialect:
         r"G5[4-9]|G54\.1 ?P([1-9][0-9]?|[12][0-9]{2}|300)",
         "G54 to G59, or G54.1 P1 to G54.1 P300",
     )
+    shorter_way: bool = False
+    shorter_on: str = ""
+    shorter_off: str = ""
+    shorter_word: tuple[str, str] = ("", "")
+    high_speed: tuple[tuple[str, ...], tuple[str, ...]] = ((), ())
     tool_call: str = "T{tool} M6"
     tool_length: str = "G43 H{tool}"
+    speed_call: str = ""
     spindle_on: str = "S{speed:.0f} M3"
     spindle_off: str = "M5"
     coolant_on: str = "M8"
@@ -81,6 +129,35 @@ class Dialect:
     def decimals(self, column: int) -> int:
         """Decimals of word ``column`` (0 to 2 linear, 3 and 4 rotary)."""
         return self.linear_decimals if column < 3 else self.rotary_decimals
+
+    def guided(self, how: str) -> Dialect:
+        """The same controller with the tip guided by it, ``how`` one of the names of ``guides``. Raises SettingsError."""
+        if how not in self.guides:
+            raise SettingsError(self._no_guide(how), how)
+        guide = self.guides[how]
+        return replace(
+            self, guide=guide, head=_with(self.guided_head, guide.on), tail=_with(self.guided_tail, guide.off),
+            rotary_in_feed=guide.rotary_in_feed, rapid=guide.straight or self.rapid, straight=guide.straight or self.straight,
+        )  # fmt: skip
+
+    def _no_guide(self, how: str) -> str:
+        if not self.guides:
+            return f"{self.name} does not guide the tip itself (no RTCP): leave --rtcp out, and use --linearize on"
+        return f"{self.name} has no RTCP by {how}; give {' or '.join(self.guides)}"
+
+    def fast(self) -> Dialect:
+        """The same controller in its high-speed mode, which stands before a guide. Raises SettingsError where it has none."""
+        on, off = self.high_speed
+        if not on:
+            raise SettingsError(
+                f"{self.name} has no high-speed mode to switch; leave --high-speed out, or give --blend", self.name
+            )
+        at, end = (lines.index("{guide}") if lines else 0 for lines in (self.guided_head, self.guided_tail))
+        return replace(
+            self, head=self.head + on, tail=off + self.tail,
+            guided_head=self.guided_head[:at] + on + self.guided_head[at:],
+            guided_tail=self.guided_tail[: end + 1] + off + self.guided_tail[end + 1 :],
+        )  # fmt: skip
 
     def check_offset(self, offset: str) -> None:
         """Raises SettingsError, with those on offer, where the controller has no such work offset."""
@@ -98,49 +175,9 @@ class Dialect:
         return self.comment[0] + (plain.upper() if self.upper_case else plain) + self.comment[1]
 
 
-@dataclass(frozen=True)
-class PostOptions:
-    """What the head of a program says. ``tool`` number, None: the operator has set tool and length; ``speed`` of the spindle
-    1/min, 0: off; ``coolant``; ``offset`` one of the dialect's ``work_offsets``; ``program`` number; ``blend`` mm: how far
-    corners may be rounded, 0: exact path (where the controller has the choice)."""
-
-    tool: int | None = None
-    speed: float = 0.0
-    coolant: bool = False
-    offset: str = "G54"
-    program: int = 1
-    blend: float = 0.0
-
-    def __post_init__(self) -> None:
-        if self.tool is not None and not 0 < self.tool < 100_000:
-            raise SettingsError(f"tool number is {self.tool}; give 1 to 99999", self.tool)
-        if not 0.0 <= self.speed < 1e6:
-            raise SettingsError(f"spindle speed is {self.speed:g} 1/min; give 0 to 999999", self.speed)
-        if not re.fullmatch(r"G5[4-9](\.[1-9])?( ?P[0-9]{1,3})?", self.offset):
-            raise SettingsError(
-                f"work offset is {self.offset!r}; give G54 to G59, or another that the controller has", self.offset
-            )
-        if not 0 < self.program < 10_000:
-            raise SettingsError(f"program number is {self.program}; give 1 to 9999", self.program)
-        if not 0.0 <= self.blend < 1000.0:
-            raise SettingsError(f"blend tolerance is {self.blend:g} mm; give 0 (exact path) to 999", self.blend)
-
-
-def slot_texts(dialect: Dialect, title: str, options: PostOptions, inverse_time: bool) -> dict[str, str]:
-    """The text of every slot. Raises SettingsError where the controller has no such work offset."""
-    dialect.check_offset(options.offset)
-    no_tool = dialect.remark("tool and length offset as the operator has set them")
-    return {
-        "title": dialect.remark(f"for {title}"),
-        "program": f"{options.program:04d}",
-        "path": dialect.blend_path.format(blend=f"{options.blend:.4f}") if options.blend > 0.0 else dialect.exact_path,
-        "offset": dialect.work_offset.format(offset=options.offset),
-        "tool": no_tool if options.tool is None else dialect.tool_call.format(tool=options.tool),
-        "length": dialect.remark("no tool call") if options.tool is None else dialect.tool_length.format(tool=options.tool),
-        "spindle": dialect.spindle_on.format(speed=options.speed) if options.speed > 0.0 else dialect.spindle_off,
-        "coolant": dialect.coolant_on if options.coolant else dialect.coolant_off,
-        "feed_mode": dialect.inverse_time if inverse_time else dialect.per_minute,
-    }
+def _with(lines: tuple[str, ...], guide: tuple[str, ...]) -> tuple[str, ...]:
+    """The lines with those of a guide for ``{guide}``."""
+    return tuple(one for line in lines for one in (guide if line == "{guide}" else (line,)))
 
 
 def feed_distance(dialect: Dialect | None, change: Floats) -> Floats:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from io import SEEK_END, BytesIO
 from typing import Any
 
@@ -12,13 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.kinematics import chunks
 from freecad_fiveaxis.core.number_text import EXACT, Choice, Column, Part, Units, nearest_whole, rounded, table_parts
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools
+from freecad_fiveaxis.core.records import Bools, Floats
 
-from .dialect import Dialect, PostOptions, slot_texts
+from .dialect import Dialect
+from .head import PostOptions, framed, slot_texts
 
 
 def write_nc(
@@ -30,14 +32,14 @@ def write_nc(
     block has its F. Where the feed mode changes inside the program the block says so.
     """
     inverse_first = bool(program.inverse_time[0]) if len(program.words) else False
-    slots = slot_texts(dialect, title, options or PostOptions(), inverse_first)
-    head, tail = ([line.format(**slots) + dialect.newline for line in lines] for lines in (dialect.head, dialect.tail))
-    text = BytesIO("".join(head).encode("ascii"))
+    slots = slot_texts(dialect, title, options or PostOptions(), inverse_first, program.letters, "modulo" in program.wrap)
+    head, tail = framed(dialect, slots, len(program.words))
+    text = BytesIO(head)
     text.seek(0, SEEK_END)
     if len(program.words):
         for portion in table_parts(_block(program, dialect), dialect.newline.encode(), progress):
             text.write(portion)
-    text.write("".join(tail).encode("ascii"))
+    text.write(tail)
     return text.getvalue()
 
 
@@ -45,15 +47,16 @@ def _block(program: Program, dialect: Dialect) -> list[Part]:
     feeding = program.motion != Motion.RAPID
     motion = Choice(feeding.view(np.int8), (dialect.rapid.encode(), dialect.straight.encode()))
     start = [*_number(program, dialect), *_mode(program, dialect), motion]
-    return [*start, *_axes(program, dialect), *_feed(program, dialect, feeding)]
+    end = [Choice(feeding.view(np.int8), (dialect.rapid_end.encode(), b""))] if dialect.rapid_end else []
+    return [*start, *_axes(program, dialect), *_feed(program, dialect, feeding), *end]
 
 
 def _number(program: Program, dialect: Dialect) -> list[Part]:
     if not dialect.number_step:
         return []
-    count = dialect.number_most // dialect.number_step
-    number = (np.arange(len(program.words)) % count + 1) * dialect.number_step
-    return [Column(b"N", number), b" "]
+    count, place = dialect.number_most // dialect.number_step, np.arange(len(program.words))
+    at = (place + len(dialect.head)) % dialect.number_most if dialect.number_all else place % count + 1
+    return [Column(dialect.number_letter.encode(), at * dialect.number_step), b" "]
 
 
 def _mode(program: Program, dialect: Dialect) -> list[Part]:
@@ -66,25 +69,79 @@ def _mode(program: Program, dialect: Dialect) -> list[Part]:
 
 
 def _axes(program: Program, dialect: Dialect) -> Sequence[Part]:
+    said = _said(program, dialect)
+    words = [_word(one, len(program.words)) for one in said]
+    if dialect.modal:
+        words = _modal(words, dialect.guide is not None and dialect.guide.vector is not None)
+    return [part for word, one in zip(words, said, strict=True) for part in _spelt(word, one, dialect.plus)]
+
+
+@dataclass(frozen=True)
+class _Said:
+    """One word of every block: ``values`` (m,) with ``decimals``; ``close`` stands after the number; ``fold``: 0 to 360."""
+
+    prefix: str
+    values: Floats
+    decimals: int
+    close: str = ""
+    fold: bool = False
+
+
+def _said(program: Program, dialect: Dialect) -> list[_Said]:
+    """The words in the order of the block. Raises ProgramError where the dialect guides and the program is for joints, or not."""
+    guided = program.guided if len(program.words) else None
+    if len(program.words) and (guided is None) != (dialect.guide is None):
+        raise ProgramError(f"the program was not built for {dialect.name} as it is to be written", dialect.name)
+    linear = program.words if guided is None else guided.tip
     order = sorted(range(5), key=lambda column: dialect.order.index(program.letters[column]))
-    words = [_word(program, column, dialect) for column in order]
-    if not dialect.modal:
-        return words
+    vector = None if guided is None or dialect.guide is None else dialect.guide.vector
+    said = [_axis_word(program, column, linear, dialect) for column in order if column < 3 or vector is None]
+    if vector is not None and guided is not None and guided.vector is not None and dialect.guide is not None:
+        decimals = dialect.guide.vector_decimals
+        said += [_Said(f" {word}", guided.vector[:, k], decimals) for k, word in enumerate(vector)]
+    return said
+
+
+def _axis_word(program: Program, column: int, linear: Floats, dialect: Dialect) -> _Said:
+    letter = " " + program.letters[column]
+    if column < 3:
+        return _Said(letter, linear[:, column], dialect.linear_decimals)
+    fold = program.wrap[column - 3] == "modulo"
+    before, after = dialect.shorter_word if fold else ("", "")
+    return _Said(letter + before, program.words[:, column], dialect.rotary_decimals, after, fold)
+
+
+def _modal(words: list[Column | Units], vector: bool) -> list[Column | Units]:
+    """Only the words that change; a tool vector always whole; where nothing changes, the first word."""
     shows = [_changed(word.values) for word in words]
-    shows[0] |= ~np.logical_or.reduce(shows)  # a block without any change still needs an axis word
+    if vector:
+        shows[-3:] = [np.logical_or.reduce(shows[-3:])] * 3
+    shows[0] = shows[0] | ~np.logical_or.reduce(shows)  # a block without any change still needs an axis word
     return [replace(word, show=show) for word, show in zip(words, shows, strict=True)]
 
 
-def _word(program: Program, column: int, dialect: Dialect) -> Column | Units:
-    """One axis word: counted in steps where a whole number can hold that, so that it is rounded only once."""
-    prefix, decimals = b" " + program.letters[column].encode(), dialect.decimals(column)
-    words, steps = program.words[:, column], np.empty(len(program.words))
-    for part in chunks(len(steps)):
-        step = np.multiply(words[part], 10.0**decimals, out=steps[part])
+def _spelt(word: Column | Units, said: _Said, signed: bool) -> list[Part]:
+    """The word as the parts of a block: with a plus sign where the dialect has one, and what stands after the number."""
+    parts: list[Part] = [word]
+    shown = np.ones(len(word.values), np.bool_) if word.show is None else word.show
+    if signed:
+        positive = word.values >= 0
+        parts = [replace(word, prefix=word.prefix + b"+", show=shown & positive), replace(word, show=shown & ~positive)]
+    if said.close:
+        parts.append(Choice(shown.view(np.int8), (b"", said.close.encode())))
+    return parts
+
+
+def _word(said: _Said, rows: int) -> Column | Units:
+    """One word: counted in steps where a whole number can hold that, so that it is rounded only once."""
+    prefix, steps = said.prefix.encode(), np.empty(rows)
+    for part in chunks(rows):
+        step = np.multiply(said.values[part], 10.0**said.decimals, out=steps[part])
         if not np.maximum(-step.min(), step.max()) < EXACT:  # NaN comes out of max
-            return Column(prefix, rounded(words, decimals), decimals)
+            return Column(prefix, rounded(said.values, said.decimals), said.decimals)
         nearest_whole(step)
-    return Units(prefix, steps.view(np.int64), decimals)
+    counted = steps.view(np.int64)
+    return Units(prefix, counted % (360 * 10**said.decimals) if said.fold else counted, said.decimals)
 
 
 def _feed(program: Program, dialect: Dialect, feeding: Bools) -> list[Part]:

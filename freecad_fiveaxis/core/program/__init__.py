@@ -2,6 +2,8 @@
 """The NC program as the machine gets it: rounded words, feeds, times."""
 
 from .feeds import rapid_minutes
+from .guided import Guided, standing, turned_to
 from .program import Program, block_findings, build_program
+from .wrapping import shorter_turns
 
-__all__ = ["Program", "block_findings", "build_program", "rapid_minutes"]
+__all__ = ["Guided", "Program", "block_findings", "build_program", "rapid_minutes", "shorter_turns", "standing", "turned_to"]

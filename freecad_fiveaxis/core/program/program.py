@@ -21,11 +21,13 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.joint_path import JointPath
 from freecad_fiveaxis.core.kinematics import Chain, chunks, empty_rows, words_to_q
 from freecad_fiveaxis.core.number_text import rounded
-from freecad_fiveaxis.core.post.dialect import Dialect, feed_distance
+from freecad_fiveaxis.core.post.dialect import Dialect, Guide, feed_distance
 from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze, picked
 
 from .feeds import feed_minutes, rapid_minutes, tip_travel
+from .guided import Guided, rounding_finding, standing, turned_to
+from .wrapping import by_the_shorter_way, wraps_of
 
 PORTION = 65536
 """Blocks timed at a time: few enough to stay in the cache, enough to sample the curved ones of each kind in long columns."""
@@ -41,7 +43,8 @@ class Program:
     (mm/min, or 1/min where ``inverse_time``; 0 for rapids); ``inverse_time`` (m,) True under G93; ``motion`` (m,) of
     :class:`~freecad_fiveaxis.core.cl_path.Motion`; ``seconds`` (m,) the time that the block is meant to take (0 for row 0);
     ``row`` (m,) row of the JointPath and of the CL path in it, -1 where there is none; ``line`` (m,) line of the NC file,
-    counted from 1.
+    counted from 1. ``guided``: what the NC file says where the controller guides the tip; ``words`` are then where the axes
+    stand at the blocks' ends, worked out from that. ``wrap``: how the controller takes each rotary word of the NC file.
     """
 
     letters: str
@@ -53,6 +56,8 @@ class Program:
     row: Ints
     line: Ints
     findings: tuple[Finding, ...] = ()
+    guided: Guided | None = None
+    wrap: tuple[str, str] = ("unwound", "unwound")
 
     def __post_init__(self) -> None:
         freeze(self, None, words="f5", feed="f", inverse_time="b", motion="m", seconds="f", row="i", line="i")
@@ -64,17 +69,54 @@ def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_tim
     A row whose words are all those of the row before it is left out (row 0 never). Row 0 is a rapid, because no time can be
     given for a move that starts nowhere. Raises ProgramError where another row that is no rapid has no feed above 0.
     """
-    words, row = _round_words(joints.q, dialect)
+    findings = _no_inverse_time(dialect) if inverse_time and not dialect.inverse_time else ()
+    inverse_time &= bool(dialect.inverse_time)
+    rotary = tuple(axis.wrap for axis in links.axes[3:])
+    wrap = wraps_of(rotary, dialect)
+    words, row = _round_words(joints.q, dialect) if dialect.guide is None else _round_guided(joints, dialect.guide, dialect)
     motion, tip_feed = joints.path.motion.take(row), joints.path.feed.take(row)
-    findings = _first_findings(motion)
+    findings += _first_findings(motion)
     motion[:1] = Motion.RAPID
     _check_feeds(row, motion, tip_feed)
+    words, more = by_the_shorter_way(words, wrap, rotary, links.letters, dialect, motion != Motion.RAPID)
+    guided, stands = None, words
+    if dialect.guide is not None:
+        guided, words, stands = _guided(joints, row, words, links, dialect.guide)
+        more += (
+            (rounding_finding(links, stands, picked(joints.path.tip, row), picked(joints.path.axis, row)),) if len(row) else ()
+        )
     scale = _FeedScale(dialect, inverse_time)
-    times = _time_blocks(words, motion, tip_feed, links, scale, progress)
+    times = _time_blocks(stands, words, motion, tip_feed, links, scale, progress)
     line = np.arange(dialect.first_line, dialect.first_line + len(row))
-    findings += _feed_findings(times.asked, times.held, scale)
+    findings += more + _feed_findings(times.asked, times.held, scale)
     modes = np.full(len(row), inverse_time)
-    return Program(links.letters, words, times.feed, modes, motion, times.seconds, row, line, findings)
+    return Program(links.letters, stands, times.feed, modes, motion, times.seconds, row, line, findings, guided, wrap)
+
+
+def _no_inverse_time(dialect: Dialect) -> tuple[Finding, ...]:
+    text = f"{dialect.name} has no inverse time (G93): F is written in mm/min, one for each block."
+    return (Finding(Severity.NOTE, "no-inverse-time", text),)
+
+
+def _round_guided(joints: JointPath, guide: Guide, dialect: Dialect) -> tuple[Floats, Ints]:
+    """As _round_words, of the words that a guided block says: the tip (mm) and the rotary words (deg), which are only rounded
+    where they are said. A row moves where tip, or what is said of the axis, changes."""
+    rotary = 15 if guide.vector else dialect.rotary_decimals
+    said = np.column_stack([rounded(joints.path.tip, dialect.linear_decimals), np.degrees(joints.q[:, 3:])])
+    if guide.vector is None:
+        said[:, 3:] = rounded(said[:, 3:], rotary)
+    told = said if guide.vector is None else np.column_stack([said[:, :3], rounded(joints.path.axis, guide.vector_decimals)])
+    moving = np.flatnonzero(np.append(np.ones(min(len(said), 1), np.bool_), (np.diff(told, axis=0) != 0.0).any(axis=1)))
+    return said[moving], moving
+
+
+def _guided(joints: JointPath, row: Ints, said: Floats, links: Chain, guide: Guide) -> tuple[Guided, Floats, Floats]:
+    """What the guided blocks say; the tip with the rotary words (m, 5); and where the axes stand (m, 5)."""
+    tip, angles, vector = said[:, :3], said[:, 3:], None
+    if guide.vector is not None:
+        vector = rounded(picked(joints.path.axis, row), guide.vector_decimals)
+        angles = turned_to(links, vector, angles)
+    return Guided(np.ones(len(row), np.bool_), tip, vector), np.column_stack([tip, angles]), standing(links, tip, angles)
 
 
 def _round_words(q: Floats, dialect: Dialect) -> tuple[Floats, Ints]:
@@ -143,8 +185,11 @@ class _Times(NamedTuple):
     seconds: Floats
 
 
-def _time_blocks(words: Floats, motion: Bytes, tip_feed: Floats, links: Chain, scale: _FeedScale, progress: Progress) -> _Times:
-    count = len(words)
+def _time_blocks(
+    words: Floats, said: Floats, motion: Bytes, tip_feed: Floats, links: Chain, scale: _FeedScale, progress: Progress
+) -> _Times:
+    """``words`` (m, 5): where the axes stand; ``said`` (m, 5): the same, or the tip and the rotary words where it is guided."""
+    count, guided = len(words), said is not words
     times = _Times(np.zeros(count), np.zeros(count, np.bool_), np.zeros(count), np.zeros(count))
     for first in range(1, count, PORTION):
         progress("feeds", first / count)
@@ -153,8 +198,10 @@ def _time_blocks(words: Floats, motion: Bytes, tip_feed: Floats, links: Chain, s
         q, rapid = words_to_q(ends), np.flatnonzero(motion[rows] == Motion.RAPID)
         change, wanted, along = np.diff(q, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - first, np.bool_)
         wanted[rapid], along[rapid] = 1.0, False
-        minutes, held = feed_minutes(links, change, tip_travel(links, q, along), wanted)
-        distance = scale.distance(ends)
+        told = said[first - 1 : rows.stop]
+        travel = np.linalg.norm(np.diff(told[:, :3], axis=0), axis=1) if guided else tip_travel(links, q, along)
+        minutes, held = feed_minutes(links, change, travel, wanted)
+        distance = scale.distance(told)
         asked = distance / minutes
         asked[rapid] = 0.0
         held[rapid] = False
