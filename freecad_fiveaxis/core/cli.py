@@ -46,7 +46,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     if argv is None:  # a process of its own
         keep_freed_memory()
     try:
-        arguments = _parser().parse_args(argv)
+        arguments = _parser().parse_args(_bare_said(sys.argv[1:] if argv is None else argv))
         return int(arguments.act(arguments))
     except (KeyboardInterrupt, Cancelled):
         _complain("stopped; nothing was written")
@@ -54,6 +54,18 @@ def main(argv: Sequence[str] | None = None) -> int:
     except FiveAxisError as error:
         _complain(f"fiveaxis: {error}")
         return UNUSABLE
+
+
+def _bare_said(argv: Sequence[str]) -> list[str]:
+    """Options that may stand without a value, followed by something that is none: with the value that they then mean."""
+    from .settings import option_fields
+
+    bare = {"--" + leaf.name.replace("_", "-"): leaf.metadata for _, leaf in option_fields() if leaf.metadata["bare"]}
+    following = [*argv[1:], ""]
+    return [
+        f"{word}={bare[word]['bare']}" if word in bare and after not in bare[word]["choices"] else word
+        for word, after in zip(argv, following, strict=True)
+    ]
 
 
 def _complain(line: str) -> None:

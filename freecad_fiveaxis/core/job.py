@@ -14,7 +14,7 @@ from pathlib import Path
 from freecad_fiveaxis.core.cl_path import CLPath, LinkOptions, Motion, link_passes, order_passes
 from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
 from freecad_fiveaxis.core.deform import deform_axes, trade_findings
-from freecad_fiveaxis.core.deviation import Deviation, measure
+from freecad_fiveaxis.core.deviation import Deviation, measure, without_guided
 from freecad_fiveaxis.core.joint_path import JointPath, solve
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, q_to_words
 from freecad_fiveaxis.core.linearize import linearize
@@ -32,6 +32,7 @@ from .feasible import feasible_rows
 from .files import check_writable, read_bytes, write_whole
 from .findings import Finding, Severity
 from .post import Dialect, PostOptions, find_dialect
+from .post.head import slot_texts
 from .post.writer import write_nc
 from .progress import Progress, silent
 from .records import Bools, Floats
@@ -97,7 +98,8 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
     """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name;
     ``faces`` (f,): the facets of it that are to be cut, None: all. Raises FiveAxisError for input that cannot be used."""
     machine, links, dialect = _machine(settings)
-    dialect.check_offset(settings.head.work_offset)
+    if settings.task in (MILL, POST):
+        dialect = _told(settings, dialect)
     if settings.task == MILL:
         find_strategy(settings.tool_axis.tool_axis)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
@@ -106,6 +108,15 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
         return post(settings, machine, links, dialect, progress)
     program = read_nc(read_bytes(settings.source, "NC file"), links, dialect, progress)
     return Made(settings, machine, links, dialect, program, program.findings)
+
+
+def _told(settings: Settings, dialect: Dialect) -> Dialect:
+    """The dialect as it is to be written: high-speed mode, tip guided. Raises SettingsError, before the long work, for what the
+    controller has not, and for a head that cannot be written."""
+    dialect = dialect.fast() if settings.head.high_speed == "on" else dialect
+    dialect = dialect if settings.head.rtcp == "off" else dialect.guided(settings.head.rtcp)
+    slot_texts(dialect, "", _head(settings), inverse_time=False)
+    return dialect
 
 
 def mill(
@@ -216,9 +227,14 @@ def _linearized(
 
 
 def prove(made: Made, progress: Progress = silent) -> Result:
-    """The deviation of every block of a program, its proven bound, and the blocks near the pole."""
+    """The deviation of every block of a program, its proven bound, and the blocks near the pole.
+
+    Where the controller guides the tip there is nothing to measure, and nothing is proven but the blocks' ends.
+    """
     proof, words = made.settings.proof, made.program.words
     deviation = measure(made.links, words, proof.method, progress)
+    if (guided := made.program.guided) is not None:
+        deviation = without_guided(deviation, guided.on, guided.tip)
     singularity = find_singular(made.links, words, made.machine.singular_cone)
     judged = judge(made.links, made.program, deviation, singularity, proof.tolerance)
     return Result(made, deviation, singularity, made.findings + deviation.findings + judged)

@@ -53,10 +53,12 @@ def option(
     least: float = -math.inf,
     most: float = math.inf,
     above: float = -math.inf,
+    bare: str = "",
 ) -> Any:
-    """A field of a settings dataclass. ``kind`` is one of the keys of ``READERS``; the range is in the core's units."""
+    """A field of a settings dataclass. ``kind`` is one of the keys of ``READERS``; the range is in the core's units.
+    ``bare``: what the option means on the command line without a value, and as ``true`` in a job file."""
     metadata = {"kind": kind, "text": text, "tasks": tasks, "choices": choices, "least": least, "most": most, "above": above}
-    return field(default=default, metadata=metadata)
+    return field(default=default, metadata=metadata | {"bare": bare})
 
 
 def group(cls: type) -> Any:
@@ -125,6 +127,10 @@ class FeedSettings:
     )
 
 
+RTCP = ("off", "angles", "vectors")
+"""Joint output, or the tip guided by the controller: as the dialects' guides are called."""
+
+
 @dataclass(frozen=True)
 class HeadSettings:
     """What the head of the NC file says."""
@@ -136,6 +142,14 @@ class HeadSettings:
     coolant: Literal["on", "off"] = option("off", "choice", "coolant during the program", (MILL, POST), choices=("on", "off"))
     work_offset: str = option(
         "G54", "text", "work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300", (MILL, POST)
+    )
+    rtcp: str = option(
+        "off", "choice",
+        "the controller guides the tip (RTCP), told the tool axis by rotary words (angles) or vectors; off: joint output",
+        (MILL, POST), choices=RTCP, bare="angles",
+    )  # fmt: skip
+    high_speed: Literal["on", "off"] = option(
+        "off", "choice", "the controller's high-speed mode, with the tolerance of --blend", (MILL, POST), choices=("on", "off")
     )
     blend: float = option(
         0.0, "length", "how far the controller may round corners, where it can; 0: exact path", (MILL, POST), least=0, most=999
@@ -294,6 +308,10 @@ def _check_together(settings: Settings) -> None:
         raise SettingsError("scallop and stepover exclude each other; give one of them", settings.passes.stepover)
     if settings.task == POST and settings.cure.singularity == "deform":
         raise SettingsError("singularity deform needs the part's passes: use it with `mill`; a CL file keeps its axes", "deform")
+    if settings.head.rtcp != "off" and (settings.cure.linearize == "on" or settings.cure.singularity == "linearize"):
+        raise SettingsError(
+            "rtcp lets the controller guide the tip, linearize divides blocks where it does not; give one", "rtcp"
+        )
     tool = settings.tool_axis
     if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
         given = ",".join(f"{number:g}" for number in tool.axis)
@@ -307,6 +325,8 @@ def _check_together(settings: Settings) -> None:
 def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
     """One value from its text (or JSON value), checked against its choices and range."""
     name, rules = leaf.name.replace("_", "-"), leaf.metadata
+    if rules["bare"] and isinstance(given, bool):
+        given = rules["bare"] if given else leaf.default
     if rules["choices"] and given not in rules["choices"]:
         raise SettingsError(f"{name} {given!r} is not one of {', '.join(rules['choices'])}", given)
     try:

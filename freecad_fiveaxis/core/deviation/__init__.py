@@ -2,6 +2,7 @@
 """How far the tip leaves the commanded segment while the axes move linearly, with a proven bound."""
 
 from .bound import quick_bound
+from .guided import without_guided
 from .measurement import Deviation, lin_ye_deviation, measure, same_u_deviation
 
-__all__ = ["Deviation", "lin_ye_deviation", "measure", "quick_bound", "same_u_deviation"]
+__all__ = ["Deviation", "lin_ye_deviation", "measure", "quick_bound", "same_u_deviation", "without_guided"]

@@ -3,7 +3,8 @@
 
 block    the row of the Program, counted from 0 (as in ``Finding.block``); row 0 is the first position, all figures 0.
 line     the line of the NC file, counted from 1.
-words    the block's end, mm and degrees, turns not folded; X Y Z and then the machine's two rotary letters sorted.
+words    the block's end, mm and degrees, turns not folded; X Y Z and then the machine's two rotary letters sorted. Where the
+         controller guides the tip X Y Z are the tip's place, and the deviations are 0: they are not ours to measure.
 bound    rounded up, so that what is read back is still a bound.
 """
 
@@ -45,7 +46,7 @@ def blocks_csv(program: Program, deviation: Deviation, singularity: Singularity,
     """The whole table as ASCII text, lines ending in a line feed. All three records have one row a block."""
     rows = len(program.words)
     # adding 0 turns -0 into 0
-    words = [program.words[:, column] + 0.0 for column in letter_order(program.letters)]
+    words = [_said(program, column) + 0.0 for column in letter_order(program.letters)]
     figures = [deviation.u_line, deviation.line, deviation.u_segment, deviation.segment, round_up(deviation.bound)]
     numbers = [*words, program.feed, *figures, np.degrees(deviation.axis)]
     parts: list[Part] = [
@@ -57,3 +58,10 @@ def blocks_csv(program: Program, deviation: Deviation, singularity: Singularity,
         Column(b",", singularity.singular.astype(np.int64)),
     ]
     return header(program.letters).encode() + b"\n" + table(parts, progress=progress)
+
+
+def _said(program: Program, column: int) -> Floats:
+    """The words (m,) of one letter as the NC file says them: the tip's place where the controller guides it."""
+    if program.guided is None or column >= 3:
+        return program.words[:, column]
+    return np.where(program.guided.on, program.guided.tip[:, column], program.words[:, column])

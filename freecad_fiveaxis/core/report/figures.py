@@ -4,7 +4,8 @@
 feed block    a block that may touch the part: CUT, FILL or LINK (in a foreign program every G1). Every figure of the
               summary judges the feed blocks and none of the rapids: a rapid is driven in the air, where it may leave its
               line. The table of blocks (``block_table``) and ``max_rapid_deviation`` show the rapids too.
-proven        the proven bound of every feed block is within the tolerance. ``over_tolerance`` counts the feed blocks
+proven        the proven bound of every feed block is within the tolerance, and in none of them the controller guides the tip
+              (``guided_blocks``), which is its own affair. ``over_tolerance`` counts the feed blocks
               whose deviation from the commanded segment exceeds it, ``unproven`` those where only the bound does.
 block         a row of the Program, counted from 0; ``line`` a line of the NC file, counted from 1.
 pass          a run of CUT and FILL blocks between links and rapids.
@@ -96,6 +97,12 @@ def feed_blocks(program: Program) -> Ints:
     return rows[rows > 0]
 
 
+def guided_feeds(program: Program) -> Ints:
+    """The feed blocks in which the controller guides the tip: nothing is proven of them but where they end."""
+    feeds = feed_blocks(program)
+    return feeds[program.guided.on[feeds]] if program.guided is not None else feeds[:0]
+
+
 def travel(program: Program) -> Floats:
     """How far each word moves in each block (m, 5) mm and degrees, signed; row 0 is 0."""
     columns = np.ascontiguousarray(program.words.T)  # whole columns are read from here on
@@ -128,9 +135,10 @@ def summary(figures: Figures) -> dict[str, Any]:
         "kind": figures.kind,
         "machine": figures.machine.name,
         "tolerance": figures.tolerance,
-        "proven": bool(len(feeds)) and not over.any() and not unproven.any(),
+        "proven": bool(len(feeds)) and not over.any() and not unproven.any() and not len(guided_feeds(program)),
         "over_tolerance": int(over.sum()),
         "unproven": int(unproven.sum()),
+        "guided_blocks": len(guided_feeds(program)),
         "max_line_deviation": _largest(deviation.line[feeds]),
         "max_segment_deviation": _largest(segment),
         "max_bound": _largest(bound),

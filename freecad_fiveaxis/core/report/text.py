@@ -41,6 +41,13 @@ def verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
         share = "1 block leaves" if over == 1 else f"{over} of {feeds} feed blocks leave"
         worst = f"line {numbers['worst_line']}, by {numbers['max_segment_deviation']:.4g} mm"
         return f"{share} the commanded path by more than {limit}; the worst, {worst}."
+    if guided := numbers["guided_blocks"]:
+        which = f"all {feeds}" if guided == feeds else f"{guided} of {feeds}"
+        rest = "" if guided == feeds else f" The other {feeds - guided} were not found to leave theirs by more than {limit}."
+        return (
+            f"Proven are the blocks' ends: in {which} feed blocks the controller guides the tip (RTCP), and that it keeps to the "
+            f"commanded segment is its own affair.{rest}"
+        )
     if numbers["unproven"]:
         return (
             f"Not proven: no block was found to leave its commanded segment by more than {limit}, but for "
@@ -76,7 +83,9 @@ def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
     """The summary as pairs of name and value with unit, the most wanted first."""
     turned = ", ".join(f"{letter} {value:.1f} deg" for letter, value in numbers["rotary_travel_deg"].items())
     worst = "" if numbers["worst_line"] is None else f" (NC line {numbers['worst_line']})"
+    guided = [("blocks whose tip the controller guides", f"{numbers['guided_blocks']}")] if numbers["guided_blocks"] else []
     return [
+        *guided,
         ("tolerance", f"{numbers['tolerance']:g} mm"),
         ("largest deviation from the segment", f"{numbers['max_segment_deviation']:.6f} mm{worst}"),
         ("its proven upper bound", f"{numbers['max_bound']:.6f} mm"),
