@@ -27,9 +27,6 @@ from freecad_fiveaxis.core.program import Program, build_program
 
 EVERY = pytest.mark.parametrize("dialect", DIALECTS.values(), ids=DIALECTS)
 MODES = [(dialect, inverse) for dialect in DIALECTS.values() for inverse in (True, False) if dialect.inverse_time or not inverse]
-READ = [(dialect, inverse) for dialect, inverse in MODES if dialect.language == "iso"]
-READ_ALL = pytest.mark.parametrize("dialect", [d for d in DIALECTS.values() if d.language == "iso"])
-READ_MODE = pytest.mark.parametrize(("dialect", "inverse_time"), READ, ids=[f"{d.name}-{'g93' if i else 'g94'}" for d, i in READ])
 EVERY_MODE = pytest.mark.parametrize(
     ("dialect", "inverse_time"), MODES, ids=[f"{d.name}-{'g93' if i else 'g94'}" for d, i in MODES]
 )
@@ -70,7 +67,7 @@ def block_lines(text: bytes, dialect: Dialect) -> list[str]:
     return [line.split(" ", 1)[1] for line in lines] if dialect.number_step else lines
 
 
-@READ_MODE
+@EVERY_MODE
 @pytest.mark.parametrize("letters", ["CA", "CB", "AB", "BA"])
 @pytest.mark.parametrize("modal", [True, False], ids=["modal", "all-words"])
 def test_every_word_is_read_back_exactly_as_it_was_rounded(dialect, inverse_time, letters, modal) -> None:
@@ -89,7 +86,7 @@ def test_every_word_is_read_back_exactly_as_it_was_rounded(dialect, inverse_time
     assert (np.abs(again.words - exact) <= half * (1 + 1e-9)).all()
 
 
-@READ_ALL
+@EVERY
 def test_one_changed_digit_is_seen_by_the_comparison(dialect) -> None:
     program = some_program(dialect, True)
     text = write_nc(program, dialect, "part")
@@ -140,7 +137,7 @@ def test_lines_are_short_ascii_without_minus_zero_and_numbers_have_points(dialec
     assert not dialect.plus or all(word[1] in "+-" for line in blocks for word in line.split()[1:] if word[0] != "F")
 
 
-@READ_ALL
+@EVERY
 @pytest.mark.parametrize("title", ["Düse (5)", "a)b(c;%", "\n\rM30", "LOGOPEN,/tmp/x", "日本", "", "x" * 500, "{title} {0}"])
 def test_no_title_becomes_an_instruction(dialect, title) -> None:
     program = some_program(dialect, True)

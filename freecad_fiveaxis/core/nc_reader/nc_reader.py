@@ -1,231 +1,194 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""NC text of any origin into a Program: joint programs of straight moves.
+"""NC text of any origin into a Program.
 
-modal     a code or a word that stays in force until another of its group comes (ISO 6983-1; NIST RS274NGC 3).
-motion line  a line with a word of one of the machine's axes under G0 or G1: one block of the Program.
+motion line  a line with a word of one of the machine's axes under G0, G1, G2 or G3: one block of the Program, an arc several.
+guided       where the controller guides the tip (G43.4, G43.5, G234, M128, M428, TRAORI, FUNCTION TCPM) the words of the axes are
+             worked out from the tip and the tool axis; what the file says stays in ``Program.guided``.
 
-What is not interpreted (arcs, cycles, macros, subprograms, offsets, tool centre point control) is never passed over in
-silence: each kind is a finding with its first line and its count.
+What is not interpreted (cycles, macros, subprograms, splines, offsets, compensation) is never passed over in silence: each
+kind is a finding with its name, its first line and its count.
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.post.dialect import Dialect, feed_distance
-from freecad_fiveaxis.core.program import Program, rapid_minutes
+from freecad_fiveaxis.core.program import Guided, Program, rapid_minutes
+from freecad_fiveaxis.core.program.wrapping import wraps_of
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 
 from . import codes
-from .words import Words, read_words
-
-INCH = 25.4
+from .arcs import Arcs, Chords, chorded
+from .codes import GRAMMARS, Grammar
+from .feeds import feeds
+from .findings import code_findings, guide_findings, language_finding, start_findings, up_to_end, word_findings
+from .lines import Lines, last_of
+from .positions import INCH, Moves, axis_words, moves, tool_axes, where_axes_stand
+from .words import language_of, read_words
 
 
 def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress: Progress = silent) -> Program:
-    """The Program of an NC text, one block for every motion line. ``dialect`` says how F is meant under G94 (None: over X Y Z).
+    """The Program of an NC text. ``dialect``: whose language it is (where the text does not show that itself), how F is meant
+    under G94, and whether rotary words are taken by the shorter way; None: ISO, over X Y Z, and not.
 
-    Rotary words are absolute degrees, turns not folded; inches become mm. Axes that the first motion line does not name are
-    taken as 0 there, with a finding. Raises ProgramError, naming line and column, for text that cannot be read, and where
-    there is no motion line at all.
+    Rotary words are taken as the machine file's ``wrap_strategy`` says; inches become mm; arcs become chords. Axes that the
+    first motion line does not name are taken as 0 there, with a finding. Raises ProgramError, naming line and column, for text
+    that cannot be read, and where there is no motion line at all.
     """
     progress("reading NC", 0.0)
-    words = read_words(text)
+    told = "iso" if dialect is None else dialect.language
+    language = language_of(text, told)
+    grammar = GRAMMARS[language]
+    words = read_words(text, language)
     progress("reading NC", 0.5)
-    words, findings = _up_to_end(words)
-    lines = _Lines(words)
-    named = {letter: lines.column(letter) for letter in links.letters}
-    has_axis = np.logical_or.reduce([~np.isnan(column) for column in named.values()])
-    moving = has_axis & ~lines.any_of(codes.NO_MOVE) & (lines.mode(codes.MOTION, codes.NONE) != codes.CYCLE)
-    at = np.flatnonzero(moving)
+    words, findings = up_to_end(words, grammar)
+    findings += words.findings + language_finding(language, told)
+    lines = Lines(words)
+    axes = [axis_words(lines, letter) for letter in links.letters]
+    mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
+    at = _motion_lines(lines, grammar, axes, mode, on)
     if not len(at):
         raise ProgramError("the file holds no motion blocks: no axis word of this machine under G0 or G1", links.letters)
-    motion_mode, incremental = lines.mode(codes.MOTION, codes.NONE)[at], lines.mode(codes.DISTANCE, 0)[at] == 1
-    position = _positions([column[at] for column in named.values()], incremental, lines.mode(codes.UNITS, 0)[at] == 1)
-    feed, inverse, more = _feeds(lines, at, motion_mode != codes.RAPID)
-    motion = np.where(motion_mode == codes.RAPID, Motion.RAPID, Motion.CUT).astype(np.int8)
-    seconds = _seconds(position, motion, feed, inverse, lines.mode(codes.FEED_MODE, 0)[at] == codes.PER_TURN, links, dialect)
-    findings += (*words.findings, *_code_findings(words), *_word_findings(words, lines, links.letters), *more)
-    findings += tuple(_start_findings(named, at, motion_mode, incremental, lines))
-    return Program(links.letters, position, feed, inverse, motion, seconds, np.full(len(at), -1), at, findings)
+    wrap = wraps_of([axis.wrap for axis in links.axes[3:]], dialect)
+    told_moves = moves(lines, at, _meant(lines, axes, at, grammar), on[at], _vectors(lines, at, mode, on), links, wrap)
+    feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
+    chords, bad = _chords(lines, told_moves, mode[at], grammar)
+    findings += (*code_findings(words, grammar), *word_findings(words, lines, links.letters, bool(on.any())), *more, *bad)
+    findings += tuple(start_findings(links.letters, told_moves, mode[at], lines, grammar))
+    program = _program(links, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect)
+    return replace(program, findings=findings + guide_findings(program, told_moves), wrap=wrap)
 
 
-class _Lines:
-    """The words sorted into lines; every column is (lines + 1,), line 0 stands empty."""
-
-    def __init__(self, words: Words) -> None:
-        self.words = words
-        self.count = int(words.line.max(initial=0)) + 1
-        self.code_at = np.flatnonzero(words.letter == ord("G"))
-        self.code = tenfold(words.value[self.code_at])
-        self.code_line = words.line[self.code_at]
-
-    def column(self, letter: str) -> Floats:
-        """The word of that letter in each line, NaN where there is none. Raises ProgramError where it stands twice."""
-        at = np.flatnonzero(self.words.letter == ord(letter))
-        line = self.words.line[at]
-        twice = np.flatnonzero(line[1:] == line[:-1])
-        if len(twice):
-            number = int(line[twice[0]])
-            raise ProgramError(f"line {number}: word {letter} stands twice; a line takes one of each", letter)
-        column = np.full(self.count, np.nan)
-        column[line] = self.words.value[at]
-        return column
-
-    def any_of(self, chosen: tuple[int, ...]) -> Bools:
-        found = np.zeros(self.count, np.bool_)
-        found[self.code_line[np.isin(self.code, chosen)]] = True
-        return found
-
-    def mode(self, group: dict[int, int], initial: int) -> Ints:
-        """The mode in force in each line, its own code included; of several in one line the last counts."""
-        chosen = np.isin(self.code, list(group))
-        line, code = self.code_line[chosen], self.code[chosen]
-        state = np.full(self.count, initial, np.int64)
-        if not len(line):
-            return state
-        lookup = np.zeros(max(group) + 1, np.int64)
-        lookup[list(group)] = list(group.values())
-        state[line] = lookup[code]
-        return held(state, line, self.count)
+def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
+    """Whether the controller guides the tip, in each line."""
+    events: list[tuple[Ints, bool]] = []
+    if grammar.name == "iso":
+        for chosen, state in ((codes.GUIDE_ON, True), (codes.GUIDE_OFF, False)):
+            events.append((lines.code_line[np.isin(lines.code, chosen)], state))
+    for code, number in (grammar.guide_m or {}).items():
+        events.append((lines.m_line((code,)), bool(number)))
+    if codes.SWITCH in lines.letters:
+        switch = lines.column(codes.SWITCH)
+        events += [(np.flatnonzero(switch == number), bool(number)) for number in (0, 1)]
+    on, said = np.zeros(lines.count, np.bool_), np.zeros(lines.count, np.bool_)
+    for where, switched in sorted(events, key=lambda event: event[1]):  # on wins over off in the same line
+        on[where], said[where] = switched, True
+    return on[last_of(np.flatnonzero(said), lines.count)]
 
 
-def tenfold(value: Floats) -> Ints:
-    """Ten times the number of a code, as G43.4 = 434; -1 where it is no such number."""
-    tens = np.rint(value * 10.0)
-    return np.where((np.abs(tens - value * 10.0) < 1e-6) & (np.abs(tens) < 1e6), tens, -1.0).astype(np.int64)
+def _motion_lines(lines: Lines, grammar: Grammar, axes: list[tuple[Floats, Bytes]], mode: Ints, on: Bools) -> Ints:
+    """The lines that are blocks."""
+    moving = np.logical_or.reduce([kind != 0 for _, kind in axes])
+    if on.any():
+        moving |= ~np.isnan(_told(lines, mode, on)).all(axis=1)
+    moving &= ~lines.any_of(grammar.no_move) & (mode != codes.CYCLE)
+    moving[lines.m_line(grammar.machine_m)] = False
+    if codes.MACHINE in lines.letters:
+        moving &= np.isnan(lines.column(codes.MACHINE))
+    return np.flatnonzero(moving)
 
 
-def held(state: Ints, line: Ints, count: int) -> Ints:
-    """``state`` of the last of the given lines at or before each line (of line 0 before the first)."""
-    return state[last_of(line, count)]
+def _told(lines: Lines, mode: Ints, on: Bools) -> Floats:
+    """The tool axis (lines, 3) that each guided line tells as a vector, NaN where none."""
+    private = [lines.column(letter) for letter in codes.VECTOR]
+    vector = np.stack(private, axis=1)
+    if not np.isin(lines.code, codes.VECTORS_ON).any():
+        return np.where(on[:, None], vector, np.nan)
+    group = {**dict.fromkeys((*codes.GUIDE_ON, *codes.GUIDE_OFF), 0), **dict.fromkeys(codes.VECTORS_ON, 1)}
+    by_ijk = (lines.mode(group, 0) == 1) & (mode != codes.ARC) & on
+    iso = np.stack([lines.column(letter) for letter in "IJK"], axis=1)
+    return np.where(by_ijk[:, None], iso, np.where(on[:, None], vector, np.nan))
 
 
-def last_of(line: Ints, count: int) -> Ints:
-    """For each line the last of the given lines at or before it, 0 where there is none."""
-    last = np.zeros(count, np.int64)
-    last[line] = line
-    return np.maximum.accumulate(last)
+def _vectors(lines: Lines, at: Ints, mode: Ints, on: Bools) -> Floats:
+    return _told(lines, mode, on)[at] if on.any() else np.full((len(at), 3), np.nan)
 
 
-def _up_to_end(words: Words) -> tuple[Words, tuple[Finding, ...]]:
-    """The words up to M2, M30 or M99."""
-    ends = np.flatnonzero((words.letter == ord("M")) & np.isin(words.value, (2.0, 30.0, 99.0)))
-    if not len(ends):
-        return words, ()
-    last = int(words.line[ends[0]])
-    keep = int(np.searchsorted(words.line, last, side="right"))
-    findings: tuple[Finding, ...] = ()
-    if keep < len(words.line):
-        line = int(words.line[keep])
-        text = f"The lines after the end of the program in line {last} are not read."
-        findings = (Finding(Severity.NOTE, "text-after-end", text, line=line),)
-    return Words(words.letter[:keep], words.value[:keep], words.line[:keep], words.findings), findings
+def _meant(lines: Lines, axes: list[tuple[Floats, Bytes]], at: Ints, grammar: Grammar) -> list[tuple[Floats, Bytes]]:
+    """The words of the motion lines in mm and degrees, and how each is meant."""
+    steps = lines.mode(codes.DISTANCE, 0)[at] == 1
+    inch = lines.mode(grammar.units, 0)[at] == 1
+    meant = []
+    for k, (value, kind) in enumerate(axes):
+        value, kind = value[at], kind[at]
+        if k < 3 and inch.any():
+            value = np.where(inch, value * INCH, value)
+        if steps.any():
+            kind = np.where(steps & (kind == 1), 2, kind).astype(np.int8)
+        meant.append((value, kind))
+    return meant
 
 
-def _positions(columns: list[Floats], incremental: Bools, inch: Bools) -> Floats:
-    """Words (m, 5) mm and degrees at the end of each motion line."""
-    position = np.empty((5, len(incremental))).T
-    for k, column in enumerate(columns):
-        value = np.where(inch, column * INCH, column) if k < 3 and inch.any() else column
-        given = ~np.isnan(value)
-        anchor = last_of(np.flatnonzero(given & ~incremental) + 1, len(value) + 1)[1:]
-        padded = np.concatenate([np.zeros(1), value])
-        position[:, k] = padded[anchor]
-        if incremental.any():
-            travelled = np.cumsum(np.where(given & incremental, value, 0.0))
-            position[:, k] += travelled - np.concatenate([np.zeros(1), travelled])[anchor]
-    return position
-
-
-def _feeds(lines: _Lines, at: Ints, feeding: Bools) -> tuple[Floats, Bools, tuple[Finding, ...]]:
-    """F (m,) in force in mm/min or 1/min, whether it is inverse time, and the findings."""
-    mode, inch, column = lines.mode(codes.FEED_MODE, 0), lines.mode(codes.UNITS, 0), lines.column("F")
-    given = np.flatnonzero(~np.isnan(column))
-    column[given] *= np.where((inch[given] == 1) & (mode[given] != codes.INVERSE), INCH, 1.0)
-    last = last_of(given, lines.count)
-    changed = last_of(np.flatnonzero(np.diff(mode, prepend=mode[:1])), lines.count)
-    valid = (last > 0) & (last >= changed)  # an F word dies with its feed mode
-    feed = np.where(valid[at] & feeding, column[last[at]], 0.0)
-    inverse: Bools = mode[at] == codes.INVERSE
-    own = last[at] == at
-    cases = (
-        (feeding & ~(feed > 0.0), "no-feed", "blocks have no F above 0 in force; most controllers stop there. Give F."),
-        (feeding & inverse & ~own & (feed > 0.0), "inverse-feed-missing",
-         "blocks under G93 have no F of their own; most controllers stop there. Give F in every block."),
+def _chords(lines: Lines, told: Moves, mode: Ints, grammar: Grammar) -> tuple[Chords | None, list[Finding]]:
+    """The arcs as chords; None where there are none."""
+    row = np.flatnonzero(mode == codes.ARC)
+    if not len(row):
+        return None, []
+    line = told.at[row]
+    inch = np.where(lines.mode(grammar.units, 0)[line] == 1, INCH, 1.0)
+    offset = np.stack([lines.column(letter)[line] for letter in "IJK"], axis=1) * inch[:, None]
+    here = np.stack([lines.column(letter) for letter in codes.CENTRE], axis=1)
+    centre = np.stack([_last_told(column)[line] for column in here.T], axis=1) * inch[:, None]
+    sense = lines.mode({codes.CLOCKWISE: 0, codes.COUNTER: 1}, 0)[line]
+    arcs = Arcs(
+        row, lines.mode(codes.PLANES, 0)[line], sense == 1, offset, lines.mode(codes.CENTRES, 0)[line] == 1,
+        lines.column("R")[line] * inch, centre,
     )  # fmt: skip
-    found = [
-        Finding(Severity.ERROR, code, f"{int(rows.sum())} {text}", block=int(rows.argmax()), line=int(at[rows.argmax()]))
-        for rows, code, text in cases
-        if rows.any()
-    ]
-    return np.where(feed > 0.0, feed, 0.0), inverse, tuple(found)
+    return chorded(arcs, told.before, told.said, told.at)
+
+
+def _last_told(column: Floats) -> Floats:
+    """The last value of a column at or before each line, NaN before the first."""
+    return column[last_of(np.flatnonzero(~np.isnan(column)), len(column))]
+
+
+def _program(
+    links: Chain, told: Moves, chords: Chords | None, mode: Ints, feed: Floats, inverse: Bools, feed_mode: Ints,
+    dialect: Dialect | None,
+) -> Program:  # fmt: skip
+    before, said, on, line, vector = told.before, told.said, told.on, told.at, told.told
+    if chords is not None:
+        row, before, said = chords.row, chords.before, chords.said
+        feed = np.where(inverse, feed * chords.count, feed)
+        mode, feed_mode, line = mode[row], feed_mode[row], line[row]
+        feed, inverse, on, vector = feed[row], inverse[row], on[row], vector[row]
+    motion = np.where(mode == codes.RAPID, Motion.RAPID, Motion.CUT).astype(np.int8)
+    words = where_axes_stand(links, said, on)
+    guided = _guided(links, words, said, on, vector) if on.any() else None
+    seconds = _seconds(words, said - before, motion, feed, inverse, feed_mode == codes.PER_TURN, on, links, dialect)
+    return Program(links.letters, words, feed, inverse, motion, seconds, np.full(len(line), -1), line, (), guided)
+
+
+def _guided(links: Chain, words: Floats, said: Floats, on: Bools, vector: Floats) -> Guided:
+    told: Bools = np.asarray(~np.isnan(vector).all(axis=1))
+    if not told.any():
+        return Guided(on, said[:, :3])
+    return Guided(on, said[:, :3], np.where(told[:, None], np.nan_to_num(vector), tool_axes(links, words)))
 
 
 def _seconds(
-    position: Floats, motion: Bytes, feed: Floats, inverse: Bools, unknown: Bools, links: Chain, dialect: Dialect | None
-) -> Floats:
-    """The time (m,) s that the controller takes by what the words say; 0 where they say nothing."""
-    change = np.diff(position, axis=0, prepend=position[:1])
-    distance = np.where(inverse, 1.0, feed_distance(dialect, change))
+    words: Floats, said: Floats, motion: Bytes, feed: Floats, inverse: Bools, unknown: Bools, on: Bools, links: Chain,
+    dialect: Dialect | None,
+) -> Floats:  # fmt: skip
+    """The time (m,) s that the controller takes by what the words say (``said`` (m, 5): their change); 0 where nothing."""
+    distance = feed_distance(dialect, said)
+    if on.any():
+        guide = next(iter(dialect.guides.values()), None) if dialect is not None else None
+        over_all = guide is not None and guide.rotary_in_feed
+        guided = feed_distance(dialect if over_all else None, said)
+        distance = np.where(on, guided, distance)
+    distance = np.where(inverse, 1.0, distance)
     minutes = np.divide(distance, feed, out=np.zeros(len(feed)), where=(feed > 0.0) & ~unknown)
+    change = np.diff(words, axis=0, prepend=words[:1])
     change[:, 3:] = np.radians(change[:, 3:])
     seconds: Floats = 60.0 * np.where(motion == Motion.RAPID, rapid_minutes(links, change), minutes)
     seconds[0] = 0.0
     return seconds
-
-
-def _code_findings(words: Words) -> list[Finding]:
-    found = []
-    for letter, table in (("G", codes.CODES), ("M", codes.M_CODES)):
-        at = np.flatnonzero(words.letter == ord(letter))
-        number = tenfold(words.value[at]) if letter == "G" else words.value[at].astype(np.int64)
-        for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
-            line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
-            if value in table:
-                severity, kind, text = table[int(value)]
-                found.append(Finding(severity, kind, f"{name} stands in {count} lines: {text}.", float(count), line=line))
-            elif letter == "G" and int(value) not in codes.HARMLESS:
-                text = f"{name} is not known and not interpreted ({count} lines); what it does is missing here."
-                found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
-    return found
-
-
-def _word_findings(words: Words, lines: _Lines, letters: str) -> list[Finding]:
-    found = []
-    for value, first, count in zip(*np.unique(words.letter, return_index=True, return_counts=True), strict=True):
-        letter, line = chr(value), int(words.line[first])
-        if letter in letters or letter in codes.WORDS_IGNORED:
-            continue
-        if letter in codes.AXES:
-            text = f"The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine."
-            found.append(Finding(Severity.ERROR, "unknown-axis", text, float(count), line=line))
-        elif letter not in "IJKR" or not np.isin(lines.code, (20, 30)).any():
-            text = f"The {count} words {letter} are not interpreted."
-            found.append(Finding(Severity.WARNING, "word-not-interpreted", text, float(count), line=line))
-    return found
-
-
-def _start_findings(named: dict[str, Floats], at: Ints, motion_mode: Ints, incremental: Bools, lines: _Lines) -> list[Finding]:
-    found = []
-    first = int(at[0])
-    unknown = [letter for letter, column in named.items() if np.isnan(column[first]) or incremental[0]]
-    if unknown:
-        text = f"The first motion line does not say where {', '.join(sorted(unknown))} stand; they are taken as 0 there."
-        found.append(Finding(Severity.NOTE, "position-unknown", text, block=0, line=first))
-    if (motion_mode == codes.NONE).any():
-        block = int((motion_mode == codes.NONE).argmax())
-        text = "Axis words stand under no G0 or G1; they are taken as G1. Give a motion code."
-        found.append(Finding(Severity.WARNING, "no-motion-code", text, block=block, line=int(at[block])))
-    if not np.isin(lines.code, list(codes.UNITS)).any():
-        found.append(Finding(Severity.NOTE, "units-not-said", "The program says neither G20 nor G21; taken as mm.", line=first))
-    offsets = np.unique(lines.code[np.isin(lines.code, codes.OFFSETS)])
-    if len(offsets) > 1:
-        text = f"The program uses {len(offsets)} work offsets; their distance is not known, and the blocks between are not right."
-        found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
-    return found

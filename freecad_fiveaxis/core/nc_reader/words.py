@@ -2,9 +2,10 @@
 """NC text into words: a letter, a number and the line it stands in, as whole columns.
 
 word      a letter with its number (ISO 6983-1): X-12.5. Blanks may stand anywhere in it, capitals do not matter.
-comment   text in brackets, or from a semicolon to the end of the line.
+comment   text in brackets, or from a semicolon to the end of the line (Siemens: only the latter; Heidenhain: or from a star).
 block skip  a slash at the start of a line: the operator may switch such lines off.
 %         the first ends the leader of the tape, the next one ends the program.
+language  ISO; Siemens' and Heidenhain's text is brought to plain words first (:mod:`.siemens`, :mod:`.heidenhain`).
 
 Nothing but whole-text operations: comments and everything else that is not a word is first overwritten with blanks of the
 same length, so that lines and columns of the file stay known for the messages.
@@ -24,40 +25,72 @@ from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
 
+from . import codes, heidenhain, siemens
+from .noted import Notes
+
 SOLID = re.compile(rb"[^ \n]")
-COMMENTS = ((b"(", rb"\([^()\n]*\)"), (b";", rb";[^\n]*"))
+BRACKETS, SEMICOLON, STAR = (b"(", rb"\([^()\n]*\)"), (b";", rb";[^\n]*"), (b"*", rb"\*[^\n]*")
+COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (SEMICOLON,), "heidenhain": (SEMICOLON, STAR)}
 SLASH = re.compile(rb"^ *(/[0-9]?)", re.MULTILINE)
 COLON = re.compile(rb"^ *(:)(?= *[0-9])", re.MULTILINE)
 EXPONENT = re.compile(rb"(?<=[0-9.])E[+-]?[0-9]")
-SYMBOLS = (b"#", b"[", b"]", b"=", b"<", b">")
+SYMBOLS = {
+    "iso": (b"#", b"[", b"]", b"=", b"<", b">"),
+    "siemens": (b"=", b"[", b"]", b"<", b">", b"$", b"(", b")", b"#", b'"', b"{", b"}"),
+    "heidenhain": (),
+}
 KEYWORDS = tuple(b"GOTO WHILE CALL SUB RETURN REPEAT THEN ELSE ENDIF DO1 DO2 DO3 END1 END2 END3".split())
 """These show that a line is macro language (Fanuc custom macro B, LinuxCNC O-codes)."""
 TAPE = b"\t\v\f\x11\x12\x13\x14\x1a"
 """Control characters that old files hold between the words: tabs, reader control, end of file."""
 TEXT = bytes({*range(32, 256), *TAPE, *b"\n\r"})
-LEGAL = b"ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-. \n"
+LEGAL = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-. \n"
 CLEAN = bytes.maketrans(bytes(range(97, 123)) + TAPE, bytes(range(65, 91)) + b" " * len(TAPE))
-LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + b"\n", b" " * 27)
+LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + bytes(range(97, 123)) + b"\n", b" " * 53)
 SKIPPED = "begin with a slash (block skip); they are read as if the switch were off."
 MACROS = "hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without them."
+HEIDENHAIN_SIGN = re.compile(rb"^ *(?:0+ +)?BEGIN +PGM\b", re.MULTILINE | re.IGNORECASE)
+SIEMENS_SIGN = re.compile(rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE)
+LOOKED_AT = 20_000
+"""Bytes at the start of a text that tell whose language it is."""
 
 
 @dataclass(frozen=True, eq=False)
 class Words:
-    """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file."""
+    """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file; ``text``: what was left
+    of the file when they were read, ``start`` (w,) where they stand in it without its blanks."""
 
     letter: Bytes
     value: Floats
     line: Ints
     findings: tuple[Finding, ...] = ()
+    text: bytes = b""
+    start: Ints | None = None
+
+    def place(self, word: int) -> str:
+        """Where a word stands, as "line 3, column 7"."""
+        line = int(self.line[word])
+        if self.start is None:
+            return f"line {line}"
+        compact = self.text.translate(None, b" ")
+        begin = compact.rfind(b"\n", 0, int(self.start[word])) + 1
+        return f"line {line}, column {_column(self.text, line, int(self.start[word]) - begin)}"
 
     def __post_init__(self) -> None:
         freeze(self, None, letter="m", value="f", line="i")
 
 
-def read_words(text: bytes) -> Words:
+def language_of(text: bytes, told: str) -> str:
+    """Whose language a text is in: what its first lines show without doubt, or else ``told``."""
+    start = text[:LOOKED_AT]
+    if HEIDENHAIN_SIGN.search(start):
+        return "heidenhain"
+    return "siemens" if told == "iso" and SIEMENS_SIGN.search(start) else told
+
+
+def read_words(text: bytes, language: str = "iso") -> Words:
     """All words of an NC text up to the closing ``%``. Raises ProgramError, naming line and column, for what is no word."""
-    text, findings = _blanked(text)
+    text, findings = _blanked(text, language)
     _check_characters(text)
     compact = text.translate(None, b" ") + b"\n"
     code = np.frombuffer(compact, np.uint8)
@@ -70,21 +103,29 @@ def read_words(text: bytes) -> Words:
     if not np.isfinite(value).all():
         _complain(text, compact, int(start[np.flatnonzero(~np.isfinite(value))[0]]))
     line = _lines(code, start)
-    return Words(code[start].astype(np.int8), value, line, tuple(findings))
+    return Words(code[start].astype(np.int8), value, line, tuple(findings), text, start)
 
 
-def _blanked(text: bytes) -> tuple[bytes, list[Finding]]:
+def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
     """The text in capitals, lines ending in LF, with blanks for all that is no word; and what was passed over."""
-    if control := text.translate(None, TEXT):
-        offset = text.index(control[:1])
-        raise ProgramError(f"this is no NC text: byte {control[0]} at offset {offset}; give a plain text file", control[0])
     text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
-    forms = [form for begin, form in COMMENTS if begin in text]  # a pattern of one form alone is searched faster
+    if control := text.translate(None, TEXT):
+        at = text.index(control[:1])
+        line, column = text.count(b"\n", 0, at) + 1, at - text.rfind(b"\n", 0, at)
+        raise ProgramError(
+            f"line {line}, column {column}: byte {control[0]}: this is no NC text; give a plain text file", control[0]
+        )
+    forms = [form for begin, form in COMMENTS[language] if begin in text]  # a pattern of one form alone is searched faster
     if forms:
         text = re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text)
     findings: list[Finding] = []
-    text = _without_macros(text.translate(CLEAN), findings)
-    text = _between_marks(text, findings)
+    text = _between_marks(text.translate(CLEAN), findings)
+    if language != "iso":
+        notes = Notes()
+        read = (siemens if language == "siemens" else heidenhain).plain(text, notes)
+        findings += notes.findings(text)
+        text = read
+    text = _without_macros(text, language, findings)
     if b"/" in text:
         text, lines = _overwritten(text, SLASH, b" ")
         if lines:
@@ -103,17 +144,19 @@ def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[by
     return bytes(buffer), [first for first, _ in spans]
 
 
-def _without_macros(text: bytes, findings: list[Finding]) -> bytes:
+def _without_macros(text: bytes, language: str, findings: list[Finding]) -> bytes:
     """Blanks for the lines that hold macro language."""
-    marks = [mark for mark in (*SYMBOLS, *(KEYWORDS if _has_adjacent_letters(text) else ())) if mark in text]
+    known = KEYWORDS if language == "iso" and _has_adjacent_letters(text) else ()
+    marks = [mark for mark in (*SYMBOLS[language], *known) if mark in text]
     if not marks:
         return text
     lines = text.split(b"\n")
     hit = [k for k, line in enumerate(lines) if any(mark in line for mark in marks)]
+    shown = b" ".join(lines[hit[0]].split())[:40].decode("latin-1")
     for k in hit:
         lines[k] = b" " * len(lines[k])
-    said = f"{len(hit)} lines {MACROS}"
-    findings.append(Finding(Severity.ERROR, "macro-not-interpreted", said, float(len(hit)), line=hit[0] + 1))
+    said = f"{len(hit)} lines {MACROS} The first: {shown!r}."
+    findings.append(Finding(Severity.ERROR, codes.MACRO[1], said, float(len(hit)), line=hit[0] + 1))
     return b"\n".join(lines)
 
 
@@ -200,12 +243,24 @@ def _lines(code: NDArray[np.uint8], start: Ints) -> Ints:
 def _complain(text: bytes, compact: bytes, at: int) -> NoReturn:
     """Raise for the malformed word at ``at`` of the text without blanks."""
     line = compact.count(b"\n", 0, at)
-    within = at - (compact.rfind(b"\n", 0, at) + 1)
+    begin = _line_start(text, line + 1)
+    column = _column(text, line + 1, at - (compact.rfind(b"\n", 0, at) + 1))
+    _fail(text, begin + column - 1, "a word is a letter and one number")
+
+
+def _line_start(text: bytes, line: int) -> int:
+    """Where a line, counted from 1, begins."""
     begin = 0
-    for _ in range(line):
+    for _ in range(line - 1):
         begin = text.index(b"\n", begin) + 1
+    return begin
+
+
+def _column(text: bytes, line: int, within: int) -> int:
+    """The column, counted from 1, of character ``within`` of a line without its blanks; 1 beyond its end."""
+    begin = _line_start(text, line)
     places = [found.start() for found in SOLID.finditer(text, begin, _line_end(text, begin))]
-    _fail(text, places[within] if within < len(places) else begin, "a word is a letter and one number")
+    return places[within] - begin + 1 if within < len(places) else 1
 
 
 def _fail(text: bytes, at: int, reason: str) -> NoReturn:

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the reader says about a program: what it did not interpret, what it had to assume, and what the controller guides."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.records import Ints
+
+from . import codes
+from .codes import Grammar
+from .lines import Lines, tenfold
+from .positions import Moves
+from .words import Words
+
+NAMES = {"siemens": "Siemens 840D", "heidenhain": "Heidenhain klartext", "iso": "ISO"}
+LARGEST_CODE = 1e6
+
+
+def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...]]:
+    """The words up to the end of the program (M2, M30, M99 where it is one)."""
+    ends = np.flatnonzero((words.letter == ord("M")) & np.isin(words.value, grammar.ends))
+    if not len(ends):
+        return words, ()
+    last = int(words.line[ends[0]])
+    keep = int(np.searchsorted(words.line, last, side="right"))
+    findings: tuple[Finding, ...] = ()
+    if keep < len(words.line):
+        line = int(words.line[keep])
+        text = f"The lines after the end of the program in line {last} are not read."
+        findings = (Finding(Severity.NOTE, "text-after-end", text, line=line),)
+    start = None if words.start is None else words.start[:keep]
+    return replace(words, letter=words.letter[:keep], value=words.value[:keep], line=words.line[:keep], start=start), findings
+
+
+def language_finding(language: str, told: str) -> tuple[Finding, ...]:
+    """Where the text shows another language than the controller's that was given."""
+    if language == told:
+        return ()
+    text = f"The text is {NAMES[language]}, and read as such; give its --controller, so that feeds are taken as it takes them."
+    return (Finding(Severity.NOTE, "other-language", text),)
+
+
+def code_findings(words: Words, grammar: Grammar) -> list[Finding]:
+    """The codes that are not interpreted, each with its first line and its count."""
+    found = []
+    for letter, table in (("G", grammar.codes), ("M", grammar.m_codes)):
+        at = np.flatnonzero(words.letter == ord(letter))
+        value_of = words.value[at]
+        number = (
+            tenfold(value_of) if letter == "G" else np.where(np.abs(value_of) < LARGEST_CODE, value_of, -1.0).astype(np.int64)
+        )
+        for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
+            line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
+            if value in table:
+                severity, kind, text = table[int(value)]
+                found.append(Finding(severity, kind, f"{name} stands in {count} lines: {text}.", float(count), line=line))
+            elif letter == "G" and int(value) not in grammar.harmless:
+                text = f"{name} is not known and not interpreted ({count} lines); what it does is missing here."
+                found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
+    return found
+
+
+def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> list[Finding]:
+    """The words that no axis of the machine and no function takes."""
+    found, arcs = [], np.isin(lines.code, (codes.CLOCKWISE, codes.COUNTER)).any()
+    vectors = guided and np.isin(lines.code, codes.VECTORS_ON).any()
+    for value, first, count in zip(*np.unique(words.letter, return_index=True, return_counts=True), strict=True):
+        letter, line = chr(value), int(words.line[first])
+        if letter in letters or letter in codes.WORDS_IGNORED or letter.islower():
+            continue
+        if letter in codes.AXES:
+            text = f"The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine."
+            found.append(Finding(Severity.ERROR, "unknown-axis", text, float(count), line=line))
+        elif not ((letter in "IJKR" and arcs) or (letter in "IJK" and vectors)):
+            text = f"The {count} words {letter} are not interpreted."
+            found.append(Finding(Severity.WARNING, "word-not-interpreted", text, float(count), line=line))
+    return found
+
+
+def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar: Grammar) -> list[Finding]:
+    """What had to be assumed: the first position, motion, units, offsets."""
+    found, first = [], int(told.at[0])
+    by_vector = not np.isnan(told.told[0]).all()
+    unknown = [letter for k, letter in enumerate(letters) if not (told.named[0, k] or (by_vector and k >= 3))]
+    if unknown:
+        text = f"The first motion line does not say where {', '.join(sorted(unknown))} stand; they are taken as 0 there."
+        found.append(Finding(Severity.NOTE, "position-unknown", text, block=0, line=first))
+    if (mode == codes.NONE).any():
+        block = int((mode == codes.NONE).argmax())
+        text = "Axis words stand under no G0 or G1; they are taken as G1. Give a motion code."
+        found.append(Finding(Severity.WARNING, "no-motion-code", text, block=block, line=int(told.at[block])))
+    if not np.isin(lines.code, list(grammar.units)).any():
+        text = f"The program says {grammar.units_said}; taken as mm."
+        found.append(Finding(Severity.NOTE, "units-not-said", text, line=first))
+    offsets = np.unique(lines.code[np.isin(lines.code, grammar.offsets)])
+    if len(offsets) > 1:
+        text = f"The program uses {len(offsets)} work offsets; their distance is not known, and the blocks between are not right."
+        found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
+    return found
+
+
+def guide_findings(program: Program, told: Moves) -> tuple[Finding, ...]:
+    """What there is to say of blocks in which the controller guides the tip."""
+    found = []
+    if program.guided is not None:
+        count, block = int(program.guided.on.sum()), int(program.guided.on.argmax())
+        text = (
+            f"In {count} blocks the controller guides the tip (RTCP): that it keeps to the segment is the controller's affair, "
+            "and neither measured nor proven here. Limits and rates are those of the axes that this machine file needs for it."
+        )
+        found.append(
+            Finding(Severity.NOTE, "tip-guided-by-controller", text, float(count), block=block, line=int(program.line[block]))
+        )
+    if len(told.lost):
+        line = int(told.at[told.lost[0]])
+        text = (
+            f"{len(told.lost)} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine."
+        )
+        found.append(Finding(Severity.ERROR, "axis-not-reachable", text, float(len(told.lost)), line=line))
+    return tuple(found)

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Siemens 840D text to plain words (Programming manual, Fundamentals and Job planning).
+
+X=1.5     an address with an equals sign.          X=AC() X=IC() C=DC()   absolute, incremental, by the shorter way.
+A3= B3= C3=   the tool's direction.                 CR=                    radius of an arc; I=AC() an absolute centre.
+KEYWORD   a word of two letters and more, maybe with brackets: known and harmless, known and not interpreted, or unknown.
+"""
+
+from __future__ import annotations
+
+import re
+
+from . import codes
+from .noted import Notes
+
+STRING = re.compile(rb'"[^"\n]*"')
+NUMBER = rb" *([-+]?[0-9.][0-9. ]*)"
+BRACKETED = re.compile(rb"(?<![A-Z0-9_$])([XYZABCIJK]) *= *(AC|IC|DC|ACP|ACN) *\(" + NUMBER + rb"\)")
+VECTOR = re.compile(rb"(?<![A-Z0-9_$])([ABC])3 *=")
+RADIUS = re.compile(rb"(?<![A-Z0-9_$])CR *=")
+ADDRESS = re.compile(rb"(?<![A-Z0-9_$])([XYZABCUVWFIJKSDT]) *=(?= *[-+.0-9])")
+SIDE = re.compile(rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) *=" + NUMBER)
+TOOL = re.compile(rb"(?<![A-Z0-9_$])T *= *$", re.MULTILINE)
+ORIENTATION = re.compile(rb"(?<![A-Z0-9_$])(?:[ABC][2-9]|LEAD|TILT|THETA|PHI|PSI) *=" + NUMBER)
+KEYWORD = re.compile(rb"[A-Z_$][A-Z_$][A-Z0-9_$]*( *\([^()\n]*\)| *=[^\n]*)?")
+LABEL = re.compile(rb"^( *(?:N[0-9]+ *)?)([A-Z_][A-Z_][A-Z0-9_]*:)", re.MULTILINE)
+
+HARMLESS = frozenset(
+    b"""TRAFOOF TRAORI ORIWKS ORIMKS ORIAXES ORIVECT ORIEULER ORIRPY ORIRPY2 ORIVIRT1 ORIVIRT2 ORIPLANE ORISON ORISOF
+    FGROUP FFWON FFWOF SOFT BRISK DRIVE COMPON COMPOF COMPCURV COMPCAD COMPSURF STOPRE CYCLE832 MSG WORKPIECE CUT3DC CUT2D CUT2DF
+    CUT3DF CUT3DFF NORM KONT KONTC KONTT DIAMON DIAMOF UPATH SPATH FIFOCTRL STARTFIFO STOPFIFO G64 FNORM FLIN FCUB CFTCP CFC CFIN
+    RTLION RTLIOF OST OSC OSOF OSS OSSE SPOF SPON PTP CP ORICURVE DYNNORM DYNPOS DYNROUGH DYNSEMIFIN DYNFINISH DYNPREC ORISOLH
+    EXTCLOSE PAROT PAROTOF SETMS FXS CYCLE_HSC GROUP_BEGIN GROUP_END AP RP WAITM DISPLOF DISPLON SAVE SBLON SBLOF ACCLIMA VELOLIM
+    ORIRESET CTRANS TOWSTD TOWTCP TCOFR TCOABS MIRRORW""".split()
+)
+SHIFTS = frozenset(b"TRANS ATRANS ROT AROT ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split())
+CALLS = frozenset(b"CALL PCALL EXTCALL MCALL ISOCALL".split())
+ARCS = frozenset(b"CIP CT TURN AR".split())
+SPLINES = frozenset(b"ASPLINE BSPLINE CSPLINE POLY POLYPATH INVCW INVCCW".split())
+MACROS = frozenset(
+    b"""IF ELSE ENDIF FOR ENDFOR WHILE ENDWHILE LOOP ENDLOOP REPEAT REPEATB UNTIL GOTO GOTOF GOTOB GOTOC GOTOS CASE DEF DEFINE
+    PROC SET RET ID IDS EVERY WHENEVER WHEN DO FROM""".split()
+)
+CYCLE = re.compile(rb"CYCLE[0-9]+|HOLES[0-9]|SLOT[0-9]|POCKET[0-9]|LONGHOLE|OSCTRL|OSE")
+WAYS = {b"AC": str, b"IC": codes.STEP_OF, b"DC": codes.SHORTER_OF, b"ACP": codes.SHORTER_OF, b"ACN": codes.SHORTER_OF}
+
+
+def plain(text: bytes, notes: Notes) -> bytes:
+    """The text, in capitals and without comments, as ISO words with the private letters; every line stays where it is."""
+    if b'"' in text:
+        text = STRING.sub(_blank, text)
+        text = TOOL.sub(_blank, text)
+    if b"=" in text:
+        text = _addresses(text, notes)
+    return KEYWORD.sub(lambda found: _keyword(found, notes), LABEL.sub(_label, text) if b":" in text else text)
+
+
+def _blank(found: re.Match[bytes]) -> bytes:
+    return b" " * len(found[0])
+
+
+def _label(found: re.Match[bytes]) -> bytes:
+    return found[1] + b" " * len(found[2])
+
+
+def _addresses(text: bytes, notes: Notes) -> bytes:
+    for letter, private in zip((b"A", b"B", b"C"), codes.VECTOR, strict=True):
+        text = text.replace(letter + b"3=", private.encode() + b"  ")
+    if b"=" not in text:
+        return text
+    text = BRACKETED.sub(lambda found: _bracketed(found, notes), text)
+    text = VECTOR.sub(lambda found: codes.VECTOR["ABC".index(found[1].decode())].encode().ljust(len(found[0])), text)
+    text = RADIUS.sub(lambda found: b"R".ljust(len(found[0])), text)
+    text = ADDRESS.sub(lambda found: found[1].ljust(len(found[0])), text)
+    text = SIDE.sub(_blank, text)
+    return ORIENTATION.sub(lambda found: _noted(found, codes.SPATIAL, found[0].split(b"=")[0].strip(), notes), text)
+
+
+def _bracketed(found: re.Match[bytes], notes: Notes) -> bytes:
+    letter, way, number = found[1].decode(), found[2], found[3]
+    if way in (b"ACP", b"ACN"):
+        notes.note(codes.WAY, f"{letter}={way.decode()}()", found.start())
+    if letter in "IJK":
+        word = codes.CENTRE["IJK".index(letter)] if way == b"AC" else letter
+    elif way == b"AC":
+        word = letter
+    else:
+        known = codes.STEP_OF if way == b"IC" else codes.SHORTER_OF
+        word = known.get(letter, letter)
+    return (word.encode() + number).ljust(len(found[0]))
+
+
+def _noted(found: re.Match[bytes], kind: codes.Kind, name: bytes, notes: Notes) -> bytes:
+    notes.note(kind, name.decode("latin-1"), found.start())
+    return _blank(found)
+
+
+def _keyword(found: re.Match[bytes], notes: Notes) -> bytes:
+    """Blanks, or the private word, for a keyword with what belongs to it; a note where it is not interpreted."""
+    name = re.split(rb"[ (=]", found[0], maxsplit=1)[0]
+    if name == b"TRAORI":
+        return b"t1".ljust(len(found[0]))
+    if name == b"TRAFOOF":
+        return b"t0".ljust(len(found[0]))
+    if name in (b"SUPA", b"G53"):
+        return b"v1".ljust(len(found[0]))
+    if name in HARMLESS:
+        return _blank(found)
+    return _noted(found, _kind(name), name, notes)
+
+
+def _kind(name: bytes) -> codes.Kind:
+    for known, kind in ((SHIFTS, codes.SHIFT), (CALLS, codes.CALL), (ARCS, codes.ARC_KIND), (SPLINES, codes.SPLINE)):
+        if name in known:
+            return kind
+    if name in MACROS or name.startswith(b"$"):
+        return codes.MACRO
+    return codes.CYCLE_KIND if CYCLE.fullmatch(name) else codes.UNKNOWN
