@@ -15,9 +15,9 @@ import pytest
 
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.joint_path import JointPath
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward
-from freecad_fiveaxis.core.machine import Axis, Machine
+from freecad_fiveaxis.core.joint_path import JointPath, solve
+from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, words_to_q
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.nc_reader import read_nc
 from freecad_fiveaxis.core.post import DIALECTS, Dialect, PostOptions, find_dialect
 from freecad_fiveaxis.core.post.dialect import feed_distance
@@ -299,3 +299,153 @@ def test_a_controller_without_a_high_speed_mode_or_without_rtcp_says_so() -> Non
         DIALECTS["mach3"].guided("angles")
     with pytest.raises(SettingsError, match=r"haas has no RTCP by vectors; give angles"):
         DIALECTS["haas"].guided("vectors")
+
+
+GUIDED = [(dialect, how) for dialect in DIALECTS.values() for how in dialect.guides]
+EVERY_GUIDE = pytest.mark.parametrize(("dialect", "how"), GUIDED, ids=[f"{d.name}-{how}" for d, how in GUIDED])
+TOOL = PostOptions(tool=1)
+
+
+def posed(links: Chain, words: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return forward(links, words_to_q(words))
+
+
+@EVERY_GUIDE
+@pytest.mark.parametrize("inverse_time", [True, False], ids=["g93", "g94"])
+@pytest.mark.parametrize("letters", ["CA", "CB", "BA"])
+def test_every_guided_word_is_read_back_exactly_as_it_was_rounded(dialect, how, inverse_time, letters) -> None:
+    links, guided = machine(*letters), dialect.guided(how)
+    joints = some_joints(links)
+    program = build_program(joints, links, guided, inverse_time)
+    again = read_nc(write_nc(program, guided, "part", TOOL), links, guided)
+    assert np.array_equal(again.guided.tip, program.guided.tip) and again.guided.on.all()
+    assert np.array_equal(again.feed, program.feed) and np.array_equal(again.inverse_time, program.inverse_time)
+    assert np.array_equal(again.line, program.line)
+    assert np.array_equal(again.motion == Motion.RAPID, program.motion == Motion.RAPID)
+    assert [found.code for found in again.findings] == ["tip-guided-by-controller"]
+    path, half = joints.path, 0.5 * 10.0**-guided.linear_decimals * (1 + 1e-9)
+    assert np.abs(again.guided.tip - path.tip[program.row]).max() <= half
+    if how == "angles":
+        assert np.array_equal(again.words[:, 3:], program.words[:, 3:])
+        step = 0.5 * 10.0**-guided.rotary_decimals * (1 + 1e-9)
+        assert np.abs(again.words[:, 3:] - np.degrees(joints.q[program.row, 3:])).max() <= step
+        assert np.allclose(again.seconds, program.seconds, rtol=1e-12)
+    else:
+        assert np.array_equal(again.guided.vector, program.guided.vector)
+        assert np.abs(again.guided.vector - path.axis[program.row]).max() <= 0.5e-7 * (1 + 1e-6)
+
+
+@EVERY_GUIDE
+def test_one_changed_digit_of_a_guided_program_is_seen(dialect, how) -> None:
+    guided = dialect.guided(how)
+    program = build_program(some_joints(LINKS), LINKS, guided, False)
+    text = write_nc(program, guided, "part", TOOL)
+    word = b" C" if how == "angles" else b" " + guided.guide.vector[1].encode()
+    at = text.index(b".", text.index(word, len(text) // 2)) + 2
+    changed = text[:at] + (b"1" if text[at : at + 1] != b"1" else b"2") + text[at + 1 :]
+    assert not np.array_equal(read_nc(changed, LINKS, guided).words, program.words)
+
+
+@pytest.mark.parametrize(
+    "machine_name", ["trunnion_ac", "head_b_table_c", "fork_head_bc", "nutating_table_b45", "linuxcnc_xyzbc_trt"]
+)
+def test_the_same_cl_path_through_every_dialect_and_back_is_the_same_path(machine_name) -> None:
+    links = chain(load_machine(machine_name), Setup((10.0, 20.0, 30.0), 100.0))
+    random = np.random.default_rng(3)
+    rows = 200
+    lean, round_ = np.radians(random.uniform(1, 25, rows)), np.radians(np.cumsum(random.uniform(-9, 9, rows)))
+    axis = np.stack([np.sin(lean) * np.cos(round_), np.sin(lean) * np.sin(round_), np.cos(lean)], axis=1)
+    tip = np.cumsum(random.normal(0, 1, (rows, 3)), axis=0)
+    motion, none = np.full(rows, Motion.CUT, np.int8), np.full(rows, -1)
+    motion[0] = Motion.RAPID
+    path = CLPath(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, 500.0), tip, axis, none, none, none)
+    joints = solve(path, links, tip.min(axis=0), tip.max(axis=0), 5.0)
+    told = {}
+    for dialect, how in [(dialect, "") for dialect in DIALECTS.values()] + GUIDED:
+        dialect = dialect.guided(how) if how else dialect
+        program = build_program(joints, links, dialect, bool(dialect.inverse_time))
+        again = read_nc(write_nc(program, dialect, "part", TOOL), links, dialect)
+        told[dialect.name, how] = posed(links, again.words)
+        lever = 700.0 * np.radians(0.5 * 10.0**-dialect.rotary_decimals) * 2
+        off = np.linalg.norm(told[dialect.name, how][0] - joints.path.tip[program.row], axis=1).max()
+        assert off <= (1e-4 if how else lever + 1e-4), (dialect.name, how)
+        lean = np.linalg.norm(told[dialect.name, how][1] - joints.path.axis[program.row], axis=1).max()
+        assert lean <= (2e-7 if how == "vectors" else np.radians(10.0**-dialect.rotary_decimals)), (dialect.name, how)
+    assert len(told) == len(DIALECTS) + len(GUIDED)
+
+
+WRAPPED = [dialect for dialect in DIALECTS.values() if dialect.shorter_way]
+
+
+def turning(wrap: str) -> Chain:
+    """The machine of the other tests, its axes taken as said."""
+    axes = tuple(replace(axis, wrap=wrap) if axis.rotary else axis for axis in LINKS.axes)
+    return replace(LINKS, axes=axes)
+
+
+@pytest.mark.parametrize("dialect", WRAPPED, ids=[dialect.name for dialect in WRAPPED])
+@pytest.mark.parametrize("how", ["", "angles"])
+def test_modulo_words_are_0_to_360_and_read_back_by_the_shorter_way(dialect, how) -> None:
+    links = turning("modulo")
+    dialect = dialect.guided(how) if how else dialect
+    q = some_joints(links, 400).q.copy()
+    q[:, 3] += np.linspace(-40.0, 40.0, 400)  # many turns to and fro, in steps of 0.2 rad
+    tip, axis = forward(links, q)
+    joints = replace(some_joints(links, 400), q=q)
+    joints = replace(joints, path=replace(joints.path, tip=tip, axis=axis))
+    program = build_program(joints, links, dialect, False)
+    assert program.wrap == ("modulo", "modulo") and np.ptp(program.words[:, 3]) > 3000
+    assert not [found for found in program.findings if found.code == "turned-the-shorter-way"]
+    text = write_nc(program, dialect, "part", TOOL)
+    turns = [float(word) for word in re.findall(r" C(?:=DC\()?([+-]?[0-9.]+)", text.decode())]
+    assert len(turns) > 300 and min(turns) >= 0.0 and max(turns) < 360.0
+    again = read_nc(text, links, dialect)
+    first = 360.0 * np.round((program.words[0, 3:] - again.words[0, 3:]) / 360.0)  # where the axis came from is not known
+    assert np.abs(again.words[:, 3:] + first - program.words[:, 3:]).max() < 1e-8
+
+
+def test_a_block_of_more_than_half_a_turn_goes_the_shorter_way_and_says_so() -> None:
+    links, dialect = turning("modulo"), DIALECTS["fanuc"]
+    joints = some_joints(links, 4)
+    q = np.zeros((4, 5))
+    q[:, 3] = np.radians([0.0, 100.0, 300.0, 310.0])
+    q[:, 0] = np.arange(4)
+    program = build_program(replace(joints, q=q), links, dialect, False)
+    assert program.words[:, 3].tolist() == [0.0, 100.0, -60.0, -50.0]
+    found = [one for one in program.findings if one.code == "turned-the-shorter-way"]
+    assert len(found) == 1 and found[0].block == 2 and "1 blocks" in found[0].text
+
+
+@pytest.mark.parametrize("name", ["linuxcnc", "haas", "mach3", "grbl"])
+def test_a_controller_that_takes_no_shorter_way_gets_unwound_words_and_a_warning(name) -> None:
+    links, dialect = turning("modulo"), DIALECTS[name]
+    program = build_program(some_joints(links), links, dialect, True)
+    assert program.wrap == ("unwound", "unwound")
+    assert [found.code for found in program.findings].count("wrap-not-written") == 2
+    assert np.array_equal(read_nc(write_nc(program, dialect, "part"), links, dialect).words, program.words)
+
+
+@pytest.mark.rs274
+@needs_rs274
+@pytest.mark.parametrize("inverse_time", [True, False], ids=["g93", "g94"])
+def test_linuxcncs_interpreter_reads_the_guided_words_with_the_switches_remapped(inverse_time, tmp_path: Path) -> None:
+    dialect = DIALECTS["linuxcnc"].guided("angles")
+    program = build_program(some_joints(LINKS), LINKS, dialect, inverse_time)
+    (tmp_path / "part.ngc").write_bytes(write_nc(program, dialect, "part", TOOL))
+    for name in ("m428", "m429"):
+        (tmp_path / f"{name}.ngc").write_text(f"o<{name}> sub\no<{name}> endsub\nM2\n")
+    remaps = "".join(f"REMAP = {name.upper()} modalgroup=10 ngc={name}\n" for name in ("m428", "m429"))
+    (tmp_path / "a.ini").write_text(f"[RS274NGC]\nSUBROUTINE_PATH = .\n{remaps}")
+    run = subprocess.run(
+        ["rs274", "-i", "a.ini", "-g", "part.ngc"],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        timeout=60,
+        stdin=subprocess.DEVNULL,
+    )
+    assert run.returncode == 0, run.stderr
+    moves = re.findall(r"STRAIGHT_(?:FEED|TRAVERSE)\(([^)]*)\)", run.stdout)
+    words = np.array([[float(number) for number in numbers.split(",")] for numbers in moves])[:, [0, 1, 2, 5, 3]]
+    assert np.abs(words[:, :3] - program.guided.tip).max() < 1e-9
+    assert np.abs(words[:, 3:] - program.words[:, 3:]).max() < 1e-9

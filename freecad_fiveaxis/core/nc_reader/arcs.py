@@ -21,7 +21,8 @@ MISMATCH = 0.02
 """Start and end of an arc that lie by more than this share of the radius at different distances from its centre make no arc."""
 AXES = np.array([[0, 1, 2], [2, 0, 1], [1, 2, 0]])
 """By plane: the two axes of the circle, right-handed about the third."""
-MOST = 20_000_000
+MOST = 5_000_000
+"""Chords of a whole program: more would fill the memory."""
 FULL = 1e-7
 """rad; an arc that ends where it begins is a full circle."""
 
@@ -137,7 +138,7 @@ def _by_radius(arcs: Arcs, start: Floats, end: Floats) -> Floats:
         rest = arcs.radius**2 - 0.25 * length**2
         height = np.sqrt(np.where(rest > -MISMATCH * arcs.radius**2, np.maximum(rest, 0.0), np.nan))
         side = np.where(arcs.counter, 1.0, -1.0) * np.sign(arcs.radius) * height / length
-    return np.asarray(0.5 * (start + end) + side * np.stack([-chord[1], chord[0]]))
+        return np.asarray(0.5 * (start + end) + side * np.stack([-chord[1], chord[0]]))
 
 
 def _findings(arcs: Arcs, good: Bools, line: Ints) -> list[Finding]:

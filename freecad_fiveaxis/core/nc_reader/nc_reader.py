@@ -168,10 +168,13 @@ def _program(
 
 
 def _guided(links: Chain, words: Floats, said: Floats, on: Bools, vector: Floats) -> Guided:
+    """What the file says: a vector stays until the rotary words change."""
     told: Bools = np.asarray(~np.isnan(vector).all(axis=1))
     if not told.any():
         return Guided(on, said[:, :3])
-    return Guided(on, said[:, :3], np.where(told[:, None], np.nan_to_num(vector), tool_axes(links, words)))
+    last = last_of(np.flatnonzero(told), len(told))
+    stays = told[last] & (said[:, 3:] == said[last, 3:]).all(axis=1)
+    return Guided(on, said[:, :3], np.where(stays[:, None], np.nan_to_num(vector[last]), tool_axes(links, words)))
 
 
 def _seconds(

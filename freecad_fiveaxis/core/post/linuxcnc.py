@@ -11,7 +11,7 @@ from .dialect import ANGLES, Dialect, Guide
 
 LINUXCNC = Dialect(
     name="linuxcnc",
-    description="LinuxCNC, joint output (trivial kinematics), G93 or G94",
+    description="LinuxCNC, joint output (trivial kinematics) or switchable kinematics (M428), G93 or G94",
     convention="""Rotary words are absolute degrees, not modulo (WRAPPED_ROTARY takes a word by its sign, not by the shorter
 way, so words are never folded). Under G93 a block takes 60/F seconds, and every G1 needs its own F. Under G94 F is the
 speed of X Y Z; where only rotary axes move, degrees a minute. G61 (exact path) is the default: G64 without P rounds corners
