@@ -47,7 +47,7 @@ GIVEN = {
     "feed": 1234.5, "plunge_feed": "12in/min", "direction": -30, "scallop": 0.003, "max_axis_angle": 70, "lead": 3, "tilt": "-0.1rad",
     "tool": 7, "spindle": 12000, "coolant": "on", "feed_mode": "g94", "work_offset": "G55", "tool_axis": "fixed", "axis": "1,0,2",
     "control_point": "centre", "order": "one_way", "tolerance": "0.0005in", "blend": 0.02, "method": "so2008",
-    "linearize": "on", "singularity": "linearize",
+    "linearize": "on", "singularity": "linearize", "high_speed": "on",
 }  # fmt: skip
 
 
@@ -134,7 +134,7 @@ def test_both_spacings_at_once_are_refused(path):
     "options, says",
     [
         ({"tolerence": 1}, "do you mean 'tolerance'"), ({"feed": "fast"}, "feed 'fast'"), ({"output": "x.ngc"}, "no setting of a document"),
-        ({"tool_axis": "upright"}, "facet_mean"), ({"controller": "heidenhain"}, "linuxcnc"), ({"work_zero": (1, 2)}, "three numbers"),
+        ({"tool_axis": "upright"}, "facet_mean"), ({"controller": "hal9000"}, "linuxcnc"), ({"work_zero": (1, 2)}, "three numbers"),
         ({"work_zero": 5}, "three numbers"), ({"linear_deflection": 0}, "linear deflection"), ({"angular_deflection": "x"}, "angular deflection"),
         ({"machine": "trunion_ac"}, "did you mean trunnion_ac"),
     ],
