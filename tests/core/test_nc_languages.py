@@ -128,6 +128,12 @@ def test_where_the_guide_is_switched_the_same_pose_goes_on():
     assert tip[4, 0] == pytest.approx(1) and tip[4, 1:] == pytest.approx(tip[3, 1:])
 
 
+def test_a_length_offset_ends_the_guide_that_one_began_but_not_a_switch_of_kinematics():
+    text = "G21 G90 F500\n{}\nG0 X0 Y0 Z50 A20 C30\nG49\nG43 H2\nG1 X1\nM429\nG1 X2\nM2\n"
+    assert read(text.format("M428"), "linuxcnc").guided.on.tolist() == [True, True, False]
+    assert read(text.format("G43.4 H1"), "fanuc").guided.on.tolist() == [True, False, False]
+
+
 def test_vectors_stay_until_the_next_and_an_omitted_component_is_zero():
     text = "G21 G90 F500\nG43.5 H1\nG0 X0 Y0 Z50 I0 J0 K1\nG1 X1 J-1 K1\nX2\nX3 K1\nG49\nM30\n"
     _, axis = posed(read(text, "fanuc"))

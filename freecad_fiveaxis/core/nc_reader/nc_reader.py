@@ -68,20 +68,24 @@ def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress:
 
 
 def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
-    """Whether the controller guides the tip, in each line."""
-    events: list[tuple[Ints, bool]] = []
-    if grammar.name == "iso":
-        for chosen, state in ((codes.GUIDE_ON, True), (codes.GUIDE_OFF, False)):
-            events.append((lines.code_line[np.isin(lines.code, chosen)], state))
-    for code, number in (grammar.guide_m or {}).items():
-        events.append((lines.m_line((code,)), bool(number)))
+    """Whether the controller guides the tip, in each line. G43 and G49 end what G43.4 began, but not what M428 or M128 did."""
+    events = [(lines.m_line((code,)), bool(number)) for code, number in (grammar.guide_m or {}).items()]
     if codes.SWITCH in lines.letters:
         switch = lines.column(codes.SWITCH)
         events += [(np.flatnonzero(switch == number), bool(number)) for number in (0, 1)]
-    on, said = np.zeros(lines.count, np.bool_), np.zeros(lines.count, np.bool_)
-    for where, switched in sorted(events, key=lambda event: event[1]):  # on wins over off in the same line
-        on[where], said[where] = switched, True
-    return on[last_of(np.flatnonzero(said), lines.count)]
+    on = _switched(events, lines.count)
+    if grammar.name == "iso":
+        both = ((codes.GUIDE_ON, True), (codes.GUIDE_OFF, False))
+        on |= _switched([(lines.code_line[np.isin(lines.code, chosen)], state) for chosen, state in both], lines.count)
+    return on
+
+
+def _switched(events: list[tuple[Ints, bool]], count: int) -> Bools:
+    """The state in each line, off at first, from the lines where it is switched; on wins over off in the same line."""
+    on, said = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
+    for where, state in sorted(events, key=lambda event: event[1]):
+        on[where], said[where] = state, True
+    return on[last_of(np.flatnonzero(said), count)]
 
 
 def _motion_lines(lines: Lines, grammar: Grammar, axes: list[tuple[Floats, Bytes]], mode: Ints, on: Bools) -> Ints:
