@@ -37,8 +37,12 @@ ABOUT = {
     "audit": ("PROGRAM.ngc", "audit a finished NC program of any origin"),
     "setup": ("PART.stl|PATH.apt", "find out where on the table the part should stand"),
     "compare": ("PART.stl|PATH.apt", "compare machines and cures on one and the same path"),
+    "recover": ("PATH.apt", "recover a machine's offsets and signs from a CL file and the program posted from it"),
+    "prove-signs": ("", "make a short safe program and a sheet that show a wrong sign before it cuts"),
 }
 SHORT = {"output": ("-o", "--output")}
+SECOND = {"program": "PROGRAM.ngc"}
+"""Options that are given as a second file, without a name."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -106,9 +110,13 @@ def _add_import(commands: Any) -> None:
 def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
     from .settings import option_fields
 
-    parser.add_argument("source", metavar=what)
+    if what:
+        parser.add_argument("source", metavar=what)
     for cls, leaf in option_fields(task):
         title = (cls.__doc__ or "").strip().rstrip(".")
+        if leaf.name in SECOND:
+            parser.add_argument(leaf.name, metavar=SECOND[leaf.name])
+            continue
         box = next((g for g in parser._action_groups if g.title == title), None) or parser.add_argument_group(title)
         flags = SHORT.get(leaf.name, ("--" + leaf.name.replace("_", "-"),))
         many = leaf.metadata["kind"] in ("paths", "names")
@@ -152,7 +160,7 @@ def _run_task(arguments: argparse.Namespace) -> int:
 
     names = {leaf.name for _, leaf in option_fields(arguments.task)}
     options = {name: value for name, value in vars(arguments).items() if name in names and value is not None}
-    return _run(build_settings(arguments.task, arguments.source, options), arguments.quiet)
+    return _run(build_settings(arguments.task, getattr(arguments, "source", ""), options), arguments.quiet)
 
 
 def _run_file(arguments: argparse.Namespace) -> int:
@@ -164,12 +172,14 @@ def read_job(path: str) -> Settings:
 
     Raises SettingsError where it is no such thing. A report's ``inputs`` are a job file too.
     """
-    from .settings import TASKS, build_settings, option_fields
+    from .settings import TASKS, WITHOUT_SOURCE, build_settings, option_fields
 
     try:
         given = json.loads(read_bytes(path, "job file"))
     except (ValueError, RecursionError) as error:
         raise SettingsError(f"job file {path} is not JSON: {error}", path) from error
+    if isinstance(given, dict) and given.get("task") in WITHOUT_SOURCE:
+        given.setdefault("source", "")
     if not isinstance(given, dict) or given.get("task") not in TASKS or not isinstance(given.get("source"), str):
         raise SettingsError(f'job file {path} needs "task" (one of {", ".join(TASKS)}) and "source", the file to read', path)
     options = {name.replace("-", "_"): value for name, value in given.items() if name not in ("task", "source")}
@@ -177,7 +187,7 @@ def read_job(path: str) -> Settings:
     beside = {name: _beside(path, value) if name in settings_paths else value for name, value in options.items()}
     for name in {"machine", "machines"} & set(beside):
         beside[name] = _machines_beside(path, beside[name])
-    return build_settings(given["task"], _beside(path, given["source"]), beside)
+    return build_settings(given["task"], _beside(path, given["source"]) if given["source"] else "", beside)
 
 
 def _beside(job_file: str, value: Any) -> Any:
@@ -198,9 +208,11 @@ def _machines_beside(job_file: str, value: Any) -> Any:
 def _run(settings: Settings, quiet: bool) -> int:
     from freecad_fiveaxis.core.report import as_text
 
-    from . import job, trials
+    from . import job, trials, workshop
 
     job.check_outputs(settings)
+    if settings.task in workshop.TASKS:
+        return _work(settings, quiet)
     if settings.task in trials.TRIALS:
         return _try(settings, quiet)
     if settings.task != "audit" and not settings.output.output:
@@ -224,6 +236,17 @@ def _try(settings: Settings, quiet: bool) -> int:
     if not quiet:
         _show_report([trials.as_text(trial), *(f"wrote {path}" for path in written)], written)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in trial.findings) else DONE
+
+
+def _work(settings: Settings, quiet: bool) -> int:
+    from . import workshop
+
+    with bars(quiet) as progress:
+        done = workshop.run(settings, progress)
+        written = workshop.write_outputs(done)
+    if not quiet:
+        _show_report([workshop.as_text(done), *(f"wrote {path}" for path in written)], written)
+    return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in done.findings) else DONE
 
 
 def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:

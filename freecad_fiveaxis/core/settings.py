@@ -5,7 +5,8 @@ The tree is the only place where a setting is listed: the command line, job file
 are made from its fields. A field knows its quantity (and so its unit), its range, its help and the tasks that use it.
 
 task      ``mill``: from an STL to a program; ``post``: from a CL file to a program; ``audit``: a finished program; ``setup`` and
-          ``compare``: from an STL or a CL file to many programs, of which one is to be chosen.
+          ``compare``: from an STL or a CL file to many programs, of which one is to be chosen; ``recover``: from a CL file and
+          its program to the machine; ``prove-signs``: from a machine to a program that proves its signs (no source).
 option    the flat name of a field: ``least_interval`` in job files, ``--least-interval`` on the command line.
 """
 
@@ -28,7 +29,9 @@ from .errors import SettingsError
 from .files import is_name
 
 MILL, POST, AUDIT, SETUP, COMPARE = "mill", "post", "audit", "setup", "compare"
-TASKS = (MILL, POST, AUDIT, SETUP, COMPARE)
+RECOVER, PROVE = "recover", "prove-signs"
+TASKS = (MILL, POST, AUDIT, SETUP, COMPARE, RECOVER, PROVE)
+WITHOUT_SOURCE = (PROVE,)
 FROM_SOLID = (MILL, SETUP, COMPARE)
 FROM_PATH = (MILL, POST, SETUP, COMPARE)
 ONE_PROGRAM = (MILL, POST, AUDIT)
@@ -136,12 +139,17 @@ class HeadSettings:
     """What the head of the NC file says."""
 
     tool: float | None = option(
-        None, "count", "tool number [no tool call: the operator has set tool and length]", (MILL, POST), least=1, most=99_999
+        None,
+        "count",
+        "tool number [no tool call: the operator has set tool and length]",
+        (MILL, POST, PROVE),
+        least=1,
+        most=99_999,
     )
     spindle: float = option(0.0, "number", "spindle speed, 1/min; 0 leaves the spindle off", (MILL, POST), least=0, most=999_999)
     coolant: Literal["on", "off"] = option("off", "choice", "coolant during the program", (MILL, POST), choices=("on", "off"))
     work_offset: str = option(
-        "G54", "text", "work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300", (MILL, POST)
+        "G54", "text", "work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300", (MILL, POST, PROVE)
     )
     rtcp: str = option(
         "off", "choice",
@@ -160,7 +168,7 @@ class HeadSettings:
 class MachineSettings:
     """The machine and where the part stands on it."""
 
-    machine: str = option("", "text", "a shipped machine's name or a path to a .fcm", (*ONE_PROGRAM, SETUP))
+    machine: str = option("", "text", "a shipped machine's name or a path to a .fcm", (*ONE_PROGRAM, SETUP, RECOVER, PROVE))
     controller: str | None = option(None, "text", "the dialect of the NC file [the machine's, or linuxcnc]", TASKS)
     origin: Vector | None = option(
         None, "point", "X,Y,Z of the work zero in the machine frame [the machine's]", TASKS, least=-LONGEST, most=LONGEST
@@ -199,8 +207,9 @@ class ProofSettings:
     """What is proven of every block."""
 
     tolerance: float = option(
-        0.01, "length", "largest deviation of the tip from the commanded segment", TASKS, above=0, most=LONGEST
-    )
+        0.01, "length", "largest deviation of the tip from the commanded segment; of `recover`: largest error of an offset",
+        (*FROM_PATH, AUDIT, RECOVER), above=0, most=LONGEST,
+    )  # fmt: skip
     method: Literal["exact", "so2008"] = option(
         "exact", "choice", "line deviation: exact, or the model of So et al. 2008", ONE_PROGRAM, choices=("exact", "so2008")
     )
@@ -238,10 +247,35 @@ class CompareSettings:
 
 
 @dataclass(frozen=True)
+class RecoverSettings:
+    """The other file of a machine that is recovered."""
+
+    program: str = option("", "path", "the NC program that was posted from the CL path", (RECOVER,))
+
+
+@dataclass(frozen=True)
+class ProveSettings:
+    """What is moved to prove the signs."""
+
+    mark: Vector = option(
+        (30.0, 20.0, 0.0), "point", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach", (PROVE,),
+        least=-LONGEST, most=LONGEST,
+    )  # fmt: skip
+    gap: float = option(
+        20.0, "length", "the tip stops so far above the mark, and never comes nearer", (PROVE,), least=5, most=500
+    )
+    travel: float = option(20.0, "length", "way of each linear axis", (PROVE,), least=1, most=500)
+    angle: float = option(
+        math.radians(10.0), "angle", "turn of each rotary axis", (PROVE,), least=math.radians(2.0), most=math.radians(45.0)
+    )
+    slow_feed: float = option(200.0, "feed", "feed of all its moves, mm/min and deg/min", (PROVE,), least=1, most=2000)
+
+
+@dataclass(frozen=True)
 class OutputSettings:
     """Files to write."""
 
-    output: str | None = option(None, "path", "the NC file", (MILL, POST))
+    output: str | None = option(None, "path", "the NC file; of `recover` the machine file (.fcm)", (MILL, POST, RECOVER, PROVE))
     cl: str | None = option(None, "path", "the CL path as an APT file", (MILL,))
     report: tuple[str, ...] = option((), "paths", "report; the ending .json, .html or .txt says which; may be repeated", TASKS)
     blocks: str | None = option(None, "path", "CSV with one row a block", ONE_PROGRAM)
@@ -264,6 +298,8 @@ class Settings:
     proof: ProofSettings = group(ProofSettings)
     setup: SetupSettings = group(SetupSettings)
     compare: CompareSettings = group(CompareSettings)
+    recover: RecoverSettings = group(RecoverSettings)
+    prove: ProveSettings = group(ProveSettings)
     output: OutputSettings = group(OutputSettings)
 
 
@@ -281,7 +317,8 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
 
     Raises SettingsError for an unknown option, a value out of range, or a contradiction.
     """
-    _text(source, "source")
+    if task not in WITHOUT_SOURCE:
+        _text(source, "source")
     known = {leaf.name for _, leaf in option_fields(task)}
     for name in options:
         if name not in known:
@@ -302,8 +339,10 @@ def _check_together(settings: Settings) -> None:
         raise SettingsError(f"unknown task {settings.task!r}; known: {', '.join(TASKS)}", settings.task)
     if settings.task == COMPARE and not settings.compare.machines:
         raise SettingsError("no machines given; name them with --machines A,B (see `machines`)", ())
-    if settings.task != COMPARE and not settings.machine.machine:
+    if settings.task not in (COMPARE, RECOVER) and not settings.machine.machine:
         raise SettingsError("no machine given; name one with --machine (see `machines`)", "")
+    if settings.task == RECOVER and not settings.recover.program:
+        raise SettingsError("no program given; name the NC file that was posted from the CL path", "")
     if settings.passes.scallop is not None and settings.passes.stepover is not None:
         raise SettingsError("scallop and stepover exclude each other; give one of them", settings.passes.stepover)
     if settings.task == POST and settings.cure.singularity == "deform":

@@ -49,13 +49,15 @@ def test_an_option_of_another_task_is_refused():
 
 @pytest.mark.parametrize("task", TASKS)
 def test_flat_options_make_the_same_settings_again(task):
-    options = {"machines" if task == "compare" else "machine": "trunnion_ac", "tolerance": "0.02"}
+    name, value, other = ("gap", "25", "30") if task == "prove-signs" else ("tolerance", "0.02", "0.03")
+    options = {"machines" if task == "compare" else "machine": "trunnion_ac", name: value}
+    options |= {"program": "x.ngc"} if task == "recover" else {}
     options |= {"direction": "33.3", "lead": "5", "scallop": "0.0123", "cutter": "ball:7.7"} if task == "mill" else {}
     settings = build_settings(task, "x", options)
     flat = flat_options(settings)
     again = build_settings(flat.pop("task"), flat.pop("source"), flat)
     assert again == settings
-    assert build_settings(task, "x", options | {"tolerance": "0.03"}) != settings
+    assert build_settings(task, "x", options | {name: other}) != settings
 
 
 def test_every_option_is_listed_once_with_help_a_known_kind_and_a_default():

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which row of the CL path a block of the program came from.
+
+Mostly the n-th block comes from the n-th row, or from the n-th that moves. Where a post has put in rapids or left rows out, the
+two sequences are aligned: the pairing, in order, with the largest sum of likenesses (Needleman & Wunsch 1970, gaps cost nothing).
+
+likeness   before a machine is known: how near the tool axis of a trial layout comes to that of the row, and whether the last
+           step was equally long (where the rotary words rest, the length of a step is the same in both). Once it is known: how
+           near the tip comes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import CLPath
+from freecad_fiveaxis.core.errors import ProgramError
+from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.records import Floats, Ints
+
+from .layouts import every_layout
+from .model import UNKNOWNS, Layout, rows_of
+from .pairs import Pairs, Steps, step_of
+
+MOST = 3000
+"""Rows and blocks that are aligned: time and memory grow with their product."""
+PROBE = 250
+"""Rows and blocks by which the layout for the alignment is chosen."""
+AXIS_ALIKE, LENGTH_ALIKE, TIP_ALIKE = 1e-3, 2e-3, 0.05
+"""rad, mm, mm: beyond these two are not alike at all."""
+LEAST = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Sequences:
+    """All rows of the path and all blocks of the program, columns as in Pairs, not yet paired."""
+
+    letters: str
+    tip: Floats
+    axis: Floats
+    row: Ints
+    linear: Floats
+    rotary: Floats
+    line: Ints
+    steps: Steps
+
+    def paired(self, rows: Ints, blocks: Ints) -> Pairs:
+        """Raises ProgramError where hardly any are left."""
+        if len(rows) < LEAST:
+            text = f"only {len(rows)} of {len(self.row)} CL rows can be paired with the program's {len(self.line)} blocks"
+            raise ProgramError(f"{text}; give a program that was posted from this CL path", len(rows))
+        columns = self.tip[rows], self.axis[rows], self.linear[blocks], self.rotary[blocks], self.row[rows], self.line[blocks]
+        return Pairs(self.letters, *columns, self.steps)
+
+
+def sequences(path: CLPath, program: Program, axis_step: float) -> Sequences:
+    """What can be paired: the moving rows of the path, the blocks of the program."""
+    own = program.letters[3:]
+    letters = "".join(sorted(own))
+    degrees = program.words[:, [3 + own.index(letter) for letter in letters]]
+    steps = Steps(step_of(path.tip), axis_step, step_of(program.words[:, :3]), float(np.radians(step_of(degrees))))
+    every = np.arange(len(path.tip))
+    return Sequences(
+        letters, path.tip, path.axis, every, program.words[:, :3], np.radians(degrees), np.asarray(program.line), steps
+    )
+
+
+def in_order(given: Sequences) -> Pairs | None:
+    """The n-th block with the n-th row, or with the n-th that moves; None where the numbers differ."""
+    blocks = np.arange(len(given.line))
+    pose = np.hstack([given.tip, given.axis])
+    moving = np.flatnonzero(np.concatenate([[True], (pose[1:] != pose[:-1]).any(axis=1)]))
+    for rows in (np.arange(len(given.row)), moving):
+        if len(rows) == len(blocks):
+            return given.paired(rows, blocks)
+    return None
+
+
+def aligned(given: Sequences, start: Machine | None = None) -> Pairs:
+    """Paired by the likeness of the axes of that layout which makes most of them alike. Raises ProgramError where none does."""
+    head = _head(given, PROBE)
+    layouts = [layout for layout in every_layout(given.letters, start) if layout.strange < 2.0]
+    sums = [float(_table(_axis_likeness(head, layout))[-1, -1]) for layout in layouts]
+    whole = _head(given, MOST)
+    return whole.paired(*_traced(_axis_likeness(whole, layouts[int(np.argmax(sums))])))
+
+
+def realigned(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -> Pairs:
+    """Paired by the likeness of the tips, with a machine that is known."""
+    whole = _head(given, MOST)
+    tip, axis = _reached(whole, layout, base, unknown)
+    alike = _alike(_distance(whole.tip, tip), TIP_ALIKE) * (_distance(whole.axis, axis) < 10.0 * AXIS_ALIKE)
+    return whole.paired(*_traced(alike))
+
+
+def _head(given: Sequences, most: int) -> Sequences:
+    cl, nc = slice(0, most), slice(0, most)
+    return Sequences(
+        given.letters, given.tip[cl], given.axis[cl], given.row[cl], given.linear[nc], given.rotary[nc], given.line[nc],
+        given.steps,
+    )  # fmt: skip
+
+
+def _reached(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -> tuple[Floats, Floats]:
+    nothing = np.zeros((len(given.line), 3))
+    words = Pairs(given.letters, nothing, nothing, given.linear, given.rotary, given.line, given.line, given.steps)
+    reached = -rows_of(layout, words, base, unknown).residual
+    return reached[:, :3], reached[:, 3:]
+
+
+def _axis_likeness(given: Sequences, layout: Layout) -> Floats:
+    _, axis = _reached(given, layout, np.zeros((2, 3)), np.zeros(UNKNOWNS))
+    lengths = (np.linalg.norm(np.diff(where, axis=0, prepend=where[:1]), axis=1) for where in (given.tip, given.linear))
+    one, two = lengths
+    even = _alike(np.abs(one[:, None] - two[None, :]), LENGTH_ALIKE)
+    alike = _alike(_distance(given.axis, axis), AXIS_ALIKE)
+    return np.asarray(alike * (0.6 + 0.4 * even))
+
+
+def _alike(distance: Floats, most: float) -> Floats:
+    return np.asarray(np.maximum(0.0, 1.0 - distance / most))
+
+
+def _distance(one: Floats, two: Floats) -> Floats:
+    """Distances (n, m) of every point of one (n, 3) from every point of two (m, 3)."""
+    square = sum((one[:, None, k] - two[None, :, k]) ** 2 for k in range(3))
+    return np.asarray(np.sqrt(square))
+
+
+def _table(alike: Floats) -> Floats:
+    """The largest sums (n + 1, m + 1) of likenesses of pairs in order, up to each row and block."""
+    sums = np.zeros((alike.shape[0] + 1, alike.shape[1] + 1))
+    for i, row in enumerate(alike):
+        here = sums[i].copy()
+        np.maximum(here[1:], sums[i, :-1] + row, out=here[1:])
+        np.maximum.accumulate(here, out=sums[i + 1])
+    return sums
+
+
+def _traced(alike: Floats) -> tuple[Ints, Ints]:
+    sums = _table(alike)
+    i, j = alike.shape
+    found = []
+    while i and j:
+        if sums[i, j] == sums[i - 1, j]:
+            i -= 1
+        elif sums[i, j] == sums[i, j - 1]:
+            j -= 1
+        else:
+            i, j = i - 1, j - 1
+            found.append((i, j))
+    rows = np.array(found[::-1], np.int64).reshape(-1, 2)
+    return rows[:, 0], rows[:, 1]

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is poor about a recovered machine, and where the machine that was given differs from it, in plain words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.machine import Axis
+from freecad_fiveaxis.core.records import Floats
+
+from .layouts import start_layout
+from .model import KINDS, Layout
+from .parameters import Parameter, parameters, way_name
+from .recovery import EQUAL, Recovery
+
+NAMED = 5
+"""So many lines of rows left out are named."""
+UNSURE = 5.0
+"""deg, and 100 mm: zeros less certain than this are as good as not determined."""
+
+
+def recovery_findings(found: Recovery, tolerance: float) -> tuple[Finding, ...]:
+    """All of them. ``tolerance`` mm: offsets that are that certain, and that near to the given ones, are good."""
+    told = parameters(found)
+    return (
+        *_layouts(found),
+        *_residuals(found, tolerance),
+        *_certainties(found, told, tolerance),
+        *_zeros(told),
+        *_signs(found),
+        *_mismatches(found, told, tolerance),
+        *_assumed(found),
+    )
+
+
+def describe(layout: Layout) -> str:
+    """A layout in one phrase."""
+    one, two = layout.letters[0], layout.letters[1]
+    return (
+        f"{layout.kind}, {one} nearer to the work turning about {way_name(np.array(layout.direction1))}, "
+        f"{two} about {way_name(np.array(layout.direction2))}"
+    )
+
+
+def _layouts(found: Recovery) -> Iterator[Finding]:
+    if found.others:
+        more = "; or ".join(describe(fit.layout) for fit in found.others[:3])
+        text = (
+            f"{len(found.others)} other layouts explain the rows as well: {more}. The plainest is written; give more rows, with "
+            "larger turns of both rotary axes, or the machine with --machine."
+        )
+        yield Finding(Severity.ERROR, "layout-not-determined", text, float(len(found.others)), 0.0, "1")
+
+
+def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
+    fit, pairs = found.fit, found.pairs
+    wrong = np.flatnonzero(~fit.good)
+    if len(wrong):
+        lines = ", ".join(str(line) for line in pairs.line[wrong[:NAMED]].tolist()) + (", ..." if len(wrong) > NAMED else "")
+        text = (
+            f"{len(wrong)} of {len(fit.good)} rows do not fit and are left out (NC lines {lines}); their tips would be off by "
+            f"up to {float(fit.miss[wrong].max()):.4g} mm. Look at them: they are wrong in the CL path or in the program."
+        )
+        yield Finding(Severity.WARNING, "rows-left-out", text, float(len(wrong)), 0.0, "1", line=int(pairs.line[wrong[0]]))
+    worst = float(fit.miss[fit.good].max(initial=0.0))
+    if fit.scale > EQUAL and worst > tolerance:
+        text = (
+            f"The rows are off by up to {worst:.4g} mm from the best machine, {fit.scale:.3g} times what rounding explains. "
+            "The program may come from another CL path, or its machine have directions or axes that are not tried here."
+        )
+        yield Finding(Severity.ERROR, "poor-fit", text, worst, tolerance, "mm")
+    unpaired = found.counted[1] - len(pairs.line)
+    if found.counted[0] != found.counted[1] and unpaired > 0 and len(pairs.line) < 20_000:
+        text = (
+            f"{unpaired} of {found.counted[1]} blocks have no row of the CL path (links of the post's own); they are passed over."
+        )
+        yield Finding(Severity.NOTE, "blocks-without-row", text, float(unpaired), unit="1")
+
+
+def _certainties(found: Recovery, told: tuple[Parameter, ...], tolerance: float) -> Iterator[Finding]:
+    for one in told:
+        if not one.fitted:
+            continue
+        kept = "as in the machine given" if one.given is not None else "as 0"
+        if not one.determined:
+            text = f"The rows do not determine {one.name}; it is written {kept}. Give rows in which the rotary axes turn farther."
+            yield Finding(Severity.ERROR, "not-determined", text)
+        elif one.unit == "mm" and one.certainty > tolerance:
+            text = f"{one.name} = {one.value:.4f} mm is certain within {one.certainty:.2g} mm only; give rows with larger turns."
+            yield Finding(Severity.WARNING, "uncertain", text, one.certainty, tolerance, "mm")
+
+
+def _zeros(told: tuple[Parameter, ...]) -> Iterator[Finding]:
+    for one in told[4:]:
+        if one.fitted and one.determined and abs(one.value) > max(one.certainty, 1e-3 if one.unit == "mm" else 1e-4):
+            what = "the work offset" if one.unit == "mm" else "the axis' zero in the controller"
+            text = (
+                f"The program counts {one.name[0]} from {one.value:.4f} {one.unit} (within {one.certainty:.2g}), not from the "
+                f"CL path's zero. A machine file cannot hold that: correct {what}, or the post."
+            )
+            severity = Severity.WARNING if one.unit == "mm" else Severity.ERROR
+            yield Finding(severity, "zero-elsewhere", text, one.value, 0.0, one.unit)
+    assumed = [
+        one.name[0] for one in told[4:] if not one.fitted and not one.certainty_free < (100.0 if one.unit == "mm" else UNSURE)
+    ]
+    if assumed:
+        text = (
+            f"The zeros of {', '.join(assumed)} are taken as right: these rows could not tell them apart from the offsets. "
+            "Give rows with larger turns to have them proven too."
+        )
+        yield Finding(Severity.NOTE, "zeros-assumed", text)
+
+
+def _signs(found: Recovery) -> Iterator[Finding]:
+    for axis in found.machine.rotary:
+        if float(np.sum(axis.direction)) < 0.0:
+            text = (
+                f"Positive {axis.letter} words turn the tool, seen from the work, left-handed about {_plus(axis)}, against "
+                "ISO 841; the direction in the file is reversed accordingly."
+            )
+            yield Finding(Severity.NOTE, "turns-against-iso", text)
+
+
+def _plus(axis: Axis) -> str:
+    return way_name(-np.array(axis.direction))
+
+
+def _mismatches(found: Recovery, told: tuple[Parameter, ...], tolerance: float) -> Iterator[Finding]:
+    start = found.start
+    if start is None:
+        return
+    own, layout = start_layout(start), found.fit.layout
+    code, effect = "post-and-machine-differ", _effect(found)
+    if own.slot != layout.slot:
+        names = f"is {layout.kind}, {start.name} is {KINDS.get(own.slot, own.kind)}"
+        yield Finding(Severity.ERROR, code, f"The machine that the post had in mind {names}.{effect}")
+    if own.letters != layout.letters:
+        text = f"For the post {layout.letters[0]} is the rotary axis nearer to the work, for {start.name} it is {own.letters[0]}."
+        yield Finding(Severity.ERROR, code, text + effect)
+    directions = dict(zip(layout.letters, (layout.direction1, layout.direction2), strict=True))
+    for axis in start.rotary:
+        if axis.letter in directions:
+            yield from _direction_mismatch(axis, np.array(directions[axis.letter]), start.name, effect)
+    for one in told:
+        limit = max(one.certainty, tolerance)
+        if one.determined and one.given is not None and one.apart > limit:
+            text = (
+                f"{one.name}: the post has {one.value:.4f} mm (within {one.certainty:.2g}), {start.name} has {one.given:.4f} mm, "
+                f"{one.apart:.4g} mm apart.{effect}"
+            )
+            yield Finding(Severity.ERROR, code, text, one.apart, limit, "mm")
+
+
+def _direction_mismatch(axis: Axis, direction: Floats, name: str, effect: str) -> Iterator[Finding]:
+    own, code = np.array(axis.direction), "post-and-machine-differ"
+    angle = math.degrees(math.acos(float(np.clip(own @ direction, -1.0, 1.0))))
+    if angle > 179.9:
+        text = f"{axis.letter} turns the other way: the post's positive {axis.letter} is the negative one of {name}.{effect}"
+        yield Finding(Severity.ERROR, code, text, 180.0, 0.0, "deg")
+    elif angle > 1e-4:
+        ways = f"the post turns it about {way_name(direction)}, {name} about {way_name(own)}"
+        yield Finding(Severity.ERROR, code, f"{axis.letter} is another axis: {ways}.{effect}", angle, 0.0, "deg")
+
+
+def _effect(found: Recovery) -> str:
+    if not math.isfinite(found.start_miss):
+        return ""
+    return f" On that machine the tip would be off by up to {found.start_miss:.4g} mm."
+
+
+def _assumed(found: Recovery) -> Iterator[Finding]:
+    if found.start is None:
+        text = (
+            "Limits are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct "
+            "them from the machine's data sheet."
+        )
+        yield Finding(Severity.NOTE, "limits-unknown", text)
+    if any(axis.side == "head" for axis in found.machine.rotary) and not found.setup.tool_length:
+        text = (
+            "A head's pivot was found as its distance from the tip, tool included. Give --tool-length to have the gauge point's "
+            "written; else use the file with tool length 0."
+        )
+        yield Finding(Severity.NOTE, "tool-length-included", text)

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Two tasks about the machine itself: ``recover``, what a post takes it to be; ``prove-signs``, whether it is what its file says.
+
+``run`` makes, ``write_outputs`` writes: the machine file or the NC file, and the reports.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from freecad_fiveaxis.core.kinematics import Setup, chain
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, save_machine
+from freecad_fiveaxis.core.nc_reader import read_nc
+from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.prove_signs import Plan, Wishes, make_plan, proof_nc, proof_program, sheet_html, sheet_json, sheet_text
+from freecad_fiveaxis.core.recover import (
+    Recovery,
+    printed_axis_step,
+    recover,
+    recovery_findings,
+    recovery_html,
+    recovery_json,
+    recovery_text,
+    rotary_letters,
+)
+
+from .apt import read_apt
+from .errors import FileError, SettingsError
+from .files import check_readable, read_bytes, write_whole
+from .findings import Finding
+from .job import DEFAULT_CONTROLLER, clamped
+from .post import PostOptions, find_dialect
+from .progress import Progress, silent
+from .settings import PROVE, RECOVER, Settings, flat_options
+
+TASKS = (RECOVER, PROVE)
+SUFFIX = ".fcm"
+
+
+@dataclass(frozen=True, eq=False)
+class Recovered:
+    """``found``: the machine, its fit and its findings; ``machine_file`` as it is to be written."""
+
+    settings: Settings
+    found: Recovery
+    findings: tuple[Finding, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Proof:
+    """``plan``: the stops; ``program``: its blocks; ``nc``: the file."""
+
+    settings: Settings
+    plan: Plan
+    program: Program
+    nc: bytes
+    findings: tuple[Finding, ...]
+
+
+Work = Recovered | Proof
+
+
+def run(settings: Settings, progress: Progress = silent) -> Work:
+    """Do the task that the settings name. Raises FiveAxisError for input that cannot be used; writes nothing."""
+    return (recover_machine if settings.task == RECOVER else prove)(settings, progress)
+
+
+def recover_machine(settings: Settings, progress: Progress = silent) -> Recovered:
+    """The machine that a post had in mind. Raises FiveAxisError where the files cannot be used."""
+    output = settings.output.output
+    if not output:
+        raise SettingsError("no machine file named; give one with -o OUT.fcm", None)
+    if Path(output).suffix.lower() != SUFFIX:
+        raise SettingsError(f"{output} does not end in {SUFFIX}, as machine files do; name it so", output)
+    if os.path.exists(output):
+        raise FileError(f"{output} exists already; choose another name, so that no machine is lost", output)
+    for file in (settings.source, settings.recover.program):
+        check_readable(file)
+    apt, nc = read_bytes(settings.source, "CL file"), read_bytes(settings.recover.program, "NC file")
+    start, setup = _start(settings)
+    path = read_apt(apt, settings.feeds.feed, progress)
+    dialect = find_dialect(settings.machine.controller or (start.controller if start else "") or DEFAULT_CONTROLLER)
+    program = read_nc(nc, chain(start or _reader_machine(rotary_letters(nc)), Setup()), dialect, progress)
+    found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)
+    told = recovery_findings(found, settings.proof.tolerance)
+    machine = replace(found.machine, controller=dialect.name, description=_description(settings, found))
+    found = replace(found, machine=machine, findings=path.findings + program.findings + told)
+    return Recovered(settings, found, found.findings)
+
+
+def _start(settings: Settings) -> tuple[Machine | None, Setup]:
+    given = settings.machine
+    start = load_machine(given.machine) if given.machine else None
+    origin = given.origin or (start.origin if start else (0.0, 0.0, 0.0))
+    return start, Setup(origin, given.tool_length or 0.0)
+
+
+def _reader_machine(letters: str) -> Machine:
+    """A machine of these letters, to read words with; nothing else of it is used."""
+    ways = {"A": (1.0, 0.0, 0.0), "B": (0.0, 1.0, 0.0), "C": (0.0, 0.0, 1.0)}
+    first, second = letters[1], letters[0]
+    rotary = (Axis(first, True, "table", ways[first]), Axis(second, True, "table", ways[second]))
+    linear = (Axis("X", False, "head", ways["A"]), Axis("Y", False, "head", ways["B"]), Axis("Z", False, "head", ways["C"]))
+    return Machine("program", (*rotary, *linear))
+
+
+def _description(settings: Settings, found: Recovery) -> str:
+    names = f"{Path(settings.source).name} and {Path(settings.recover.program).name}"
+    plain = "".join(letter if letter.isprintable() else "?" for letter in names)
+    return f"Recovered from {plain}: {found.fit.layout.kind}, {int(found.fit.good.sum())} rows"
+
+
+def prove(settings: Settings, progress: Progress = silent) -> Proof:
+    """The program that proves a machine's signs, and its sheet. Raises SettingsError where the limits leave no room."""
+    if not settings.output.output:
+        raise SettingsError("no NC file named; give one with -o OUT.ngc", None)
+    machine, setup, dialect = clamped(settings)
+    wish = settings.prove
+    plan = make_plan(machine, setup, Wishes(wish.mark, wish.gap, wish.travel, wish.angle, wish.slow_feed))
+    progress("prove signs", 0.5)
+    program = proof_program(plan, dialect)
+    tool = None if settings.head.tool is None else int(settings.head.tool)
+    nc = proof_nc(plan, program, dialect, PostOptions(tool, offset=settings.head.work_offset))
+    return Proof(settings, plan, program, nc, plan.findings)
+
+
+def as_text(done: Work) -> str:
+    """What was found, for the terminal."""
+    if isinstance(done, Recovered):
+        return f"{Path(done.settings.source).name}: recover\n" + recovery_text(done.found)
+    return f"{done.plan.machine.name}: prove-signs\n" + sheet_text(done.plan, done.program)
+
+
+def as_json(done: Work) -> str:
+    """What was found, for scripts; ``inputs`` is a job file."""
+    inputs: dict[str, Any] = flat_options(done.settings)
+    if isinstance(done, Recovered):
+        return recovery_json(done.found, inputs)
+    return sheet_json(done.plan, done.program, inputs)
+
+
+def as_html(done: Work) -> str:
+    """What was found, as a page of its own."""
+    if isinstance(done, Recovered):
+        names = f"{Path(done.settings.source).name} and {Path(done.settings.recover.program).name}"
+        return recovery_html(done.found, names)
+    return sheet_html(done.plan, done.program)
+
+
+REPORTS: dict[str, Callable[[Work], str]] = {".json": as_json, ".html": as_html, ".htm": as_html, ".txt": as_text}
+
+
+def write_outputs(done: Work) -> list[str]:
+    """Write the machine or NC file and the reports, each whole or not at all; returns their names. Raises FileError."""
+    output = done.settings.output
+    assert output.output  # checked before the work
+    files = {path: REPORTS[Path(path).suffix.lower()](done).encode("utf-8", "backslashreplace") for path in output.report}
+    if isinstance(done, Proof):
+        files = {output.output: done.nc, **files}
+    else:
+        save_machine(done.found.machine, output.output)
+    for path, data in files.items():
+        write_whole(path, data)
+    return list(dict.fromkeys([output.output, *files]))
