@@ -84,7 +84,7 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     start, setup = _start(settings)
     path = read_apt(apt, settings.feeds.feed, progress)
     dialect = find_dialect(settings.machine.controller or (start.controller if start else "") or DEFAULT_CONTROLLER)
-    program = read_nc(nc, chain(start or _reader_machine(rotary_letters(nc)), Setup()), dialect, progress)
+    program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress)
     found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)
     told = recovery_findings(found, settings.proof.tolerance)
     machine = replace(found.machine, controller=dialect.name, description=_description(settings, found))
@@ -97,6 +97,14 @@ def _start(settings: Settings) -> tuple[Machine | None, Setup]:
     start = load_machine(given.machine) if given.machine else None
     origin = given.origin or (start.origin if start else (0.0, 0.0, 0.0))
     return start, Setup(origin, given.tool_length or 0.0)
+
+
+def _reader(nc: bytes, start: Machine | None) -> Machine:
+    """The machine that is given, where the program has its letters; else one of the program's."""
+    letters = rotary_letters(nc)
+    if start is not None and {axis.letter for axis in start.rotary} == set(letters):
+        return start
+    return _reader_machine(letters)
 
 
 def _reader_machine(letters: str) -> Machine:

@@ -46,9 +46,9 @@ class Guess:
     off: float
 
 
-def guesses(pairs: Pairs, start: Machine | None = None) -> list[Guess]:
-    """The layouts that explain the tool axes, the plainest first."""
-    found = [guess for layout in every_layout(pairs.letters, start) for guess in _tried(layout, pairs)]
+def guesses(pairs: Pairs, start: Machine | None = None, zeros: bool = True) -> list[Guess]:
+    """The layouts that explain the tool axes, the plainest first; ``zeros``: with shifted rotary zeros too."""
+    found = [guess for layout in every_layout(pairs.letters, start) for guess in _tried(layout, pairs, zeros)]
     best = min(guess.off for guess in found)
     passed = [guess for guess in found if guess.off <= max(PASSES * best, AXIS_NOISE + PASSES * pairs.steps.axis)]
     passed.sort(key=lambda guess: (guess.layout.strange + any(guess.zeros), guess.off))
@@ -102,13 +102,13 @@ def _turns_the_tool(layout: Layout) -> bool:
     return bool(np.linalg.norm(np.cross(first, second)) > 1e-6 and math.hypot(second[0], second[1]) > 1e-6)
 
 
-def _tried(layout: Layout, pairs: Pairs) -> Iterator[Guess]:
+def _tried(layout: Layout, pairs: Pairs, shifted: bool) -> Iterator[Guess]:
     """With both zeros 0, and with the zeros that fit best where those are better by far."""
     order = [pairs.letters.index(letter) for letter in layout.letters]
     words = pairs.rotary[:, order]
     plain = _off(layout, words, pairs.axis, (0.0, 0.0))
     yield Guess(layout, (0.0, 0.0), plain)
-    if layout.strange < 2.0 and plain > AXIS_NOISE:
+    if shifted and layout.strange < 2.0 and plain > AXIS_NOISE:
         zeros = _zeros(layout, words, pairs.axis)
         off = _off(layout, words, pairs.axis, zeros)
         if off < 0.3 * plain:

@@ -31,6 +31,8 @@ PROBE = 250
 """Rows and blocks by which the layout for the alignment is chosen."""
 AXIS_ALIKE, LENGTH_ALIKE, TIP_ALIKE = 1e-3, 2e-3, 0.05
 """rad, mm, mm: beyond these two are not alike at all."""
+STILL = (0.0, 1e-6, 1e-5, 5e-5, 1e-4)
+"""mm and 1: rows that move by less are the same to a post, which may leave them out."""
 LEAST = 2
 
 
@@ -72,8 +74,9 @@ def in_order(given: Sequences) -> Pairs | None:
     """The n-th block with the n-th row, or with the n-th that moves; None where the numbers differ."""
     blocks = np.arange(len(given.line))
     pose = np.hstack([given.tip, given.axis])
-    moving = np.flatnonzero(np.concatenate([[True], (pose[1:] != pose[:-1]).any(axis=1)]))
-    for rows in (np.arange(len(given.row)), moving):
+    step = np.abs(np.diff(pose, axis=0)).max(axis=1, initial=0.0)
+    for still in (-1.0, *STILL):
+        rows = np.flatnonzero(np.concatenate([[True], step > still]))
         if len(rows) == len(blocks):
             return given.paired(rows, blocks)
     return None

@@ -68,9 +68,9 @@ def across(direction: Vector) -> Floats:
 
 def turns(direction: Vector, angle: Floats) -> Floats:
     """Rotation matrices (n, 3, 3) about a unit direction (Rodrigues)."""
-    a = np.array(direction)
-    cross = np.cross(np.eye(3), a)
-    along = np.outer(a, a)
+    x, y, z = direction
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    along = np.outer(direction, direction)
     cos, sin = np.cos(angle)[:, None, None], np.sin(angle)[:, None, None]
     return np.asarray(along + cos * (np.eye(3) - along) + sin * cross)
 

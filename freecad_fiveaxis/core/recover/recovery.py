@@ -23,9 +23,9 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints
 
 from .fit import Fit, judged, refined, screened
-from .layouts import guesses, kinds, start_layout
+from .layouts import Guess, guesses, kinds, start_layout
 from .matching import Sequences, aligned, in_order, realigned, sequences
-from .model import HEAD_HEAD, LINES, TABLE_TABLE, Layout, across
+from .model import HEAD_HEAD, LINES, ROTARY_ZERO, TABLE_TABLE, Layout, across
 from .pairs import AXIS_STEP, Pairs
 
 TRIED, FITTED = 300, 20_000
@@ -42,7 +42,7 @@ ASSUMED_RATE, ASSUMED_TURN = 10_000.0, math.radians(3600.0)
 class Recovery:
     """``machine`` as written; ``fit`` of it; ``pairs`` it was fitted to; ``others``: fits of layouts that explain the rows as
     well; ``start``: the machine that was given, with ``start_miss`` mm: how far it leaves the tips, at most, in the good rows
-    (infinite where its letters are others); ``setup`` for both machines; ``counted``: rows of the path, blocks of the program."""
+    (infinite where its letters are others); ``setup`` for both machines; ``skipped``: blocks between the pairs without a row."""
 
     machine: Machine
     fit: Fit
@@ -51,7 +51,7 @@ class Recovery:
     start: Machine | None
     start_miss: float
     setup: Setup
-    counted: tuple[int, int]
+    skipped: int
     findings: tuple[Finding, ...] = ()
 
 
@@ -80,7 +80,7 @@ def recover(
     fit = refined(judged(rough.layout, rough.freedom, sample, base, rough.unknown), sample, base)
     machine = _machine(fit, base, start, setup, name)
     miss = _start_miss(sample.chosen(np.flatnonzero(fit.good)), start, setup)
-    return Recovery(machine, fit, sample, tuple(best[1:]), start, miss, setup, (len(given.row), len(given.line)))
+    return Recovery(machine, fit, sample, tuple(best[1:]), start, miss, setup, _skipped(given, pairs))
 
 
 def _aligned(
@@ -90,26 +90,46 @@ def _aligned(
     pairs = aligned(given, start)
     best = _best(pairs, start, setup)
     pairs = realigned(given, best[0].layout, base_points(best[0].layout, start, setup), best[0].unknown)
-    best = _best(pairs, start, setup)
+    best = _best(pairs, start, setup, [Guess(fit.layout, _rotary_zeros(fit), 0.0) for fit in best])
     if other is not None and other_pairs is not None and other[0].score <= best[0].score:
         return other_pairs, other
     return pairs, best
 
 
-def _best(pairs: Pairs, start: Machine | None, setup: Setup) -> list[Fit]:
-    """The best fit, then those of other layouts that are as good."""
+def _skipped(given: Sequences, pairs: Pairs) -> int:
+    first, last = np.searchsorted(given.line, [pairs.line[0], pairs.line[-1]])
+    return int(last - first + 1) - len(pairs.line)
+
+
+def _rotary_zeros(fit: Fit) -> tuple[float, float]:
+    z1, z2 = fit.unknown[ROTARY_ZERO].tolist()
+    return z1, z2
+
+
+def _best(pairs: Pairs, start: Machine | None, setup: Setup, known: list[Guess] | None = None) -> list[Fit]:
+    """The best fit, then those of other layouts that are as good; of the ``known`` layouts where these are given."""
     sample = pairs.chosen(_spread(len(pairs.row), TRIED))
     _check(sample)
-    fits = [
-        screened(kind, sample, base_points(kind.layout, start, setup), linear_zero)
-        for guess in guesses(sample, start)
-        for kind in kinds(guess, start)
-        for linear_zero in (False, True)
-    ]
-    fits.sort(key=lambda fit: fit.score)
+    fits = _screened(known or _kinds(guesses(sample, start, False), start), sample, start, setup)
+    if known is None and fits[0].scale > EQUAL:  # only then can a shifted rotary zero be the plainest explanation
+        fits = _screened(_kinds(guesses(sample, start), start), sample, start, setup)
     best = fits[0]
     alike = [fit for fit in fits[1:] if _as_good(fit, best) and not _same(fit.layout, best.layout)]
     return [best, *alike]
+
+
+def _kinds(found: list[Guess], start: Machine | None) -> list[Guess]:
+    return [kind for guess in found for kind in kinds(guess, start)]
+
+
+def _screened(tried: list[Guess], pairs: Pairs, start: Machine | None, setup: Setup) -> list[Fit]:
+    """Fits of the guesses, with and without a shifted linear zero, the best first."""
+    fits = [
+        screened(guess, pairs, base_points(guess.layout, start, setup), linear_zero)
+        for guess in tried
+        for linear_zero in (False, True)
+    ]
+    return sorted(fits, key=lambda fit: fit.score)
 
 
 def _as_good(fit: Fit, best: Fit) -> bool:

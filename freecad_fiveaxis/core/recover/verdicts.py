@@ -73,12 +73,9 @@ def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
             "The program may come from another CL path, or its machine have directions or axes that are not tried here."
         )
         yield Finding(Severity.ERROR, "poor-fit", text, worst, tolerance, "mm")
-    unpaired = found.counted[1] - len(pairs.line)
-    if found.counted[0] != found.counted[1] and unpaired > 0 and len(pairs.line) < 20_000:
-        text = (
-            f"{unpaired} of {found.counted[1]} blocks have no row of the CL path (links of the post's own); they are passed over."
-        )
-        yield Finding(Severity.NOTE, "blocks-without-row", text, float(unpaired), unit="1")
+    if found.skipped:
+        text = f"{found.skipped} blocks have no row of the CL path (moves of the post's own); they are passed over."
+        yield Finding(Severity.NOTE, "blocks-without-row", text, float(found.skipped), unit="1")
 
 
 def _certainties(found: Recovery, told: tuple[Parameter, ...], tolerance: float) -> Iterator[Finding]:
@@ -138,7 +135,10 @@ def _mismatches(found: Recovery, told: tuple[Parameter, ...], tolerance: float) 
     if own.slot != layout.slot:
         names = f"is {layout.kind}, {start.name} is {KINDS.get(own.slot, own.kind)}"
         yield Finding(Severity.ERROR, code, f"The machine that the post had in mind {names}.{effect}")
-    if own.letters != layout.letters:
+    if set(own.letters) != set(layout.letters):
+        text = f"The program has rotary words {' and '.join(layout.letters)}, {start.name} has {' and '.join(own.letters)}."
+        yield Finding(Severity.ERROR, code, text)
+    elif own.letters != layout.letters:
         text = f"For the post {layout.letters[0]} is the rotary axis nearer to the work, for {start.name} it is {own.letters[0]}."
         yield Finding(Severity.ERROR, code, text + effect)
     directions = dict(zip(layout.letters, (layout.direction1, layout.direction2), strict=True))
@@ -149,8 +149,8 @@ def _mismatches(found: Recovery, told: tuple[Parameter, ...], tolerance: float) 
         limit = max(one.certainty, tolerance)
         if one.determined and one.given is not None and one.apart > limit:
             text = (
-                f"{one.name}: the post has {one.value:.4f} mm (within {one.certainty:.2g}), {start.name} has {one.given:.4f} mm, "
-                f"{one.apart:.4g} mm apart.{effect}"
+                f"{one.name}: the post has {round(one.value, 4) + 0.0:.4f} mm (within {one.certainty:.2g}), {start.name} has {one.given:.4f} mm, "
+                f"{one.apart:.4f} mm apart.{effect}"
             )
             yield Finding(Severity.ERROR, code, text, one.apart, limit, "mm")
 

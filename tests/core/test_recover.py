@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Machines recovered from rows: against the machines that made them, LinuxCNC's formulas and So et al.'s Table 2."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from recover_examples import SETUP, TABLE_2, cl_path, line_errors, poses, posted, program
+
+from freecad_fiveaxis.core.errors import ProgramError
+from freecad_fiveaxis.core.findings import Severity
+from freecad_fiveaxis.core.kinematics import Setup, chain, forward
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, save_machine, shipped_machines
+from freecad_fiveaxis.core.recover import parameters, printed_axis_step, recover, recovery_findings, rotary_letters
+from freecad_fiveaxis.core.recover.fit import refined, screened
+from freecad_fiveaxis.core.recover.layouts import Guess, start_layout
+from freecad_fiveaxis.core.recover.matching import aligned, in_order, sequences
+from freecad_fiveaxis.core.recover.model import UNKNOWNS, rows_of
+from freecad_fiveaxis.core.recover.pairs import Steps, step_of
+
+NEAR = 0.01  # mm, what is asked for
+
+
+def codes(found, tolerance=0.01):
+    return [one.code for one in recovery_findings(found, tolerance)]
+
+
+def told(found, tolerance=0.01):
+    return " ".join(one.text for one in recovery_findings(found, tolerance))
+
+
+# What is asked for
+
+
+@pytest.mark.parametrize("start", [None, "mikron_ucp710"])
+def test_table_2_gives_the_offsets_of_the_ucp_710_within_their_certainty(start):
+    tip, axis, words = TABLE_2
+    start = start and load_machine(start)
+    found = recover(cl_path(tip, axis), program("XYZCA", words), start, axis_step=1e-7)
+    values = {one.name: one for one in parameters(found)}
+    for name, true in (("C line, X", 0.0), ("C line, Y", 0.0), ("A line, Y", -49.934), ("A line, Z", 119.999)):
+        assert abs(values[name].value - true) <= values[name].certainty < 0.03
+    assert values["A line, Z"].certainty > values["A line, Y"].certainty > 0.001  # A turns by 0.1 deg only
+    assert found.fit.layout.kind == "table-table" and not found.others
+    assert [axis.direction for axis in found.machine.rotary] == [(0, 0, 1), (1, 0, 0)]
+    assert found.fit.miss.max() < 1e-4 and not values["A line, Z"].certainty_free < 1.0  # with zeros unknown nothing is left
+
+
+@pytest.mark.parametrize("wrong", [0.0, 0.05])
+@pytest.mark.parametrize("name", shipped_machines())
+def test_50_rows_of_every_shipped_machine_give_it_back(name, wrong, tmp_path):
+    path, made, bad = posted(name, seed=7 if wrong else 3, wrong=wrong)
+    found = recover(path, made, setup=SETUP)
+    save_machine(found.machine, tmp_path / "m.fcm")
+    assert line_errors(load_machine(tmp_path / "m.fcm"), load_machine(name)).max() < NEAR / 20
+    np.testing.assert_array_equal(np.flatnonzero(~found.fit.good), bad)
+    assert not found.others and {"poor-fit", "not-determined"}.isdisjoint(codes(found))
+
+
+def test_plain_least_squares_would_be_misled_by_5_per_cent_of_wrong_rows():
+    path, made, bad = posted("trunnion_ac", wrong=0.05)
+    pairs = in_order(sequences(path, made, 1e-4))
+    rows = rows_of(start_layout(load_machine("trunnion_ac")), pairs, np.zeros((2, 3)), np.zeros(UNKNOWNS))
+    misled = np.linalg.lstsq(rows.jacobian[:, :3, :4].reshape(-1, 4), rows.residual[:, :3].reshape(-1), rcond=None)[0]
+    assert len(bad) == 3 and np.abs(misled - (-10.0, 5.0, 5.0, -70.0)).max() > 1.0
+
+
+def screened_fit(layout, pairs, base):
+    return screened(Guess(layout, (0.0, 0.0), 0.0), pairs, base, False)
+
+
+# Second routes
+
+
+def test_words_by_linuxcnc_s_own_formulas_give_its_offsets_and_its_signs():
+    y, z = 23.0, -41.5
+    tip, _ = poses(40, 5)
+    rng = np.random.default_rng(6)
+    a, c = np.radians(np.round(np.degrees(rng.uniform(-0.8, 0.8, 40)), 4)), np.radians(np.round(rng.uniform(-180, 180, 40), 4))
+    d = np.array([0.0, y, z])
+    u = (
+        np.column_stack([np.cos(c) * tip[:, 0] - np.sin(c) * tip[:, 1], np.sin(c) * tip[:, 0] + np.cos(c) * tip[:, 1], tip[:, 2]])
+        - d
+    )
+    joints = np.column_stack([u[:, 0], np.cos(a) * u[:, 1] - np.sin(a) * u[:, 2], np.sin(a) * u[:, 1] + np.cos(a) * u[:, 2]]) + d
+    k = np.column_stack([np.sin(a) * np.sin(c), np.sin(a) * np.cos(c), np.cos(a)])  # J = d + Rx(A)(Rz(C) P - d)
+    words = np.round(np.column_stack([joints, np.degrees(a), np.degrees(c)]), 4)
+    found = recover(cl_path(tip, np.round(k, 6)), program("XYZAC", words), axis_step=1e-6)
+    assert [axis.direction for axis in found.machine.rotary] == [(0, 0, -1), (-1, 0, 0)]
+    values = {one.name: one.value for one in parameters(found)}
+    assert values["A line, Y"] == pytest.approx(y, abs=2e-3) and values["A line, Z"] == pytest.approx(z, abs=2e-3)
+    assert codes(found).count("turns-against-iso") == 2
+
+
+def test_words_by_5axiskins_give_its_pivot_length_and_a_fork():
+    length = 173.25
+    tip, _ = poses(40, 5)
+    rng = np.random.default_rng(6)
+    b, c = np.radians(np.round(rng.uniform(-60, 60, 40), 4)), np.radians(np.round(rng.uniform(-180, 180, 40), 4))
+    k = np.column_stack([-np.cos(c) * np.sin(b), -np.sin(c) * np.sin(b), np.cos(b)])  # Rz(C) Ry(-B) ez
+    joints = tip - (0, 0, length) + length * k  # P = J + (0, 0, L) - L k
+    words = np.round(np.column_stack([joints, np.degrees(b), np.degrees(c)]), 4)
+    found = recover(cl_path(tip, np.round(k, 6)), program("XYZBC", words), axis_step=1e-6)
+    assert found.fit.layout.kind == "head-head" and "".join(axis.letter for axis in found.machine.rotary) == "CB"
+    assert [axis.direction for axis in found.machine.rotary] == [(0, 0, 1), (0, -1, 0)]
+    assert found.machine.rotary[1].point == pytest.approx((0, 0, length), abs=1e-3)
+    assert "tool-length-included" in codes(found)
+
+
+@pytest.mark.parametrize("name", shipped_machines())
+def test_the_model_is_the_kinematics_and_its_derivative_that_of_differences(name):
+    machine = load_machine(name)
+    links = chain(machine, SETUP)
+    path, made, _ = posted(name, 12)
+    q = np.column_stack([made.words[:, :3], np.radians(made.words[:, 3:])])
+    tip, axis = forward(links, q)
+    pairs = in_order(sequences(replace(path, tip=tip, axis=axis), made, 1e-4))
+    layout, base = start_layout(machine), np.array([links.point1, links.point2])
+    rows = rows_of(layout, pairs, base, np.zeros(UNKNOWNS))
+    assert np.abs(rows.residual).max() < 1e-10
+    rng = np.random.default_rng(1)
+    at, step = rng.uniform(-0.3, 0.3, UNKNOWNS), 1e-6
+    jacobian = rows_of(layout, pairs, base, at).jacobian
+    for k, way in enumerate(np.eye(UNKNOWNS) * step):
+        ends = [rows_of(layout, pairs, base, at + sign * way).residual for sign in (-1, 1)]
+        np.testing.assert_allclose((ends[0] - ends[1]) / (2 * step), jacobian[:, :, k], rtol=0, atol=1e-6)
+
+
+def test_certainties_are_what_many_roundings_show():
+    machine = load_machine("trunnion_bc")
+    layout, base = start_layout(machine), np.zeros((2, 3))
+    off, inside = [], []
+    for seed in range(40):
+        path, made, _ = posted("trunnion_bc", 20, seed)
+        pairs = in_order(sequences(path, made, 1e-4))
+        fit = refined(screened_fit(layout, pairs, base), pairs, base)
+        sigma = np.sqrt(np.diag(fit.covariance))[:4]
+        error = fit.unknown[:4] - (-10.0, 5.0, -10.0, -80.0)
+        off.append(error / sigma)
+        inside.append(np.abs(error) < fit.factor * sigma)
+    assert 0.7 < np.sqrt(np.mean(np.square(off))) < 1.3
+    assert 0.9 < np.mean(inside) < 0.995
+
+
+# What else can be said
+
+
+@pytest.mark.parametrize(
+    ("name", "shift"),
+    [
+        ("trunnion_ac", (5.0, -3.0, 100.0, 0.0, 0.0)),
+        ("head_b_table_c", (0.0, 0.0, 0.0, 0.5, 0.0)),
+        ("nutating_table_b45", (0.0, 0.0, 0.0, 0.0, -0.2)),
+        ("trunnion_bc", (1.0, 2.0, 3.0, 170.0, 0.3)),
+    ],
+)
+def test_shifted_zeros_are_found_and_named(name, shift):
+    path, made, _ = posted(name, 50, 2, 0.05, shift)
+    found = recover(path, made, setup=SETUP)
+    values = [one.value for one in parameters(found)[4:]]
+    assert line_errors(found.machine, load_machine(name)).max() < NEAR
+    np.testing.assert_allclose(values, shift, rtol=0, atol=2e-3)
+    named = [one for one in recovery_findings(found, 0.01) if one.code == "zero-elsewhere"]
+    assert len(named) == np.count_nonzero(shift) and "cannot hold" in named[0].text
+
+
+def test_a_machine_file_with_a_wrong_pivot_is_named_with_the_amount():
+    path, made, _ = posted("mikron_ucp710")
+    axes = [
+        replace(axis, point=(0.0, -49.934, 120.064)) if axis.letter == "A" else axis
+        for axis in load_machine("mikron_ucp710").axes
+    ]
+    found = recover(path, made, replace(load_machine("mikron_ucp710"), axes=tuple(axes)), SETUP)
+    named = [one for one in recovery_findings(found, 0.01) if one.code == "post-and-machine-differ"]
+    assert len(named) == 1 and named[0].severity is Severity.ERROR and named[0].value == pytest.approx(0.065, abs=1e-3)
+    assert named[0].text.startswith("A line, Z: the post has 119.99") and "0.0650 mm apart" in named[0].text
+    same = recover(path, made, load_machine("mikron_ucp710"), SETUP)
+    assert "post-and-machine-differ" not in codes(same) and same.start_miss < 1e-3
+    assert same.machine.rotary[0].high == load_machine("mikron_ucp710").rotary[0].high  # limits are kept
+
+
+def test_a_wrong_sign_and_a_wrong_kind_and_wrong_letters_are_named():
+    path, made, _ = posted("linuxcnc_xyzac_trt")
+    assert "A turns the other way: the post's positive A is the negative one of trunnion_ac" in told(
+        recover(path, made, load_machine("trunnion_ac"), SETUP)
+    )
+    path, made, _ = posted("fork_head_bc")
+    assert "head-head, trunnion_bc is table-table" in told(recover(path, made, load_machine("trunnion_bc"), SETUP))
+    assert "rotary words C and B, trunnion_ac has C and A" in told(recover(path, made, load_machine("trunnion_ac"), SETUP))
+
+
+def test_a_lean_that_is_not_among_the_layouts_comes_from_the_machine_given():
+    lean = (0.0, np.sin(np.radians(40)), np.cos(np.radians(40)))
+    base = load_machine("nutating_table_b45")
+    axes = [replace(axis, direction=lean, point=(0.0, 3.0, -50.0)) if axis.letter == "B" else axis for axis in base.axes]
+    truth = replace(base, axes=tuple(axes))
+    path, made, _ = posted(truth, lean=0.6)
+    given = replace(truth, axes=tuple(replace(axis, point=(0.0, 0.0, 0.0)) if axis.rotary else axis for axis in axes))
+    assert line_errors(recover(path, made, given, SETUP).machine, truth).max() < NEAR
+    assert "poor-fit" in codes(recover(path, made, None, SETUP))
+
+
+def test_what_the_rows_do_not_determine_is_said_and_kept_as_given():
+    path, made, _ = posted("trunnion_ac")
+    links = chain(load_machine("trunnion_ac"), SETUP)
+    words = made.words.copy()
+    words[:, 4] = 0.0  # A never turns: its line cannot be known
+    q = np.column_stack([words[:, :3], np.radians(words[:, 3:])])
+    tip, axis = forward(links, q)
+    found = recover(
+        replace(path, tip=np.round(tip, 4), axis=axis), program(made.letters, words), load_machine("trunnion_ac"), SETUP
+    )
+    lost = [one for one in parameters(found) if one.name.startswith("A line")]
+    assert not any(one.determined for one in lost) and all(one.apart < 1e-6 for one in lost)
+    assert codes(found).count("not-determined") == 2
+    without = recover(replace(path, tip=np.round(tip, 4), axis=axis), program(made.letters, words), None, SETUP)
+    assert "layout-not-determined" in codes(without)  # how A turns is not known either
+
+
+def test_rows_from_which_nothing_can_be_learnt_are_refused():
+    path, made, _ = posted("trunnion_ac")
+    words = made.words.copy()
+    words[:, 3:] = 0.0
+    with pytest.raises(ProgramError, match="rotary words never change"):
+        recover(path, program(made.letters, words))
+    words = made.words.copy()
+    words[:, :3] = path.tip
+    with pytest.raises(ProgramError, match="tool centre point control"):
+        recover(path, program(made.letters, words))
+
+
+def test_a_program_of_another_path_is_a_poor_fit_or_refused():
+    path, _, _ = posted("trunnion_ac", seed=1)
+    _, made, _ = posted("trunnion_ac", seed=2)
+    try:
+        found = recover(path, made, setup=SETUP)
+    except ProgramError as error:
+        assert "give a program that was posted from this CL path" in str(error)
+    else:
+        assert "poor-fit" in codes(found)
+
+
+# Pairing
+
+
+def test_blocks_of_the_post_s_own_and_rows_left_out_do_not_disturb_the_pairing():
+    path, made, _ = posted("trunnion_bc", 120, 4)
+    rng = np.random.default_rng(9)
+    keep, extra = np.setdiff1d(np.arange(120), rng.choice(120, 6, replace=False)), np.sort(rng.choice(110, 12))
+    words = np.insert(made.words[keep], extra, np.round(rng.uniform(-90, 90, (12, 5)), 4), axis=0)
+    truth = np.insert(keep, extra, -1)
+    found = recover(path, program(made.letters, words), setup=SETUP)
+    assert line_errors(found.machine, load_machine("trunnion_bc")).max() < NEAR
+    right = truth[found.pairs.line - 10] == found.pairs.row
+    assert right[found.fit.good].all() and found.fit.good.sum() > 100
+    assert "blocks-without-row" in codes(found)
+
+
+def test_rows_that_do_not_move_are_passed_over_as_posts_do():
+    path, made, _ = posted("trunnion_bc", 30, 4)
+    twice = np.sort(np.append(np.arange(30), [4, 4, 17]))
+    doubled = replace(
+        path,
+        **{
+            name: getattr(path, name)[twice]
+            for name in ("tip", "axis", "motion", "feed", "contact", "normal", "face", "coedge", "pass_")
+        },
+    )
+    pairs = in_order(sequences(doubled, made, 1e-4))
+    np.testing.assert_array_equal(doubled.tip[pairs.row], path.tip)
+    assert in_order(sequences(path, program(made.letters, made.words[:-1]), 1e-4)) is None
+    assert len(aligned(sequences(path, program(made.letters, made.words[:-1]), 1e-4)).row) == 29
+
+
+# Texts
+
+
+def test_steps_and_letters_are_read_from_what_is_printed():
+    assert step_of(np.array([1.25, 3.0, -7.125])) == pytest.approx(1e-3)
+    assert step_of(np.array([1.0, 2.0])) == 1.0 and step_of(np.array([np.pi])) == 1e-9
+    apt = b"GOTO/1.0,2,3\nGOTO / 1,2,3, 0.00959,.12, 0.9998268 $$ note 1.23456789012\n"
+    assert printed_axis_step(apt) == pytest.approx(1e-7) and printed_axis_step(b"GOTO/1,2,3") == 1e-4
+    assert rotary_letters(b"(B axis) G1 X1 A10. c-5 ; B7\n") == "AC" and rotary_letters(b"G1X1B=3C=5") == "BC"
+    with pytest.raises(ProgramError, match="rotary words of C"):
+        rotary_letters(b"G1 X1 C2")
+    assert Steps().tip > 0.0
+
+
+def test_a_recovered_machine_needs_no_start_to_be_saved(tmp_path):
+    found = recover(*posted("head_b_table_c")[:2], setup=Setup())
+    assert isinstance(found.machine, Machine) and isinstance(found.machine.axes[0], Axis)
+    save_machine(found.machine, tmp_path / "a.fcm")
+    assert load_machine(tmp_path / "a.fcm").axes == found.machine.axes
+    assert "limits-unknown" in codes(found)
