@@ -453,4 +453,6 @@ def _written(leaf: dataclasses.Field[Any], value: Any) -> Any:
         return f"ball:{value.diameter!r}:{value.length!r}"
     if leaf.metadata["kind"] == "angle" and value is not None:
         return round(math.degrees(value), 12)
+    if value == "":
+        return None  # an option that is left out
     return list(value) if isinstance(value, tuple) else value
