@@ -40,7 +40,7 @@ ABOUT = {
     "recover": ("PATH.apt", "recover a machine's offsets and signs from a CL file and the program posted from it"),
     "prove-signs": ("", "make a short safe program and a sheet that show a wrong sign before it cuts"),
 }
-SHORT = {"output": ("-o", "--output")}
+SHORT = {"output": ("-o", "--output"), "machine_file": ("-o", "--output")}
 SECOND = {"program": "PROGRAM.ngc"}
 """Options that are given as a second file, without a name."""
 

@@ -253,10 +253,10 @@ def figures(result: Result) -> Figures:
 def check_outputs(settings: Settings) -> None:
     """Before the long work: every file can be written, has a known ending, and is not the source. Raises FiveAxisError."""
     output = settings.output
-    targets = [path for path in (output.output, output.cl, output.blocks, *output.report) if path]
+    targets = [path for path in (output.output, output.cl, output.blocks, settings.recover.machine_file, *output.report) if path]
     for path in targets:
         check_writable(path)
-        if settings.source and os.path.realpath(path) == os.path.realpath(settings.source):
+        if os.path.realpath(path) in [os.path.realpath(read) for read in (settings.source, settings.recover.program) if read]:
             raise SettingsError(f"{path} is the file that is read; name another output", path)
     if len({os.path.realpath(path) for path in targets}) < len(targets):
         raise SettingsError("two outputs have the same name; name each file apart", targets)

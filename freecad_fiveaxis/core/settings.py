@@ -207,9 +207,8 @@ class ProofSettings:
     """What is proven of every block."""
 
     tolerance: float = option(
-        0.01, "length", "largest deviation of the tip from the commanded segment; of `recover`: largest error of an offset",
-        (*FROM_PATH, AUDIT, RECOVER), above=0, most=LONGEST,
-    )  # fmt: skip
+        0.01, "length", "largest deviation of the tip from the commanded segment", (*FROM_PATH, AUDIT), above=0, most=LONGEST
+    )
     method: Literal["exact", "so2008"] = option(
         "exact", "choice", "line deviation: exact, or the model of So et al. 2008", ONE_PROGRAM, choices=("exact", "so2008")
     )
@@ -248,9 +247,14 @@ class CompareSettings:
 
 @dataclass(frozen=True)
 class RecoverSettings:
-    """The other file of a machine that is recovered."""
+    """What a machine is recovered from, and the file it goes to."""
 
     program: str = option("", "path", "the NC program that was posted from the CL path", (RECOVER,))
+    machine_file: str | None = option(None, "path", "the machine file (.fcm) to write", (RECOVER,))
+    certainty: float = option(
+        0.01, "length", "offsets should be that certain, and that near to those of the machine given", (RECOVER,),
+        above=0, most=LONGEST,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -275,7 +279,7 @@ class ProveSettings:
 class OutputSettings:
     """Files to write."""
 
-    output: str | None = option(None, "path", "the NC file; of `recover` the machine file (.fcm)", (MILL, POST, RECOVER, PROVE))
+    output: str | None = option(None, "path", "the NC file", (MILL, POST, PROVE))
     cl: str | None = option(None, "path", "the CL path as an APT file", (MILL,))
     report: tuple[str, ...] = option((), "paths", "report; the ending .json, .html or .txt says which; may be repeated", TASKS)
     blocks: str | None = option(None, "path", "CSV with one row a block", ONE_PROGRAM)

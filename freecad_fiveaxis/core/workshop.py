@@ -43,7 +43,7 @@ SUFFIX = ".fcm"
 
 @dataclass(frozen=True, eq=False)
 class Recovered:
-    """``found``: the machine, its fit and its findings; ``machine_file`` as it is to be written."""
+    """``found``: the machine as it is to be written, its fit and its findings."""
 
     settings: Settings
     found: Recovery
@@ -71,7 +71,7 @@ def run(settings: Settings, progress: Progress = silent) -> Work:
 
 def recover_machine(settings: Settings, progress: Progress = silent) -> Recovered:
     """The machine that a post had in mind. Raises FiveAxisError where the files cannot be used."""
-    output = settings.output.output
+    output = settings.recover.machine_file
     if not output:
         raise SettingsError("no machine file named; give one with -o OUT.fcm", None)
     if Path(output).suffix.lower() != SUFFIX:
@@ -86,7 +86,7 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     dialect = find_dialect(settings.machine.controller or (start.controller if start else "") or DEFAULT_CONTROLLER)
     program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress)
     found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)
-    told = recovery_findings(found, settings.proof.tolerance)
+    told = recovery_findings(found, settings.recover.certainty)
     machine = replace(found.machine, controller=dialect.name, description=_description(settings, found))
     found = replace(found, machine=machine, findings=path.findings + program.findings + told)
     return Recovered(settings, found, found.findings)
@@ -164,13 +164,14 @@ REPORTS: dict[str, Callable[[Work], str]] = {".json": as_json, ".html": as_html,
 
 def write_outputs(done: Work) -> list[str]:
     """Write the machine or NC file and the reports, each whole or not at all; returns their names. Raises FileError."""
-    output = done.settings.output
-    assert output.output  # checked before the work
-    files = {path: REPORTS[Path(path).suffix.lower()](done).encode("utf-8", "backslashreplace") for path in output.report}
+    reports = done.settings.output.report
+    files = {path: REPORTS[Path(path).suffix.lower()](done).encode("utf-8", "backslashreplace") for path in reports}
+    target = done.settings.output.output if isinstance(done, Proof) else done.settings.recover.machine_file
+    assert target  # checked before the work
     if isinstance(done, Proof):
-        files = {output.output: done.nc, **files}
+        write_whole(target, done.nc)
     else:
-        save_machine(done.found.machine, output.output)
+        save_machine(done.found.machine, target)
     for path, data in files.items():
         write_whole(path, data)
-    return list(dict.fromkeys([output.output, *files]))
+    return [target, *files]

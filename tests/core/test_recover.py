@@ -240,6 +240,25 @@ def test_a_program_of_another_path_is_a_poor_fit_or_refused():
         assert "poor-fit" in codes(found)
 
 
+def test_rows_with_an_upright_tool_do_not_look_like_tool_centre_point_control():
+    path, made, _ = posted("trunnion_ac", 30)
+    upright = np.arange(30) < 20
+    words, axis = made.words.copy(), path.axis.copy()
+    words[upright] = np.column_stack([path.tip[upright], np.zeros((20, 2))])
+    axis[upright] = (0.0, 0.0, 1.0)
+    found = recover(replace(path, axis=axis), program(made.letters, words), setup=SETUP)
+    assert line_errors(found.machine, load_machine("trunnion_ac")).max() < NEAR
+
+
+def test_an_inch_program_is_as_good_as_its_rounding():
+    path, made, _ = posted("trunnion_ac")
+    words = made.words.copy()
+    words[:, :3] = np.round(words[:, :3] / 25.4, 4) * 25.4
+    found = recover(path, program(made.letters, words), setup=SETUP)
+    assert found.pairs.steps.linear == pytest.approx(25.4e-4) and 0.5 < found.fit.scale < 1.5
+    assert line_errors(found.machine, load_machine("trunnion_ac")).max() < NEAR
+
+
 # Pairing
 
 
@@ -277,7 +296,9 @@ def test_rows_that_do_not_move_are_passed_over_as_posts_do():
 
 def test_steps_and_letters_are_read_from_what_is_printed():
     assert step_of(np.array([1.25, 3.0, -7.125])) == pytest.approx(1e-3)
-    assert step_of(np.array([1.0, 2.0])) == 1.0 and step_of(np.array([np.pi])) == 1e-9
+    assert step_of(np.array([1.0, 2.0])) == 1.0 and step_of(np.array([np.pi])) < 1e-8
+    inch = np.round(np.random.default_rng(1).uniform(-5, 5, 20), 4) * 25.4
+    assert step_of(inch) == pytest.approx(25.4e-4) and step_of(inch, False) == pytest.approx(1e-5)
     apt = b"GOTO/1.0,2,3\nGOTO / 1,2,3, 0.00959,.12, 0.9998268 $$ note 1.23456789012\n"
     assert printed_axis_step(apt) == pytest.approx(1e-7) and printed_axis_step(b"GOTO/1,2,3") == 1e-4
     assert rotary_letters(b"(B axis) G1 X1 A10. c-5 ; B7\n") == "AC" and rotary_letters(b"G1X1B=3C=5") == "BC"

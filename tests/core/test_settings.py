@@ -49,7 +49,9 @@ def test_an_option_of_another_task_is_refused():
 
 @pytest.mark.parametrize("task", TASKS)
 def test_flat_options_make_the_same_settings_again(task):
-    name, value, other = ("gap", "25", "30") if task == "prove-signs" else ("tolerance", "0.02", "0.03")
+    name, value, other = {"prove-signs": ("gap", "25", "30"), "recover": ("certainty", "0.02", "0.03")}.get(
+        task, ("tolerance", "0.02", "0.03")
+    )
     options = {"machines" if task == "compare" else "machine": "trunnion_ac", name: value}
     options |= {"program": "x.ngc"} if task == "recover" else {}
     options |= {"direction": "33.3", "lead": "5", "scallop": "0.0123", "cutter": "ball:7.7"} if task == "mill" else {}

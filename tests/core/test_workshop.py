@@ -48,7 +48,7 @@ def test_a_posted_path_gives_the_machine_back(files, tmp_path, capsys):
 def test_the_report_s_inputs_are_a_job(files, tmp_path, capsys):
     run("recover", *files, *PLACE, "-o", tmp_path / "m.fcm", "--report", tmp_path / "r.json", "--quiet")
     inputs = json.loads((tmp_path / "r.json").read_text())["inputs"]
-    (tmp_path / "job.json").write_text(json.dumps(inputs | {"output": "again.fcm", "report": []}))
+    (tmp_path / "job.json").write_text(json.dumps(inputs | {"machine_file": "again.fcm", "report": []}))
     assert run("run", tmp_path / "job.json", "--quiet") == cli.DONE
     assert load_machine(tmp_path / "again.fcm").axes == load_machine(tmp_path / "m.fcm").axes
 

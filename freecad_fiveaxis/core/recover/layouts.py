@@ -24,7 +24,7 @@ from .model import HEAD_HEAD, HEAD_TABLE, TABLE_TABLE, XYZ, Layout, turns
 from .pairs import Pairs
 
 LEAN = math.sqrt(0.5)
-REWEIGHTINGS = 12
+REWEIGHTINGS = 6
 PASSES = 8.0
 """A layout whose tool axes are off by so many times what the best one's are is out."""
 AXIS_NOISE = 3e-6

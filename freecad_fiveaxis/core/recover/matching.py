@@ -25,7 +25,7 @@ from .layouts import every_layout
 from .model import UNKNOWNS, Layout, rows_of
 from .pairs import Pairs, Steps, step_of
 
-MOST = 3000
+MOST = 2000
 """Rows and blocks that are aligned: time and memory grow with their product."""
 PROBE = 250
 """Rows and blocks by which the layout for the alignment is chosen."""
@@ -63,7 +63,7 @@ def sequences(path: CLPath, program: Program, axis_step: float) -> Sequences:
     own = program.letters[3:]
     letters = "".join(sorted(own))
     degrees = program.words[:, [3 + own.index(letter) for letter in letters]]
-    steps = Steps(step_of(path.tip), axis_step, step_of(program.words[:, :3]), float(np.radians(step_of(degrees))))
+    steps = Steps(step_of(path.tip), axis_step, step_of(program.words[:, :3]), float(np.radians(step_of(degrees, False))))
     every = np.arange(len(path.tip))
     return Sequences(
         letters, path.tip, path.axis, every, program.words[:, :3], np.radians(degrees), np.asarray(program.line), steps

@@ -21,6 +21,7 @@ FINEST = 9
 """Decimals of a column that no decimal step explains: it was not rounded, or it was in another unit."""
 AXIS_STEP = 1e-4
 """Step of tool axes whose print is not known: the coarsest that CAM systems write."""
+INCH = 25.4
 TEXT_LOOKED_AT = 1_000_000
 """Bytes of a text that are enough to see its letters and decimals."""
 
@@ -62,14 +63,19 @@ class Pairs:
         return Pairs(self.letters, tip, axis, linear, rotary, self.row[rows], self.line[rows], self.steps)
 
 
-def step_of(column: Floats) -> float:
-    """The largest power of ten, 1 to 1e-9, of which all numbers are multiples: the last digit that was printed."""
+def step_of(column: Floats, inch: bool = True) -> float:
+    """The largest power of ten, 1 to 1e-9, of which all numbers are multiples: the last digit that was printed. ``inch``: in
+    millimetres, but perhaps printed in inches."""
     values = np.ravel(column)
+    return max(unit * 10.0 ** -_decimals(values / unit) for unit in ((1.0, INCH) if inch else (1.0,)))
+
+
+def _decimals(values: Floats) -> int:
     for decimals in range(FINEST):
         scaled = values * 10.0**decimals
-        if (np.abs(scaled - np.rint(scaled)) < 1e-6 + 4e-16 * np.abs(scaled)).all():
-            return float(10.0**-decimals)
-    return float(10.0**-FINEST)
+        if (np.abs(scaled - np.rint(scaled)) < 1e-6 + 1e-15 * np.abs(scaled)).all():
+            return decimals
+    return FINEST + 1  # so that the unit does not matter where nothing was found
 
 
 def printed_axis_step(text: bytes) -> float:

@@ -32,6 +32,8 @@ TRIED, FITTED = 300, 20_000
 """Rows on which the layouts are tried, and rows that the last fit looks at, evenly spread over the program."""
 EQUAL = 3.0
 """Scales within this factor of each other, or of rounding, are no reason to prefer one layout."""
+LEANING = 0.01
+"""rad; tools that lean so far have joints other than their tips."""
 PAIRED = 0.6
 """Where fewer of the rows fit, they are not paired rightly."""
 ASSUMED_RATE, ASSUMED_TURN = 10_000.0, math.radians(3600.0)
@@ -148,8 +150,9 @@ def _check(pairs: Pairs) -> None:
     turned = float(np.ptp(pairs.rotary, axis=0).max())
     if turned < 1e-6:
         raise ProgramError("the rotary words never change: such rows say nothing of pivots; give a five-axis program", turned)
-    off = float(np.median(np.linalg.norm(pairs.tip - pairs.linear, axis=1)))
-    if off < 10.0 * (pairs.steps.tip + pairs.steps.linear) and turned > 1e-3:
+    leaning = np.linalg.norm(pairs.axis[:, :2], axis=1) > LEANING
+    off = float(np.median(np.linalg.norm(pairs.tip - pairs.linear, axis=1)[leaning])) if leaning.any() else math.inf
+    if off < 10.0 * (pairs.steps.tip + pairs.steps.linear):
         text = "X Y Z are the tips of the CL path although the rotary axes turn: the program leaves the pivots to the controller"
         raise ProgramError(f"{text} (RTCP); post it without tool centre point control", off)
 

@@ -95,6 +95,7 @@ def _zeros(told: tuple[Parameter, ...]) -> Iterator[Finding]:
     for one in told[4:]:
         if one.fitted and one.determined and abs(one.value) > max(one.certainty, 1e-3 if one.unit == "mm" else 1e-4):
             what = "the work offset" if one.unit == "mm" else "the axis' zero in the controller"
+            what += " or the tool's point that is driven (tip, centre, gauge point)" if one.name == "Z zero" else ""
             text = (
                 f"The program counts {one.name[0]} from {one.value:.4f} {one.unit} (within {one.certainty:.2g}), not from the "
                 f"CL path's zero. A machine file cannot hold that: correct {what}, or the post."
@@ -149,8 +150,8 @@ def _mismatches(found: Recovery, told: tuple[Parameter, ...], tolerance: float) 
         limit = max(one.certainty, tolerance)
         if one.determined and one.given is not None and one.apart > limit:
             text = (
-                f"{one.name}: the post has {round(one.value, 4) + 0.0:.4f} mm (within {one.certainty:.2g}), {start.name} has {one.given:.4f} mm, "
-                f"{one.apart:.4f} mm apart.{effect}"
+                f"{one.name}: the post has {round(one.value, 4) + 0.0:.4f} mm (within {one.certainty:.2g}), {start.name} has "
+                f"{one.given:.4f} mm, {one.apart:.4f} mm apart.{effect}"
             )
             yield Finding(Severity.ERROR, code, text, one.apart, limit, "mm")
 
