@@ -26,7 +26,7 @@ KEPT = 0.75
 """Share of the rows that a trimmed fit looks at."""
 LEAST_TO_TRIM = 8
 """With fewer rows than this none can be told to be wrong."""
-STARTS, SAMPLE, IMPROVEMENTS = 60, 5, 4
+STARTS, SAMPLE, IMPROVEMENTS = 40, 5, 4
 FREEDOMS = 5.0
 """Of one row: three of the tip, two of the axis."""
 OUTLYING = 5.0

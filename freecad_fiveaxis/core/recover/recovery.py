@@ -28,7 +28,7 @@ from .matching import Sequences, aligned, in_order, realigned, sequences
 from .model import HEAD_HEAD, LINES, ROTARY_ZERO, TABLE_TABLE, Layout, across
 from .pairs import AXIS_STEP, Pairs
 
-TRIED, FITTED = 300, 20_000
+TRIED, FITTED = 150, 20_000
 """Rows on which the layouts are tried, and rows that the last fit looks at, evenly spread over the program."""
 EQUAL = 3.0
 """Scales within this factor of each other, or of rounding, are no reason to prefer one layout."""
