@@ -259,6 +259,17 @@ def test_an_inch_program_is_as_good_as_its_rounding():
     assert line_errors(found.machine, load_machine("trunnion_ac")).max() < NEAR
 
 
+def test_axes_that_do_not_fit_and_numbers_beyond_any_machine_are_noticed():
+    path, made, _ = posted("trunnion_ac", 20, 2)
+    assert "poor-fit" in codes(recover(cl_path(path.tip, np.tile((1.0, 0.0, 0.0), (20, 1))), made))  # the tips alone would fit
+    huge = made.words.copy()
+    huge[3, 0] = 1e200
+    with pytest.raises(ProgramError, match="beyond any machine"):
+        recover(path, program(made.letters, huge))
+    with pytest.raises(ProgramError, match="only 1 of 1 CL rows"):
+        recover(*posted("trunnion_ac", 1)[:2])
+
+
 # Pairing
 
 
@@ -296,7 +307,7 @@ def test_rows_that_do_not_move_are_passed_over_as_posts_do():
 
 def test_steps_and_letters_are_read_from_what_is_printed():
     assert step_of(np.array([1.25, 3.0, -7.125])) == pytest.approx(1e-3)
-    assert step_of(np.array([1.0, 2.0])) == 1.0 and step_of(np.array([np.pi])) < 1e-8
+    assert step_of(np.array([1.0, 0.0])) == 1e-3 and step_of(np.array([np.pi])) < 1e-8
     inch = np.round(np.random.default_rng(1).uniform(-5, 5, 20), 4) * 25.4
     assert step_of(inch) == pytest.approx(25.4e-4) and step_of(inch, False) == pytest.approx(1e-5)
     apt = b"GOTO/1.0,2,3\nGOTO / 1,2,3, 0.00959,.12, 0.9998268 $$ note 1.23456789012\n"

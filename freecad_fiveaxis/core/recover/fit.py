@@ -63,8 +63,9 @@ ALL_FREE = Freedom(True, True)
 @dataclass(frozen=True, eq=False)
 class Fit:
     """``unknown`` (9,) mm and rad; ``scale`` of the residuals of the rows kept; ``good`` (n,) the rows kept; ``row_scale`` (n,)
-    of each row; ``miss`` (n,) mm, how far the tip is from where the fit puts it; ``covariance`` (9, 9) of the fitted unknowns
-    (others 0), ``free`` (9, 9) that if no zero were taken as known; infinite where the rows do not determine an unknown."""
+    of each row; ``miss`` (n,) mm, how far the tip is from where the fit puts it, and ``lean`` (n,) rad the tool axis;
+    ``covariance`` (9, 9) of the fitted unknowns (others 0), ``free`` (9, 9) that if no zero were taken as known; infinite where
+    the rows do not determine an unknown; ``factor``: half the 95 % interval in standard deviations."""
 
     layout: Layout
     freedom: Freedom
@@ -73,6 +74,7 @@ class Fit:
     good: Bools
     row_scale: Floats
     miss: Floats
+    lean: Floats
     covariance: Floats
     free: Floats
     factor: float
@@ -162,9 +164,9 @@ def judged(layout: Layout, freedom: Freedom, pairs: Pairs, base: Floats, unknown
     scale = math.sqrt(float((row_scale[good] ** 2).sum()) * FREEDOMS / spare)
     if not good.sum() >= KEPT * count:  # what explains less than that explains nothing
         scale = max(scale, typical)
-    miss = np.linalg.norm(rows.residual[:, :3], axis=1)
+    miss, lean = (np.linalg.norm(part, axis=1) for part in (rows.residual[:, :3], rows.residual[:, 3:]))
     nothing = np.zeros((UNKNOWNS, UNKNOWNS))
-    return Fit(layout, freedom, unknown, scale, good, row_scale, miss, nothing, nothing, 1.96)
+    return Fit(layout, freedom, unknown, scale, good, row_scale, miss, lean, nothing, nothing, 1.96)
 
 
 def _solved(rows: Rows, columns: Ints, chosen: Ints) -> tuple[Floats, Floats]:

@@ -17,8 +17,8 @@ from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.machine.machine import ROTARY_LETTERS
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 
-FINEST = 9
-"""Decimals of a column that no decimal step explains: it was not rounded, or it was in another unit."""
+COARSEST, FINEST = 3, 9
+"""Decimals that posts print at least; decimals of a column that was not rounded, or was in another unit."""
 AXIS_STEP = 1e-4
 """Step of tool axes whose print is not known: the coarsest that CAM systems write."""
 INCH = 25.4
@@ -64,10 +64,15 @@ class Pairs:
 
 
 def step_of(column: Floats, inch: bool = True) -> float:
-    """The largest power of ten, 1 to 1e-9, of which all numbers are multiples: the last digit that was printed. ``inch``: in
-    millimetres, but perhaps printed in inches."""
+    """What the last printed digit of the numbers is worth, by the power of ten of which all are multiples; whole numbers count as
+    printed with three decimals. ``inch``: in millimetres, but perhaps printed in inches, with four decimals or more."""
     values = np.ravel(column)
-    return max(unit * 10.0 ** -_decimals(values / unit) for unit in ((1.0, INCH) if inch else (1.0,)))
+    decimals = max(_decimals(values), COARSEST)
+    if inch and decimals > COARSEST + 1:
+        in_inches = max(_decimals(values / INCH), COARSEST + 1)
+        if in_inches < decimals:
+            return float(INCH * 10.0**-in_inches)
+    return float(10.0**-decimals)
 
 
 def _decimals(values: Floats) -> int:
@@ -75,7 +80,7 @@ def _decimals(values: Floats) -> int:
         scaled = values * 10.0**decimals
         if (np.abs(scaled - np.rint(scaled)) < 1e-6 + 1e-15 * np.abs(scaled)).all():
             return decimals
-    return FINEST + 1  # so that the unit does not matter where nothing was found
+    return FINEST
 
 
 def printed_axis_step(text: bytes) -> float:

@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.cl_path import CLPath
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.kinematics import Setup, chain, forward_tip
-from freecad_fiveaxis.core.machine import Axis, Machine, Vector
+from freecad_fiveaxis.core.machine import FARTHEST, Axis, Machine, Vector
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints
@@ -147,6 +147,9 @@ def _same(one: Layout, two: Layout) -> bool:
 
 def _check(pairs: Pairs) -> None:
     """Raises ProgramError where the rows cannot tell anything."""
+    farthest = max(float(np.abs(column).max(initial=0.0)) for column in (pairs.tip, pairs.linear, pairs.rotary))
+    if not farthest <= FARTHEST:
+        raise ProgramError(f"a coordinate of {farthest:g} mm or rad is beyond any machine; correct it", farthest)
     turned = float(np.ptp(pairs.rotary, axis=0).max())
     if turned < 1e-6:
         raise ProgramError("the rotary words never change: such rows say nothing of pivots; give a five-axis program", turned)

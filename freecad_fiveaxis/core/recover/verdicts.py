@@ -19,6 +19,8 @@ from .recovery import EQUAL, Recovery
 
 NAMED = 5
 """So many lines of rows left out are named."""
+LEAST_LEAN = 0.01
+"""deg; tool axes nearer than that are good."""
 UNSURE = 5.0
 """deg, and 100 mm: zeros less certain than this are as good as not determined."""
 
@@ -67,9 +69,11 @@ def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
         )
         yield Finding(Severity.WARNING, "rows-left-out", text, float(len(wrong)), 0.0, "1", line=int(pairs.line[wrong[0]]))
     worst = float(fit.miss[fit.good].max(initial=0.0))
-    if fit.scale > EQUAL and worst > tolerance:
+    lean = math.degrees(float(fit.lean[fit.good].max(initial=0.0)))
+    if fit.scale > EQUAL and (worst > tolerance or lean > LEAST_LEAN):
         text = (
-            f"The rows are off by up to {worst:.4g} mm from the best machine, {fit.scale:.3g} times what rounding explains. "
+            f"The rows are off by up to {worst:.4g} mm and {lean:.3g} deg from the best machine, {fit.scale:.3g} times what "
+            "rounding explains. "
             "The program may come from another CL path, or its machine have directions or axes that are not tried here."
         )
         yield Finding(Severity.ERROR, "poor-fit", text, worst, tolerance, "mm")
