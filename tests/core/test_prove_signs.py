@@ -234,9 +234,17 @@ def test_the_program_is_read_back_word_by_word_and_waits_at_every_stop(name, con
     np.testing.assert_array_equal(again.line, program.line)
     lines = text.decode().splitlines()
     stops = rows(made, program)
-    assert sum(line.strip() == "M0" for line in lines) == len(stops) + 1
+    assert sum(line.split()[-1:] == ["M0"] for line in lines) == len(stops) + 1
     for stop in stops:
-        assert lines[stop["line"] + 1].strip() == "M0" and f"stop {stop['number']} " in lines[stop["line"]].lower()
+        assert lines[stop["line"] + 1].split()[-1] == "M0" and f"stop {stop['number']} " in lines[stop["line"]].lower()
+
+
+@pytest.mark.parametrize("controller", [name for name, dialect in DIALECTS.items() if dialect.number_all])
+def test_where_every_line_has_a_number_those_of_the_stops_have_one_too(controller):
+    lines = posted("trunnion_ac", controller)[2].decode().splitlines()
+    assert [int(line.split()[0]) for line in lines] == list(range(len(lines)))
+    assert sum(line.endswith(" M0") for line in lines) == 9
+    assert lines[-1] == f"{len(lines) - 1} END PGM 0001 MM"
 
 
 def test_the_sheet_names_every_stop_with_its_line_and_its_wrong_look():

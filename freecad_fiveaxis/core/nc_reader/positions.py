@@ -14,7 +14,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.joint_path.branches import choose, within_limits
-from freecad_fiveaxis.core.kinematics import Chain, forward, inverse_axis, q_to_words, words_to_q
+from freecad_fiveaxis.core.kinematics import Chain, forward, inverse_axis, words_to_q
 from freecad_fiveaxis.core.program import standing
 from freecad_fiveaxis.core.program.guided import AT_POLE
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
@@ -177,6 +177,3 @@ def where_axes_stand(links: Chain, said: Floats, on: Bools) -> Floats:
 def tool_axes(links: Chain, words: Floats) -> Floats:
     """The tool axis (m, 3) at words (m, 5) mm and degrees."""
     return forward(links, words_to_q(words))[1]
-
-
-__all__ = ["FARTHEST", "INCH", "Moves", "axis_words", "moves", "q_to_words", "tool_axes", "where_axes_stand"]

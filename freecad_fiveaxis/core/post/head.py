@@ -99,5 +99,13 @@ def framed(dialect: Dialect, slots: dict[str, str], blocks: int) -> tuple[bytes,
     return before, behind
 
 
+def numbered_anew(dialect: Dialect, lines: list[str]) -> list[str]:
+    """The lines of a whole program, to which some without a number were added, with the numbers that the dialect wants on all."""
+    if not dialect.number_all:
+        return lines
+    bare = re.compile(rf"^{dialect.number_letter}[0-9]+ ")
+    return [_numbered(dialect, at, bare.sub("", line)) if line else line for at, line in enumerate(lines)]
+
+
 def _numbered(dialect: Dialect, at: int, line: str) -> str:
     return f"{dialect.number_letter}{at % dialect.number_most * dialect.number_step} {line}"

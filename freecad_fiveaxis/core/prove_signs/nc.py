@@ -10,6 +10,7 @@ from freecad_fiveaxis.core.kinematics import q_to_words
 from freecad_fiveaxis.core.number_text import rounded
 from freecad_fiveaxis.core.post import Dialect, PostOptions
 from freecad_fiveaxis.core.post.dialect import feed_distance
+from freecad_fiveaxis.core.post.head import numbered_anew
 from freecad_fiveaxis.core.post.writer import write_nc
 from freecad_fiveaxis.core.program import Program
 
@@ -52,7 +53,7 @@ def proof_nc(plan: Plan, program: Program, dialect: Dialect, options: PostOption
         if stop.see:
             number += 1
             made += [dialect.remark(f"stop {number} - {_ascii(stop)}"), WAIT]
-    return dialect.newline.join([*made, *lines[at:]]).encode("ascii")
+    return dialect.newline.join(numbered_anew(dialect, [*made, *lines[at:]])).encode("ascii")
 
 
 def _ascii(stop: Stop) -> str:
