@@ -115,6 +115,7 @@ OPTIONS = {
 """The options of `mill` that each cure of the table stands for."""
 
 
+@pytest.mark.slow
 def test_a_solid_compared_is_the_same_as_milled_on_the_first_machine_with_each_cure():
     assert set(OPTIONS) == set(CURES)
     options, mesh = {"stepover": 12.0, "tool_length": 80.0}, cap(rings=8, sectors=24)

@@ -205,6 +205,7 @@ def test_the_surface_is_cut_as_before(control_point):
     assert largest[1] < largest[0] / 3.0
 
 
+@pytest.mark.slow
 def test_the_axes_are_the_same_on_every_run():
     offset, axis, links, reach = given("trunnion_ac")
     assert np.array_equal(minimax_axes(offset, axis, links, reach, TILT, FEED), found("trunnion_ac"))

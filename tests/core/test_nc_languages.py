@@ -257,6 +257,7 @@ PIECES = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("controller", LANGUAGES)
 @settings(max_examples=700, deadline=None)
 @given(data=st.data())

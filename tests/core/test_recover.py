@@ -229,6 +229,7 @@ def test_rows_from_which_nothing_can_be_learnt_are_refused():
         recover(path, program(made.letters, words))
 
 
+@pytest.mark.slow
 def test_a_program_of_another_path_is_a_poor_fit_or_refused():
     path, _, _ = posted("trunnion_ac", seed=1)
     _, made, _ = posted("trunnion_ac", seed=2)
@@ -259,6 +260,7 @@ def test_an_inch_program_is_as_good_as_its_rounding():
     assert line_errors(found.machine, load_machine("trunnion_ac")).max() < NEAR
 
 
+@pytest.mark.slow
 def test_axes_that_do_not_fit_and_numbers_beyond_any_machine_are_noticed():
     path, made, _ = posted("trunnion_ac", 20, 2)
     assert "poor-fit" in codes(recover(cl_path(path.tip, np.tile((1.0, 0.0, 0.0), (20, 1))), made))  # the tips alone would fit
