@@ -11,6 +11,7 @@ import os
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
 from freecad_fiveaxis.core.cl_path import CLPath, LinkOptions, Motion, link_passes, order_passes
 from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
 from freecad_fiveaxis.core.deform import deform_axes, trade_findings
@@ -24,7 +25,7 @@ from freecad_fiveaxis.core.minimax import minimax_axes
 from freecad_fiveaxis.core.nc_reader import read_nc
 from freecad_fiveaxis.core.passes import ContactPath, place_planes, reachable_facets, slice_mesh
 from freecad_fiveaxis.core.program import Program, block_findings, build_program
-from freecad_fiveaxis.core.report import Figures, as_html, as_json, as_text, blocks_csv, judge
+from freecad_fiveaxis.core.report import Figures, as_html, as_json, as_text, blocks_csv, judge, rates_csv
 
 from .apt import ClHead, read_cl_file, write_apt
 from .errors import SettingsError
@@ -36,7 +37,7 @@ from .post.head import slot_texts
 from .post.writer import write_nc
 from .progress import Progress, silent
 from .records import Bools, Floats
-from .settings import MILL, POST, Settings, flat_options
+from .settings import AUDIT, MILL, POST, Settings, flat_options
 from .singularity import Singularity, find_singular, in_cone
 from .tool_axis import AxisOptions, find_strategy, tool_axes
 
@@ -81,12 +82,13 @@ class Milled(Posted):
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A proven program. ``findings`` of every stage, in the order of the street."""
+    """A proven program. ``findings`` of every stage, in the order of the street. ``audit``: only of a program not made here."""
 
     made: Made
     deviation: Deviation
     singularity: Singularity
     findings: tuple[Finding, ...]
+    audit: Audit | None = None
 
 
 def run(settings: Settings, progress: Progress = silent) -> Result:
@@ -237,7 +239,28 @@ def prove(made: Made, progress: Progress = silent) -> Result:
         deviation = without_guided(deviation, guided.on, guided.tip)
     singularity = find_singular(made.links, words, made.machine.singular_cone)
     judged = judge(made.links, made.program, deviation, singularity, proof.tolerance)
-    return Result(made, deviation, singularity, made.findings + deviation.findings + judged)
+    found = made.findings + deviation.findings + judged
+    if made.settings.task != AUDIT:
+        return Result(made, deviation, singularity, found)
+    audited = _audited(made, deviation, progress)
+    return Result(made, deviation, singularity, found + audited.findings, audited)
+
+
+def _audited(made: Made, deviation: Deviation, progress: Progress) -> Audit:
+    """Limits and rates (of a program made here they hold by its making), and the comparison that the settings ask for."""
+    settings, proof = made.settings, made.settings.proof
+    options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter.radius)
+    return audit_program(made.links, made.program, deviation, _compared(settings, progress), options, progress)
+
+
+def _compared(settings: Settings, progress: Progress) -> CLPath | Mesh | None:
+    """The CL path or the part that a program is audited against. Raises FiveAxisError where it cannot be read."""
+    path = settings.audit.against
+    if path is None:
+        return None
+    if Path(path).suffix.lower() == ".stl":
+        return read_stl(path, progress)
+    return read_cl_file(read_bytes(path, "CL file"), settings.feeds.feed, progress).path
 
 
 def figures(result: Result) -> Figures:
@@ -247,16 +270,19 @@ def figures(result: Result) -> Figures:
         title=_title(made.settings), kind=made.settings.task, machine=made.machine, links=made.links,
         program=made.program, deviation=result.deviation, singularity=result.singularity,
         tolerance=made.settings.proof.tolerance, findings=result.findings, inputs=flat_options(made.settings),
+        audit=result.audit,
     )  # fmt: skip
 
 
 def check_outputs(settings: Settings) -> None:
     """Before the long work: every file can be written, has a known ending, and is not the source. Raises FiveAxisError."""
     output = settings.output
-    targets = [path for path in (output.output, output.cl, output.blocks, settings.recover.machine_file, *output.report) if path]
+    named = (output.output, output.cl, output.blocks, settings.recover.machine_file, settings.audit.rates, *output.report)
+    targets = [path for path in named if path]
+    reads = [read for read in (settings.source, settings.recover.program, settings.audit.against) if read]
     for path in targets:
         check_writable(path)
-        if os.path.realpath(path) in [os.path.realpath(read) for read in (settings.source, settings.recover.program) if read]:
+        if os.path.realpath(path) in map(os.path.realpath, reads):
             raise SettingsError(f"{path} is the file that is read; name another output", path)
     if len({os.path.realpath(path) for path in targets}) < len(targets):
         raise SettingsError("two outputs have the same name; name each file apart", targets)
@@ -291,6 +317,8 @@ def _report_files(result: Result, progress: Progress) -> dict[str, bytes]:
     output, files = result.made.settings.output, {}
     if output.blocks:
         files[output.blocks] = blocks_csv(result.made.program, result.deviation, result.singularity, progress)
+    if (rates := result.made.settings.audit.rates) and result.audit is not None:
+        files[rates] = rates_csv(result.made.links, result.made.program, result.audit, progress)
     if output.report:
         sheets = figures(result)
         files |= {path: REPORTS[Path(path).suffix.lower()](sheets).encode("utf-8", "backslashreplace") for path in output.report}

@@ -25,8 +25,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from freecad_fiveaxis.core.deviation import Deviation
 from freecad_fiveaxis.core.kinematics import Chain
-from freecad_fiveaxis.core.program import Program
-from freecad_fiveaxis.core.report.figures import feed_blocks, worst_first
+from freecad_fiveaxis.core.program import Program, feed_blocks
+from freecad_fiveaxis.core.report.figures import worst_first
 
 from .errors import ProgramError
 from .records import Floats, Ints

@@ -90,7 +90,7 @@ class PassSettings:
 class CutterSettings:
     """The cutter and how co-edges are closed."""
 
-    cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in", FROM_PATH)
+    cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in", (*FROM_PATH, AUDIT))
     coedge_tolerance: float = option(
         0.01, "length", "largest R - r at a convex co-edge before an arc is used", above=0, most=LONGEST
     )
@@ -276,6 +276,23 @@ class ProveSettings:
 
 
 @dataclass(frozen=True)
+class AuditSettings:
+    """What the audited program is compared with."""
+
+    against: str | None = option(
+        None, "path", "the CL file (.apt, .cl) or the part (.stl) that the program is compared with [neither]", (AUDIT,)
+    )
+    axis_tolerance: float = option(
+        math.radians(0.2), "angle", "largest angle between the tool axis and that of the CL path at a block's end", (AUDIT,),
+        above=0, most=math.pi / 2,
+    )  # fmt: skip
+    rates: str | None = option(
+        None, "path", "CSV with one row a block: time, feed over the part, rates asked of the axes, distance off path or part",
+        (AUDIT,),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
 class OutputSettings:
     """Files to write."""
 
@@ -304,6 +321,7 @@ class Settings:
     compare: CompareSettings = group(CompareSettings)
     recover: RecoverSettings = group(RecoverSettings)
     prove: ProveSettings = group(ProveSettings)
+    audit: AuditSettings = group(AuditSettings)
     output: OutputSettings = group(OutputSettings)
 
 

@@ -106,11 +106,15 @@ def test_a_fixed_axis_without_a_direction_is_refused_before_the_work(axis):
     mill(axis=axis)  # another strategy does not use it
 
 
-def test_the_cutter_belongs_to_the_tasks_that_add_rapids():
+def test_the_cutter_belongs_to_the_tasks_that_add_rapids_and_to_audits_against_a_part():
     def tasks(name):
         return {task for task in TASKS for _, leaf in option_fields(task) if leaf.name == name}
 
-    assert tasks("cutter") == {"mill", "post", "setup", "compare"} and tasks("coedge_tolerance") == {"mill", "setup", "compare"}
+    assert tasks("cutter") == {"mill", "post", "setup", "compare", "audit"} and tasks("coedge_tolerance") == {
+        "mill",
+        "setup",
+        "compare",
+    }
     settings = build_settings("post", "a.apt", {"machine": "trunnion_ac", "cutter": "ball:6"})
     assert settings.cutter.cutter.diameter == 6.0
 

@@ -22,10 +22,10 @@ from freecad_fiveaxis.core.joint_path import JointPath, solve
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.number_text import rounded
-from freecad_fiveaxis.core.program import Program, build_program
+from freecad_fiveaxis.core.program import Program, build_program, feed_blocks
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats
-from freecad_fiveaxis.core.report.figures import axis_rates, feed_blocks
+from freecad_fiveaxis.core.report.figures import axis_rates
 from freecad_fiveaxis.core.setup_map import Posting, part_box
 
 from .tool_centre import guide

@@ -3,7 +3,10 @@
 
 from .feeds import rapid_minutes
 from .guided import Guided, standing, turned_to
-from .program import Program, block_findings, build_program
+from .program import Program, block_findings, build_program, feed_blocks
 from .wrapping import shorter_turns
 
-__all__ = ["Guided", "Program", "block_findings", "build_program", "rapid_minutes", "shorter_turns", "standing", "turned_to"]
+__all__ = [
+    "Guided", "Program", "block_findings", "build_program", "feed_blocks", "rapid_minutes", "shorter_turns", "standing",
+    "turned_to",
+]  # fmt: skip

@@ -63,6 +63,12 @@ class Program:
         freeze(self, None, words="f5", feed="f", inverse_time="b", motion="m", seconds="f", row="i", line="i")
 
 
+def feed_blocks(program: Program) -> Ints:
+    """The rows of the feed blocks. Row 0 is none: where the machine comes from is not known."""
+    rows = np.flatnonzero(program.motion != Motion.RAPID)
+    return rows[rows > 0]
+
+
 def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_time: bool, progress: Progress = silent) -> Program:
     """The program of a joint path for one controller: rounded words, one block for every row that moves, F words, times.
 

@@ -2,7 +2,7 @@
 """What is said about a finished program, and the markers for the 3D view.
 
 The numbers come from ``figures`` (which defines the words), the judgement from ``judgement``; ``text`` writes for the
-terminal, ``json_text`` for scripts, ``html_page`` a page with plots, ``block_table`` the CSV,
+terminal, ``json_text`` for scripts, ``html_page`` a page with plots, ``block_table`` and ``rate_table`` the CSV,
 ``drawing`` the arrays of a view.
 """
 
@@ -13,9 +13,10 @@ from .html_page import as_html
 from .json_text import as_json
 from .judgement import judge
 from .markers import Marker, markers
+from .rate_table import rates_csv
 from .text import as_text, verdict
 
 __all__ = [
     "Drawing", "Figures", "Marker", "Row", "Spot", "as_html", "as_json", "as_text", "blocks_csv", "draw", "judge", "listed",
-    "markers", "scale_values", "spot", "summary", "verdict",
+    "markers", "rates_csv", "scale_values", "spot", "summary", "verdict",
 ]  # fmt: skip

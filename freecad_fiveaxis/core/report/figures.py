@@ -22,15 +22,18 @@ from typing import Any
 
 import numpy as np
 
+from freecad_fiveaxis.core.audit import Audit
+from freecad_fiveaxis.core.audit.rates import SAME
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.deviation import Deviation
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, forward
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.records import Floats, Ints
 from freecad_fiveaxis.core.singularity import Singularity
 
+from .audited import audit_rows, audited, worst_of
 from .block_table import letter_order
 
 WORST = 10
@@ -42,7 +45,8 @@ _CHUNK = 16384
 class Figures:
     """All that a report shows. ``tolerance`` mm; ``findings`` those of every stage.
 
-    ``program``, ``deviation`` and ``singularity`` have one row a block; ``links`` is the chain that ``program`` is for.
+    ``program``, ``deviation`` and ``singularity`` have one row a block; ``links`` is the chain that ``program`` is for. ``audit``
+    where there was one.
     """
 
     title: str
@@ -55,6 +59,7 @@ class Figures:
     tolerance: float
     findings: tuple[Finding, ...] = ()
     inputs: Mapping[str, object] = field(default_factory=dict)
+    audit: Audit | None = None
 
     @cached_property
     def feeds(self) -> Ints:
@@ -91,12 +96,6 @@ def inner_words(words: Floats) -> Floats:
     return np.concatenate([words[:, :3], np.radians(words[:, 3:])], axis=1)
 
 
-def feed_blocks(program: Program) -> Ints:
-    """The rows of the feed blocks. Row 0 is none: where the machine comes from is not known."""
-    rows = np.flatnonzero(program.motion != Motion.RAPID)
-    return rows[rows > 0]
-
-
 def guided_feeds(program: Program) -> Ints:
     """The feed blocks in which the controller guides the tip: nothing is proven of them but where they end."""
     feeds = feed_blocks(program)
@@ -130,33 +129,40 @@ def summary(figures: Figures) -> dict[str, Any]:
     unproven = ~over & ~(bound <= figures.tolerance)
     worst = figures.worst
     rapid = deviation.segment[program.motion == Motion.RAPID]
-    return {
-        "title": figures.title,
-        "kind": figures.kind,
-        "machine": figures.machine.name,
-        "tolerance": figures.tolerance,
-        "proven": bool(len(feeds)) and not over.any() and not unproven.any() and not len(guided_feeds(program)),
-        "over_tolerance": int(over.sum()),
-        "unproven": int(unproven.sum()),
-        "guided_blocks": len(guided_feeds(program)),
-        "max_line_deviation": _largest(deviation.line[feeds]),
-        "max_segment_deviation": _largest(segment),
-        "max_bound": _largest(bound),
-        "max_axis_deviation_deg": math.degrees(_largest(deviation.axis[feeds])),
-        "max_rapid_deviation": _largest(rapid),
-        "worst_line": int(program.line[worst[0]]) if len(worst) else None,
-        "worst_block": int(worst[0]) if len(worst) else None,
-        "singular_blocks": int(figures.singularity.singular[feeds].sum()),
-        "blocks": len(program.words),
-        "feed_blocks": len(feeds),
-        "time_s": float(program.seconds.sum()),
-        "findings": {kind.name.lower(): sum(f.severity == kind for f in figures.findings) for kind in reversed(Severity)},
-    } | _travelled(figures)
+    return (
+        {
+            "title": figures.title,
+            "kind": figures.kind,
+            "machine": figures.machine.name,
+            "tolerance": figures.tolerance,
+            "proven": bool(len(feeds)) and not over.any() and not unproven.any() and not len(guided_feeds(program)),
+            "over_tolerance": int(over.sum()),
+            "unproven": int(unproven.sum()),
+            "guided_blocks": len(guided_feeds(program)),
+            "max_line_deviation": _largest(deviation.line[feeds]),
+            "max_segment_deviation": _largest(segment),
+            "max_bound": _largest(bound),
+            "max_axis_deviation_deg": math.degrees(_largest(deviation.axis[feeds])),
+            "max_rapid_deviation": _largest(rapid),
+            "worst_line": int(program.line[worst[0]]) if len(worst) else None,
+            "worst_block": int(worst[0]) if len(worst) else None,
+            "singular_blocks": int(figures.singularity.singular[feeds].sum()),
+            "blocks": len(program.words),
+            "feed_blocks": len(feeds),
+            "time_s": float(program.seconds.sum()),
+            "findings": {kind.name.lower(): sum(f.severity == kind for f in figures.findings) for kind in reversed(Severity)},
+        }
+        | _travelled(figures)
+        | audited(figures.program, figures.audit)
+    )
 
 
-def worst_table(figures: Figures) -> list[dict[str, Any]]:
-    """The worst feed blocks as rows: mm and degrees; the rotary letters tell how far those axes turn in the block."""
-    program, deviation, moved = figures.program, figures.deviation, travel(figures.program)[figures.worst]
+def worst_table(figures: Figures, rows: Ints | None = None) -> list[dict[str, Any]]:
+    """The worst feed blocks (or ``rows``) as rows: mm and degrees; the rotary letters tell how far those axes turn in the block.
+    With an audit each has what that found in it, too."""
+    chosen = figures.worst if rows is None else rows
+    more = [{} for _ in chosen] if figures.audit is None else audit_rows(figures.program, figures.audit, chosen)
+    program, deviation, moved = figures.program, figures.deviation, travel(figures.program)[chosen]
     angles = letter_order(program.letters)[3:]
     return [
         {
@@ -172,8 +178,19 @@ def worst_table(figures: Figures) -> list[dict[str, Any]]:
             "singular": bool(figures.singularity.singular[row]),
             "place": deviation.place[row].tolist(),
         }
-        for at, row in enumerate(figures.worst)
+        | more[at]
+        for at, row in enumerate(chosen)
     ]
+
+
+def worst_of_audit(figures: Figures) -> dict[str, list[dict[str, Any]]]:
+    """The worst lines of an audit by ``limits``, ``rates`` and ``off`` (the CL path or the part), each as ``worst_table``."""
+    if figures.audit is None:
+        return {}
+    off = figures.audit.off()[0]
+    kinds = {"limits": (figures.audit.limits.excess, 0.0), "rates": (figures.audit.rates.ratio, 1.0 + SAME)}
+    kinds["off"] = (off, figures.tolerance)
+    return {name: worst_table(figures, worst_of(values, above)) for name, (values, above) in kinds.items()}
 
 
 def _largest(values: Floats) -> float:

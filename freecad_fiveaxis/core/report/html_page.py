@@ -14,7 +14,7 @@ from typing import Any
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.progress import Progress, silent
 
-from .figures import Figures, summary, worst_table
+from .figures import Figures, summary, worst_of_audit, worst_table
 from .json_text import plain
 from .plots import Plot, plots
 from .text import facts, grouped, number, verdict
@@ -40,6 +40,10 @@ GLOSSARY = {
         "Where the tool stands almost along the first rotary axis, this axis must turn far to lean the tool a little, as a "
         "compass needle does near the pole of the earth. Textbooks call it a singularity."
     ),
+    "Feed over the part": (
+        "Length of the tip's real path in a block over the time that the block's F word means: what the cutter feels. Under G94 "
+        "F measures other things where rotary axes turn."
+    ),
     "u": "The share of a block's time that has passed: 0 at its start, 1 at its end.",
     "RTCP": "Rotation about the tool centre point: the controller itself guides the tip along the straight segment.",
 }
@@ -55,6 +59,7 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
         _section("Figures", _cards(facts(numbers))),
         *_pictures(plots(figures, progress), bool(numbers["feed_blocks"])),
         _section("Worst blocks", _worst(figures)),
+        *_audited(figures),
         _section("Axes", _axes(numbers["axes"])),
         _section("Findings", _findings(figures.findings)),
         _section("Inputs", _pairs((name, _as_text(value)) for name, value in figures.inputs.items())),
@@ -135,6 +140,56 @@ def _worst(figures: Figures) -> str:
             for row in rows
         ],
         "The largest deviation from the commanded segment first.",
+    )
+
+
+ASKED = {
+    "deviation": "The worst lines by deviation: what they say, and what they ask of the axes",
+    "limits": "The worst lines beyond a limit",
+    "rates": "The worst lines that ask more of an axis than it can",
+    "off": "The worst lines off the CL path, or in the part",
+}
+
+
+def _audited(figures: Figures) -> list[str]:
+    """The worst lines of an audit, by each kind of trouble that there is."""
+    if figures.audit is None:
+        return []
+    tables = {"deviation": worst_table(figures)} | worst_of_audit(figures)
+    return [_section(ASKED[name], _asked(rows)) for name, rows in tables.items() if rows]
+
+
+def _asked(rows: Sequence[Mapping[str, Any]]) -> str:
+    letters = list(rows[0]["rate"])
+    head = [
+        "NC line",
+        "words",
+        "F",
+        "deviation, mm",
+        "proven bound, mm",
+        "feed over the part",
+        *(f"{one} rate" for one in letters),
+    ]
+    head += ["share of the largest rate", "beyond a limit", "off path or in part, mm", "its bound, mm"]
+    return _table(
+        head,
+        [
+            [
+                str(row["line"]),
+                " ".join(f"{letter}{number(value, 4)}" for letter, value in row["words"].items()),
+                number(row["feed"], 3),
+                number(row["segment_deviation"], 6),
+                number(row["bound"], 6),
+                number(row["tip_feed"], 1),
+                *(number(row["rate"][letter], 1) for letter in letters),
+                f"{row['rate_axis']} {row['rate_ratio']:.3g}",
+                number(row["limit_excess"], 4),
+                number(row["off"], 6),
+                number(row["off_bound"], 6),
+            ]
+            for row in rows
+        ],
+        "Words and excess in mm and deg, feeds and rates in mm/min and deg/min. A feed of 0: a rapid, or no time is known.",
     )
 
 

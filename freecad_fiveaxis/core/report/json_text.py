@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from .figures import Figures, summary, worst_table
+from .figures import Figures, summary, worst_of_audit, worst_table
 
 VERSION = 1
 """Of the JSON report: raised when a key changes its meaning."""
@@ -24,12 +24,14 @@ def as_json(figures: Figures) -> str:
 
     Bytes of a file name that are no Unicode (Python's lone surrogates) become escapes, which JSON readers give back.
 
-    Keys: version, summary (see :func:`~freecad_fiveaxis.core.report.figures.summary`), worst_blocks, findings, inputs.
+    Keys: version, summary (see :func:`~freecad_fiveaxis.core.report.figures.summary`), worst_blocks, findings, inputs; of an
+    audit also ``audit``: its worst lines by limits, rates, and distance off the CL path or depth in the part.
     """
     report = {
         "version": VERSION,
         "summary": summary(figures),
         "worst_blocks": worst_table(figures),
+        **({} if figures.audit is None else {"audit": worst_of_audit(figures)}),
         "findings": figures.findings,
         "inputs": figures.inputs,
     }

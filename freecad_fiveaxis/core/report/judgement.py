@@ -20,11 +20,11 @@ import numpy as np
 from freecad_fiveaxis.core.deviation import Deviation
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, forward
-from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.records import Floats, Ints
 from freecad_fiveaxis.core.singularity import Singularity
 
-from .figures import WORST, feed_blocks, inner_words, travel, worst_first
+from .figures import WORST, inner_words, travel, worst_first
 
 OVER, UNPROVEN, SINGULAR = "deviation-over-tolerance", "bound-over-tolerance", "singular-block"
 

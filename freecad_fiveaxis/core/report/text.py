@@ -11,6 +11,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.findings import Finding
 
+from .audited import audit_facts
 from .figures import Figures, summary, worst_table
 
 WIDTH = 100
@@ -98,6 +99,7 @@ def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
         ("passes, length cut", f"{numbers['passes']}, {numbers['cut_length']:.1f} mm"),
         ("time", duration(numbers["time_s"])),
         ("rotary travel", turned),
+        *audit_facts(numbers),
     ]
 
 

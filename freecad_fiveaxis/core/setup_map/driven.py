@@ -22,10 +22,9 @@ from freecad_fiveaxis.core.joint_path.rewind import Drive, subdivide_rapids
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, joint_words, q_to_words
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.post.dialect import Dialect
-from freecad_fiveaxis.core.program import Program, build_program
+from freecad_fiveaxis.core.program import Program, build_program, feed_blocks
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.report.figures import feed_blocks
 
 EVEN = 1e-9
 """mm and rad: steps that differ by less are pieces of one rapid."""

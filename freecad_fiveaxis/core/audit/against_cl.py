@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a posted program leaves the CL path that it was made from.
+
+CL line      the straight lines from row to row of the CL file, rapids included: a post may make feed moves of them.
+off          the distance of the real tip from the nearest place of the CL line, at its largest in each feed block.
+missed row   a row of the CL file, reached at feed, that no feed block comes near: a pass that is not cut.
+axis off     the angle between the tool axis at a block's end and that of the CL path at the nearest place; of several places that
+             are as near (passes that cross, the tool turning on the spot) the one that suits best counts.
+
+**Proof.** The distance from one straight line is convex: between two places on a chord it is at most the larger end value, and
+the real tip is within ``bend / 8`` of the chord. This serves for blocks along one CL line, its neighbours included; otherwise
+the distance of the nearest line changes by no more than the way: ``(d0 + d1 + way) / 2``.
+
+The order in which the rows are visited is not compared. A block that is set over to the next pass lies on the CL line there; the
+row that it should have reached is then a missed row.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.deviation import Deviation
+from freecad_fiveaxis.core.errors import ProgramError
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.kinematics import Chain, chunks
+from freecad_fiveaxis.core.program import Program, feed_blocks
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze
+from freecad_fiveaxis.core.trajectory import axis_at
+
+from .nearest import Pieces, Segments, nearest, search
+from .real_path import Ends, Peaks, RealPath, peaks
+
+SHARE = 0.1
+"""Of the tolerance: how much of it the chords may cost by which the real path is replaced for the missed rows."""
+MOST_CHORDS = 64
+"""For one block."""
+TIED = 16
+"""Places that are compared for the axis."""
+ALL_ALIKE = 0.9
+"""Share of the blocks' ends that are off, from which it is no single slip but the machine or the zero."""
+
+
+@dataclass(frozen=True, eq=False)
+class AgainstPath:
+    """``block`` (n,) the feed blocks, rows of the Program; ``off`` (n,) mm the largest distance from the CL line, at ``u`` (n,)
+    and ``place`` (n, 3); ``bound`` (n,) proven; ``end`` (n,) mm that of the block's end; ``axis`` (n,) rad at the end. ``missed``
+    (k,) rows of the CL file, ``distance`` (k,) mm of the nearest feed block from each."""
+
+    block: Ints
+    off: Floats
+    u: Floats
+    place: Floats
+    bound: Floats
+    end: Floats
+    axis: Floats
+    missed: Ints
+    distance: Floats
+    findings: tuple[Finding, ...] = ()
+
+    def __post_init__(self) -> None:
+        freeze(self, None, block="i", off="f", u="f", place="f3", bound="f", end="f", axis="f")
+        freeze(self, None, missed="i", distance="f")
+
+
+def against_path(
+    links: Chain, program: Program, deviation: Deviation, path: CLPath, tolerance: float, axis_tolerance: float,
+    progress: Progress = silent,
+) -> AgainstPath:  # fmt: skip
+    """The program against the CL path. ``tolerance`` mm, ``axis_tolerance`` rad. Raises ProgramError for a path of one row."""
+    if len(path.tip) < 2:
+        raise ProgramError("the CL file holds fewer than two rows: there is no path to compare with", len(path.tip))
+    lines = Segments(path.tip[:-1], path.tip[1:])
+    pieces, rows, real = lines.pieces(), feed_blocks(program), RealPath(links, program)
+    found = (
+        peaks(real, rows, lambda place: search(place, pieces, lines.squared, nearest, 2), _bound(lines), tolerance, progress)
+        if len(rows)
+        else Peaks(np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros(0))
+    )
+    ends, ones = real.places(rows, np.ones(len(rows))), np.ones(len(rows))
+    stands = axis_at(links, program.words[rows - 1], program.words[rows], ones) if len(rows) else np.zeros((0, 3))
+    at_end = _at_ends(path, lines, pieces, ends, stands, tolerance)
+    missed, distance = _missed(real, rows, deviation, path, tolerance, progress)
+    told = AgainstPath(
+        rows, found.value, found.u, found.place, found.bound, at_end[:, 0], at_end[:, 1], missed, distance
+    )  # fmt: skip
+    findings = _findings(program, told, path, tolerance, axis_tolerance)
+    return AgainstPath(**{**vars(told), "findings": findings})
+
+
+def _bound(lines: Segments) -> Callable[[Ends], Floats]:
+    last = len(lines.start) - 1
+
+    def upper(ends: Ends) -> Floats:
+        least: Floats = ends.value[:, :, 0].sum(axis=0) / 2.0 + ends.travel / 2.0
+        for rows in chunks(len(least)):
+            part = ends.take(rows)
+            near = part.value[:, :, 1].astype(np.int64)
+            tried = np.clip(np.concatenate([near + step for step in (-1, 0, 1)]).T, 0, last)
+            both = np.maximum(*(lines.squared(part.place[side], tried) for side in (0, 1)))
+            straight = np.sqrt(both.min(axis=1)) + part.bend / 8.0
+            least[rows] = np.minimum(least[rows], straight)
+        return least
+
+    return upper
+
+
+def _at_ends(path: CLPath, lines: Segments, pieces: Pieces, places: Floats, axis: Floats, tolerance: float) -> Floats:
+    """Distance mm from the CL line and angle rad of the axes (n, 2) at ``places`` (n, 3) with tool axes ``axis`` (n, 3)."""
+    with_axis = np.concatenate([places, axis], axis=1)
+
+    def squared(here: Floats, element: Ints) -> Floats:
+        return lines.squared(here, element)
+
+    def resolve(here: Floats, element: Ints, distance2: Floats) -> Floats:
+        least = np.sqrt(distance2.min(axis=1))
+        order = np.argsort(distance2, axis=1)[:, :TIED]
+        at = np.take_along_axis(element, order, axis=1)
+        near = np.sqrt(np.take_along_axis(distance2, order, axis=1)) <= least[:, None] + tolerance
+        angle = np.where(near, _angles(path, lines, here[:, :3], here[:, 3:], at), np.inf)
+        return np.column_stack([least, angle.min(axis=1)])
+
+    return search(with_axis, pieces, squared, resolve, 2)
+
+
+def _angles(path: CLPath, lines: Segments, place: Floats, axis: Floats, element: Ints) -> Floats:
+    """Angle (n, k) rad between ``axis`` (n, 3) and that of the CL path at the feet on the lines ``element`` (n, k): on the great
+    arc between the axes of a line's ends; where the line is a point, the nearest of that arc."""
+    first, last = path.axis[element], path.axis[element + 1]
+    turn = 2.0 * np.arcsin(np.clip(np.linalg.norm(last - first, axis=-1) / 2.0, 0.0, 1.0))
+    share = lines.share(place, element)
+    here = axis[:, None]
+    still = (lines.start[element] == lines.end[element]).all(axis=-1)
+    towards = ((here - first) * (last - first)).sum(axis=-1)
+    length2 = ((last - first) ** 2).sum(axis=-1)
+    by_axis = np.clip(np.divide(towards, length2, out=np.zeros_like(towards), where=length2 > 0.0), 0.0, 1.0)
+    share = np.where(still, by_axis, share)
+    sine = np.sin(turn)
+    bent = sine > 1e-9
+    safe = np.where(bent, sine, 1.0)
+    from_first = np.where(bent, np.sin((1.0 - share) * turn) / safe, 1.0 - share)
+    from_last = np.where(bent, np.sin(share * turn) / safe, share)
+    meant = from_first[..., None] * first + from_last[..., None] * last
+    return np.asarray(2.0 * np.arcsin(np.clip(np.linalg.norm(here - meant, axis=-1) / 2.0, 0.0, 1.0)))
+
+
+def _missed(
+    real: RealPath, rows: Ints, deviation: Deviation, path: CLPath, tolerance: float, progress: Progress
+) -> tuple[Ints, Floats]:
+    """The rows of the CL path reached at feed that the real path of the feed blocks misses by more than the tolerance."""
+    progress("against the path", 1.0)
+    wanted = np.flatnonzero(path.motion != Motion.RAPID)
+    if not len(rows) or not len(wanted):
+        return wanted, np.full(len(wanted), math.inf)
+    spare = SHARE * tolerance
+    count = np.clip(np.ceil(np.sqrt(deviation.bound[rows] / spare)), 1, MOST_CHORDS).astype(np.int64)
+    block = np.repeat(np.arange(len(rows)), count)
+    step = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
+    share = [(step + more) / count[block] for more in (0.0, 1.0)]
+    chords = Segments(*(real.places(rows[block], u) for u in share))
+    distance = search(path.tip[wanted], chords.pieces(), chords.squared, nearest, 2)[:, 0]
+    far = distance > tolerance + spare
+    return wanted[far], distance[far]
+
+
+# ------------------------------------------------------------------------------------------------ findings
+
+
+def _findings(program: Program, told: AgainstPath, path: CLPath, tolerance: float, axis_tolerance: float) -> tuple[Finding, ...]:
+    ends = told.end > tolerance
+    between = ~ends & (told.off > tolerance) & ~np.append(False, ends[:-1])[: len(ends)]
+    found = []
+    off = np.flatnonzero((told.off > tolerance) & ~between)
+    if len(off):
+        found.append(_place_finding(program, told, off, "off-cl-path", _ends_text(told, ends), tolerance))
+    if between.any():
+        text = "leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Linearize."
+        found.append(_place_finding(program, told, np.flatnonzero(between), "between-cl-rows", text, tolerance))
+    leaning = np.flatnonzero((told.axis > axis_tolerance) & (told.end <= max(100.0 * tolerance, 1.0)))
+    if len(leaning):
+        found.append(_axis_finding(program, told, leaning, axis_tolerance))
+    if len(told.missed):
+        found.append(_missed_finding(told, path, tolerance))
+    return tuple(found)
+
+
+def _ends_text(told: AgainstPath, ends: Bools) -> str:
+    if ends.mean() < ALL_ALIKE:
+        return "leave the CL path, and end off it: a word is wrong there, or they are moves of the post's own, as retracts."
+    off = np.percentile(told.end, (5, 95))
+    return (
+        f"are off the CL path, nearly all alike ({off[0]:.4g} to {off[1]:.4g} mm at their ends): the post had another machine, "
+        "work zero or tool length in mind. See --origin and --tool-length; recover finds the machine that fits."
+    )
+
+
+def _place_finding(program: Program, told: AgainstPath, at: Ints, code: str, text: str, tolerance: float) -> Finding:
+    worst = int(at[told.off[at].argmax()])
+    row = int(told.block[worst])
+    said = "1 feed block: " if len(at) == 1 else ""
+    whole = (
+        f"{said}{len(at)} of {len(told.block)} feed blocks {text} Worst is NC line {program.line[row]}, "
+        f"{told.off[worst]:.5g} mm off ({tolerance:g} mm allowed); first NC line {program.line[told.block[at[0]]]}."
+    )
+    x, y, z = told.place[worst].tolist()
+    value, line = float(told.off[worst]), int(program.line[row])
+    return Finding(Severity.ERROR, code, whole, value, tolerance, "mm", row, line, (x, y, z))
+
+
+def _axis_finding(program: Program, told: AgainstPath, at: Ints, tolerance: float) -> Finding:
+    worst = int(at[told.axis[at].argmax()])
+    row, lean = int(told.block[worst]), math.degrees(told.axis[worst])
+    text = (
+        f"At the end of {len(at)} feed blocks the tool does not stand as the CL path says: worst NC line {program.line[row]}, by "
+        f"{lean:.4g} deg ({math.degrees(tolerance):g} deg allowed); first NC line {program.line[told.block[at[0]]]}. Are signs, "
+        "order and zeros of the rotary axes those of the machine?"
+    )
+    line = int(program.line[row])
+    return Finding(Severity.ERROR, "axis-off-cl-path", text, lean, math.degrees(tolerance), "deg", row, line)
+
+
+def _missed_finding(told: AgainstPath, path: CLPath, tolerance: float) -> Finding:
+    worst, first = int(told.distance.argmax()), int(told.missed[0])
+    text = (
+        f"{len(told.missed)} rows of the CL file are not cut: no feed block comes within {tolerance:g} mm of them. The first is "
+        f"row {first + 1} of {len(path.tip)}, the farthest row {told.missed[worst] + 1}, {told.distance[worst]:.4g} mm off. Is "
+        "the program whole, and made from this file?"
+    )
+    x, y, z = path.tip[told.missed[worst]].tolist()
+    value = float(told.distance[worst]) if math.isfinite(told.distance[worst]) else None
+    return Finding(Severity.ERROR, "cl-rows-missed", text, value, tolerance, "mm", None, None, (x, y, z))

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How deep the ball of the cutter enters the part (STL) along the feed blocks of a program, as the machine really drives them.
+
+overcut     the depth to which the ball is inside the part's surface: radius less the distance of the ball's centre from the mesh,
+            the centre's distance counting below 0 where it is inside the part itself.
+clearance   the same with the other sign; the largest is only a number.
+
+**Proof.** d^2(p) - p^2 is concave, whatever the part: it is the least of functions that are linear in p. Along a chord of
+length c between two places d0, d1 from the part, outside it, the centre is therefore nowhere nearer than
+``sqrt(min(d0, d1)^2 - c^2 / 4)``, and the real centre is within ``bend / 8`` of the chord. Elsewhere the distance
+changes by no more than the way.
+
+Only the ball is looked at: neither the shank nor the holder. Stock is not known: whether the part is cut at all is not said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.program import Program, feed_blocks
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Floats, Ints, freeze
+
+from .nearest import Facets, search
+from .real_path import Ends, Peaks, RealPath, peaks
+
+
+@dataclass(frozen=True, eq=False)
+class AgainstPart:
+    """``block`` (n,) the feed blocks, rows of the Program; ``depth`` (n,) mm of the deepest overcut found (below 0: clear by so
+    much) at ``u`` (n,), the ball's centre then at ``place`` (n, 3); ``bound`` (n,) proven; ``clearance`` mm the largest at a
+    block's end."""
+
+    block: Ints
+    depth: Floats
+    u: Floats
+    place: Floats
+    bound: Floats
+    clearance: float
+    findings: tuple[Finding, ...] = ()
+
+    def __post_init__(self) -> None:
+        freeze(self, None, block="i", depth="f", u="f", place="f3", bound="f")
+
+
+def against_part(
+    links: Chain, program: Program, mesh: Mesh, radius: float, tolerance: float, progress: Progress = silent
+) -> AgainstPart:
+    """The program's ball of ``radius`` mm against the part, in the work frame."""
+    facets = Facets(np.ascontiguousarray(mesh.vertex[mesh.face.T]), mesh.normal)
+    pieces, rows = facets.pieces(), feed_blocks(program)
+    real = RealPath(links, program, radius)
+
+    def measured(place: Floats) -> Floats:
+        return radius - search(place, pieces, facets.squared, facets.signed, 2)[:, :1]
+
+    if not len(rows):
+        return AgainstPart(rows, np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros(0), 0.0)
+    found = peaks(real, rows, measured, _bound(radius), tolerance, progress)
+    clear = float(-measured(real.places(rows, np.ones(len(rows)))).min())
+    finding = _findings(program, rows, found, tolerance, radius)
+    return AgainstPart(rows, found.value, found.u, found.place, found.bound, clear, finding)
+
+
+def _bound(radius: float) -> Callable[[Ends], Floats]:
+    def upper(ends: Ends) -> Floats:
+        depth = ends.value[:, :, 0]
+        nearest = radius - depth.max(axis=0)  # of the two ends
+        by_way = (depth.sum(axis=0) + ends.travel) / 2.0
+        inner = np.maximum(nearest, 0.0) ** 2 - ends.chord**2 / 4.0
+        by_square = radius - np.sqrt(np.maximum(inner, 0.0)) + ends.bend / 8.0
+        return np.asarray(np.where(inner > (ends.bend / 8.0) ** 2, np.minimum(by_way, by_square), by_way))
+
+    return upper
+
+
+def _findings(program: Program, rows: Ints, found: Peaks, tolerance: float, radius: float) -> tuple[Finding, ...]:
+    at = np.flatnonzero(found.value > tolerance)
+    if not len(at):
+        return ()
+    worst = int(at[found.value[at].argmax()])
+    row, depth = int(rows[worst]), float(found.value[worst])
+    text = (
+        f"In {len(at)} of {len(rows)} feed blocks the ball of {2.0 * radius:g} mm enters the part by more than {tolerance:g} mm; "
+        f"deepest in NC line {program.line[row]}, {depth:.5g} mm; first NC line {program.line[rows[at[0]]]}. Are "
+        "--cutter, --origin and the machine those of the program, and does the STL stand at the work zero? Else the part is spoilt."
+    )
+    x, y, z = found.place[worst].tolist()
+    return (Finding(Severity.ERROR, "overcut", text, depth, tolerance, "mm", row, int(program.line[row]), (x, y, z)),)

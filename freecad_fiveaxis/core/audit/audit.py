@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What an audit says of a program beyond its deviation: limits, axis rates, feed, and where it leaves a path or enters a part."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import CLPath
+from freecad_fiveaxis.core.deviation import Deviation
+from freecad_fiveaxis.core.findings import Finding
+from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Floats
+
+from .against_cl import AgainstPath, against_path
+from .against_part import AgainstPart, against_part
+from .limits import Limits, check_limits
+from .rates import Rates, asked_rates, feed_findings, rate_findings
+
+
+@dataclass(frozen=True)
+class AuditOptions:
+    """``tolerance`` mm, of overcuts too, and ``axis_tolerance`` rad against the CL path; ``radius`` mm of the ball."""
+
+    tolerance: float
+    axis_tolerance: float
+    radius: float
+
+
+@dataclass(frozen=True, eq=False)
+class Audit:
+    """All of it, one row a block; ``path`` or ``part``: what it was compared with, None where with none."""
+
+    rates: Rates
+    limits: Limits
+    path: AgainstPath | None = None
+    part: AgainstPart | None = None
+    findings: tuple[Finding, ...] = ()
+
+    def off(self) -> tuple[Floats, Floats]:
+        """Distance off the path, or depth in the part, and its proven bound (m,) mm of every block; 0 in rapids."""
+        value, bound = np.zeros((2, len(self.rates.ratio)))
+        if self.path is not None:
+            value[self.path.block], bound[self.path.block] = self.path.off, self.path.bound
+        if self.part is not None:
+            value[self.part.block], bound[self.part.block] = self.part.depth, self.part.bound
+        return value, bound
+
+
+def audit_program(
+    links: Chain, program: Program, deviation: Deviation, against: CLPath | Mesh | None, options: AuditOptions,
+    progress: Progress = silent,
+) -> Audit:  # fmt: skip
+    """The audit of a program whose deviation is measured, against a CL path, a part, or neither."""
+    rates, limits = asked_rates(links, program, progress), check_limits(links, program)
+    found = (*limits.findings, *rate_findings(links, program, rates), *feed_findings(links, program, rates))
+    path = part = None
+    if isinstance(against, CLPath):
+        path = against_path(links, program, deviation, against, options.tolerance, options.axis_tolerance, progress)
+        found += path.findings
+    elif against is not None:
+        part = against_part(links, program, against, options.radius, options.tolerance, progress)
+        found += part.findings
+    return Audit(rates, limits, path, part, found)

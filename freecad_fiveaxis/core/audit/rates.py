@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a program asks of the axes, and at which speed the tip then moves over the part.
+
+asked rate   how fast an axis would have to move so that a block takes the time which its F word means: ``|change of the word| /
+             minutes``. The axes of a block move evenly, so it is the rate everywhere in the block; where the controller guides
+             the tip it is the mean.
+minutes      under G93 ``1 / F``; under G94 what F is measured over (``post.dialect.feed_distance``), divided by F.
+tip feed     length of the tip's real path over the part in a block, over its minutes: what F ought to mean.
+untimed      a feed block without F, or with a feed per turn of the spindle: nothing can be said of it.
+
+Rapids are left out: each goes as fast as its slowest axis may.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.kinematics import Chain, forward_tip, words_to_q
+from freecad_fiveaxis.core.program import Program, feed_blocks
+from freecad_fiveaxis.core.program.feeds import STILL, tip_travel
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bytes, Floats, Ints, freeze
+
+PORTION = 65536
+"""Blocks worked on at a time."""
+SAME = 1e-3
+"""Relative excess over a rate that is rounding of F and of the words."""
+OTHER_THAN_F, OTHER_THAN_MEDIAN = 2.0, 5.0
+"""A tip feed off by this factor is worth a finding: off the F word under G94; under G93, where approaches are rightly slower than
+cuts, off the median of all feed blocks."""
+DEGREES = np.array([1.0, 1.0, 1.0, math.degrees(1.0), math.degrees(1.0)])
+
+
+@dataclass(frozen=True, eq=False)
+class Rates:
+    """One row a block, 0 in rapids and untimed blocks: ``rate`` (m, 5) mm/min and rad/min, unsigned; ``ratio`` (m,) the largest
+    rate over its axis' maximum, ``axis`` (m,) the word that it is of; ``tip_feed`` (m,) mm/min; ``travel`` (m,) mm of the tip."""
+
+    rate: Floats
+    ratio: Floats
+    axis: Bytes
+    tip_feed: Floats
+    travel: Floats
+
+    def __post_init__(self) -> None:
+        freeze(self, None, rate="f5", ratio="f", axis="m", tip_feed="f", travel="f")
+
+
+def asked_rates(links: Chain, program: Program, progress: Progress = silent) -> Rates:
+    """What the F words of ``program`` ask for, block by block."""
+    count = len(program.words)
+    rate, ratio, tip_feed, travel = np.zeros((5, count)).T, np.zeros(count), np.zeros(count), np.zeros(count)
+    axis = np.zeros(count, np.int8)
+    for first in range(1, count, PORTION):
+        progress("axis rates", first / count)
+        rows = slice(first, min(first + PORTION, count))
+        q = words_to_q(program.words[first - 1 : rows.stop])
+        feeding = program.motion[rows] != Motion.RAPID
+        minutes = np.where(feeding, program.seconds[rows] / 60.0, 0.0)
+        timed = minutes > 0.0
+        per_minute = np.divide(1.0, minutes, out=np.zeros(len(minutes)), where=timed)
+        rate[rows] = np.abs(np.diff(q, axis=0)) * per_minute[:, None]
+        shares = rate[rows] / links.rate
+        axis[rows] = shares.argmax(axis=1)
+        ratio[rows] = shares.max(axis=1)
+        travel[rows] = np.where(feeding, _tip_travel(links, program, q, rows), 0.0)
+        tip_feed[rows] = travel[rows] * per_minute
+    progress("axis rates", 1.0)
+    return Rates(rate, ratio, axis, tip_feed, travel)
+
+
+def _tip_travel(links: Chain, program: Program, q: Floats, rows: slice) -> Floats:
+    """Length (n,) mm of the tip's path in the blocks ``rows``, ``q`` (n + 1, 5) their ends: straight where it is guided."""
+    wanted = program.motion[rows] != Motion.RAPID
+    if program.guided is None:
+        return tip_travel(links, q, wanted)
+    on = program.guided.on[rows]
+    straight: Floats = np.linalg.norm(np.diff(forward_tip(links, q), axis=0), axis=1)
+    return np.where(on, straight, tip_travel(links, q, wanted & ~on))
+
+
+def timed_feeds(program: Program) -> Ints:
+    """The feed blocks whose time is known."""
+    feeds = feed_blocks(program)
+    return feeds[program.seconds[feeds] > 0.0]
+
+
+def rate_findings(links: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
+    """A warning for each axis of which feed blocks ask more than its maximum rate."""
+    found = []
+    for k, letter in enumerate(program.letters):
+        rows = np.flatnonzero(rates.rate[:, k] > links.rate[k] * (1.0 + SAME))
+        if not len(rows):
+            continue
+        worst = int(rows[rates.rate[rows, k].argmax()])
+        asked, most = float(rates.rate[worst, k] * DEGREES[k]), float(links.rate[k] * DEGREES[k])
+        unit = "mm/min" if k < 3 else "deg/min"
+        text = (
+            f"{_blocks(rows)} more of {letter} than it can: at most NC line {program.line[worst]}, {asked:.5g} {unit}, "
+            f"{asked / most:.3g} times its maximum of {most:.5g}; first NC line {program.line[rows[0]]}. The control slows down "
+            "there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as `post` does."
+        )
+        found.append(_finding(Severity.WARNING, "axis-rate", text, asked, most, unit, links, program, worst))
+    return tuple(found)
+
+
+def feed_findings(links: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
+    """A finding where the tip moves over the part at quite another speed than F says (G94), or than elsewhere (G93)."""
+    rows = timed_feeds(program)
+    rows = rows[rates.travel[rows] > STILL]
+    inverse = program.inverse_time[rows]
+    return (
+        *_unlike(links, program, rates, rows[~inverse], program.feed[rows[~inverse]], OTHER_THAN_F),
+        *_unlike(links, program, rates, rows[inverse], _median(rates.tip_feed[rows[inverse]]), OTHER_THAN_MEDIAN),
+    )
+
+
+def _median(values: Floats) -> Floats:
+    return np.full(len(values), np.median(values)) if len(values) else values
+
+
+def _unlike(links: Chain, program: Program, rates: Rates, rows: Ints, wanted: Floats, factor: float) -> tuple[Finding, ...]:
+    """``wanted`` (n,) mm/min: what the tip feed of ``rows`` (n,) should be, within ``factor`` to either side."""
+    share = rates.tip_feed[rows] / wanted
+    off = np.maximum(share, 1.0 / share)
+    far = np.flatnonzero(off > factor)
+    if not len(far):
+        return ()
+    at = int(far[off[far].argmax()])
+    row, feed = int(rows[at]), float(rates.tip_feed[rows[at]])
+    by_f = not program.inverse_time[row]
+    meant = f"F says {wanted[at]:.5g}" if by_f else f"the median of all blocks is {wanted[at]:.5g}"
+    first, last = (int(program.line[rows[far[i]]]) for i in (0, -1))
+    where = (
+        f"1 feed block (NC line {first})" if len(far) == 1 else f"{len(far)} feed blocks (between NC lines {first} and {last})"
+    )
+    text = (
+        f"In {where} the tip moves over the part more than {factor:g} times faster or "
+        f"slower than meant: at worst {feed:.5g} mm/min in NC line {program.line[row]}, where {meant}. "
+    ) + (
+        "With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93)."
+        if by_f
+        else "Approaches and blocks in which an axis is at its limit are rightly slower; look at the others."
+    )
+    severity = Severity.WARNING if by_f else Severity.NOTE
+    return (_finding(severity, "feed-over-part", text, feed, float(wanted[at]), "mm/min", links, program, row),)
+
+
+def _blocks(rows: Ints) -> str:
+    return "1 feed block asks" if len(rows) == 1 else f"{len(rows)} feed blocks ask"
+
+
+def _finding(
+    severity: Severity, code: str, text: str, value: float, limit: float, unit: str, links: Chain, program: Program, row: int
+) -> Finding:
+    x, y, z = forward_tip(links, words_to_q(program.words[row : row + 1]))[0].tolist()
+    return Finding(severity, code, text, value, limit, unit, row, int(program.line[row]), (x, y, z))
