@@ -27,15 +27,18 @@ from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 
-from .nearest import Facets, search
+from .nearest import Facets, Pieces, search
 from .real_path import Ends, Peaks, RealPath, peaks
+
+NEAR = 0.05
+"""A ball that is clear by so many radii need not be measured exactly."""
 
 
 @dataclass(frozen=True, eq=False)
 class AgainstPart:
-    """``block`` (n,) the feed blocks, rows of the Program; ``depth`` (n,) mm of the deepest overcut found (below 0: clear by so
-    much) at ``u`` (n,), the ball's centre then at ``place`` (n, 3); ``bound`` (n,) proven; ``clearance`` mm the largest at a
-    block's end."""
+    """``block`` (n,) the feed blocks, rows of the Program; ``depth`` (n,) mm of the deepest overcut found (below 0: clear, by so
+    much or more) at ``u`` (n,), the ball's centre then at ``place`` (n, 3); ``bound`` (n,) proven; ``clearance`` mm the largest
+    at a block's end."""
 
     block: Ints
     depth: Floats
@@ -58,14 +61,48 @@ def against_part(
     real = RealPath(links, program, radius)
 
     def measured(place: Floats) -> Floats:
-        return radius - search(place, pieces, facets.squared, facets.signed, 2)[:, :1]
+        return radius - _distance(place, facets, pieces, (1.0 + NEAR) * radius)[:, None]
 
     if not len(rows):
         return AgainstPart(rows, np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros(0), 0.0)
     found = peaks(real, rows, measured, _bound(radius), tolerance, progress)
-    clear = float(-measured(real.places(rows, np.ones(len(rows)))).min())
+    ends = real.places(rows, np.ones(len(rows)))
+    clear = pieces.clear_by(ends)
+    farthest = ends[clear >= clear.max() - 2.0 * pieces.reach]
+    clearance = float(_exact(farthest, facets, pieces).max()) - radius
     finding = _findings(program, rows, found, tolerance, radius)
-    return AgainstPart(rows, found.value, found.u, found.place, found.bound, clear, finding)
+    return AgainstPart(rows, found.value, found.u, found.place, found.bound, clearance, finding)
+
+
+def _distance(place: Floats, facets: Facets, pieces: Pieces, enough: float) -> Floats:
+    """Distance (n,) mm of the places (n, 3), below 0 inside the part; where it is outside and at least ``enough``, something from
+    there to the truth.
+
+    About each place is a ball without any surface in it (``clear_by``); a place in another's ball is on the same side. So of a
+    run of places one side is enough, and outside the part's box there is no question.
+    """
+    clear = pieces.clear_by(place)
+    far = clear >= enough
+    low, high = facets.corner.min(axis=(0, 1)), facets.corner.max(axis=(0, 1))
+    known = ~far | ((place < low) | (place > high)).any(axis=1)
+    distance = clear
+    near = np.flatnonzero(~far)
+    distance[near] = _exact(place[near], facets, pieces)
+    step = np.linalg.norm(np.diff(place, axis=0), axis=1)
+    empty = np.where(far, clear, 0.0)
+    run = np.append(0, np.cumsum(step >= np.maximum(empty[1:], empty[:-1])))
+    side = np.zeros(run[-1] + 1)
+    side[run[known]] = np.where(distance[known] < 0.0, -1.0, 1.0)
+    first = np.flatnonzero(side[run] == 0.0)
+    first = first[np.diff(run[first], prepend=-1) > 0]
+    side[run[first]] = np.sign(_exact(place[first], facets, pieces))
+    deep = np.flatnonzero(far & ~known & (side[run] < 0.0))
+    distance[deep] = _exact(place[deep], facets, pieces)
+    return distance
+
+
+def _exact(place: Floats, facets: Facets, pieces: Pieces) -> Floats:
+    return search(place, pieces, facets.squared, facets.signed, 2)[:, 0]
 
 
 def _bound(radius: float) -> Callable[[Ends], Floats]:
@@ -89,7 +126,7 @@ def _findings(program: Program, rows: Ints, found: Peaks, tolerance: float, radi
     text = (
         f"In {len(at)} of {len(rows)} feed blocks the ball of {2.0 * radius:g} mm enters the part by more than {tolerance:g} mm; "
         f"deepest in NC line {program.line[row]}, {depth:.5g} mm; first NC line {program.line[rows[at[0]]]}. Are "
-        "--cutter, --origin and the machine those of the program, and does the STL stand at the work zero? Else the part is spoilt."
+        "--cutter, --origin and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt."
     )
     x, y, z = found.place[worst].tolist()
     return (Finding(Severity.ERROR, "overcut", text, depth, tolerance, "mm", row, int(program.line[row]), (x, y, z)),)

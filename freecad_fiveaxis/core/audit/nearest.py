@@ -19,7 +19,7 @@ from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 
-FIRST_TRIED, MORE = 6, 4
+FIRST_TRIED, MORE = 8, 4
 """Pieces tried for each point, and how many times as many in the next round."""
 TOGETHER = 4096
 """Points worked on at a time: their columns stay in the processor's cache."""
@@ -40,6 +40,11 @@ class Pieces:
     def __post_init__(self) -> None:
         freeze(self, None, middle="f3", element="i")
         object.__setattr__(self, "tree", cKDTree(self.middle))
+
+    def clear_by(self, points: Floats) -> Floats:
+        """A distance (n,) mm that no element is nearer to the points (n, 3) than."""
+        far: Floats = self.tree.query(points)[0]  # type: ignore[attr-defined]
+        return np.maximum(far - self.reach, 0.0)
 
 
 Squared = Callable[[Floats, Ints], Floats]
@@ -120,9 +125,9 @@ class Segments:
         return np.clip(share, 0.0, 1.0, out=share), off, along
 
     def pieces(self) -> Pieces:
-        """Segments longer than the mean are cut into pieces no longer than that."""
+        """Segments longer than half the mean are cut into pieces no longer than that."""
         length = np.linalg.norm(self.end - self.start, axis=1)
-        longest = max(float(length.sum()) / (len(length) + SPARE), 1e-9)
+        longest = max(float(length.sum()) / (2.0 * len(length) + SPARE), 1e-9)
         count = np.maximum(np.ceil(length / longest), 1.0).astype(np.int64)
         element = np.repeat(np.arange(len(length)), count)
         step = np.arange(len(element)) - np.repeat(np.cumsum(count) - count, count)
