@@ -38,10 +38,14 @@ from .real_path import Ends, Peaks, RealPath, peaks
 
 SHARE = 0.1
 """Of the tolerance: how much of it the chords may cost by which the real path is replaced for the missed rows."""
+MOST_TRIED = 512
+"""Pieces of CL lines, for each place: where more are about as near, the place is far off, and its last digit does not matter."""
 MOST_CHORDS = 64
 """For one block."""
 TIED = 16
 """Places that are compared for the axis."""
+ROUNDED = 1e-3
+"""mm by which the same place may differ in two blocks."""
 ALL_ALIKE = 0.9
 """Share of the blocks' ends that are off, from which it is no single slip but the machine or the zero."""
 
@@ -77,19 +81,23 @@ def against_path(
         raise ProgramError("the CL file holds fewer than two rows: there is no path to compare with", len(path.tip))
     lines = Segments(path.tip[:-1], path.tip[1:])
     pieces, rows, real = lines.pieces(), feed_blocks(program), RealPath(links, program)
+
+    def measured(place: Floats) -> Floats:
+        return search(place, pieces, lines.squared, nearest, 2, MOST_TRIED, progress)
+
     found = (
-        peaks(real, rows, lambda place: search(place, pieces, lines.squared, nearest, 2), _bound(lines), tolerance, progress)
+        peaks(real, rows, measured, _bound(lines), tolerance, progress)
         if len(rows)
         else Peaks(np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros(0))
     )
     ends, ones = real.places(rows, np.ones(len(rows))), np.ones(len(rows))
     stands = axis_at(links, program.words[rows - 1], program.words[rows], ones) if len(rows) else np.zeros((0, 3))
-    at_end = _at_ends(path, lines, pieces, ends, stands, tolerance)
+    at_end = _at_ends(path, lines, pieces, ends, stands, tolerance, progress)
     missed, distance = _missed(real, rows, deviation, path, tolerance, progress)
     told = AgainstPath(
         rows, found.value, found.u, found.place, found.bound, at_end[:, 0], at_end[:, 1], missed, distance
     )  # fmt: skip
-    findings = _findings(program, told, path, tolerance, axis_tolerance)
+    findings = _findings(program, told, _own_ways(told, ends, stands, tolerance), path, tolerance, axis_tolerance)
     return AgainstPath(**{**vars(told), "findings": findings})
 
 
@@ -110,7 +118,9 @@ def _bound(lines: Segments) -> Callable[[Ends], Floats]:
     return upper
 
 
-def _at_ends(path: CLPath, lines: Segments, pieces: Pieces, places: Floats, axis: Floats, tolerance: float) -> Floats:
+def _at_ends(
+    path: CLPath, lines: Segments, pieces: Pieces, places: Floats, axis: Floats, tolerance: float, progress: Progress
+) -> Floats:
     """Distance mm from the CL line and angle rad of the axes (n, 2) at ``places`` (n, 3) with tool axes ``axis`` (n, 3)."""
     with_axis = np.concatenate([places, axis], axis=1)
 
@@ -125,7 +135,7 @@ def _at_ends(path: CLPath, lines: Segments, pieces: Pieces, places: Floats, axis
         angle = np.where(near, _angles(path, lines, here[:, :3], here[:, 3:], at), np.inf)
         return np.column_stack([least, angle.min(axis=1)])
 
-    return search(with_axis, pieces, squared, resolve, 2)
+    return search(with_axis, pieces, squared, resolve, 2, MOST_TRIED, progress)
 
 
 def _angles(path: CLPath, lines: Segments, place: Floats, axis: Floats, element: Ints) -> Floats:
@@ -153,7 +163,6 @@ def _missed(
     real: RealPath, rows: Ints, deviation: Deviation, path: CLPath, tolerance: float, progress: Progress
 ) -> tuple[Ints, Floats]:
     """The rows of the CL path reached at feed that the real path of the feed blocks misses by more than the tolerance."""
-    progress("against the path", 1.0)
     wanted = np.flatnonzero(path.motion != Motion.RAPID)
     if not len(rows) or not len(wanted):
         return wanted, np.full(len(wanted), math.inf)
@@ -163,7 +172,7 @@ def _missed(
     step = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
     share = [(step + more) / count[block] for more in (0.0, 1.0)]
     chords = Segments(*(real.places(rows[block], u) for u in share))
-    distance = search(path.tip[wanted], chords.pieces(), chords.squared, nearest, 2)[:, 0]
+    distance = search(path.tip[wanted], chords.pieces(), chords.squared, nearest, 2, MOST_TRIED, progress)[:, 0]
     far = distance > tolerance + spare
     return wanted[far], distance[far]
 
@@ -171,16 +180,46 @@ def _missed(
 # ------------------------------------------------------------------------------------------------ findings
 
 
-def _findings(program: Program, told: AgainstPath, path: CLPath, tolerance: float, axis_tolerance: float) -> tuple[Finding, ...]:
+def _own_ways(told: AgainstPath, places: Floats, axis: Floats, tolerance: float) -> Bools:
+    """The blocks (n,) of ways of the post's own: from a place of the path out along the tool, and back to the same place.
+    ``places``, ``axis`` (n, 3): where the blocks end, and how the tool stands there."""
+    off = told.off > tolerance
+    first = np.flatnonzero(off & ~np.append(False, off[:-1])[: len(off)])
+    first = first[first > 0]
+    own = np.zeros(len(off), np.bool_)
+    if not len(first):
+        return own
+    last = np.flatnonzero(off & ~np.append(off[1:], False))
+    last = last[len(last) - len(first) :]
+    back = np.linalg.norm(places[last] - places[first - 1], axis=1) <= max(tolerance, ROUNDED)
+    on_path = (told.end[first - 1] <= tolerance) & (told.end[last] <= tolerance) & (last > first)
+    run = np.repeat(np.arange(len(first)), last - first)  # all but the last block of each way end off the path
+    row = np.arange(len(run)) - np.repeat(np.cumsum(last - first) - (last - first), last - first) + first[run]
+    height = ((places[row] - places[first[run] - 1]) * axis[first[run] - 1]).sum(axis=1)
+    lowest = np.full(len(first), np.inf)
+    np.minimum.at(lowest, run, height)
+    count = np.where(back & on_path & (lowest > 0.0), last - first + 1, 0)
+    step = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    own[np.repeat(first, count) + step] = True
+    return own
+
+
+def _findings(
+    program: Program, told: AgainstPath, own: Bools, path: CLPath, tolerance: float, axis_tolerance: float
+) -> tuple[Finding, ...]:
     ends = told.end > tolerance
     between = ~ends & (told.off > tolerance) & ~np.append(False, ends[:-1])[: len(ends)]
     found = []
-    off = np.flatnonzero((told.off > tolerance) & ~between)
+    between &= ~own
+    off = np.flatnonzero((told.off > tolerance) & ~between & ~own)
     if len(off):
         found.append(_place_finding(program, told, off, "off-cl-path", _ends_text(told, ends), tolerance))
     if between.any():
         text = "leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Linearize."
         found.append(_place_finding(program, told, np.flatnonzero(between), "between-cl-rows", text, tolerance))
+    if own.any():
+        text = "leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind."
+        found.append(_place_finding(program, told, np.flatnonzero(own), "way-not-in-cl-path", text, tolerance, Severity.NOTE))
     leaning = np.flatnonzero((told.axis > axis_tolerance) & (told.end <= max(100.0 * tolerance, 1.0)))
     if len(leaning):
         found.append(_axis_finding(program, told, leaning, axis_tolerance))
@@ -199,7 +238,9 @@ def _ends_text(told: AgainstPath, ends: Bools) -> str:
     )
 
 
-def _place_finding(program: Program, told: AgainstPath, at: Ints, code: str, text: str, tolerance: float) -> Finding:
+def _place_finding(
+    program: Program, told: AgainstPath, at: Ints, code: str, text: str, tolerance: float, severity: Severity = Severity.ERROR
+) -> Finding:
     worst = int(at[told.off[at].argmax()])
     row = int(told.block[worst])
     said = "1 feed block: " if len(at) == 1 else ""
@@ -209,7 +250,7 @@ def _place_finding(program: Program, told: AgainstPath, at: Ints, code: str, tex
     )
     x, y, z = told.place[worst].tolist()
     value, line = float(told.off[worst]), int(program.line[row])
-    return Finding(Severity.ERROR, code, whole, value, tolerance, "mm", row, line, (x, y, z))
+    return Finding(severity, code, whole, value, tolerance, "mm", row, line, (x, y, z))
 
 
 def _axis_finding(program: Program, told: AgainstPath, at: Ints, tolerance: float) -> Finding:

@@ -61,7 +61,7 @@ def against_part(
     real = RealPath(links, program, radius)
 
     def measured(place: Floats) -> Floats:
-        return radius - _distance(place, facets, pieces, (1.0 + NEAR) * radius)[:, None]
+        return radius - _distance(place, facets, pieces, (1.0 + NEAR) * radius, progress)[:, None]
 
     if not len(rows):
         return AgainstPart(rows, np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros(0), 0.0)
@@ -69,12 +69,12 @@ def against_part(
     ends = real.places(rows, np.ones(len(rows)))
     clear = pieces.clear_by(ends)
     farthest = ends[clear >= clear.max() - 2.0 * pieces.reach]
-    clearance = float(_exact(farthest, facets, pieces).max()) - radius
+    clearance = float(_exact(farthest, facets, pieces, progress).max()) - radius
     finding = _findings(program, rows, found, tolerance, radius)
     return AgainstPart(rows, found.value, found.u, found.place, found.bound, clearance, finding)
 
 
-def _distance(place: Floats, facets: Facets, pieces: Pieces, enough: float) -> Floats:
+def _distance(place: Floats, facets: Facets, pieces: Pieces, enough: float, progress: Progress = silent) -> Floats:
     """Distance (n,) mm of the places (n, 3), below 0 inside the part; where it is outside and at least ``enough``, something from
     there to the truth.
 
@@ -87,7 +87,7 @@ def _distance(place: Floats, facets: Facets, pieces: Pieces, enough: float) -> F
     known = ~far | ((place < low) | (place > high)).any(axis=1)
     distance = clear
     near = np.flatnonzero(~far)
-    distance[near] = _exact(place[near], facets, pieces)
+    distance[near] = _exact(place[near], facets, pieces, progress)
     step = np.linalg.norm(np.diff(place, axis=0), axis=1)
     empty = np.where(far, clear, 0.0)
     run = np.append(0, np.cumsum(step >= np.maximum(empty[1:], empty[:-1])))
@@ -95,14 +95,14 @@ def _distance(place: Floats, facets: Facets, pieces: Pieces, enough: float) -> F
     side[run[known]] = np.where(distance[known] < 0.0, -1.0, 1.0)
     first = np.flatnonzero(side[run] == 0.0)
     first = first[np.diff(run[first], prepend=-1) > 0]
-    side[run[first]] = np.sign(_exact(place[first], facets, pieces))
+    side[run[first]] = np.sign(_exact(place[first], facets, pieces, progress))
     deep = np.flatnonzero(far & ~known & (side[run] < 0.0))
-    distance[deep] = _exact(place[deep], facets, pieces)
+    distance[deep] = _exact(place[deep], facets, pieces, progress)
     return distance
 
 
-def _exact(place: Floats, facets: Facets, pieces: Pieces) -> Floats:
-    return search(place, pieces, facets.squared, facets.signed, 2)[:, 0]
+def _exact(place: Floats, facets: Facets, pieces: Pieces, progress: Progress) -> Floats:
+    return search(place, pieces, facets.squared, facets.signed, 2, progress=progress)[:, 0]
 
 
 def _bound(radius: float) -> Callable[[Ends], Floats]:

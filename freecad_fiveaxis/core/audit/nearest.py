@@ -17,12 +17,14 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 
 FIRST_TRIED, MORE = 8, 4
 """Pieces tried for each point, and how many times as many in the next round."""
+MOST_TRIED = 32768
 TOGETHER = 4096
-"""Points worked on at a time: their columns stay in the processor's cache."""
+"""Points worked on at a time in the first round: their columns stay in the processor's cache."""
 SPARE = 4096
 """Pieces that are allowed beside two for each element, so that a few large elements are cut small as well."""
 MOST_ROUNDS = 40
@@ -53,25 +55,36 @@ Resolve = Callable[[Floats, Ints, Floats], Floats]
 """What is wanted of points (n, 3 or more), from the elements (n, k) tried and their squared distances (n, k): (n, w)."""
 
 
-def search(points: Floats, pieces: Pieces, squared: Squared, resolve: Resolve, width: int) -> Floats:
+def search(
+    points: Floats,
+    pieces: Pieces,
+    squared: Squared,
+    resolve: Resolve,
+    width: int,
+    most: int = MOST_TRIED,
+    progress: Progress = silent,
+) -> Floats:
     """``resolve`` (n, ``width``) of every point; the nearest elements are among those that it is given.
 
-    ``points`` (n, 3) mm, or wider: what follows the place is handed on to ``squared`` and ``resolve``.
+    ``points`` (n, 3) mm, or wider: what follows the place is handed on to ``squared`` and ``resolve``. After ``most`` pieces the
+    best so far is taken, which is at most ``pieces.reach`` farther than the nearest.
     """
-    result = np.empty((len(points), width))
-    for first in range(0, len(points), TOGETHER):
-        rows = slice(first, min(first + TOGETHER, len(points)))
-        open_, count = np.arange(rows.start, rows.stop), FIRST_TRIED
-        while len(open_):
-            count = min(count, len(pieces.middle))
-            here = points[open_]
-            far, at = pieces.tree.query(here[:, :3], count)  # type: ignore[attr-defined]
-            element = pieces.element[at.reshape(len(here), count)]
+    result, most = np.empty((len(points), width)), min(most, len(pieces.middle))
+    open_, count = np.arange(len(points)), min(FIRST_TRIED, most)
+    while len(open_):
+        left, together = [], max(TOGETHER * FIRST_TRIED // count, 1)
+        for first in range(0, len(open_), together):
+            progress("nearest places", 1.0 - (len(open_) - first) / len(points))
+            rows = open_[first : first + together]
+            here = points[rows]
+            far, at = (found.reshape(len(rows), count) for found in pieces.tree.query(here[:, :3], count))  # type: ignore[attr-defined]
+            element = pieces.element[at]
             distance2 = squared(here, element)
-            certain = np.maximum(far.reshape(len(here), count)[:, -1] - pieces.reach, 0.0)
-            done = (certain**2 >= distance2.min(axis=1)) | (count == len(pieces.middle))
-            result[open_[done]] = resolve(here[done], element[done], distance2[done])
-            open_, count = open_[~done], count * MORE
+            certain = np.maximum(far[:, -1] - pieces.reach, 0.0)
+            done = (certain**2 >= distance2.min(axis=1)) | (count == most)
+            result[rows[done]] = resolve(here[done], element[done], distance2[done])
+            left.append(rows[~done])
+        open_, count = np.concatenate(left), min(count * MORE, most)
     return result
 
 

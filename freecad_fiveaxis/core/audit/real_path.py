@@ -24,6 +24,8 @@ from freecad_fiveaxis.core.trajectory import axis_at, frames, motion, tip_at
 
 MOST_HALVINGS = 14
 """Of a block: pieces of a sixteen-thousandth. What is then not proven keeps its bound, and the report shows it."""
+FAR = 1e-3
+"""Relative error that does not matter of what is far beyond the tolerance."""
 MOST_OPEN = 2_000_000
 """Pieces that are looked at in one round: bounds the memory; where there are more, the rest keep their bounds."""
 
@@ -113,16 +115,17 @@ def peaks(
     """The largest value in each of the blocks ``rows`` (n,), none of them row 0.
 
     ``upper`` (n,) bounds the value between the ends of pieces. Pieces are halved until their bound exceeds neither the largest
-    value found in their block nor ``tolerance`` by more than a tenth of the latter.
+    value found in their block nor ``tolerance`` by more than a tenth of the latter (or a thousandth of the former).
     """
     ends = _whole_blocks(path, rows, measured)
     best = Peaks(np.full(len(rows), -np.inf), np.zeros(len(rows)), np.zeros((len(rows), 3)), np.full(len(rows), -np.inf))
     for side in (0, 1):
         _raise(best, ends.block, ends.u[side], ends.place[side], ends.value[side, :, 0])
     for turn in range(MOST_HALVINGS + 1):
-        progress("against the path", turn / MOST_HALVINGS)
+        progress("between the blocks' ends", turn / MOST_HALVINGS)
         bound = upper(ends)
-        wide = bound > np.maximum(best.value[ends.block], tolerance) + 0.1 * tolerance
+        found = best.value[ends.block]
+        wide = bound > np.maximum(found, tolerance) + np.maximum(0.1 * tolerance, FAR * found)
         wide &= (turn < MOST_HALVINGS) & (np.cumsum(wide) <= MOST_OPEN)
         np.maximum.at(best.bound, ends.block[~wide], bound[~wide])
         ends = _halves(path, rows, ends.take(wide), measured, best)
