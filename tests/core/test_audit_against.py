@@ -122,6 +122,19 @@ def test_the_nearest_facet_is_that_of_brute_force(seed):
     assert (pieces.clear_by(points) <= brute + 1e-9).all()
 
 
+def test_far_places_may_be_rough_but_never_too_near():
+    rng = np.random.default_rng(8)
+    start = rng.normal(size=(400, 3)) * 10
+    lines = Segments(start, start + rng.normal(size=(400, 3)))
+    pieces, points = lines.pieces(), rng.normal(size=(300, 3)) * 400
+    brute = to_segments(points, lines.start, lines.end)
+    found = search(points, pieces, lines.squared, nearest, 2, 50.0)[:, 0]
+    assert (found >= brute - 1e-9).all() and (found <= 1.1 * brute).all()
+    near = brute < 40.0 * pieces.reach
+    assert near.any() and not near.all()
+    np.testing.assert_allclose(found[near], brute[near], rtol=1e-9)
+
+
 def test_fewer_pieces_than_are_proven_enough_would_be_noticed():
     """The nearest middle is not always the nearest segment's."""
     lines = Segments(np.array([[0.0, 0, 0], [2.0, 1.5, 0]]), np.array([[10.0, 0, 0], [2.1, 1.5, 0]]))

@@ -38,8 +38,8 @@ from .real_path import Ends, Peaks, RealPath, peaks
 
 SHARE = 0.1
 """Of the tolerance: how much of it the chords may cost by which the real path is replaced for the missed rows."""
-MOST_TRIED = 512
-"""Pieces of CL lines, for each place: where more are about as near, the place is far off, and its last digit does not matter."""
+ROUGH = 50.0
+"""A place that is so many reaches of a piece (some 12 mean lines) off is known to a tenth of its distance, no better."""
 MOST_CHORDS = 64
 """For one block."""
 TIED = 16
@@ -83,7 +83,7 @@ def against_path(
     pieces, rows, real = lines.pieces(), feed_blocks(program), RealPath(links, program)
 
     def measured(place: Floats) -> Floats:
-        return search(place, pieces, lines.squared, nearest, 2, MOST_TRIED, progress)
+        return search(place, pieces, lines.squared, nearest, 2, ROUGH, progress)
 
     found = (
         peaks(real, rows, measured, _bound(lines), tolerance, progress)
@@ -135,7 +135,7 @@ def _at_ends(
         angle = np.where(near, _angles(path, lines, here[:, :3], here[:, 3:], at), np.inf)
         return np.column_stack([least, angle.min(axis=1)])
 
-    return search(with_axis, pieces, squared, resolve, 2, MOST_TRIED, progress)
+    return search(with_axis, pieces, squared, resolve, 2, ROUGH, progress)
 
 
 def _angles(path: CLPath, lines: Segments, place: Floats, axis: Floats, element: Ints) -> Floats:
@@ -172,7 +172,7 @@ def _missed(
     step = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
     share = [(step + more) / count[block] for more in (0.0, 1.0)]
     chords = Segments(*(real.places(rows[block], u) for u in share))
-    distance = search(path.tip[wanted], chords.pieces(), chords.squared, nearest, 2, MOST_TRIED, progress)[:, 0]
+    distance = search(path.tip[wanted], chords.pieces(), chords.squared, nearest, 2, ROUGH, progress)[:, 0]
     far = distance > tolerance + spare
     return wanted[far], distance[far]
 

@@ -22,7 +22,8 @@ from freecad_fiveaxis.core.records import Floats, Ints, freeze
 
 FIRST_TRIED, MORE = 8, 4
 """Pieces tried for each point, and how many times as many in the next round."""
-MOST_TRIED = 32768
+NEARLY = 0.05
+"""Relative error of far places: among many lines that are all far, the very nearest takes long to find, and tells no more."""
 TOGETHER = 4096
 """Points worked on at a time in the first round: their columns stay in the processor's cache."""
 SPARE = 4096
@@ -61,16 +62,23 @@ def search(
     squared: Squared,
     resolve: Resolve,
     width: int,
-    most: int = MOST_TRIED,
+    rough: float = np.inf,
     progress: Progress = silent,
 ) -> Floats:
     """``resolve`` (n, ``width``) of every point; the nearest elements are among those that it is given.
 
-    ``points`` (n, 3) mm, or wider: what follows the place is handed on to ``squared`` and ``resolve``. After ``most`` pieces the
-    best so far is taken, which is at most ``pieces.reach`` farther than the nearest.
+    ``points`` (n, 3) mm, or wider: what follows the place is handed on to ``squared`` and ``resolve``. Places that are farther
+    than ``rough`` times the pieces' reach get an element that is at most ``NEARLY`` and the reach farther than the nearest.
     """
-    result, most = np.empty((len(points), width)), min(most, len(pieces.middle))
+    most = len(pieces.middle)
+    result = np.empty((len(points), width))
     open_, count = np.arange(len(points)), min(FIRST_TRIED, most)
+    if np.isfinite(rough):
+        far, at = pieces.tree.query(points[:, :3], 1, eps=NEARLY)  # type: ignore[attr-defined]
+        rows = np.flatnonzero(far > (1.0 + NEARLY) * rough * pieces.reach)
+        element = pieces.element[at[rows]][:, None]
+        result[rows] = resolve(points[rows], element, squared(points[rows], element))
+        open_ = np.setdiff1d(open_, rows)
     while len(open_):
         left, together = [], max(TOGETHER * FIRST_TRIED // count, 1)
         for first in range(0, len(open_), together):
