@@ -102,7 +102,7 @@ def rate_findings(links: Chain, program: Program, rates: Rates) -> tuple[Finding
         unit = "mm/min" if k < 3 else "deg/min"
         text = (
             f"{_blocks(rows)} more of {letter} than it can: at most NC line {program.line[worst]}, {asked:.5g} {unit}, "
-            f"{asked / most:.3g} times its maximum of {most:.5g}; first NC line {program.line[rows[0]]}. The control slows down "
+            f"{asked / most:.4g} times its maximum of {most:.5g}; first NC line {program.line[rows[0]]}. The control slows down "
             "there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as `post` does."
         )
         found.append(_finding(Severity.WARNING, "axis-rate", text, asked, most, unit, links, program, worst))
