@@ -8,7 +8,10 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["annotate", "apply_setup", "audit", "compare", "create_toolpath", "post_process", "setup_map", "tessellate"]
+__all__ = [
+    "annotate", "apply_setup", "audit", "compare", "create_toolpath", "import_machine", "post_process", "prove_signs", "recover",
+    "setup_map", "tessellate",
+]  # fmt: skip
 
 
 def tessellate(obj: Any, stl_path: Any = None, *, overwrite: bool = False, **settings: Any) -> Any:
@@ -94,3 +97,41 @@ def compare(toolpath: Any, machines: Any, cures: Any = (), tool_length: Any = No
     from .comparing import compare as act
 
     return act(toolpath, machines, cures, tool_length).rows
+
+
+def recover(cl_file: Any, nc_file: Any, fcm_file: Any = None, **settings: Any) -> Any:
+    """The machine that a post had in mind, from a CL file (APT) and the program made of it, written as a machine file.
+
+    ``fcm_file`` None: a new file in the user's folder of machines; no file is ever replaced. Settings: ``machine`` to compare
+    with, ``controller``, ``origin``, ``tool_length`` mm, ``certainty`` mm. Returns the core's Recovered (``found``,
+    ``findings``; ``settings.recover.machine_file`` is the file). Raises FiveAxisError; then nothing is written.
+    """
+    from . import recovering
+
+    done = recovering.recover(cl_file, nc_file, fcm_file, settings)
+    recovering.write(done)
+    return done
+
+
+def prove_signs(nc_file: Any, machine: str, sheet: Any = None, overwrite: bool = False, **settings: Any) -> Any:
+    """Write the program that proves a machine's signs, and its ``sheet`` (.html, .txt or .json); returns the core's Proof.
+
+    Settings: ``controller``, ``origin``, ``tool_length``, ``tool``, ``work_offset``, ``mark`` (X, Y, Z) mm, ``gap`` mm,
+    ``travel`` mm, ``angle`` deg, ``slow_feed`` mm/min. Raises FiveAxisError, as FileError for a file that is there; then
+    nothing is written.
+    """
+    from . import signs
+
+    done = signs.prove(nc_file, {**settings, "machine": machine}, sheet)
+    signs.write(done, overwrite)
+    return done
+
+
+def import_machine(source: Any, fcm_file: Any = None) -> str:
+    """Make a machine file of a LinuxCNC .ini (trt kinematics) or a file of FreeCAD's Machine editor; returns its name.
+
+    ``fcm_file`` None: a new file in the user's folder of machines; no file is ever replaced. Raises FiveAxisError.
+    """
+    from . import importing
+
+    return importing.write(importing.read(source), fcm_file)

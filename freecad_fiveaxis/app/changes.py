@@ -10,10 +10,10 @@ from typing import Any
 import FreeCAD
 
 from freecad_fiveaxis.core.quantity import LENGTHS, parse_triple
-from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings, option_fields
+from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
 
-from . import convert
-from .properties import KINDS, default_value, property_name
+from . import convert, properties
+from .properties import default_value, property_name
 from .results import result_of
 
 _OF_MESH = {"linear_deflection": "LinearDeflection", "angular_deflection": "AngularDeflection"}
@@ -48,22 +48,20 @@ def shown_options(obj: Any, task: str) -> dict[str, Any]:
 
 def default_options(task: str) -> dict[str, Any]:
     """Every option of the task with the core's default (mm, deg, mm/min), None where nothing is given."""
-    said = {leaf.name: _default(leaf) for _, leaf in option_fields(task) if leaf.metadata["kind"] in KINDS}
-    for _, leaf in option_fields(task):
-        if leaf.metadata["kind"] == "cutter":
-            said[leaf.name] = f"ball:{leaf.default.diameter!r}:{leaf.default.length!r}"
-    return said
+    return {leaf.name: _default(leaf) for _, leaf in properties.shown_options(task)}
 
 
 def _default(leaf: Any) -> Any:
+    if leaf.metadata["kind"] == "cutter":
+        return f"ball:{leaf.default.diameter!r}:{leaf.default.length!r}"
     if leaf.default is None:
         return None
     return leaf.default if leaf.metadata["kind"] == "feed" else default_value(leaf)
 
 
 def _put(obj: Any, task: str, options: Mapping[str, Any], work_zero: Any) -> None:
-    for _, leaf in option_fields(task):
-        if leaf.metadata["kind"] in KINDS and leaf.name not in options:
+    for _, leaf in properties.shown_options(task):
+        if leaf.metadata["kind"] != "cutter" and leaf.name not in options:
             name = property_name(leaf.name)
             if leaf.metadata["kind"] == "point":
                 setattr(obj, name + "FromMachine", True)

@@ -20,10 +20,10 @@ import numpy as np
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.records import Bools
-from freecad_fiveaxis.core.report import Figures, summary
-from freecad_fiveaxis.core.settings import Settings, build_settings, option_fields, read_option
+from freecad_fiveaxis.core.report import Figures, summary, verdict
+from freecad_fiveaxis.core.settings import Settings, build_settings, read_option
 
-from .properties import KINDS, MACHINES_OWN, RESULTS, default_value, property_name, property_value
+from .properties import MACHINES_OWN, RESULTS, default_value, property_name, property_value, shown_options
 from .selection import check_mesh, holder_of
 
 _STL = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -45,14 +45,14 @@ def settings_of(obj: Any, task: str, source: str) -> Settings:
 def options_of(obj: Any, task: str) -> dict[str, Any]:
     """The options of the task that differ from their defaults, as a job file would hold them (mm, deg, mm/min)."""
     options = {}
-    for _, leaf in option_fields(task):
+    for _, leaf in shown_options(task):
         kind = leaf.metadata["kind"]
         if kind == "cutter":
             options[leaf.name] = f"ball:{plain(obj.CutterDiameter)!r}:{plain(obj.CutterLength)!r}"
         elif kind == "point":
             if not getattr(obj, property_name(leaf.name) + "FromMachine"):
                 options[leaf.name] = plain(getattr(obj, property_name(leaf.name)))
-        elif kind in KINDS and (value := plain(getattr(obj, property_name(leaf.name)))) != plain(default_value(leaf)):
+        elif (value := plain(getattr(obj, property_name(leaf.name)))) != plain(default_value(leaf)):
             options[leaf.name] = plain(value * 60.0) if kind == "feed" else value
     return options
 
@@ -71,7 +71,7 @@ def plain(value: Any) -> Any:
 
 def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
     """Set the properties from options as people write them. Raises SettingsError, and then has set none."""
-    fields = {leaf.name: leaf for _, leaf in option_fields(task) if leaf.metadata["kind"] in (*KINDS, "cutter")}
+    fields = {leaf.name: leaf for _, leaf in shown_options(task)}
     for name in options:
         if name not in fields:
             raise SettingsError(f"{name} is no setting of a document object; it is not one of {', '.join(fields)}", name)
@@ -164,7 +164,8 @@ def put_result(obj: Any, figures: Figures, fingerprint: str) -> None:
     told = summary(figures)
     values = {
         "Passes": told["passes"], "Blocks": told["blocks"], "SingularBlocks": told["singular_blocks"],
-        "OverTolerance": told["over_tolerance"], "WorstLine": told["worst_line"] or 0, "Time": told["time_s"],
+        "GuidedBlocks": told["guided_blocks"], "Verdict": verdict(figures, told), "OverTolerance": told["over_tolerance"],
+        "WorstLine": told["worst_line"] or 0, "Time": told["time_s"],
         "CutLength": told["cut_length"], "MaxSegmentDeviation": told["max_segment_deviation"],
         "MaxLineDeviation": told["max_line_deviation"], "MaxBound": told["max_bound"], "Proven": told["proven"],
         "Findings": [finding.text for finding in figures.findings], "Fingerprint": fingerprint,

@@ -8,17 +8,21 @@ source    where a machine's file lies: SHIPPED (with the program), USER (the fol
 from __future__ import annotations
 
 import importlib
+import os
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.errors import FileError, FiveAxisError
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
 
 from . import preferences
 
 SHIPPED, USER, FREECAD = "shipped", "user", "freecad"
 SUFFIX = ".fcm"
+FORBIDDEN = re.compile(r'[\\/:*?"<>|\x00-\x1f]+')
+"""What no file name can hold on one system or another."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +54,28 @@ def user_folder() -> Path:
     import FreeCAD
 
     return preferences.machine_folder() or Path(FreeCAD.getUserAppDataDir()) / "FiveAxis" / "machines"
+
+
+def free_file(name: str) -> str:
+    """A file in the user's folder that is not there yet, named after a machine."""
+    plain = FORBIDDEN.sub("_", name).strip(" .") or "machine"
+    names = (plain if count == 1 else f"{plain}-{count}" for count in range(1, 1000))
+    found = (user_folder() / (stem + SUFFIX) for stem in names)
+    return str(next(path for path in found if not os.path.lexists(path)))
+
+
+def is_new_folder(file: str | os.PathLike[str] | None) -> bool:
+    """Whether the file belongs to the user's folder of machines, and that is not there yet."""
+    return file is not None and Path(file).parent == user_folder() and not user_folder().exists()
+
+
+def make_folder(file: str | os.PathLike[str]) -> None:
+    """Make the user's folder of machines where the file belongs to it. Raises FileError."""
+    if is_new_folder(file):
+        try:
+            user_folder().mkdir(parents=True)
+        except OSError as error:
+            raise FileError(f"folder {user_folder()} cannot be made: {error.strerror}; choose another one", file) from error
 
 
 def freecad_folders() -> list[Path]:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of our document objects, made from the fields of the core's settings.
 
-setting property   option ``least_interval`` is property ``LeastInterval``, in the group of its settings class.
+setting property   option ``least_interval`` is property ``LeastInterval``, in the group of its settings class. Files to write
+                   (OutputSettings) are no properties; files to read are.
 result property    what the last computation found; read-only, and a change of it does not make the object out of date.
 
 FreeCAD keeps lengths in mm, angles in degrees and feeds in **mm/s**, and shows them in the user's units.
@@ -11,7 +12,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -19,7 +20,7 @@ from typing import Any
 import FreeCAD
 
 from freecad_fiveaxis.core.post import DIALECTS
-from freecad_fiveaxis.core.settings import option_fields
+from freecad_fiveaxis.core.settings import OutputSettings, option_fields
 from freecad_fiveaxis.core.tool_axis import STRATEGIES
 
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
@@ -51,9 +52,9 @@ KINDS = {
     "length": "App::PropertyLength", "angle": "App::PropertyAngle", "feed": "App::PropertySpeed",
     "choice": "App::PropertyEnumeration", "text": "App::PropertyString", "vector": "App::PropertyVector",
     "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance", "counts": "App::PropertyVector",
-    "number": "App::PropertyFloat", "count": "App::PropertyInteger",
+    "number": "App::PropertyFloat", "count": "App::PropertyInteger", "path": "App::PropertyFile",
 }  # fmt: skip
-"""FreeCAD's kind of property for each kind of option. A kind that is not here (files to write) makes no property."""
+"""FreeCAD's kind of property for each kind of option. A kind that is not here makes no property."""
 _ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRATEGIES)}
 
 WORK_ZERO = Property(
@@ -82,10 +83,17 @@ def property_name(option: str) -> str:
     return "".join(part[:1].upper() + part[1:] for part in option.split("_"))
 
 
+def shown_options(task: str) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
+    """Group and field of every option of the task that has properties and fields of its own: all but the files to write."""
+    for cls, leaf in option_fields(task):
+        if cls is not OutputSettings and leaf.metadata["kind"] in (*KINDS, "cutter"):
+            yield cls, leaf
+
+
 @cache
 def setting_properties(task: str) -> tuple[Property, ...]:
     """A property for every option of the task that is not a file to write."""
-    return tuple(made for cls, leaf in option_fields(task) for made in _of_option(cls.__name__.removesuffix("Settings"), leaf))
+    return tuple(made for cls, leaf in shown_options(task) for made in _of_option(cls.__name__.removesuffix("Settings"), leaf))
 
 
 def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
@@ -93,8 +101,6 @@ def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
     if kind == "cutter":
         sizes = (leaf.default.diameter, leaf.default.length)
         return [Property(name, KINDS["length"], group, help_, size) for (name, help_), size in zip(_CUTTER, sizes, strict=True)]
-    if kind not in KINDS:
-        return []
     choices = _ENUMERATED.get(leaf.name, leaf.metadata["choices"])
     name, type_ = property_name(leaf.name), KINDS["choice" if choices else kind]
     made = [Property(name, type_, group, text, default_value(leaf), choices=choices)]
@@ -112,7 +118,8 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
     """A value of the core (rad, mm/min) as the property holds it."""
     kind = leaf.metadata["kind"]
     if value is None:
-        return {"point": (0.0, 0.0, 0.0), "counts": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN}.get(kind, 0.0)
+        none = {"point": (0.0, 0.0, 0.0), "counts": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN, "path": ""}
+        return none.get(kind, 0.0)
     if kind == "angle":
         return round(math.degrees(value), 12)
     if kind == "feed":
@@ -146,6 +153,15 @@ RESULTS = (
     Property(
         "Proven", "App::PropertyBool", "Result",
         QT_TRANSLATE_NOOP("App::Property", "The proven bound of every block is within the tolerance"), False, RESULT,
+    ),
+    Property(
+        "GuidedBlocks", "App::PropertyInteger", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Blocks whose tip the controller guides (RTCP): proven are their ends only"),
+        0, RESULT,
+    ),
+    Property(
+        "Verdict", "App::PropertyString", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "What is proven, in a plain sentence"), "", RESULT,
     ),
     Property(
         "OverTolerance", "App::PropertyInteger", "Result",

@@ -17,7 +17,7 @@ import FreeCAD
 
 from .properties import HIDDEN, Property, add_missing
 
-SCHEMA = 2
+SCHEMA = 3
 VERSION = Property(
     "SchemaVersion", "App::PropertyInteger", "Base", "The version of this object's properties", 0, HIDDEN
 )  # fmt: skip
@@ -84,5 +84,9 @@ def _from_1(obj: Any) -> None:
     """Version 1 had no cure but Linearize, which could only be ``off``: more choices, and properties that are added."""
 
 
-STEPS: dict[int, Callable[[Any], None]] = {0: _from_0, 1: _from_1}
+def _from_2(obj: Any) -> None:
+    """Version 2 had joint output only, three controllers, and no files to read but the audited one: properties are added."""
+
+
+STEPS: dict[int, Callable[[Any], None]] = {0: _from_0, 1: _from_1, 2: _from_2}
 """From each version to the next: what the plain adding of missing properties would lose, as the value of a renamed one."""

@@ -96,7 +96,9 @@ class Page:
 def _controllers() -> dict[str, str]:
     from freecad_fiveaxis.core.post import DIALECTS
 
-    return {translate("FiveAxis", "the machine's own"): "", **{name: name for name in DIALECTS}}
+    from .panels.labels import controller_label
+
+    return {translate("FiveAxis", "the machine's own"): "", **{controller_label(name): name for name in DIALECTS}}
 
 
 def _machines() -> dict[str, str]:

@@ -81,6 +81,9 @@ def stage_words() -> dict[str, str]:
         "feeds": translate("FiveAxis", "setting feeds"),
         "writing text": translate("FiveAxis", "writing NC blocks"),
         "reading NC": translate("FiveAxis", "reading the NC file"),
+        "reading CL": translate("FiveAxis", "reading the CL file"),
+        "recover": translate("FiveAxis", "fitting machines"),
+        "prove signs": translate("FiveAxis", "planning safe moves"),
         "deviation": translate("FiveAxis", "proving the deviation"),
         "deviation by So et al.": translate("FiveAxis", "deviation by So et al."),
     }

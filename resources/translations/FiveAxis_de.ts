@@ -8,6 +8,10 @@
         <translation>Einige Worte zu jeder Markierung</translation>
     </message>
     <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
         <source>Angular Deflection</source>
         <translation>Winkelabweichung</translation>
     </message>
@@ -44,8 +48,16 @@
         <translation>NC-Sätze, die um mehr als die Toleranz von der Sollstrecke abweichen</translation>
     </message>
     <message>
+        <source>Blocks whose tip the controller guides (RTCP): proven are their ends only</source>
+        <translation>Sätze, in denen die Steuerung die Spitze führt (RTCP): nachgewiesen sind nur ihre Enden</translation>
+    </message>
+    <message>
         <source>Centre</source>
         <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Certainty</source>
+        <translation>Sicherheit</translation>
     </message>
     <message>
         <source>Checksum (sha256) of what was written</source>
@@ -196,12 +208,24 @@
         <translation>Fingerabdruck</translation>
     </message>
     <message>
+        <source>Gap</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
         <source>Grid</source>
         <translation>Raster</translation>
     </message>
     <message>
+        <source>Guided Blocks</source>
+        <translation>Geführte Sätze</translation>
+    </message>
+    <message>
         <source>Head</source>
         <translation>Programmkopf</translation>
+    </message>
+    <message>
+        <source>High Speed</source>
+        <translation>Hochgeschwindigkeit</translation>
     </message>
     <message>
         <source>Holder Diameter</source>
@@ -296,12 +320,24 @@
         <translation>Maschine</translation>
     </message>
     <message>
+        <source>Machine File</source>
+        <translation>Maschinendatei</translation>
+    </message>
+    <message>
         <source>Machines</source>
         <translation>Maschinen</translation>
     </message>
     <message>
         <source>Map</source>
         <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Mark From Machine</source>
+        <translation>Marke von der Maschine</translation>
     </message>
     <message>
         <source>Marker Size</source>
@@ -400,8 +436,16 @@
         <translation>Eintauchvorschub</translation>
     </message>
     <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
         <source>Proof</source>
         <translation>Nachweis</translation>
+    </message>
+    <message>
+        <source>Prove</source>
+        <translation>Nachweisen</translation>
     </message>
     <message>
         <source>Proven</source>
@@ -420,12 +464,20 @@
         <translation>Empfohlene Drehung</translation>
     </message>
     <message>
+        <source>Recover</source>
+        <translation>Zurückgewinnen</translation>
+    </message>
+    <message>
         <source>Region</source>
         <translation>Bereich</translation>
     </message>
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Rtcp</source>
+        <translation>RTCP</translation>
     </message>
     <message>
         <source>Scallop</source>
@@ -502,6 +554,10 @@
     <message>
         <source>Size of the markers in pixels</source>
         <translation>Größe der Markierungen in Bildpunkten</translation>
+    </message>
+    <message>
+        <source>Slow Feed</source>
+        <translation>Langsamer Vorschub</translation>
     </message>
     <message>
         <source>Spindle</source>
@@ -628,6 +684,10 @@
         <translation>Werkzeugweg</translation>
     </message>
     <message>
+        <source>Travel</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
         <source>Turns</source>
         <translation>Drehungen</translation>
     </message>
@@ -650,6 +710,10 @@
     <message>
         <source>What each place is</source>
         <translation>Was jeder Ort ist</translation>
+    </message>
+    <message>
+        <source>What is proven, in a plain sentence</source>
+        <translation>Was nachgewiesen ist, in einem einfachen Satz</translation>
     </message>
     <message>
         <source>What is recommended, in a plain sentence</source>
@@ -696,6 +760,10 @@
         <translation>X,Y,Z des Werkstücknullpunkts im Maschinensystem [der aus der Maschinendatei]</translation>
     </message>
     <message>
+        <source>X,Y,Z over the work zero of a place to mark, as high as part and clamps reach</source>
+        <translation>X,Y,Z über dem Werkstücknullpunkt: eine Stelle zum Anzeichnen, so hoch, wie Werkstück und Spannmittel reichen</translation>
+    </message>
+    <message>
         <source>X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays</source>
         <translation>X,Y,Z: so weit darf der Werkstücknullpunkt von seinem Ort aus nach beiden Seiten rücken; 0: er bleibt</translation>
     </message>
@@ -722,6 +790,10 @@
     <message>
         <source>facets steeper than this are left out</source>
         <translation>steilere Facetten werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>feed of all its moves, mm/min and deg/min</source>
+        <translation>Vorschub aller Bewegungen, mm/min und Grad/min</translation>
     </message>
     <message>
         <source>feed of the approach, mm/min</source>
@@ -784,6 +856,10 @@
         <translation>nahe am Pol: nur berichten, NC-Sätze über der Toleranz teilen, oder die Werkzeugachse vorbeiführen (deform)</translation>
     </message>
     <message>
+        <source>offsets should be that certain, and that near to those of the machine given</source>
+        <translation>so sicher sollen die Versätze sein, und so nah an denen der angegebenen Maschine</translation>
+    </message>
+    <message>
         <source>passes run to and fro, or all in one direction</source>
         <translation>Zeilen laufen hin und her, oder alle in einer Richtung</translation>
     </message>
@@ -808,12 +884,32 @@
         <translation>Spindeldrehzahl, 1/min; 0 lässt die Spindel aus</translation>
     </message>
     <message>
+        <source>the NC program that was posted from the CL path</source>
+        <translation>das NC-Programm, das aus der CL-Bahn gemacht wurde</translation>
+    </message>
+    <message>
+        <source>the controller guides the tip (RTCP), told the tool axis by rotary words (angles) or vectors; off: joint output</source>
+        <translation>die Steuerung führt die Spitze (RTCP); die Werkzeugachse erfährt sie durch Drehachsworte (angles) oder Vektoren (vectors); off: Ausgabe der Achsstellungen</translation>
+    </message>
+    <message>
+        <source>the controller's high-speed mode, with the tolerance of --blend</source>
+        <translation>der Hochgeschwindigkeitsmodus der Steuerung, mit der Toleranz der Eckenverrundung (--blend)</translation>
+    </message>
+    <message>
         <source>the dialect of the NC file [the machine's, or linuxcnc]</source>
         <translation>die Sprache der NC-Datei [die der Maschine, sonst linuxcnc]</translation>
     </message>
     <message>
+        <source>the machine file (.fcm) to write</source>
+        <translation>die Maschinendatei (.fcm), die geschrieben wird</translation>
+    </message>
+    <message>
         <source>the point of the tool that the words drive</source>
         <translation>der Punkt des Werkzeugs, den die Achswerte führen</translation>
+    </message>
+    <message>
+        <source>the tip stops so far above the mark, and never comes nearer</source>
+        <translation>so weit über der Marke hält die Spitze an, und näher kommt sie nie</translation>
     </message>
     <message>
         <source>tool number [no tool call: the operator has set tool and length]</source>
@@ -826,6 +922,14 @@
     <message>
         <source>travel direction of the passes, counter-clockwise from X</source>
         <translation>Laufrichtung der Zeilen, gegen den Uhrzeigersinn von X aus</translation>
+    </message>
+    <message>
+        <source>turn of each rotary axis</source>
+        <translation>Drehung jeder Drehachse</translation>
+    </message>
+    <message>
+        <source>way of each linear axis</source>
+        <translation>Weg jeder Linearachse</translation>
     </message>
     <message>
         <source>work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300</source>
@@ -879,6 +983,10 @@
         <translation>Kugelfräser</translation>
     </message>
     <message>
+        <source>Before you start</source>
+        <translation>Vor dem Start</translation>
+    </message>
+    <message>
         <source>Between passes</source>
         <translation>Zwischen den Zeilen</translation>
     </message>
@@ -895,12 +1003,28 @@
         <translation>NC-Sätze über der Toleranz</translation>
     </message>
     <message>
+        <source>CL file</source>
+        <translation>CL-Datei</translation>
+    </message>
+    <message>
+        <source>CL files (*.apt *.cl *.cls *.ncl *.aptsource *.txt)</source>
+        <translation>CL-Dateien (*.apt *.cl *.cls *.ncl *.aptsource *.txt)</translation>
+    </message>
+    <message>
         <source>Calculate</source>
         <translation>Berechnen</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Certain within</source>
+        <translation>Sicher auf</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
     </message>
     <message>
         <source>Choose a machine file (.fcm)</source>
@@ -915,8 +1039,28 @@
         <translation>Eine NC-Datei wählen</translation>
     </message>
     <message>
+        <source>Choose the CL file (APT)</source>
+        <translation>CL-Datei (APT) wählen</translation>
+    </message>
+    <message>
+        <source>Choose the CL file that the program was made from.</source>
+        <translation>Wählen Sie die CL-Datei, aus der das Programm gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>Choose the NC file that was made of it.</source>
+        <translation>Wählen Sie die NC-Datei, die daraus gemacht wurde.</translation>
+    </message>
+    <message>
         <source>Choose the NC file to audit.</source>
         <translation>Die NC-Datei wählen, die geprüft werden soll.</translation>
+    </message>
+    <message>
+        <source>Choose the file to import</source>
+        <translation>Datei zum Übernehmen wählen</translation>
+    </message>
+    <message>
+        <source>Choose the file to import.</source>
+        <translation>Wählen Sie die Datei, die übernommen werden soll.</translation>
     </message>
     <message>
         <source>Clearance</source>
@@ -937,6 +1081,10 @@
     <message>
         <source>Compare machines on {label}</source>
         <translation>Maschinen an {label} vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
     </message>
     <message>
         <source>Comparison</source>
@@ -1011,6 +1159,14 @@
         <translation>Vorschübe</translation>
     </message>
     <message>
+        <source>File to import</source>
+        <translation>Datei zum Übernehmen</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
         <source>Findings</source>
         <translation>Befunde</translation>
     </message>
@@ -1047,8 +1203,24 @@
         <translation>Vom Bezugspunkt bis zur Spitze: Maschinen mit drehendem Kopf brauchen sie</translation>
     </message>
     <message>
+        <source>Gap above the mark</source>
+        <translation>Abstand über der Marke</translation>
+    </message>
+    <message>
         <source>Head of the NC file</source>
         <translation>Kopf der NC-Datei</translation>
+    </message>
+    <message>
+        <source>Heidenhain TNC, klartext (TCPM)</source>
+        <translation>Heidenhain TNC, Klartext (TCPM)</translation>
+    </message>
+    <message>
+        <source>Heidenhain iTNC 530, klartext (M128)</source>
+        <translation>Heidenhain iTNC 530, Klartext (M128)</translation>
+    </message>
+    <message>
+        <source>High-speed mode</source>
+        <translation>Hochgeschwindigkeitsmodus</translation>
     </message>
     <message>
         <source>How far the mesh may leave the solid</source>
@@ -1061,6 +1233,22 @@
     <message>
         <source>How far two neighbouring facets may lean apart</source>
         <translation>Wie weit zwei benachbarte Facetten gegeneinander geneigt sein dürfen</translation>
+    </message>
+    <message>
+        <source>If the tool does not point at the cross, it is off by</source>
+        <translation>Zeigt das Werkzeug nicht auf das Kreuz, so weicht es ab um</translation>
+    </message>
+    <message>
+        <source>Import a machine</source>
+        <translation>Maschine übernehmen</translation>
+    </message>
+    <message>
+        <source>In the folder that is proposed it stands in every list of machines from then on.</source>
+        <translation>Im vorgeschlagenen Ordner steht sie von da an in jeder Maschinenliste.</translation>
+    </message>
+    <message>
+        <source>Its name must end in {endings}.</source>
+        <translation>Der Name muss auf {endings} enden.</translation>
     </message>
     <message>
         <source>Keep the tip of the tool in the middle of the view</source>
@@ -1081,6 +1269,10 @@
     <message>
         <source>Largest deviation with the work zero there</source>
         <translation>Größte Abweichung mit dem Werkstücknullpunkt dort</translation>
+    </message>
+    <message>
+        <source>Largest residual of the rows used: {length}</source>
+        <translation>Größter Rest der benutzten Zeilen: {length}</translation>
     </message>
     <message>
         <source>Largest tilt</source>
@@ -1115,8 +1307,20 @@
         <translation>Linearisieren</translation>
     </message>
     <message>
+        <source>LinuxCNC configurations and machine files (*.ini *.fcm)</source>
+        <translation>LinuxCNC-Konfigurationen und Maschinendateien (*.ini *.fcm)</translation>
+    </message>
+    <message>
+        <source>LinuxCNC's .ini with trt kinematics, or a .fcm of FreeCAD's Machine editor</source>
+        <translation>Eine .ini von LinuxCNC mit trt-Kinematik, oder eine .fcm von FreeCADs Maschineneditor</translation>
+    </message>
+    <message>
         <source>Machine</source>
         <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Machine file to write</source>
+        <translation>Zu schreibende Maschinendatei</translation>
     </message>
     <message>
         <source>Machine files (*.fcm)</source>
@@ -1129,6 +1333,10 @@
     <message>
         <source>Machines on {label}</source>
         <translation>Maschinen an {label}</translation>
+    </message>
+    <message>
+        <source>Mark over the work zero</source>
+        <translation>Marke über dem Nullpunkt</translation>
     </message>
     <message>
         <source>Mesh angle</source>
@@ -1147,16 +1355,16 @@
         <translation>Größte im Satz</translation>
     </message>
     <message>
+        <source>Moves</source>
+        <translation>Bewegungen</translation>
+    </message>
+    <message>
         <source>NC file</source>
         <translation>NC-Datei</translation>
     </message>
     <message>
-        <source>NC files (*.ngc *.nc *.tap *.cnc *.mpf *.gcode *.txt)</source>
-        <translation>NC-Dateien (*.ngc *.nc *.tap *.cnc *.mpf *.gcode *.txt)</translation>
-    </message>
-    <message>
-        <source>NC files (*.ngc *.nc)</source>
-        <translation>NC-Dateien (*.ngc *.nc)</translation>
+        <source>NC files (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)</source>
+        <translation>NC-Dateien (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)</translation>
     </message>
     <message>
         <source>NC line</source>
@@ -1165,6 +1373,10 @@
     <message>
         <source>Name the NC file.</source>
         <translation>Die NC-Datei benennen.</translation>
+    </message>
+    <message>
+        <source>Name the machine file.</source>
+        <translation>Geben Sie der Maschinendatei einen Namen.</translation>
     </message>
     <message>
         <source>Near the pole</source>
@@ -1215,8 +1427,20 @@
         <translation>Einen NC-Satz weiter</translation>
     </message>
     <message>
+        <source>Open a document first: there is nothing to pick from.</source>
+        <translation>Öffnen Sie zuerst ein Dokument: es gibt nichts zum Anklicken.</translation>
+    </message>
+    <message>
+        <source>Open the sheet</source>
+        <translation>Blatt öffnen</translation>
+    </message>
+    <message>
         <source>Order</source>
         <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgabe</translation>
     </message>
     <message>
         <source>Over the tolerance</source>
@@ -1271,6 +1495,10 @@
         <translation>{} als NC-Datei ausgeben</translation>
     </message>
     <message>
+        <source>Press Calculate to see what is found. OK writes it.</source>
+        <translation>„Berechnen“ zeigt, was gefunden wird. OK schreibt es.</translation>
+    </message>
+    <message>
         <source>Press Calculate to see what these settings come to.</source>
         <translation>„Berechnen“ zeigt, was diese Einstellungen ergeben.</translation>
     </message>
@@ -1283,12 +1511,24 @@
         <translation>Nachweis</translation>
     </message>
     <message>
+        <source>Prove the signs</source>
+        <translation>Vorzeichen nachweisen</translation>
+    </message>
+    <message>
         <source>Proven below</source>
         <translation>Bewiesen unter</translation>
     </message>
     <message>
         <source>Proven bound</source>
         <translation>Bewiesene Schranke</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Zurückgewinnen</translation>
+    </message>
+    <message>
+        <source>Recover a machine</source>
+        <translation>Maschine zurückgewinnen</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -1315,6 +1555,10 @@
         <translation>Als Webseite speichern …</translation>
     </message>
     <message>
+        <source>Save the report…</source>
+        <translation>Bericht speichern…</translation>
+    </message>
+    <message>
         <source>Save the table and its pictures</source>
         <translation>Die Tabelle und ihre Bilder speichern</translation>
     </message>
@@ -1335,6 +1579,10 @@
         <translation>Aufspannung</translation>
     </message>
     <message>
+        <source>Sheet to print</source>
+        <translation>Blatt zum Drucken</translation>
+    </message>
+    <message>
         <source>Shorter blocks help: half the length leaves about a quarter of the deviation. Linearize, in the tool path's panel, makes as many of them as are needed.</source>
         <translation>Kürzere NC-Sätze helfen: die halbe Länge lässt etwa ein Viertel der Abweichung übrig. „Linearisieren“ im Fenster des Werkzeugwegs macht so viele davon, wie nötig sind.</translation>
     </message>
@@ -1345,6 +1593,10 @@
     <message>
         <source>Singular blocks</source>
         <translation>Singuläre NC-Sätze</translation>
+    </message>
+    <message>
+        <source>Slow feed</source>
+        <translation>Langsamer Vorschub</translation>
     </message>
     <message>
         <source>Spacing by</source>
@@ -1367,8 +1619,20 @@
         <translation>Zeilensprung</translation>
     </message>
     <message>
+        <source>Stop {number}, NC line {line}: {title}</source>
+        <translation>Halt {number}, NC-Zeile {line}: {title}</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Abgebrochen; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
         <source>Stopped; the document is as it was.</source>
         <translation>Abgebrochen; das Dokument ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Halte</translation>
     </message>
     <message>
         <source>Summary</source>
@@ -1381,6 +1645,10 @@
     <message>
         <source>Tessellate</source>
         <translation>Tessellieren</translation>
+    </message>
+    <message>
+        <source>The CL file (APT) that the program was made from</source>
+        <translation>Die CL-Datei (APT), aus der das Programm gemacht wurde</translation>
     </message>
     <message>
         <source>The NC file to write</source>
@@ -1403,6 +1671,10 @@
         <translation>Der größte Abstand in diesem NC-Satz</translation>
     </message>
     <message>
+        <source>The machine file to write</source>
+        <translation>Die zu schreibende Maschinendatei</translation>
+    </message>
+    <message>
         <source>The next block where a rotary axis turns far to lean the tool a little</source>
         <translation>Der nächste NC-Satz, in dem eine Rundachse weit dreht, um das Werkzeug ein wenig zu neigen</translation>
     </message>
@@ -1413,6 +1685,18 @@
     <message>
         <source>The point of the part that is the program's zero</source>
         <translation>Der Punkt des Werkstücks, der Nullpunkt des Programms ist</translation>
+    </message>
+    <message>
+        <source>The program that was made of the CL file, without tool centre point control</source>
+        <translation>Das Programm, das aus der CL-Datei gemacht wurde, ohne TCP-Führung (RTCP)</translation>
+    </message>
+    <message>
+        <source>The program: slow feed moves, with a stop after each</source>
+        <translation>Das Programm: langsame Vorschubbewegungen, nach jeder ein Halt</translation>
+    </message>
+    <message>
+        <source>The sheet to write</source>
+        <translation>Das zu schreibende Blatt</translation>
     </message>
     <message>
         <source>The tip leaves its segment by more than the {tolerance} that are allowed.</source>
@@ -1459,6 +1743,10 @@
         <translation>Diese Dateien gibt es schon. Ersetzen?</translation>
     </message>
     <message>
+        <source>This file is there already: choose another name.</source>
+        <translation>Diese Datei gibt es schon: wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
         <source>This machine's head turns: give the length from the gauge point to the tip.</source>
         <translation>Der Kopf dieser Maschine schwenkt: die Länge vom Bezugspunkt der Spindel bis zur Werkzeugspitze angeben.</translation>
     </message>
@@ -1477,6 +1765,10 @@
     <message>
         <source>Tip guided (RTCP)</source>
         <translation>Spitze geführt (RTCP)</translation>
+    </message>
+    <message>
+        <source>Tip guided by the controller: {count} blocks, not proven between their ends</source>
+        <translation>Spitze von der Steuerung geführt: {count} Sätze, zwischen ihren Enden nicht nachgewiesen</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -1507,6 +1799,10 @@
         <translation>Drehung um Z</translation>
     </message>
     <message>
+        <source>Turn of each axis</source>
+        <translation>Drehung jeder Achse</translation>
+    </message>
+    <message>
         <source>Turn the solid first, as the recommendation says, then try one turn only.</source>
         <translation>Zuerst den Volumenkörper drehen, wie empfohlen, dann nur eine Drehung erproben.</translation>
     </message>
@@ -1521,6 +1817,14 @@
     <message>
         <source>Warning</source>
         <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Way of X, Y, Z</source>
+        <translation>Weg von X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Webseite (*.html)</translation>
     </message>
     <message>
         <source>Web page (*.html);;For programs (*.json);;Text (*.txt)</source>
@@ -1539,6 +1843,10 @@
         <translation>Was hilft</translation>
     </message>
     <message>
+        <source>What must be seen at each stop, to print; empty: no sheet</source>
+        <translation>Was an jedem Halt zu sehen sein muss, zum Drucken; leer: kein Blatt</translation>
+    </message>
+    <message>
         <source>What the distance is proven to stay below, all through this block</source>
         <translation>Worunter der Abstand im ganzen NC-Satz bewiesenermaßen bleibt</translation>
     </message>
@@ -1549,6 +1857,10 @@
     <message>
         <source>Where the tip is farthest from its commanded segment</source>
         <translation>Wo die Werkzeugspitze am weitesten von ihrer Sollstrecke entfernt ist</translation>
+    </message>
+    <message>
+        <source>Where the work zero lies in the document</source>
+        <translation>Wo der Werkstücknullpunkt im Dokument liegt</translation>
     </message>
     <message>
         <source>Where to clamp</source>
@@ -1587,6 +1899,18 @@
         <translation>Geschrieben: {}</translation>
     </message>
     <message>
+        <source>Wrong: {text}</source>
+        <translation>Falsch: {text}</translation>
+    </message>
+    <message>
+        <source>You see: {text}</source>
+        <translation>Sie sehen: {text}</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>entlang</translation>
+    </message>
+    <message>
         <source>around an edge</source>
         <translation>um eine Kante</translation>
     </message>
@@ -1599,8 +1923,32 @@
         <translation>wie in der Maschinendatei</translation>
     </message>
     <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>by rotary words</source>
+        <translation>durch Drehachsworte</translation>
+    </message>
+    <message>
+        <source>by the text itself, or the machine's own</source>
+        <translation>wie der Text zeigt, sonst die der Maschine</translation>
+    </message>
+    <message>
+        <source>by tool vectors</source>
+        <translation>durch Werkzeugvektoren</translation>
+    </message>
+    <message>
+        <source>carries</source>
+        <translation>trägt</translation>
+    </message>
+    <message>
         <source>centre of the ball</source>
         <translation>Kugelmittelpunkt</translation>
+    </message>
+    <message>
+        <source>certain within</source>
+        <translation>sicher auf</translation>
     </message>
     <message>
         <source>closing gaps at edges</source>
@@ -1647,8 +1995,20 @@
         <translation>genau</translation>
     </message>
     <message>
+        <source>fitting machines</source>
+        <translation>Maschinen werden angepasst</translation>
+    </message>
+    <message>
         <source>fixed</source>
         <translation>fest</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>grbl with five axes</source>
+        <translation>grbl mit fünf Achsen</translation>
     </message>
     <message>
         <source>impossible: {why}</source>
@@ -1681,6 +2041,10 @@
     <message>
         <source>least deviation (minimax)</source>
         <translation>kleinste Abweichung (minimax)</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
     </message>
     <message>
         <source>link</source>
@@ -1723,6 +2087,10 @@
         <translation>nach Schrittlänge gewichtete Normalen</translation>
     </message>
     <message>
+        <source>not determined</source>
+        <translation>nicht bestimmt</translation>
+    </message>
+    <message>
         <source>now</source>
         <translation>jetzt</translation>
     </message>
@@ -1759,12 +2127,20 @@
         <translation>Zeilen legen</translation>
     </message>
     <message>
+        <source>planning safe moves</source>
+        <translation>sichere Bewegungen werden geplant</translation>
+    </message>
+    <message>
         <source>proving the deviation</source>
         <translation>Abweichung nachweisen</translation>
     </message>
     <message>
         <source>rapid</source>
         <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>reading the CL file</source>
+        <translation>die CL-Datei wird gelesen</translation>
     </message>
     <message>
         <source>reading the NC file</source>
@@ -1795,16 +2171,36 @@
         <translation>Aufspannungen</translation>
     </message>
     <message>
+        <source>signs</source>
+        <translation>Vorzeichen</translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>vom Benutzer abgebrochen</translation>
+    </message>
+    <message>
+        <source>taken as 0</source>
+        <translation>als 0 angenommen</translation>
     </message>
     <message>
         <source>the axes leave their limits</source>
         <translation>die Achsen verlassen ihre Grenzen</translation>
     </message>
     <message>
+        <source>the head</source>
+        <translation>den Kopf</translation>
+    </message>
+    <message>
         <source>the machine's own</source>
         <translation>die der Maschine</translation>
+    </message>
+    <message>
+        <source>the table</source>
+        <translation>den Tisch</translation>
+    </message>
+    <message>
+        <source>through</source>
+        <translation>durch</translation>
     </message>
     <message>
         <source>tip</source>
@@ -1851,6 +2247,26 @@
         <translation>{block} von {last}, {motion}</translation>
     </message>
     <message>
+        <source>{controller} does not guide the tip itself; Linearize helps.</source>
+        <translation>{controller} führt die Spitze nicht selbst; Linearisieren hilft.</translation>
+    </message>
+    <message>
+        <source>{controller} has no high-speed mode to switch.</source>
+        <translation>{controller} hat keinen schaltbaren Hochgeschwindigkeitsmodus.</translation>
+    </message>
+    <message>
+        <source>{controller} has no inverse time: F is in mm/min.</source>
+        <translation>{controller} hat keine inverse Zeit: F ist in mm/min.</translation>
+    </message>
+    <message>
+        <source>{controller} needs the number of the tool for it: give it under More settings.</source>
+        <translation>{controller} braucht dafür die Werkzeugnummer: siehe „Weitere Einstellungen“.</translation>
+    </message>
+    <message>
+        <source>{count}, proven are only their ends</source>
+        <translation>{count}, nachgewiesen sind nur ihre Enden</translation>
+    </message>
+    <message>
         <source>{deviation}, NC line {line}</source>
         <translation>{deviation}, NC-Zeile {line}</translation>
     </message>
@@ -1861,6 +2277,18 @@
     <message>
         <source>{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be too slow for the programmed feed: then the tool dwells and may leave a mark.</source>
         <translation>{first} dreht um {first_turn} und {second} um {second_turn}, um das Werkzeug um {lean} zu neigen. Die Achse kann für den programmierten Vorschub zu langsam sein: dann verweilt das Werkzeug und hinterlässt womöglich eine Marke.</translation>
+    </message>
+    <message>
+        <source>{letter} line, {way}</source>
+        <translation>Linie von {letter}, {way}</translation>
+    </message>
+    <message>
+        <source>{letter} zero</source>
+        <translation>Null von {letter}</translation>
+    </message>
+    <message>
+        <source>{name}, other blocks</source>
+        <translation>{name}, andere Sätze</translation>
     </message>
     <message>
         <source>{now} of {whole}</source>
@@ -2032,6 +2460,17 @@
     </message>
 </context>
 <context>
+    <name>FiveAxis_ImportMachine</name>
+    <message>
+        <source>Import a machine…</source>
+        <translation>Maschine übernehmen…</translation>
+    </message>
+    <message>
+        <source>Make a machine file of a LinuxCNC configuration or of a FreeCAD machine file</source>
+        <translation>Aus einer LinuxCNC-Konfiguration oder einer FreeCAD-Maschinendatei eine Maschinendatei machen</translation>
+    </message>
+</context>
+<context>
     <name>FiveAxis_Play</name>
     <message>
         <source>Play</source>
@@ -2051,6 +2490,28 @@
     <message>
         <source>Write the NC file of a tool path, and a report of its deviations</source>
         <translation>Die NC-Datei eines Werkzeugwegs schreiben, und einen Bericht über seine Abweichungen</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_ProveSigns</name>
+    <message>
+        <source>Make a short safe program and a sheet that show a wrong sign or letter before it cuts</source>
+        <translation>Ein kurzes, sicheres Programm und ein Blatt machen, die ein falsches Vorzeichen oder einen falschen Buchstaben zeigen, bevor gefräst wird</translation>
+    </message>
+    <message>
+        <source>Prove the signs…</source>
+        <translation>Vorzeichen nachweisen…</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_Recover</name>
+    <message>
+        <source>Find the machine that a post had in mind, from a CL file and the NC file made of it</source>
+        <translation>Die Maschine finden, die ein Postprozessor im Sinn hatte, aus einer CL-Datei und der NC-Datei, die daraus gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Recover a machine from a program…</source>
+        <translation>Maschine aus einem Programm zurückgewinnen…</translation>
     </message>
 </context>
 <context>

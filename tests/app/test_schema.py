@@ -40,7 +40,7 @@ def test_a_document_of_version_0_opens_and_nothing_is_lost(old, reopen):
     new = reopen(old)
     for name, lacked in LACKED.items():
         assert set(lacked) <= set(new.getObject(name).PropertiesList)
-        assert new.getObject(name).SchemaVersion == schema.SCHEMA == 2
+        assert new.getObject(name).SchemaVersion == schema.SCHEMA == 3
     path = new.Toolpath
     assert {name: path.getPropertyByName(name) for name in before} == before
     assert (path.HolderDiameter.Value, path.HolderLength.Value, path.OriginFromMachine) == (40, 60, True)
@@ -67,13 +67,30 @@ def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen):
     path.Linearize, path.ToolAxis = ["off"], ["facet_mean", "step_weighted", "fixed"]
     path.SchemaVersion = 1
     path = reopen(doc).Toolpath
-    assert (path.SchemaVersion, path.Linearize, path.Singularity, path.ToolAxis) == (2, "off", "report", "facet_mean")
+    assert (path.SchemaVersion, path.Linearize, path.Singularity, path.ToolAxis) == (3, "off", "report", "facet_mean")
     assert (path.MaxTilt.Value, path.MaxAxisChange.Value) == pytest.approx((5, 2))
     path.Document.recompute()
     assert path.Blocks == blocks
     path.Linearize, path.Singularity, path.ToolAxis = "on", "deform", "minimax"
     path.Document.recompute()
     assert path.MaxSegmentDeviation.Value < deviation and path.State == ["Up-to-date"]
+
+
+def test_version_2_knew_three_controllers_and_no_guided_tip(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller="fanuc")
+    nc = results.nc_of(path)
+    for name in ("Rtcp", "HighSpeed", "GuidedBlocks", "Verdict"):
+        assert path.removeProperty(name)
+    path.Controller = ["machine's own", "fanuc", "linuxcnc"]
+    path.Controller = "fanuc"
+    path.SchemaVersion = 2
+    path = reopen(doc).Toolpath
+    assert (path.SchemaVersion, path.Controller, path.Rtcp, path.HighSpeed) == (3, "fanuc", "off", "off")
+    assert (path.GuidedBlocks, path.Verdict) == (0, "")
+    assert results.nc_of(path) == nc, "the same settings give the same program"
+    path.Controller, path.Rtcp = "heidenhain", "vectors"
+    path.Document.recompute()
+    assert path.State == ["Up-to-date"] and path.GuidedBlocks > 0 and b"LN X" in results.nc_of(path)
 
 
 def test_every_version_has_its_step():

@@ -64,6 +64,7 @@ class Dialect:
     ``high_speed``: lines that switch the high-speed mode on and off, empty where there is none.
     ``metric``, ``absolute``: the words of the head for mm and for absolute words.
     ``speed_call``: the line that sets the speed where no tool is called, if it is not the spindle's.
+    ``suffix``: how the names of its NC files end.
     """
 
     name: str
@@ -71,6 +72,7 @@ class Dialect:
     convention: str
     head: tuple[str, ...]
     tail: tuple[str, ...]
+    suffix: str = ".nc"
     guided_head: tuple[str, ...] = ()
     guided_tail: tuple[str, ...] = ()
     guides: Mapping[str, Guide] = field(default_factory=dict)

@@ -23,6 +23,7 @@ work offset is the preset that is active at the control: the program calls none.
 signs; a comment follows a semicolon. Cycle 32 TOLERANCE sets the high-speed mode: T, the tolerance of the path, HSC-MODE 0
 to finish, TA of rotary axes.""",
     language="heidenhain",
+    suffix=".h",
     metric="MM",
     absolute="BEGIN",
     head=(

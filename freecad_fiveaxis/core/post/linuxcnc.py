@@ -11,6 +11,7 @@ from .dialect import ANGLES, Dialect, Guide
 
 LINUXCNC = Dialect(
     name="linuxcnc",
+    suffix=".ngc",
     description="LinuxCNC, joint output (trivial kinematics) or switchable kinematics (M428), G93 or G94",
     convention="""Rotary words are absolute degrees, not modulo (WRAPPED_ROTARY takes a word by its sign, not by the shorter
 way, so words are never folded). Under G93 a block takes 60/F seconds, and every G1 needs its own F. Under G94 F is the

@@ -19,6 +19,7 @@ G64 is continuous path mode; G642 with CTOL rounds within the contour tolerance.
 the work offset is called again, because the switch drops it. ORIAXES interpolates the rotary axes, ORIVECT turns the vector
 in a plane. CYCLE832 is High Speed Settings: tolerance, mode, version. D1 is the cutting edge with the tool's length.""",
     language="siemens",
+    suffix=".mpf",
     metric="G710",
     head=(
         "{title}",

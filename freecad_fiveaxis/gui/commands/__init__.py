@@ -8,13 +8,18 @@ import FreeCADGui
 from .annotate import Annotate
 from .audit import Audit
 from .compare import Compare
+from .import_machine import ImportMachine
 from .play import Play
 from .post_process import PostProcess
+from .prove_signs import ProveSigns
+from .recover import Recover
 from .setup import Setup
 from .tessellate import Tessellate
 from .toolpath import Toolpath
 
-COMMANDS = (Tessellate, Toolpath, Setup, Compare, PostProcess, Annotate, Audit, Play)
+COMMANDS = (
+    Tessellate, Toolpath, Setup, Compare, PostProcess, Annotate, Audit, Play, ProveSigns, Recover, ImportMachine,
+)  # fmt: skip
 NAMES = [command.NAME for command in COMMANDS]
 
 

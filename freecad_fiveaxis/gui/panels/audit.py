@@ -5,47 +5,21 @@ from __future__ import annotations
 
 from typing import Any
 
-from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
+from freecad_fiveaxis.gui.qt import QtCore, translate
 
-from .fields import TextField
-from .form import Form
+from .files import FileField
+from .form import Form, Section, group_sections
 from .path_panel import DRAWN, PathPanel, fit, show
 from .picking import PointField
-
-
-class FileField(TextField):
-    """A file to read, and a button that chooses it. ``title`` of the dialog, ``kinds`` of files as Qt filters them."""
-
-    def __init__(self, name: str, title: str, kinds: str, hint: str = "") -> None:
-        super().__init__(name, hint)
-        self.title, self.kinds = title, kinds
-        self.browse = QtWidgets.QToolButton()
-        self.browse.setText("…")
-        self.browse.setToolTip(title)
-        self.browse.clicked.connect(self._browse)
-
-    def check(self) -> None:
-        """Raises FileError for a file that is not named or cannot be read."""
-        from freecad_fiveaxis.core.errors import FileError
-        from freecad_fiveaxis.core.files import check_readable
-
-        if not self.value():
-            raise FileError(translate("FiveAxis", "Choose the NC file to audit."), "")
-        check_readable(self.value())
-
-    def _browse(self, *_: Any) -> None:
-        path, _ = QtWidgets.QFileDialog.getOpenFileName(self.editor, self.title, self.value(), self.kinds)
-        if path:
-            self.show_value(path)
+from .post import nc_files
 
 
 class AuditPanel(PathPanel):
     """A new Audit in ``doc``, or the Audit ``obj`` to change."""
 
     def __init__(self, doc: Any, obj: Any = None) -> None:
-        title = translate("FiveAxis", "Choose an NC file")
-        kinds = translate("FiveAxis", "NC files (*.ngc *.nc *.tap *.cnc *.mpf *.gcode *.txt)")
-        self.file = FileField("nc_file", title, ";;".join([kinds, translate("FiveAxis", "All files (*)")]))
+        title, missing = translate("FiveAxis", "Choose an NC file"), translate("FiveAxis", "Choose the NC file to audit.")
+        self.file = FileField("nc_file", title, nc_files(), missing=missing)
         zero = PointField("work_zero", translate("FiveAxis", "Where the program's zero is drawn in the document"))
         super().__init__(doc, translate("FiveAxis", "Audit"), Form("audit", doc, _sections(), [self.file, zero]), obj)
 
@@ -88,9 +62,10 @@ def edit(obj: Any) -> AuditPanel:
     return show(panel)
 
 
-def _sections() -> list[tuple[str, str, list[str]]]:
-    return [
-        ("file", translate("FiveAxis", "NC file"), ["nc_file"]),
-        ("machine", translate("FiveAxis", "Machine"), ["machine", "controller", "tool_length"]),
-        ("proof", translate("FiveAxis", "Proof"), ["tolerance"]),
-    ]
+MORE = ("origin", "method")
+"""Options that few need."""
+
+
+def _sections() -> list[Section]:
+    """The file, and a section for each group of the task's settings."""
+    return [("file", translate("FiveAxis", "NC file"), ["nc_file"]), *group_sections("audit", MORE)]

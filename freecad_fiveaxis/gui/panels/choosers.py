@@ -8,17 +8,21 @@ from typing import Any
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .fields import ChoiceField, Field, QuantityField
-from .labels import choice_label, option_label
+from .files import machine_files
+from .labels import choice_label, controller_label, option_label
 
 
 class MachineField(ChoiceField):
-    """The machines of the program, of the user's folder and of FreeCAD's, and a button for any other file."""
+    """The machines of the program, of the user's folder and of FreeCAD's, and a button for any other file.
 
-    def __init__(self, name: str, hint: str = "") -> None:
+    ``none_text``: the first item, which leaves the machine open; without it one has to be chosen.
+    """
+
+    def __init__(self, name: str, hint: str = "", none_text: str = "") -> None:
         from freecad_fiveaxis.app import machines
 
-        super().__init__(name, [], hint)
-        for at, choice in enumerate(machines.choices()):
+        super().__init__(name, [(None, none_text)] if none_text else [], hint)
+        for at, choice in enumerate(machines.choices(), self.editor.count()):
             self.editor.addItem(choice.label, choice.machine)
             self.editor.setItemData(at, choice.error or choice.machine, QtCore.Qt.ToolTipRole)
         self.browse = QtWidgets.QToolButton()
@@ -31,9 +35,8 @@ class MachineField(ChoiceField):
         return has_head(self.value() or "")
 
     def _browse(self, *_: Any) -> None:
-        text = translate("FiveAxis", "Machine files (*.fcm)")
         title = translate("FiveAxis", "Choose a machine file (.fcm)")
-        path, _ = QtWidgets.QFileDialog.getOpenFileName(self.editor, title, "", text)
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(self.editor, title, "", machine_files())
         if path:
             self.show_value(path)
 
@@ -162,12 +165,27 @@ class CutterField(Field):
         self.length.show_value(cutter.length)
 
 
-def controller_field(name: str, hint: str) -> ChoiceField:
-    """The controllers; the first item leaves it to the machine."""
+def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
+    """The controllers; the first item leaves it to the machine, and where a text is read, to the text before that."""
     from freecad_fiveaxis.core.post import DIALECTS
 
-    own = [(None, translate("FiveAxis", "the machine's own"))]
-    return ChoiceField(name, own + [(dialect.name, dialect.name) for dialect in DIALECTS.values()], hint)
+    own = (
+        translate("FiveAxis", "by the text itself, or the machine's own") if reads else translate("FiveAxis", "the machine's own")
+    )
+    return ChoiceField(name, [(None, own), *((dialect, controller_label(dialect)) for dialect in DIALECTS)], hint)
+
+
+def dialect_of(controller: str | None, machine: str | None) -> Any:
+    """The core's table of a controller, or of the machine's own; None where the machine cannot be used."""
+    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.core.job import DEFAULT_CONTROLLER
+    from freecad_fiveaxis.core.machine import load_machine
+    from freecad_fiveaxis.core.post import find_dialect
+
+    try:
+        return find_dialect(controller or (load_machine(machine).controller if machine else "") or DEFAULT_CONTROLLER)
+    except FiveAxisError:
+        return None  # whoever uses the machine tells why it cannot be used
 
 
 def strategy_field(name: str, hint: str) -> ChoiceField:

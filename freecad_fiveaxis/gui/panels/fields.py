@@ -8,7 +8,7 @@ given     the value that the field was shown. Until the user edits the field, it
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
 import FreeCAD
@@ -34,6 +34,13 @@ class Field(QtCore.QObject):
         editor.setObjectName(name)
         editor.setToolTip(hint)
         self.error = error_line(name + "_error")
+        self.note = note_line(name + "_note")
+
+    def show_note(self, text: str) -> None:
+        """Why the field counts for nothing, in small letters under the editor, which is then idle; an empty text: it counts."""
+        self.note.setText(text)
+        self.note.setVisible(bool(text))
+        self.editor.setEnabled(not text)
 
     def show_error(self, text: str) -> None:
         """The reason why the value cannot be used, in red under the editor; an empty text takes it away."""
@@ -123,6 +130,11 @@ class ChoiceField(Field):
         for value, text in choices:
             self.editor.addItem(text, value)
         self.editor.currentIndexChanged.connect(self._changed)
+
+    def offer(self, unknown: Collection[Any]) -> None:
+        """These values cannot be chosen for now, all others can."""
+        for at in range(self.editor.count()):
+            self.editor.model().item(at).setEnabled(self.editor.itemData(at) not in unknown)
 
     def value(self) -> Any:
         """The value of the chosen item."""
@@ -235,6 +247,16 @@ def error_line(name: str) -> Any:
     label.setObjectName(name)
     label.setWordWrap(True)
     label.setStyleSheet("color: #d0342c;")
+    label.hide()
+    return label
+
+
+def note_line(name: str) -> Any:
+    """A line in small letters, hidden until it says something."""
+    label = QtWidgets.QLabel()
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    label.setStyleSheet("color: #6b7785; font-size: small;")
     label.hide()
     return label
 

@@ -3,6 +3,8 @@
 
 section   a titled box of fields. MORE is the last one, folded up: every option that no other section names.
 options   what the form says, flat, as job files write it; an option that is not given is not in it.
+idle      an option that counts for nothing as the choices stand: hidden where another choice says so, shown with the reason
+          where the controller does not know it.
 """
 
 from __future__ import annotations
@@ -12,9 +14,11 @@ from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
-from .choosers import CutterField, MachineField, SpacingField, controller_field, strategy_field
+from .abilities import LACKING, check_guide, reasons, unknown_choices
+from .choosers import CutterField, MachineField, SpacingField, controller_field, dialect_of, strategy_field
 from .fields import Field, error_line, option_field
-from .labels import choice_label, option_hint, option_label
+from .files import any_file
+from .labels import choice_label, group_label, option_hint, option_label
 
 SPACING = "spacing"
 MORE = "more"
@@ -29,6 +33,23 @@ DEPENDS = (
 )
 """A choice and its value; the options that count only then, and those that do not count then."""
 
+READING = ("audit", "recover")
+"""Tasks that read a program: its text may say itself which controller it is for."""
+ANY_MACHINE = ("recover",)
+"""Tasks that need no machine."""
+
+
+def group_sections(task: str, less: Sequence[str] = ()) -> list[Section]:
+    """A section for each group of a task's settings, so that options that are added appear by themselves; but for those in
+    ``less``, which are left to MORE."""
+    from freecad_fiveaxis.app.properties import shown_options
+
+    groups: dict[str, list[str]] = {}
+    for cls, leaf in shown_options(task):
+        if leaf.name not in less:
+            groups.setdefault(cls.__name__, []).append(leaf.name)
+    return [(name.removesuffix("Settings").lower(), group_label(name), names) for name, names in groups.items()]
+
 
 class Form(QtCore.QObject):
     """The fields of one task. ``edited`` tells that any of them changed; ``widget`` is what to show."""
@@ -41,13 +62,13 @@ class Form(QtCore.QObject):
     ) -> None:  # fmt: skip
         """``group``: the settings class whose options alone are asked for; ``given``: options that are settled elsewhere."""
         super().__init__()
-        from freecad_fiveaxis.core.settings import option_fields
+        from freecad_fiveaxis.app.properties import shown_options
 
         self.task, self.given = task, dict(given or {})
-        fields = [leaf for cls, leaf in option_fields(task) if group in ("", cls.__name__)]
-        self.leaves = {leaf.name: leaf for leaf in fields if leaf.metadata["kind"] not in ("path", "paths")}
+        self.leaves = {leaf.name: leaf for cls, leaf in shown_options(task) if group in ("", cls.__name__)}
         self.extras = {field.name: field for field in extras}
         self.fields = {**self._option_fields(doc), **self.extras}
+        self.wished: dict[str, Any] = {}
         self.rows: dict[str, list[Any]] = {}
         self.widget = QtWidgets.QWidget()
         self.error = error_line("form_error")
@@ -58,18 +79,21 @@ class Form(QtCore.QObject):
 
     def _option_fields(self, doc: Any) -> dict[str, Field]:
         special = {
-            "machine": lambda leaf: MachineField(leaf.name, option_hint(leaf)),
-            "controller": lambda leaf: controller_field(leaf.name, option_hint(leaf)),
+            "machine": lambda leaf: MachineField(leaf.name, option_hint(leaf), self._no_machine()),
+            "controller": lambda leaf: controller_field(leaf.name, option_hint(leaf), self.task in READING),
             "tool_axis": lambda leaf: strategy_field(leaf.name, option_hint(leaf)),
             "cutter": lambda leaf: CutterField(leaf.name, option_hint(leaf), doc),
         }
         made = {}
         for name, leaf in self.leaves.items():
-            if name not in SpacingField.KINDS:
+            if name not in SpacingField.KINDS and name not in self.extras:
                 made[name] = special.get(name, _plain)(leaf)
         if SpacingField.KINDS[0] in self.leaves:
             made[SPACING] = SpacingField({kind: option_hint(self.leaves[kind]) for kind in SpacingField.KINDS})
         return made
+
+    def _no_machine(self) -> str:
+        return translate("FiveAxis", "none") if self.task in ANY_MACHINE else ""
 
     def _lay_out(self, sections: Sequence[Section]) -> None:
         column = QtWidgets.QVBoxLayout(self.widget)
@@ -104,12 +128,13 @@ class Form(QtCore.QObject):
         if beside:
             grid.addWidget(beside, row, 2)
         grid.addWidget(field.error, row + 1, 0, 1, 3)
+        grid.addWidget(field.note, row + 2, 0, 1, 3)
 
     def _folded(self, box: Any) -> Any:
         """A box that opens when its title is ticked."""
         box.setCheckable(True)
         inner = [box.layout().itemAt(at).widget() for at in range(box.layout().count())]
-        labels = [widget for widget in inner if not widget.objectName().endswith("_error")]
+        labels = [widget for widget in inner if not widget.objectName().endswith(("_error", "_note"))]
 
         def fold(opened: bool) -> None:
             for widget in labels:
@@ -124,13 +149,43 @@ class Form(QtCore.QObject):
         self.edited.emit()
 
     def _depend(self) -> None:
-        """Show only the fields that count for the machine and the choices made."""
-        if "tool_length" in self.rows and "machine" in self.fields:
+        """Show only the fields that count for the machine and the choices made; those that its controller lacks are idle."""
+        if "tool_length" in self.rows and "machine" in self.fields and self.task not in ANY_MACHINE:
             self._show_row("tool_length", self.fields["machine"].has_head())
+        self._lack()
         idle = self._idle()
         for name in (one for _, _, only, never in DEPENDS for one in (*only, *never)):
             if name in self.rows:
                 self._show_row(name, name not in idle)
+
+    def dialect(self) -> Any:
+        """The core's table of the controller that is chosen, or of the machine's own; None where that is not known."""
+        if not {"machine", "controller"} <= set(self.fields):
+            return None
+        return dialect_of(self.fields["controller"].value(), self.fields["machine"].value())
+
+    def _lack(self) -> None:
+        """What the controller does not know cannot be chosen; what was chosen before comes back with a controller that does."""
+        dialect = self.dialect()
+        if dialect is None:
+            return
+        said = reasons(dialect)
+        for name in ("rtcp", "high_speed", "feed_mode"):
+            if name in self.rows:
+                self._lack_of(name, self.fields[name], said.get(name, ""))
+        for name, unknown in unknown_choices(dialect).items():
+            if name in self.rows:
+                self.fields[name].offer(unknown)
+
+    def _lack_of(self, name: str, field: Field, reason: str) -> None:
+        field.show_note(reason)
+        if name not in LACKING:
+            return
+        if reason and field.value() != LACKING[name]:
+            self.wished[name] = field.value()
+            _show_quietly(field, LACKING[name])
+        elif not reason and name in self.wished:
+            _show_quietly(field, self.wished.pop(name))
 
     def _idle(self) -> set[str]:
         """The options that count for nothing as the choices stand: they are not shown, not checked and not given."""
@@ -146,17 +201,17 @@ class Form(QtCore.QObject):
             widget.setVisible(shown)
 
     def options(self) -> dict[str, Any]:
-        """What the form says, without the extras."""
+        """What the form says, without the extras that are no options."""
         said: dict[str, Any] = {}
         for name, field in self.fields.items():
-            if name not in self.extras:
+            if name in self.leaves or name == SPACING:
                 said.update(field.value() if name == SPACING else {name: field.value()})
         idle = self._idle()
         return {name: value for name, value in said.items() if value is not None and value != "" and name not in idle}
 
     def said(self) -> dict[str, Any]:
         """The options and the extras."""
-        return self.options() | {name: field.value() for name, field in self.extras.items()}
+        return self.options() | {name: field.value() for name, field in self.extras.items() if name not in self.leaves}
 
     def show_options(self, options: Mapping[str, Any]) -> None:
         """Fill the fields; one that the options do not name keeps what it shows."""
@@ -164,24 +219,30 @@ class Form(QtCore.QObject):
             if name == SPACING:
                 field.show_value({kind: options.get(kind) for kind in SpacingField.KINDS})
             elif name in options:
+                self.wished.pop(name, None)
                 field.show_value(options[name])
         self._depend()
 
     def check(self) -> bool:
         """Whether the core takes the values; where it does not, the fields say why."""
         from freecad_fiveaxis.core.errors import FiveAxisError
-        from freecad_fiveaxis.core.settings import build_settings
 
         options = self.options()
         good = [self._check_field(name, field, options) for name, field in self.fields.items()]
         self.show_error("")
         if all(good):
             try:
-                build_settings(self.task, "part", self.given | options)
+                self.check_together(options)
             except FiveAxisError as error:
                 self.show_error(str(error))
                 return False
         return all(good)
+
+    def check_together(self, options: Mapping[str, Any]) -> None:
+        """Raises FiveAxisError where values contradict each other."""
+        from freecad_fiveaxis.core.settings import build_settings
+
+        build_settings(self.task, "part", self.given | options)
 
     def _check_field(self, name: str, field: Field, options: Mapping[str, Any]) -> bool:
         from freecad_fiveaxis.core.errors import FiveAxisError
@@ -201,11 +262,13 @@ class Form(QtCore.QObject):
         from freecad_fiveaxis.core.settings import read_option
 
         for given in SpacingField.KINDS if name == SPACING else (name,):
-            if given in options:
+            if given in options and given in self.leaves:
                 read_option(self.leaves[given], options[given])
-        if name == "machine":
+        if name == "machine" and (name in options or self.task not in ANY_MACHINE):
             load_machine(options.get(name, ""))
-        if name == "tool_length" and name not in options and self.fields["machine"].has_head():
+        if name == "rtcp" and (dialect := self.dialect()) is not None:
+            check_guide(dialect, options)
+        if name == "tool_length" and name not in options and self.task not in ANY_MACHINE and self.fields["machine"].has_head():
             raise SettingsError(
                 translate("FiveAxis", "This machine's head turns: give the length from the gauge point to the tip.")
             )
@@ -216,7 +279,16 @@ class Form(QtCore.QObject):
         self.error.setVisible(bool(text))
 
 
+def _show_quietly(field: Field, value: Any) -> None:
+    """Show a value; whoever calls tells himself that the form has changed."""
+    field.editor.blockSignals(True)
+    field.show_value(value)
+    field.editor.blockSignals(False)
+
+
 def _plain(leaf: Any) -> Field:
+    if leaf.metadata["kind"] == "path":
+        return any_file(leaf)
     choices = [(name, choice_label(name)) for name in leaf.metadata["choices"]]
     none_text = translate("FiveAxis", "as the machine file says") if leaf.default is None else ""
     if leaf.metadata["kind"] == "counts":

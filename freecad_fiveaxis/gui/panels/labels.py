@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The words beside the fields: one for each option of the core's settings, and one for each choice."""
+"""The words beside the fields: one for each option of the core's settings, for each choice, and for each controller."""
 
 from __future__ import annotations
 
@@ -26,6 +26,24 @@ def choice_label(name: str) -> str:
 def group_label(name: str) -> str:
     """The title of a group of options, by the name of its settings class."""
     return _groups().get(name) or name.replace("Settings", "")
+
+
+def controller_label(name: str) -> str:
+    """What a controller is called in a list; one that is new says its own name."""
+    return _controllers().get(name) or name
+
+
+def _controllers() -> dict[str, str]:
+    return {
+        "linuxcnc": "LinuxCNC",
+        "fanuc": "Fanuc",
+        "haas": "Haas",
+        "siemens840d": "Siemens Sinumerik 840D",
+        "heidenhain": translate("FiveAxis", "Heidenhain TNC, klartext (TCPM)"),
+        "heidenhain_m128": translate("FiveAxis", "Heidenhain iTNC 530, klartext (M128)"),
+        "mach3": "Mach3, Mach4",
+        "grbl": translate("FiveAxis", "grbl with five axes"),
+    }
 
 
 def _options() -> dict[str, str]:
@@ -69,6 +87,17 @@ def _options() -> dict[str, str]:
         "turns": translate("FiveAxis", "Turns of the part"),
         "machines": translate("FiveAxis", "Machines"),
         "cures": translate("FiveAxis", "Cures"),
+        "program": translate("FiveAxis", "NC file"),
+        "machine_file": translate("FiveAxis", "Machine file to write"),
+        "certainty": translate("FiveAxis", "Certain within"),
+        "mark": translate("FiveAxis", "Mark over the work zero"),
+        "gap": translate("FiveAxis", "Gap above the mark"),
+        "travel": translate("FiveAxis", "Way of X, Y, Z"),
+        "angle": translate("FiveAxis", "Turn of each axis"),
+        "slow_feed": translate("FiveAxis", "Slow feed"),
+        "cl_file": translate("FiveAxis", "CL file"),
+        "sheet": translate("FiveAxis", "Sheet to print"),
+        "source": translate("FiveAxis", "File to import"),
         "linear_deflection": translate("FiveAxis", "Mesh deflection"),
         "angular_deflection": translate("FiveAxis", "Mesh angle"),
         "work_zero": translate("FiveAxis", "Work zero"),
@@ -117,4 +146,6 @@ def _groups() -> dict[str, str]:
         "ProofSettings": translate("FiveAxis", "Proof"),
         "SetupSettings": translate("FiveAxis", "Setup"),
         "CompareSettings": translate("FiveAxis", "Comparison"),
+        "RecoverSettings": translate("FiveAxis", "Recover"),
+        "ProveSettings": translate("FiveAxis", "Moves"),
     }

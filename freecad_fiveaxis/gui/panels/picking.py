@@ -94,6 +94,9 @@ class PointField(TripleField):
         self.button.clicked.connect(self._pressed)
         self.row.addWidget(self.button, 2, 0, 1, 3)
         self.pick = Pick(self._found, self._ended)
+        if FreeCADGui.activeDocument() is None:
+            self.button.setEnabled(False)
+            self.button.setToolTip(translate("FiveAxis", "Open a document first: there is nothing to pick from."))
 
     def _pressed(self, down: bool) -> None:
         if down:

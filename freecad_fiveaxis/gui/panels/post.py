@@ -8,7 +8,6 @@ proposed name   the folder of the preferences, else the document's, else the use
 from __future__ import annotations
 
 import os
-import re
 from typing import Any
 
 import FreeCADGui
@@ -18,14 +17,11 @@ from freecad_fiveaxis.gui.qt import QtWidgets, flags, translate
 from freecad_fiveaxis.gui.undo import transaction
 from freecad_fiveaxis.gui.waiting import waiting
 
+from .choosers import dialect_of
 from .fields import TextField, error_line
 from .path_panel import show
 
 REPORTS = ("html", "json")
-ENDINGS = {"fanuc": ".nc", "linuxcnc": ".ngc"}
-"""How the controllers' users name their files; ``.ngc`` where nothing is known."""
-FORBIDDEN = re.compile(r'[\\/:*?"<>|\x00-\x1f]+')
-"""What no file name can hold on one system or another."""
 
 
 class PostPanel:
@@ -64,7 +60,7 @@ class PostPanel:
     def _browse(self, *_: Any) -> None:
         title = translate("FiveAxis", "The NC file to write")
         path, _ = QtWidgets.QFileDialog.getSaveFileName(
-            self.form, title, self.file.value(), translate("FiveAxis", "NC files (*.ngc *.nc)"), "",
+            self.form, title, self.file.value(), nc_files(), "",
             QtWidgets.QFileDialog.DontConfirmOverwrite,
         )  # fmt: skip
         if path:
@@ -159,25 +155,31 @@ def write(path: Any) -> PostPanel:
 
 def proposed_name(path: Any) -> str:
     """Where the NC file of a Toolpath would go."""
-    from freecad_fiveaxis.app import preferences
-
-    folder = preferences.output_folder() or os.path.dirname(path.Document.FileName) or os.path.expanduser("~")
-    name = FORBIDDEN.sub("_", path.Label).strip(" .") or path.Name
-    return os.path.join(str(folder), name + ENDINGS.get(_controller(path), ".ngc"))
-
-
-def _controller(path: Any) -> str:
-    """The name of the controller that the path is for: its own, or its machine's."""
     from freecad_fiveaxis.app.properties import MACHINES_OWN
-    from freecad_fiveaxis.core.errors import FiveAxisError
-    from freecad_fiveaxis.core.machine import load_machine
 
-    if path.Controller != MACHINES_OWN:
-        return path.Controller
-    try:
-        return load_machine(path.Machine).controller or ""
-    except FiveAxisError:
-        return ""  # writing will say what is the matter with the machine
+    controller = None if path.Controller == MACHINES_OWN else path.Controller
+    return proposed_file(path.Label or path.Name, path.Document.FileName, suffix_of(controller, path.Machine))
+
+
+def proposed_file(name: str, document: str, suffix: str) -> str:
+    """A file of that name in the folder of the preferences, else beside the file of the document, else in the user's own."""
+    from freecad_fiveaxis.app import preferences
+    from freecad_fiveaxis.app.machines import FORBIDDEN
+
+    folder = preferences.output_folder() or os.path.dirname(document) or os.path.expanduser("~")
+    return os.path.join(str(folder), (FORBIDDEN.sub("_", name).strip(" .") or "program") + suffix)
+
+
+def suffix_of(controller: str | None, machine: str | None) -> str:
+    """How the NC files of a controller end, or of the machine's own."""
+    dialect = dialect_of(controller, machine)
+    return dialect.suffix if dialect else ".ngc"  # writing will say what is the matter with the machine
+
+
+def nc_files() -> str:
+    """The kinds of NC files, as Qt filters them."""
+    kinds = translate("FiveAxis", "NC files (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)")
+    return ";;".join([kinds, translate("FiveAxis", "All files (*)")])
 
 
 def _report_texts() -> dict[str, str]:

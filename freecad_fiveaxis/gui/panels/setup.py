@@ -17,7 +17,7 @@ from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
 from .path_panel import DRAWN, PathPanel, fit, reveal, show
-from .post import FORBIDDEN
+from .post import proposed_file
 from .summary import Summary, clock
 from .toolpath import preferred
 
@@ -146,10 +146,7 @@ class SetupPanel(PathPanel):
 
 def ask_file(parent: Any, document: str, name: str) -> str:
     """The file that the user names for a report, proposed beside the file of the document; empty where he names none."""
-    from freecad_fiveaxis.app import preferences
-
-    folder = preferences.output_folder() or os.path.dirname(document) or os.path.expanduser("~")
-    proposed = os.path.join(str(folder), FORBIDDEN.sub("_", name).strip(" .") + ".html")
+    proposed = proposed_file(name, document, ".html")
     kinds = translate("FiveAxis", "Web page (*.html);;For programs (*.json);;Text (*.txt)")
     dialog = QtWidgets.QFileDialog
     return dialog.getSaveFileName(

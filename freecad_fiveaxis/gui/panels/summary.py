@@ -14,12 +14,20 @@ from .fields import quantity
 def summary_lines(obj: Any) -> list[tuple[str, str]]:
     """Label and value of each line, from the result properties of a Toolpath or an Audit."""
     lines = [(translate("FiveAxis", "Passes"), str(obj.Passes))] if obj.Passes else []
+    measured = [
+        (translate("FiveAxis", "Largest deviation"), length(obj.MaxSegmentDeviation)),
+        (translate("FiveAxis", "Proven bound"), length(obj.MaxBound)),
+    ]
+    if obj.GuidedBlocks:  # between their ends nothing is known of those blocks: their zeros are no measurements
+        ends_only = translate("FiveAxis", "{count}, proven are only their ends").format(count=obj.GuidedBlocks)
+        guided = (translate("FiveAxis", "Tip guided (RTCP)"), ends_only)
+        others = [(translate("FiveAxis", "{name}, other blocks").format(name=name), value) for name, value in measured]
+        measured = [guided, *(others if float(getattr(obj.MaxBound, "Value", obj.MaxBound)) > 0.0 else [])]
     return [
         *lines,
         (translate("FiveAxis", "Blocks"), str(obj.Blocks)),
         (translate("FiveAxis", "Time"), clock(float(getattr(obj.Time, "Value", obj.Time)))),
-        (translate("FiveAxis", "Largest deviation"), length(obj.MaxSegmentDeviation)),
-        (translate("FiveAxis", "Proven bound"), length(obj.MaxBound)),
+        *measured,
         (translate("FiveAxis", "Singular blocks"), str(obj.SingularBlocks)),
         (translate("FiveAxis", "Blocks over tolerance"), str(obj.OverTolerance)),
         (translate("FiveAxis", "Worst NC line"), str(obj.WorstLine or translate("FiveAxis", "none"))),
@@ -79,6 +87,6 @@ class Summary(QtWidgets.QGroupBox):
         cells = "".join(
             f"<tr><td>{label}&nbsp;</td><td><b>{html.escape(value)}</b></td></tr>" for label, value in summary_lines(obj)
         )
-        sentences = dict.fromkeys((*cured(obj), gravest(obj)))
+        sentences = dict.fromkeys((obj.Verdict if obj.GuidedBlocks else "", *cured(obj), gravest(obj)))
         found = "".join(f"<p>{html.escape(text)}</p>" for text in sentences if text)
         self.text.setText(f"<table>{cells}</table>{found}")

@@ -87,11 +87,11 @@ def _tessellation(obj: Any) -> Any:
 
 def _sections() -> list[tuple[str, str, list[str]]]:
     return [
-        ("machine", translate("FiveAxis", "Machine"), ["machine", "controller", "tool_length"]),
+        ("machine", translate("FiveAxis", "Machine"), ["machine", "controller", "rtcp", "high_speed", "tool_length"]),
         ("cutter", translate("FiveAxis", "Ball cutter"), ["cutter"]),
         ("passes", translate("FiveAxis", "Passes"), [SPACING, "direction", "tolerance"]),
         ("axis", translate("FiveAxis", "Tool axis"), ["tool_axis", "axis", "lead", "tilt", "max_tilt"]),
         ("cure", translate("FiveAxis", "Against deviation"), ["linearize", "singularity", "max_axis_change"]),
-        ("feeds", translate("FiveAxis", "Feeds"), ["feed", "plunge_feed"]),
+        ("feeds", translate("FiveAxis", "Feeds"), ["feed", "plunge_feed", "feed_mode"]),
         ("zero", translate("FiveAxis", "Work zero"), ["work_zero"]),
     ]

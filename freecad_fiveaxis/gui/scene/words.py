@@ -164,6 +164,9 @@ def legend_of(label: str, figures: Figures, look: Any, warning: str) -> Any:
     if said["worst_line"] is not None:
         largest = label_text(said["max_segment_deviation"], said["worst_line"])
         notes.append(translate("FiveAxis", "Largest: {largest}").format(largest=largest))
+    if said["guided_blocks"]:
+        guided = translate("FiveAxis", "Tip guided by the controller: {count} blocks, not proven between their ends")
+        notes.append(guided.format(count=said["guided_blocks"]))
     halves = (translate("FiveAxis", "within tolerance"), translate("FiveAxis", "over tolerance"))
     return Legend(label, ramp(look.good, look.bad), marks, halves, keys, notes, warning)
 

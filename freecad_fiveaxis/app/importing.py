@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Machines of other programs become machine files of the user's. No document is needed, none is changed."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+from freecad_fiveaxis.core.errors import FileError, SettingsError
+from freecad_fiveaxis.core.files import check_readable, check_writable
+from freecad_fiveaxis.core.machine import save_machine
+from freecad_fiveaxis.core.machine_import import Imported, import_machine
+
+from . import machines
+
+
+def read(source: Any) -> Imported:
+    """The machine of a LinuxCNC .ini or a FreeCAD .fcm, with what that file leaves open. Raises FiveAxisError."""
+    check_readable(source)
+    return import_machine(os.fspath(source))
+
+
+def check_target(fcm_file: Any) -> None:
+    """Before the work: a machine file of that name can be written, and none is there. Raises FiveAxisError."""
+    if Path(os.fspath(fcm_file)).suffix.lower() != machines.SUFFIX:
+        raise SettingsError(f"{fcm_file} does not end in {machines.SUFFIX}, as machine files do; name it so", fcm_file)
+    if os.path.lexists(fcm_file):
+        raise FileError(f"{fcm_file} exists already; choose another name, so that no machine is lost", fcm_file)
+    if not machines.is_new_folder(fcm_file):
+        check_writable(fcm_file)
+
+
+def write(imported: Imported, fcm_file: Any = None) -> str:
+    """Write the machine file, never over another one; returns its name. None: in the user's folder. Raises FiveAxisError."""
+    target = os.fspath(fcm_file) if fcm_file else machines.free_file(imported.machine.name)
+    check_target(target)
+    machines.make_folder(target)
+    save_machine(imported.machine, target)
+    return target

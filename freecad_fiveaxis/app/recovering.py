@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The machine that a post had in mind, found from a CL file and the program made of it. No document is needed, none is changed.
+
+folder    a machine file written to the user's folder of machines (:mod:`machines`) stands in every chooser from then on.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from freecad_fiveaxis.core import job, workshop
+from freecad_fiveaxis.core.errors import FileError
+from freecad_fiveaxis.core.files import check_writable, write_whole
+from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.settings import RECOVER, Settings, build_settings
+
+from . import machines
+from .long_work import listening
+
+
+def settings_of(cl_file: Any, nc_file: Any, fcm_file: Any, options: Mapping[str, Any]) -> Settings:
+    """What is asked of the core. ``fcm_file`` None: a new name in the user's folder of machines. Raises SettingsError."""
+    named = fcm_file if fcm_file else machines.free_file(Path(os.fspath(nc_file)).stem)
+    files = {"program": os.fspath(nc_file), "machine_file": os.fspath(named)}
+    return build_settings(RECOVER, os.fspath(cl_file), {**options, **files})
+
+
+def recover(
+    cl_file: Any, nc_file: Any, fcm_file: Any, options: Mapping[str, Any], progress: Progress | None = None
+) -> workshop.Recovered:
+    """The machine, not yet written. Raises FiveAxisError for files that cannot be used and for a name that is taken."""
+    settings = settings_of(cl_file, nc_file, fcm_file, options)
+    if not machines.is_new_folder(settings.recover.machine_file):
+        job.check_outputs(settings)
+    with listening(progress) as listener:
+        return workshop.recover_machine(settings, listener)
+
+
+def write(done: workshop.Recovered) -> str:
+    """Write the machine file, never over another one; returns its name. Raises FileError."""
+    machines.make_folder(done.settings.recover.machine_file)
+    return workshop.write_outputs(done)[0]
+
+
+def write_report(done: workshop.Work, file: str | os.PathLike[str], overwrite: bool = False) -> None:
+    """What was found, as a page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file that is there."""
+    ending = os.path.splitext(os.fspath(file))[1].lower()
+    if ending not in workshop.REPORTS:
+        raise FileError(f"{file} needs one of the endings {', '.join(workshop.REPORTS)}", file)
+    check_writable(file)
+    if not overwrite and os.path.lexists(file):
+        raise FileError(f"{file} exists; choose another name, or ask for it to be overwritten", file)
+    write_whole(file, workshop.REPORTS[ending](done).encode("utf-8", "backslashreplace"))

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The program that proves a machine's signs before anything is cut, and its sheet. No document is needed, none is changed."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from freecad_fiveaxis.core import job, workshop
+from freecad_fiveaxis.core.errors import FileError
+from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.settings import PROVE, Settings, build_settings
+
+from .long_work import listening
+
+
+def settings_of(nc_file: Any, options: Mapping[str, Any], sheet: Any = None) -> Settings:
+    """What is asked of the core. Raises SettingsError."""
+    files = {"output": os.fspath(nc_file), "report": [os.fspath(sheet)] if sheet else []}
+    return build_settings(PROVE, "", {**options, **files})
+
+
+def prove(nc_file: Any, options: Mapping[str, Any], sheet: Any = None, progress: Progress | None = None) -> workshop.Proof:
+    """Program and sheet, not yet written. Raises FiveAxisError where the limits leave no room."""
+    settings = settings_of(nc_file, options, sheet)
+    job.check_outputs(settings)
+    with listening(progress) as listener:
+        return workshop.prove(settings, listener)
+
+
+def targets(done: workshop.Proof) -> list[str]:
+    """The files that ``write`` writes."""
+    output = done.settings.output
+    return [name for name in (output.output, *output.report) if name]
+
+
+def write(done: workshop.Proof, overwrite: bool = False) -> list[str]:
+    """Write program and sheet; returns their names. Raises FileError for a file that is there, unless ``overwrite``."""
+    there = [] if overwrite else [name for name in targets(done) if os.path.lexists(name)]
+    if there:
+        raise FileError(f"{there[0]} exists; choose another name, or ask for it to be overwritten", there[0])
+    return workshop.write_outputs(done)

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fields that name files: one to read, one to write."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from freecad_fiveaxis.gui.qt import QtWidgets, translate
+
+from .fields import TextField
+from .labels import option_hint
+
+
+class FileField(TextField):
+    """A file to read, and a button that chooses it. ``title`` of the dialog, ``kinds`` of files as Qt filters them; ``missing``:
+    what is said while none is named, empty where none is needed."""
+
+    def __init__(self, name: str, title: str, kinds: str, hint: str = "", missing: str = "") -> None:
+        super().__init__(name, hint)
+        self.title, self.kinds, self.missing = title, kinds, missing
+        self.browse = QtWidgets.QToolButton()
+        self.browse.setText("…")
+        self.browse.setToolTip(title)
+        self.browse.setObjectName(name + "_browse")
+        self.browse.clicked.connect(self._browse)
+
+    def check(self) -> None:
+        """Raises FileError for a file that is not named or cannot be read."""
+        from freecad_fiveaxis.core.errors import FileError
+        from freecad_fiveaxis.core.files import check_readable
+
+        if self.value():
+            check_readable(self.value())
+        elif self.missing:
+            raise FileError(self.missing, "")
+
+    def _browse(self, *_: Any) -> None:
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(self.editor, self.title, self.value(), self.kinds)
+        if path:
+            self.show_value(path)
+
+
+class SaveField(FileField):
+    """A file to write. ``endings``: those that its name may have, none: any; ``new``: it must not be there yet.
+
+    ``propose`` shows a name until the user gives one.
+    """
+
+    def __init__(
+        self, name: str, title: str, kinds: str, hint: str = "", missing: str = "", endings: tuple[str, ...] = (),
+        new: bool = False,
+    ) -> None:  # fmt: skip
+        super().__init__(name, title, kinds, hint, missing)
+        self.endings, self.new, self._proposed = endings, new, ""
+
+    def propose(self, path: str) -> None:
+        """Show this name, unless the user has named another file."""
+        if self.value() == self._proposed:
+            self._proposed = path
+            self.show_value(path)
+
+    def value(self) -> str:
+        """The whole name; empty where there is none."""
+        return os.path.abspath(os.path.expanduser(super().value())) if super().value() else ""
+
+    def check(self) -> None:
+        """Raises FileError for a file that is not named, has no known ending, or is there although it may not."""
+        from freecad_fiveaxis.app.machines import is_new_folder
+        from freecad_fiveaxis.core.errors import FileError
+        from freecad_fiveaxis.core.files import check_writable
+
+        path = self.value()
+        if not path:
+            if self.missing:
+                raise FileError(self.missing, "")
+            return
+        if self.endings and os.path.splitext(path)[1].lower() not in self.endings:
+            text = translate("FiveAxis", "Its name must end in {endings}.")
+            raise FileError(text.format(endings=", ".join(self.endings)), path)
+        if self.new and os.path.lexists(path):
+            raise FileError(translate("FiveAxis", "This file is there already: choose another name."), path)
+        if not is_new_folder(path):
+            check_writable(path)
+
+    def _browse(self, *_: Any) -> None:
+        options = QtWidgets.QFileDialog.DontConfirmOverwrite
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(self.editor, self.title, self.value(), self.kinds, "", options)
+        if path:
+            self.show_value(path)
+
+
+def all_files() -> str:
+    """Any kind of file, as Qt filters them."""
+    return translate("FiveAxis", "All files (*)")
+
+
+def cl_files() -> str:
+    """The kinds of CL files, as Qt filters them."""
+    return ";;".join([translate("FiveAxis", "CL files (*.apt *.cl *.cls *.ncl *.aptsource *.txt)"), all_files()])
+
+
+def machine_files() -> str:
+    """Machine files, as Qt filters them."""
+    return translate("FiveAxis", "Machine files (*.fcm)")
+
+
+def any_file(leaf: Any) -> FileField:
+    """The field of an option that names a file to read, of which no more is known than its help."""
+    return FileField(leaf.name, translate("FiveAxis", "Choose a file"), all_files(), option_hint(leaf))

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that makes a machine file of a LinuxCNC configuration or of a file of FreeCAD's Machine editor."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from freecad_fiveaxis.gui.qt import translate
+
+from . import told
+from .files import FileField, SaveField, all_files, machine_files
+from .form import Form
+from .path_panel import show
+from .work_panel import WorkPanel
+
+
+class FilesForm(Form):
+    """A form without options of the core: two files."""
+
+    def check_together(self, options: Mapping[str, Any]) -> None:
+        """Nothing can contradict."""
+
+
+class ImportPanel(WorkPanel):
+    """The file to import and the machine file that OK writes."""
+
+    def __init__(self) -> None:
+        kinds = translate("FiveAxis", "LinuxCNC configurations and machine files (*.ini *.fcm)")
+        self.source = FileField(
+            "source", translate("FiveAxis", "Choose the file to import"), ";;".join([kinds, all_files()]),
+            translate("FiveAxis", "LinuxCNC's .ini with trt kinematics, or a .fcm of FreeCAD's Machine editor"),
+            translate("FiveAxis", "Choose the file to import."),
+        )  # fmt: skip
+        self.target = SaveField(
+            "machine_file", translate("FiveAxis", "The machine file to write"), machine_files(),
+            translate("FiveAxis", "In the folder that is proposed it stands in every list of machines from then on."),
+            translate("FiveAxis", "Name the machine file."), (".fcm",), new=True,
+        )  # fmt: skip
+        sections = [("files", translate("FiveAxis", "Files"), ["source", "machine_file"])]
+        super().__init__(
+            translate("FiveAxis", "Import a machine"), FilesForm("import-machine", None, sections, [self.source, self.target])
+        )
+        self.source.edited.connect(self._propose)
+
+    def _propose(self) -> None:
+        from freecad_fiveaxis.app import machines
+
+        if self.source.value():
+            self.target.propose(machines.free_file(Path(self.source.value()).stem))
+
+    def compute(self) -> Any:
+        """The machine, and what its source leaves open."""
+        from freecad_fiveaxis.app import importing
+
+        importing.check_target(self.target.value())
+        return importing.read(self.source.value())
+
+    def tell(self, done: Any) -> str:
+        """Axes and findings."""
+        return told.imported(done)
+
+    def files(self, done: Any) -> list[str]:
+        """The machine file."""
+        return [self.target.value()]
+
+    def write(self, done: Any, overwrite: bool) -> None:
+        """Write the machine file; never over another one."""
+        from freecad_fiveaxis.app import importing
+
+        importing.write(done, self.target.value())
+
+
+def create() -> ImportPanel:
+    """Open the panel."""
+    return show(ImportPanel())

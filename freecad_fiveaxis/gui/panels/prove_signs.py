@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that makes a program which proves a machine's signs, and the sheet for whoever stands at the machine.
+
+mark    its coordinates count from the work zero; where it is picked in the 3D view, from the work zero's place in the document.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable
+from typing import Any
+
+import FreeCAD
+
+from freecad_fiveaxis.gui import selected
+from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, translate
+
+from . import told
+from .files import SaveField, all_files
+from .form import Form, group_sections
+from .path_panel import show
+from .picking import Point, PointField
+from .post import nc_files, proposed_file, suffix_of
+from .work_panel import WorkPanel
+
+SHEETS = (".html", ".htm", ".txt", ".json")
+
+
+class MarkField(PointField):
+    """A place over the work zero; ``zero`` tells where in the document that is."""
+
+    def __init__(self, name: str, hint: str, zero: Callable[[], Point]) -> None:
+        super().__init__(name, hint)
+        self.zero = zero
+
+    def _found(self, point: Point) -> None:
+        x, y, z = (round(there - here, 6) for there, here in zip(point, self.zero(), strict=True))
+        super()._found((x, y, z))
+
+
+class ProvePanel(WorkPanel):
+    """A machine, the moves, and the two files that OK writes."""
+
+    def __init__(self) -> None:
+        hint = translate("App::Property", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach")
+        self.zero = PointField("work_zero", translate("FiveAxis", "Where the work zero lies in the document"))
+        self.mark = MarkField("mark", hint, self.zero.value)
+        self.nc_file = SaveField(
+            "nc_file", translate("FiveAxis", "The NC file to write"), nc_files(),
+            translate("FiveAxis", "The program: slow feed moves, with a stop after each"),
+            translate("FiveAxis", "Name the NC file."),
+        )  # fmt: skip
+        self.sheet = SaveField(
+            "sheet", translate("FiveAxis", "The sheet to write"),
+            ";;".join([translate("FiveAxis", "Web page (*.html)"), all_files()]),
+            translate("FiveAxis", "What must be seen at each stop, to print; empty: no sheet"), endings=SHEETS,
+        )  # fmt: skip
+        self.open_button = QtWidgets.QPushButton(translate("FiveAxis", "Open the sheet"))
+        self.open_button.setObjectName("open_sheet")
+        self.shown = ""
+        form = Form("prove-signs", None, _sections(), [self.mark, self.zero, self.nc_file, self.sheet])
+        super().__init__(translate("FiveAxis", "Prove the signs"), form, (self.open_button,))
+        self.open_button.clicked.connect(lambda *_: self.open_sheet())
+        self.nc_file.edited.connect(self._propose_sheet)
+        for name in ("machine", "controller"):
+            form.fields[name].edited.connect(self.propose)
+
+    def propose(self) -> None:
+        """Names for the files, after the machine."""
+        said = self.options.options()
+        machine = said.get("machine", "")
+        name = os.path.splitext(os.path.basename(machine))[0] + " " + translate("FiveAxis", "signs")
+        document = FreeCAD.ActiveDocument.FileName if FreeCAD.ActiveDocument else ""
+        self.nc_file.propose(proposed_file(name, document, suffix_of(said.get("controller"), machine)))
+        self._propose_sheet()
+
+    def _propose_sheet(self) -> None:
+        if self.nc_file.value():
+            self.sheet.propose(os.path.splitext(self.nc_file.value())[0] + ".html")
+
+    def compute(self) -> Any:
+        """Program and sheet."""
+        from freecad_fiveaxis.app import signs
+
+        said = self.options.said()
+        nc_file, sheet = said.pop("nc_file"), said.pop("sheet")
+        said.pop("work_zero")
+        return signs.prove(nc_file, said, sheet or None)
+
+    def tell(self, done: Any) -> str:
+        """The sheet."""
+        return told.sheet(done)
+
+    def files(self, done: Any) -> list[str]:
+        """The program and its sheet."""
+        from freecad_fiveaxis.app import signs
+
+        return signs.targets(done)
+
+    def write(self, done: Any, overwrite: bool) -> None:
+        """Write both."""
+        from freecad_fiveaxis.app import signs
+
+        signs.write(done, overwrite)
+
+    def open_sheet(self) -> None:
+        """Show the sheet as it will be printed, from a file of its own."""
+        from freecad_fiveaxis.core import workshop
+        from freecad_fiveaxis.core.files import write_whole
+
+        self.shown = os.path.join(tempfile.mkdtemp(prefix="fiveaxis-"), "sheet.html")
+        write_whole(self.shown, workshop.as_html(self.done).encode("utf-8", "backslashreplace"))
+        QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(self.shown))
+
+
+def create() -> ProvePanel:
+    """Open the panel; the first values are the user's preferences, and those of the tool path that is selected or alone."""
+    from freecad_fiveaxis.app import changes, preferences
+
+    panel = ProvePanel()
+    values = changes.default_options("prove-signs") | {"machine": preferences.machine(), "controller": preferences.controller()}
+    path = selected.selected_path(selected.TOOLPATH) if selected.has_path(selected.TOOLPATH) else None
+    if path is not None:
+        used = changes.shown_options(path, "mill")
+        values |= {name: used[name] for name in ("machine", "controller", "origin", "tool_length", "tool", "work_offset")}
+        values |= {"work_zero": tuple(path.WorkZero)}
+    panel.options.show_options(values)
+    panel.propose()
+    return show(panel)
+
+
+def _sections() -> list[tuple[str, str, list[str]]]:
+    less = ("origin", "work_offset")
+    names = {name: (title, fields) for name, title, fields in group_sections("prove-signs", less)}
+    title, moves = names.pop("prove")
+    others = [(name, *pair) for name, pair in names.items()]
+    files = ("output", translate("FiveAxis", "Output"), ["nc_file", "sheet"])
+    return [*others, ("prove", title, moves), files]

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the panels share whose work is about files and not about a document: a form, Calculate, the result, OK and Cancel.
+
+result    what was found, to be read before anything is written; OK writes it.
+stale     the form says something else than what was calculated last; OK then calculates first.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import FreeCADGui
+
+from freecad_fiveaxis.gui.messages import ask, status
+from freecad_fiveaxis.gui.qt import QtWidgets, flags, translate
+from freecad_fiveaxis.gui.waiting import waiting
+
+from .form import Form
+from .path_panel import reveal
+
+TALL, LOW = 300, 60
+"""Pixels of the result, and of the line that says there is none."""
+
+
+class WorkPanel:
+    """A task panel. A subclass says how to ``compute``, what to ``tell`` of it (HTML), which ``files`` OK writes and how to
+    ``write`` them; ``buttons`` are enabled while there is a result."""
+
+    def __init__(self, title: str, form: Form, buttons: tuple[Any, ...] = ()) -> None:
+        self.title, self.options, self.buttons = title, form, buttons
+        self.done: Any = None
+        self.calculated: dict[str, Any] | None = None
+        self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
+        self.calculate_button.setObjectName("calculate")
+        self.result = QtWidgets.QTextBrowser()
+        self.result.setObjectName("result")
+        self.result.setOpenLinks(False)
+        self.form = self._widget(title)
+        self.calculate_button.clicked.connect(lambda *_: self.calculate())
+        form.edited.connect(self._edited)
+        self._edited()
+
+    def _widget(self, title: str) -> Any:
+        widget = QtWidgets.QWidget()
+        widget.setObjectName("FiveAxisPanel")
+        widget.setWindowTitle(title)
+        column = QtWidgets.QVBoxLayout(widget)
+        for part in (self.calculate_button, self.result, *self.buttons, self.options.error, self.options.widget):
+            column.addWidget(part)
+        column.addStretch()
+        return widget
+
+    @property
+    def stale(self) -> bool:
+        """Whether OK has to calculate."""
+        return self.calculated is None or self.calculated != self.options.said()
+
+    def compute(self) -> Any:
+        """Do the work; nothing is written. Raises FiveAxisError."""
+        raise NotImplementedError
+
+    def tell(self, done: Any) -> str:
+        """What was found, as HTML."""
+        raise NotImplementedError
+
+    def files(self, done: Any) -> list[str]:
+        """The files that OK writes."""
+        raise NotImplementedError
+
+    def write(self, done: Any, overwrite: bool) -> None:
+        """Write the files. Raises FiveAxisError; then none is written."""
+        raise NotImplementedError
+
+    def calculate(self) -> bool:
+        """Do the work and show what was found; whether that went well."""
+        if not self.options.check():
+            return False
+        try:
+            with waiting(self.title):
+                self.done = self.compute()
+        except BaseException as error:  # FreeCADAbort (Esc) is no Exception
+            self.done = self.calculated = None
+            self._edited()
+            self.show_error(error)
+            return False
+        self.calculated = self.options.said()
+        self._edited()
+        reveal(self.form)
+        return True
+
+    def show_error(self, error: BaseException) -> None:
+        """Why there is no result, or why it cannot be written, in red; errors that are not of our kind go on."""
+        from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+
+        if isinstance(error, Cancelled):
+            status(translate("FiveAxis", "Stopped; nothing was written."))
+            return
+        if not isinstance(error, FiveAxisError):
+            raise error
+        self.options.show_error(str(error))
+        reveal(self.form)
+
+    def _edited(self) -> None:
+        self.options.check()
+        shown = not self.stale
+        told = self.tell(self.done) if shown else translate("FiveAxis", "Press Calculate to see what is found. OK writes it.")
+        self.result.setHtml(told)
+        self.result.setFixedHeight(TALL if shown else LOW)
+        for button in self.buttons:
+            button.setEnabled(shown)
+
+    def getStandardButtons(self) -> int:
+        """FreeCAD asks which buttons the panel has."""
+        return flags(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
+
+    def accept(self) -> bool:
+        """OK: calculate if that is not done, write, close. The panel stays where something cannot be used or is not agreed to."""
+        if self.stale and not self.calculate():
+            return False
+        files = self.files(self.done)
+        there = [path for path in files if os.path.lexists(path)]
+        question = translate("FiveAxis", "These files are there already. Replace them?")
+        if there and not ask(question + "\n\n" + "\n".join(there), translate("FiveAxis", "Replace")):
+            return False
+        try:
+            with waiting(self.title):
+                self.write(self.done, bool(there))
+        except BaseException as error:  # FreeCADAbort (Esc) is no Exception
+            self.show_error(error)
+            return False
+        status(translate("FiveAxis", "Written: {}").format(", ".join(files)))
+        self._close()
+        return True
+
+    def reject(self) -> bool:
+        """Cancel or Esc: nothing is written."""
+        self._close()
+        return True
+
+    def _close(self) -> None:
+        for field in self.options.fields.values():
+            if hasattr(field, "pick"):
+                field.pick.stop()
+        FreeCADGui.Control.closeDialog()

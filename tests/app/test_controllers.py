@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every controller in the document: its properties, its guided output, and audits of programs of each."""
+
+import pytest
+from conftest import FAST
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import results
+from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.post import DIALECTS
+
+EVERY = pytest.mark.parametrize("controller", list(DIALECTS))
+GUIDES = [(name, how) for name, dialect in DIALECTS.items() for how in dialect.guides]
+
+
+@EVERY
+def test_every_controller_writes_a_program_that_an_audit_reads_again(controller, doc, ball, tmp_path):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller=controller)
+    file = tmp_path / ("ball" + DIALECTS[controller].suffix)
+    app.post_process(path, file)
+    audit = app.audit(doc, file, "trunnion_ac", controller=controller)
+    assert audit.Blocks == path.Blocks and audit.Controller == controller
+    assert audit.MaxSegmentDeviation.Value == pytest.approx(path.MaxSegmentDeviation.Value, abs=1e-9)
+
+
+@pytest.mark.parametrize("controller", ["heidenhain", "siemens840d", "fanuc"])
+def test_the_text_itself_says_whose_it_is(controller, doc, ball, tmp_path):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller=controller)
+    app.post_process(path, tmp_path / "ball.txt")
+    audit = app.audit(doc, tmp_path / "ball.txt", "trunnion_ac")
+    assert audit.Controller == "machine's own" and audit.Blocks == path.Blocks
+
+
+@pytest.mark.parametrize(("controller", "how"), GUIDES)
+def test_a_guided_program_is_not_called_proven(controller, how, doc, ball):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller=controller, rtcp=how, tool=3)
+    feeds = results.figures_of(path).program.guided.on.sum()
+    assert 0 < path.GuidedBlocks <= feeds and not path.Proven
+    assert "the controller guides the tip (RTCP)" in path.Verdict and path.Rtcp == how
+    path.Rtcp = "off"
+    doc.recompute()
+    assert path.GuidedBlocks == 0 and "RTCP" not in path.Verdict
+
+
+def test_what_a_controller_lacks_is_said(doc, ball):
+    for options, said in (
+        ({"controller": "grbl", "rtcp": "angles"}, "does not guide the tip"),
+        ({"controller": "haas", "rtcp": "vectors", "tool": 1}, "no RTCP by vectors"),
+        ({"controller": "fanuc", "rtcp": "angles"}, "give --tool"),
+        ({"controller": "mach3", "high_speed": "on"}, "no high-speed mode"),
+        ({"controller": "haas", "rtcp": "angles", "linearize": "on"}, "give one"),
+    ):
+        with pytest.raises(FiveAxisError, match=said):
+            app.create_toolpath(doc, ball, **FAST, **options)
+    assert [obj.Name for obj in doc.Objects] == ["Ball"]
+
+
+def test_the_high_speed_mode_stands_in_the_program(doc, ball):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller="siemens840d", high_speed="on")
+    assert path.HighSpeed == "on" and b"CYCLE832" in results.nc_of(path)
+
+
+def test_a_guided_program_is_compared_and_clamped_as_any_other(doc, ball):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller="heidenhain", rtcp="angles")
+    rows = app.compare(path, ["trunnion_ac"], ["none"])
+    assert {row.tool_centre for row in rows} == {True, False} and not any(row.problem for row in rows)
+    assert app.setup_map(path, region=(5, 0, 0), grid=(2, 1, 1)).Verdict
