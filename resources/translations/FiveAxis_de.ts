@@ -1335,8 +1335,8 @@
         <translation>Maschinen an {label}</translation>
     </message>
     <message>
-        <source>Mark over the work zero</source>
-        <translation>Marke über dem Nullpunkt</translation>
+        <source>Mark</source>
+        <translation>Marke</translation>
     </message>
     <message>
         <source>Mesh angle</source>

@@ -72,7 +72,7 @@ def press_button(dialog, kind):
 def test_a_default_changed_by_hand_is_kept_and_the_others_are_not_touched(ours, in_dialog, choose, type_into, screenshot, pump):
     def work(widgets, dialog):
         type_into(widgets["Machine"], "trunnion_bc")
-        choose(widgets["Controller"], "fanuc")
+        choose(widgets["Controller"], "Fanuc")
         type_into(widgets["CutterDiameter"], "6 mm")
         type_into(widgets["Feed"], "1200")
         screenshot("preferences-" + ".".join(FreeCAD.Version()[:2]))
@@ -117,7 +117,7 @@ def test_own_machines_are_in_the_list(ours, window, tmp_path):
 
 def test_cancel_keeps_nothing(ours, in_dialog, choose):
     def work(widgets, dialog):
-        choose(widgets["Controller"], "fanuc")
+        choose(widgets["Controller"], "Fanuc")
         press_button(dialog, QtWidgets.QDialogButtonBox.Cancel)
 
     in_dialog(work)

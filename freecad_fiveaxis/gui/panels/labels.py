@@ -90,7 +90,7 @@ def _options() -> dict[str, str]:
         "program": translate("FiveAxis", "NC file"),
         "machine_file": translate("FiveAxis", "Machine file to write"),
         "certainty": translate("FiveAxis", "Certain within"),
-        "mark": translate("FiveAxis", "Mark over the work zero"),
+        "mark": translate("FiveAxis", "Mark"),
         "gap": translate("FiveAxis", "Gap above the mark"),
         "travel": translate("FiveAxis", "Way of X, Y, Z"),
         "angle": translate("FiveAxis", "Turn of each axis"),

@@ -86,8 +86,8 @@ def point_of(obj: Any, element: str, spot: Point) -> Point:
 class PointField(TripleField):
     """Three coordinates (document coordinates, mm) and a button that picks them in the 3D view."""
 
-    def __init__(self, name: str, hint: str = "") -> None:
-        super().__init__(name, "point", hint)
+    def __init__(self, name: str, hint: str = "", width: int = 60) -> None:
+        super().__init__(name, "point", hint, width=width)
         self.button = QtWidgets.QPushButton(translate("FiveAxis", "Pick in the 3D view"))
         self.button.setObjectName(name + "_pick")
         self.button.setCheckable(True)

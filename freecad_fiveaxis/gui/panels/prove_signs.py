@@ -25,13 +25,15 @@ from .post import nc_files, proposed_file, suffix_of
 from .work_panel import WorkPanel
 
 SHEETS = (".html", ".htm", ".txt", ".json")
+WIDTH = 80
+"""Pixels of a coordinate at least: of a mark off the zero all digits are to be read."""
 
 
 class MarkField(PointField):
     """A place over the work zero; ``zero`` tells where in the document that is."""
 
     def __init__(self, name: str, hint: str, zero: Callable[[], Point]) -> None:
-        super().__init__(name, hint)
+        super().__init__(name, hint, WIDTH)
         self.zero = zero
 
     def _found(self, point: Point) -> None:
@@ -44,7 +46,7 @@ class ProvePanel(WorkPanel):
 
     def __init__(self) -> None:
         hint = translate("App::Property", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach")
-        self.zero = PointField("work_zero", translate("FiveAxis", "Where the work zero lies in the document"))
+        self.zero = PointField("work_zero", translate("FiveAxis", "Where the work zero lies in the document"), WIDTH)
         self.mark = MarkField("mark", hint, self.zero.value)
         self.nc_file = SaveField(
             "nc_file", translate("FiveAxis", "The NC file to write"), nc_files(),

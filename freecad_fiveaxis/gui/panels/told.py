@@ -24,7 +24,7 @@ def recovered(found: Any) -> str:
     compared = any(one.given is not None for one in told)
     head = ["", translate("FiveAxis", "found"), translate("FiveAxis", "certain within")]
     head += [found.start.name] if compared else []
-    worst = length_text(float(found.fit.miss[found.fit.good].max(initial=0.0)), 2)
+    worst = length_text(float(found.fit.miss[found.fit.good].max(initial=0.0)), 3)
     residual = translate("FiveAxis", "Largest residual of the rows used: {length}").format(length=worst)
     rows = table([head, *(_cells(one, compared) for one in told)])
     return paragraph(verdict(found), bold=True) + paragraph(residual) + rows + findings(found.findings)
@@ -34,7 +34,7 @@ def _cells(one: Any, compared: bool) -> list[str]:
     if not one.fitted:
         sure = translate("FiveAxis", "taken as 0")
     else:
-        sure = _value(one.certainty, one.unit, 2) if one.determined else translate("FiveAxis", "not determined")
+        sure = _value(one.certainty, one.unit, 3) if one.determined else translate("FiveAxis", "not determined")
     value = _value(round(one.value, 4) + 0.0, one.unit, 8) if one.fitted or one.value else "0"
     given = [] if not compared else ["" if one.given is None else _value(round(one.given, 4) + 0.0, one.unit, 8)]
     return [parameter_label(one.name), value, sure, *given]
@@ -93,6 +93,8 @@ def imported(found: Any) -> str:
 
 
 def _limits(axis: Any) -> str:
+    if not math.isfinite(axis.high - axis.low):
+        return translate("FiveAxis", "none")
     if not axis.rotary:
         return f"{axis.low:g}…{axis.high:g} mm"
     return f"{math.degrees(axis.low):g}…{math.degrees(axis.high):g}°"

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Controllers in the panels: all of them by their names, what one lacks idle with the reason, guided output not called proven."""
+
+import dataclasses
+
+import FreeCADGui
+import pytest
+from conftest import QtWidgets
+from test_clicks import look
+from test_workshop import cut, panel_form
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import properties, results
+from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.settings import AUDIT, option
+from freecad_fiveaxis.gui.panels import audit, import_machine, labels, prove_signs, recover, toolpath
+
+
+@pytest.fixture(autouse=True)
+def _preferences(parameters, tmp_path):
+    group = parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis")
+    group.Clear()
+    group.SetString("OutputFolder", str(tmp_path))
+    group.SetString("MachineFolder", str(tmp_path / "machines"))
+    group.SetFloat("Scallop", 0.5)
+
+
+@pytest.fixture
+def dome(doc):
+    """A half ball of 20 mm."""
+    ball = doc.addObject("Part::Sphere", "Dome")
+    ball.Radius, ball.Angle1 = 20, 0
+    doc.recompute()
+    look(doc)
+    return ball
+
+
+@pytest.fixture
+def german():
+    before = FreeCADGui.getLocale()
+    FreeCADGui.setLocale("German")
+    yield
+    FreeCADGui.setLocale(before)
+
+
+def items(combo):
+    model = combo.model()
+    return {combo.itemData(at): model.item(at).isEnabled() for at in range(combo.count())}
+
+
+def test_every_controller_is_offered_by_a_name_of_its_own(dome, press, tree_row, field, panel_button):
+    tree_row("Dome")
+    press("FiveAxis_Toolpath")
+    combo = field("controller")
+    names = [combo.itemText(at) for at in range(1, combo.count())]
+    assert [combo.itemData(at) for at in range(1, combo.count())] == list(DIALECTS)
+    assert len(set(names)) == len(DIALECTS) and not set(names) & set(DIALECTS), "names, not keys"
+    panel_button("Cancel")
+
+
+def test_what_a_controller_lacks_is_idle_with_the_reason(dome, press, tree_row, field, choose, type_into, click, panel_button, pump,
+                                                         screenshot):  # fmt: skip
+    tree_row("Dome")
+    press("FiveAxis_Toolpath")
+    choose(field("controller"), "Siemens Sinumerik 840D")
+    choose(field("rtcp"), "by tool vectors")
+    choose(field("high_speed"), "on")
+    assert all(items(field("rtcp")).values()) and field("feed_mode").isEnabled()
+    choose(field("controller"), "grbl with five axes")
+    assert not field("rtcp").isEnabled() and field("rtcp").currentData() == "off"
+    assert not field("high_speed").isEnabled() and field("high_speed").currentData() == "off"
+    assert "grbl with five axes does not guide the tip" in field("rtcp_note").text()
+    screenshot("controller-lacks")
+    choose(field("controller"), "Heidenhain TNC, klartext (TCPM)")
+    assert field("rtcp").currentData() == "vectors" and field("high_speed").currentData() == "on", "what was wished comes back"
+    assert not field("feed_mode").isEnabled() and "no inverse time" in field("feed_mode_note").text()
+    choose(field("controller"), "Haas")
+    assert items(field("rtcp")) == {"off": True, "angles": True, "vectors": False}
+    assert "no RTCP by vectors" in field("rtcp_error").text()
+    choose(field("rtcp"), "by rotary words")
+    assert "the number of the tool" in field("rtcp_error").text()
+    click(field("calculate"))
+    pump(300)
+    assert "Press Calculate" in field("summary").text() and [obj.Name for obj in dome.Document.Objects] == ["Dome"]
+    panel_button("Cancel")
+
+
+def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc, press, tree_row, field, choose, type_into, click,
+                                                                       until, panel_button, screenshot, pump, tmp_path):  # fmt: skip
+    tree_row("Dome")
+    press("FiveAxis_Toolpath")
+    choose(field("controller"), "Heidenhain TNC, klartext (TCPM)")
+    choose(field("rtcp"), "by rotary words")
+    click(field("calculate"))
+    until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
+    text = field("summary").text()
+    assert "proven are only their ends" in text and "the controller guides the tip (RTCP)" in text
+    assert "Proven bound" not in text and "Largest deviation" not in text, "zeros that nobody has measured"
+    pump(800)
+    screenshot("rtcp-summary")
+    panel_button("OK", 500)
+    path = doc.Toolpath
+    assert path.Rtcp == "angles" and path.GuidedBlocks > 0 and not path.Proven
+    tree_row(path.Label)
+    press("FiveAxis_PostProcess")
+    assert field("nc_path").text() == str(tmp_path / "Toolpath.h")
+    panel_button("OK", 800)
+    nc = (tmp_path / "Toolpath.h").read_bytes()
+    assert nc == results.nc_of(path) and b"FUNCTION TCPM" in nc
+    press("FiveAxis_Audit")
+    assert field("controller").currentText() == "by the text itself, or the machine's own"
+    type_into(field("nc_file"), str(tmp_path / "Toolpath.h"))
+    click(field("calculate"))
+    until(lambda: "proven are only their ends" in field("summary").text(), 60000, "a summary of the audit")
+    pump(300)
+    screenshot("rtcp-audit")
+    panel_button("OK", 500)
+    assert doc.Audit.GuidedBlocks == path.GuidedBlocks
+
+
+def test_a_path_with_a_wish_that_its_controller_lacks_opens_and_is_mended(dome, doc, pump):
+    path = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=8, controller="linuxcnc", rtcp="angles")
+    path.Controller = "grbl"
+    panel = toolpath.edit(path)
+    pump(200)
+    assert panel.options.fields["rtcp"].value() == "off" and panel.stale
+    assert panel.calculate() and path.Rtcp == "off" and path.GuidedBlocks == 0
+    panel.accept()
+    panel = toolpath.edit(path)
+    assert not panel.stale
+    panel.reject()
+
+
+@dataclasses.dataclass(frozen=True)
+class SurfaceSettings:
+    """What the program is held against."""
+
+    against: str | None = option(None, "path", "a CL file or STL that the program should follow", (AUDIT,))
+    sideways: float = option(0.5, "length", "farthest that counts as the same pass", (AUDIT,), above=0)
+
+
+@pytest.fixture
+def more_settings(monkeypatch):
+    """The core's settings with a group more."""
+    known = properties.option_fields
+
+    def fields(task=None):
+        yield from known(task)
+        yield from ((SurfaceSettings, leaf) for leaf in dataclasses.fields(SurfaceSettings) if task in (None, AUDIT))
+
+    monkeypatch.setattr(properties, "option_fields", fields)
+    properties.setting_properties.cache_clear()
+    yield
+    properties.setting_properties.cache_clear()
+
+
+def test_a_new_group_of_settings_gets_its_section_its_fields_and_its_properties(doc, more_settings, field, click, pump, tmp_path):
+    audit.create(doc)
+    pump(300)
+    box = panel_form().findChild(QtWidgets.QGroupBox, "section_surface")
+    assert box is not None and box.title() == "Surface"
+    assert field("against_browse").isVisible() and field("sideways").property("rawValue") == 0.5
+    field("against").setText(str(tmp_path / "gone.stl"))
+    assert "does not exist" in field("against_error").text()
+    kinds = {one.name: one.kind for one in properties.setting_properties(AUDIT)}
+    assert kinds["Against"] == "App::PropertyFile" and kinds["Sideways"] == "App::PropertyLength"
+
+
+def test_without_it_the_panel_has_no_such_section(doc, pump):
+    audit.create(doc)
+    pump(200)
+    assert panel_form().findChild(QtWidgets.QGroupBox, "section_surface") is None
+
+
+@pytest.mark.parametrize("name", ["toolpath", "audit", "recover", "prove_signs", "import_machine"])
+def test_no_german_text_is_cut(name, dome, doc, german, window, pump, screenshot):
+    opened = {
+        "toolpath": lambda: toolpath.create(dome), "audit": lambda: audit.create(doc), "recover": recover.create,
+        "prove_signs": prove_signs.create, "import_machine": import_machine.create,
+    }[name]()  # fmt: skip
+    pump(800)
+    if name in ("toolpath", "prove_signs"):
+        opened.options.fields["controller"].show_value("grbl")
+    pump(500)
+    screenshot("german-" + name)
+    assert not cut(panel_form())
+    if name == "prove_signs":
+        assert opened.calculate()
+        pump(500)
+        screenshot("german-prove_signs-sheet")
+        assert not cut(panel_form()) and "Sie sehen:" in opened.result.toPlainText()
+    opened.reject()
+
+
+def test_every_label_of_a_controller_belongs_to_one():
+    assert set(labels._controllers()) == set(DIALECTS)

@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Recover, prove the signs, import a machine: pressed without a document, filled, read, and the files that OK writes."""
+
+import json
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from conftest import QtWidgets, close_all
+from test_clicks import look
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import machines, results
+from freecad_fiveaxis.core import cli, job
+from freecad_fiveaxis.core.apt import write_apt
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.gui.panels import prove_signs
+
+ROOT = Path(__file__).resolve().parents[2]
+FAST = {"machine": "trunnion_ac", "stepover": 8, "linear_deflection": 0.1, "origin": (10, -5, 20)}
+
+
+@pytest.fixture
+def folder(parameters, tmp_path):
+    """The user's folder of machines, which is not there yet; NC files go to the test's own folder."""
+    group = parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis")
+    group.Clear()
+    group.SetString("MachineFolder", str(tmp_path / "machines"))
+    group.SetString("OutputFolder", str(tmp_path))
+    return tmp_path / "machines"
+
+
+@pytest.fixture
+def empty(window):
+    """No document is open."""
+    close_all(*FreeCAD.listDocuments())
+    assert FreeCAD.ActiveDocument is None
+    yield
+    close_all()
+
+
+@pytest.fixture(scope="module")
+def pair(window, tmp_path_factory):
+    """A CL file and the program made of it."""
+    doc = FreeCAD.newDocument("Pair")
+    ball = doc.addObject("Part::Sphere", "Ball")
+    ball.Radius, ball.Angle1 = 20, 0
+    doc.recompute()
+    path = app.create_toolpath(doc, ball, **FAST)
+    made, made_in = results.result_of(path).made, tmp_path_factory.mktemp("pair")
+    (made_in / "ball.apt").write_bytes(
+        write_apt(made.path, made.settings.cutter.cutter, "ball", head=job._cl_head(made.settings))
+    )
+    app.post_process(path, made_in / "ball.ngc")
+    FreeCAD.closeDocument("Pair")
+    return made_in / "ball.apt", made_in / "ball.ngc"
+
+
+def run(*words):
+    return cli.main([str(word) for word in words])
+
+
+def shown(field, name):
+    """What a text of the panel says."""
+    widget = field(name)
+    return widget.toPlainText() if isinstance(widget, QtWidgets.QTextBrowser) else widget.text()
+
+
+def cut(form):
+    """The texts of a panel that are wider than their widgets; those that wrap and those that scroll are not."""
+    kinds = (QtWidgets.QLabel, QtWidgets.QPushButton, QtWidgets.QCheckBox)
+    shown = [one for kind in kinds for one in form.findChildren(kind) if one.isVisible() and one.text()]
+    return [
+        one.text() for one in shown
+        if one.sizeHint().width() > one.width() + 2 and not (isinstance(one, QtWidgets.QLabel) and one.wordWrap())
+    ]  # fmt: skip
+
+
+def panel_form():
+    return FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, "FiveAxisPanel")
+
+
+def test_a_machine_is_recovered_without_a_document(empty, folder, pair, press, field, type_into, choose, click, until, panel_button,
+                                                   screenshot, window, tmp_path, pump):  # fmt: skip
+    press("FiveAxis_Recover")
+    assert "CL file" in shown(field, "cl_file_error") and "NC file" in shown(field, "program_error")
+    panel_button("OK")
+    assert FreeCADGui.Control.activeDialog(), "nothing to write yet"
+    type_into(field("cl_file"), str(pair[0]))
+    type_into(field("program"), str(pair[1]))
+    assert field("machine_file").text() == str(folder / "ball.fcm")
+    choose(field("machine"), "trunnion_ac")
+    for letter, value in zip("xyz", ("10 mm", "-5 mm", "20 mm"), strict=True):
+        box = field("origin").findChild(QtWidgets.QCheckBox)
+        if box.isChecked():
+            click(box)
+        type_into(field(f"origin_{letter}"), value)
+    assert not field("page").isEnabled()
+    click(field("calculate"))
+    until(lambda: "table-table" in shown(field, "result"), 60000, "a result")
+    assert "trunnion_ac is that machine" in shown(field, "result") and "A line, Y" in shown(field, "result")
+    assert "Largest residual" in shown(field, "result") and field("page").isEnabled()
+    pump(300)
+    screenshot("recover")
+    assert not cut(panel_form())
+    assert not folder.exists(), "nothing is written before OK"
+    panel_button("OK", 800)
+    assert not FreeCADGui.Control.activeDialog() and "Written" in window.statusBar().currentMessage()
+    assert FreeCAD.ActiveDocument is None
+    assert str(folder / "ball.fcm") in [one.machine for one in machines.choices()]
+    words = ("recover", *pair, "--machine", "trunnion_ac", "--origin", "10,-5,20", "-o", tmp_path / "ball.fcm", "--quiet")
+    assert run(*words) == cli.DONE
+    assert (tmp_path / "ball.fcm").read_bytes() == (folder / "ball.fcm").read_bytes()
+
+
+def test_another_machine_is_named_and_a_file_that_is_there_is_not_written(empty, folder, pair, press, field, type_into, choose,
+                                                                          click, until, panel_button, screenshot, tmp_path):  # fmt: skip
+    mine = tmp_path / "mine.fcm"
+    mine.write_text("mine")
+    press("FiveAxis_Recover")
+    type_into(field("cl_file"), str(pair[0]))
+    type_into(field("program"), str(pair[1]))
+    type_into(field("machine_file"), str(mine))
+    assert "there already" in shown(field, "machine_file_error")
+    panel_button("OK")
+    assert FreeCADGui.Control.activeDialog() and mine.read_text() == "mine"
+    type_into(field("machine_file"), str(tmp_path / "mine.txt"))
+    assert ".fcm" in shown(field, "machine_file_error")
+    type_into(field("machine_file"), str(tmp_path / "other.fcm"))
+    type_into(field("certainty"), "0 mm")
+    assert "out of range" in shown(field, "certainty_error")
+    type_into(field("certainty"), "0.01 mm")
+    choose(field("machine"), "trunnion_bc")
+    click(field("calculate"))
+    until(lambda: "another machine" in shown(field, "result"), 60000, "a result")
+    screenshot("recover-other")
+    choose(field("machine"), "none")
+    assert "Press Calculate" in shown(field, "result"), "what is shown is of other settings"
+    panel_button("Cancel")
+    assert not (tmp_path / "other.fcm").exists()
+
+
+def test_files_that_cannot_be_used_and_a_stop_say_so(empty, folder, pair, press, field, type_into, click, panel_button, monkeypatch,
+                                                     window, pump):  # fmt: skip
+    from freecad_fiveaxis.core.errors import Cancelled
+    from freecad_fiveaxis.gui import waiting
+
+    press("FiveAxis_Recover")
+    type_into(field("cl_file"), str(pair[1].parent / "gone.apt"))
+    assert "does not exist" in shown(field, "cl_file_error")
+    type_into(field("cl_file"), str(pair[1]))
+    type_into(field("program"), str(pair[0]))
+    click(field("calculate"))
+    pump(300)
+    assert shown(field, "form_error") and "Press Calculate" in shown(field, "result")
+    type_into(field("cl_file"), str(pair[0]))
+    type_into(field("program"), str(pair[1]))
+
+    def stop(self, stage, fraction):
+        raise Cancelled("stopped by the user")
+
+    monkeypatch.setattr(waiting.Waiting, "__call__", stop)
+    click(field("calculate"))
+    assert "Stopped" in window.statusBar().currentMessage() and "Press Calculate" in shown(field, "result")
+    panel_button("Cancel")
+
+
+def test_the_signs_are_proven_without_a_document(empty, folder, press, field, type_into, choose, click, until, panel_button,
+                                                 screenshot, tmp_path, monkeypatch, modal, pump):  # fmt: skip
+    opened = []
+    monkeypatch.setattr(prove_signs.QtGui.QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
+    press("FiveAxis_ProveSigns")
+    assert not field("mark_pick").isEnabled(), "there is nothing to pick from"
+    choose(field("controller"), "Heidenhain TNC, klartext (TCPM)")
+    assert field("nc_file").text().endswith("trunnion_ac signs.h"), field("nc_file").text()
+    nc, sheet = tmp_path / "signs.h", tmp_path / "signs.html"
+    type_into(field("nc_file"), str(nc))
+    assert field("sheet").text() == str(sheet)
+    for letter, value in zip("xyz", ("40 mm", "25 mm", "10 mm"), strict=True):
+        type_into(field(f"mark_{letter}"), value)
+    type_into(field("gap"), "2 mm")
+    assert "out of range" in shown(field, "gap_error")
+    type_into(field("gap"), "30 mm")
+    click(field("calculate"))
+    until(lambda: "Stop 8" in shown(field, "result"), 60000, "a sheet")
+    assert "Only A turns" in shown(field, "result") and not nc.exists()
+    pump(300)
+    screenshot("prove-signs")
+    assert not cut(panel_form())
+    click(field("open_sheet"))
+    assert "Proving the signs" in Path(opened[0]).read_text(encoding="utf-8")
+    sheet.write_text("mine")
+    met = modal("Cancel")
+    panel_button("OK")
+    assert "signs.html" in met.said[0] and sheet.read_text() == "mine" and not nc.exists()
+    assert FreeCADGui.Control.activeDialog()
+    modal("Replace")
+    panel_button("OK", 800)
+    assert not FreeCADGui.Control.activeDialog() and FreeCAD.ActiveDocument is None
+    (tmp_path / "cli").mkdir()
+    words = ("--machine", "trunnion_ac", "--controller", "heidenhain", "--mark", "40,25,10", "--gap", "30")
+    report = tmp_path / "cli" / "signs.html"
+    assert run("prove-signs", *words, "-o", tmp_path / "cli" / "signs.h", "--report", report, "--quiet") == cli.DONE
+    assert (tmp_path / "cli" / "signs.h").read_bytes() == nc.read_bytes() and report.read_bytes() == sheet.read_bytes()
+
+
+def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc, folder, press, field, click, view_click, until,
+                                                                             panel_button, screenshot, tmp_path, pump):  # fmt: skip
+    box = doc.addObject("Part::Box", "Box")
+    box.Length, box.Width, box.Height = 40, 30, 12
+    doc.recompute()
+    path = app.create_toolpath(doc, box, machine="trunnion_bc", stepover=8, work_zero=(10, 5, 0), tool=4)
+    path.ViewObject.hide()
+    look(doc)
+    press("FiveAxis_ProveSigns")
+    assert field("machine").currentText() == "trunnion_bc"
+    click(field("mark_pick"))
+    view_click((40, 0, 12))
+    until(lambda: field("mark_x").property("rawValue") == pytest.approx(30, abs=1e-6), 5000, "the corner, from the work zero")
+    mark = [field(f"mark_{letter}").property("rawValue") for letter in "xyz"]
+    assert mark == pytest.approx([30, -5, 12], abs=1e-6)
+    panel_button("OK", 800)
+    made = [one.name for one in tmp_path.iterdir()]
+    assert sorted(made) == ["trunnion_bc signs.html", "trunnion_bc signs.ngc"]
+    assert b"T4 M6" in (tmp_path / "trunnion_bc signs.ngc").read_bytes()
+    assert doc.UndoCount == 0 or "Prove" not in str(doc.UndoNames)
+
+
+def test_a_machine_is_imported_with_its_findings(empty, folder, press, field, type_into, click, until, panel_button, screenshot,
+                                                 tmp_path, pump):  # fmt: skip
+    source = tmp_path / "theirs.fcm"
+    data = json.loads((ROOT / "resources" / "machines" / "trunnion_ac.fcm").read_text(encoding="utf-8"))
+    data.pop("fiveaxis", None)
+    source.write_text(json.dumps(data))
+    press("FiveAxis_ImportMachine")
+    type_into(field("source"), str(tmp_path / "notes.txt"))
+    assert "does not exist" in shown(field, "source_error")
+    (tmp_path / "notes.txt").write_text("no machine")
+    type_into(field("source"), str(tmp_path / "notes.txt"))
+    type_into(field("source"), str(source))
+    assert field("machine_file").text() == str(folder / "theirs.fcm")
+    click(field("calculate"))
+    until(lambda: "Prove the signs before cutting" in shown(field, "result"), 20000, "findings")
+    pump(300)
+    screenshot("import-machine")
+    assert not cut(panel_form())
+    panel_button("OK", 500)
+    assert load_machine(str(folder / "theirs.fcm")).rotary and not FreeCADGui.Control.activeDialog()
+    press("FiveAxis_ImportMachine")
+    type_into(field("source"), str(source))
+    assert field("machine_file").text() == str(folder / "theirs-2.fcm"), "no file is proposed that is there"
+    panel_button("Cancel")
+
+
+def test_escape_writes_nothing(empty, folder, press, real_key, window, pump, tmp_path):
+    press("FiveAxis_ProveSigns")
+    real_key(window, "Escape")
+    pump(500)
+    assert not FreeCADGui.Control.activeDialog() and not list(tmp_path.iterdir())
+
+
+def test_the_report_is_saved_where_the_user_says(empty, folder, pair, press, field, type_into, click, until, panel_button,
+                                                 monkeypatch, modal, tmp_path):  # fmt: skip
+    from freecad_fiveaxis.gui.panels import recover
+
+    file = tmp_path / "report.html"
+    monkeypatch.setattr(recover, "ask_file", lambda *_: str(file))
+    press("FiveAxis_Recover")
+    type_into(field("cl_file"), str(pair[0]))
+    type_into(field("program"), str(pair[1]))
+    click(field("calculate"))
+    until(lambda: "table-table" in shown(field, "result"), 60000, "a result")
+    click(field("page"))
+    assert "The machine that the post had in mind" in file.read_text(encoding="utf-8")
+    file.write_text("mine")
+    met = modal("Cancel")
+    click(field("page"))
+    assert met.said and file.read_text() == "mine"
+    panel_button("Cancel")
