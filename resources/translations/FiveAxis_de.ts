@@ -1211,14 +1211,6 @@
         <translation>Kopf der NC-Datei</translation>
     </message>
     <message>
-        <source>Heidenhain TNC, klartext (TCPM)</source>
-        <translation>Heidenhain TNC, Klartext (TCPM)</translation>
-    </message>
-    <message>
-        <source>Heidenhain iTNC 530, klartext (M128)</source>
-        <translation>Heidenhain iTNC 530, Klartext (M128)</translation>
-    </message>
-    <message>
         <source>High-speed mode</source>
         <translation>Hochgeschwindigkeitsmodus</translation>
     </message>
@@ -1931,8 +1923,8 @@
         <translation>durch Drehachsworte</translation>
     </message>
     <message>
-        <source>by the text itself, or the machine's own</source>
-        <translation>wie der Text zeigt, sonst die der Maschine</translation>
+        <source>by the text itself</source>
+        <translation>wie der Text zeigt</translation>
     </message>
     <message>
         <source>by tool vectors</source>

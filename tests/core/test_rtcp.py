@@ -71,6 +71,7 @@ def test_nothing_is_claimed_of_a_block_that_the_controller_guides(path_file):
     told = summary(numbers)
     assert told["guided_blocks"] == told["feed_blocks"] > 0 and told["proven"] is False
     assert told["max_segment_deviation"] == told["max_bound"] == 0.0
+    assert told["worst_line"] is None and not len(numbers.worst), "no block is the worst of what nobody has measured"
     assert summary(job.figures(joint))["max_segment_deviation"] > 0.01 and summary(job.figures(joint))["guided_blocks"] == 0
     text = " ".join(as_text(numbers).split())
     assert "Proven are the blocks' ends: in all 4 feed blocks the controller guides the tip (RTCP)" in text

@@ -240,6 +240,14 @@ def close_all(*names):
 
 
 @pytest.fixture
+def german(window):
+    """The window in German; afterwards in English. (The locale that FreeCAD says it started with cannot always be set again.)"""
+    FreeCADGui.setLocale("German")
+    yield
+    FreeCADGui.setLocale("English")
+
+
+@pytest.fixture
 def pump():
     """pump(ms): let the window work."""
     return _pump

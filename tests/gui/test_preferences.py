@@ -28,15 +28,6 @@ def ours(parameters):
 
 
 @pytest.fixture
-def german():
-    """The window in German."""
-    before = FreeCADGui.getLocale()
-    FreeCADGui.setLocale("German")
-    yield
-    FreeCADGui.setLocale(before)
-
-
-@pytest.fixture
 def in_dialog(window, modal, until):
     """in_dialog(work): open FreeCAD's preferences at our page, call work(the page's widgets by name, the dialog)."""
 

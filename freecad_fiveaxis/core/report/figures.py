@@ -68,8 +68,10 @@ class Figures:
 
     @cached_property
     def worst(self) -> Ints:
-        """The feed blocks of the largest deviation from the segment, largest first."""
-        return worst_first(self.feeds, self.deviation.segment)[:WORST]
+        """The feed blocks of the largest deviation from the segment, largest first; none whose tip the controller guides."""
+        guided = self.program.guided
+        measured = self.feeds if guided is None else self.feeds[~guided.on[self.feeds]]
+        return worst_first(measured, self.deviation.segment)[:WORST]
 
     @cached_property
     def tip(self) -> Floats:

@@ -117,11 +117,10 @@ def _along(figure: Any, figures: Figures) -> Told:
     axes.set_ylim(max(FLOOR, min(figures.tolerance, top) * 1e-3), top * 3.0)
     _lines(axes, x)
     _legend(axes)
-    peak = figures.worst[0]
-    alt = (
-        f"Deviation of each feed block against the NC line, logarithmic. Largest {deviation.segment[peak]:.4g} mm at NC line "
-        f"{figures.program.line[peak]}; tolerance {figures.tolerance:g} mm."
-    )
+    alt = f"Deviation of each feed block against the NC line, logarithmic; tolerance {figures.tolerance:g} mm."
+    if len(figures.worst):  # none where the controller guides the tip in every block
+        peak = figures.worst[0]
+        alt += f" Largest {deviation.segment[peak]:.4g} mm at NC line {figures.program.line[peak]}."
     caption = (
         "One step for each feed block: how far the tool tip leaves the straight segment that the program commands. Nothing "
         "leaves it by more than the proven bound. Rapids are left out."

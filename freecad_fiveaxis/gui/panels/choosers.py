@@ -169,10 +169,11 @@ def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
     """The controllers; the first item leaves it to the machine, and where a text is read, to the text before that."""
     from freecad_fiveaxis.core.post import DIALECTS
 
-    own = (
-        translate("FiveAxis", "by the text itself, or the machine's own") if reads else translate("FiveAxis", "the machine's own")
-    )
-    return ChoiceField(name, [(None, own), *((dialect, controller_label(dialect)) for dialect in DIALECTS)], hint)
+    own = translate("FiveAxis", "by the text itself") if reads else translate("FiveAxis", "the machine's own")
+    choices = [(None, own), *((dialect, controller_label(dialect)) for dialect in DIALECTS)]
+    made = ChoiceField(name, choices, hint)
+    made.editor.setMinimumContentsLength(max(len(text) for _, text in choices))  # no name is cut
+    return made
 
 
 def dialect_of(controller: str | None, machine: str | None) -> Any:

@@ -205,7 +205,7 @@ class TripleField(Field):
             part.editor.setMinimumWidth(self.width)
             self.row.addWidget(part.editor, 1, at)
         if self.none:
-            self.row.addWidget(self.none, 0, 0, 1, 3)
+            self.row.addWidget(self.none, 0, 0, 1, 3, QtCore.Qt.AlignLeft)
             self.none.toggled.connect(self._toggled)
 
     def _toggled(self, ticked: bool) -> None:

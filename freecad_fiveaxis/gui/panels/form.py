@@ -16,7 +16,7 @@ from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .abilities import LACKING, check_guide, reasons, unknown_choices
 from .choosers import CutterField, MachineField, SpacingField, controller_field, dialect_of, strategy_field
-from .fields import Field, error_line, option_field
+from .fields import Field, TripleField, error_line, option_field
 from .files import any_file
 from .labels import choice_label, group_label, option_hint, option_label
 
@@ -120,6 +120,12 @@ class Form(QtCore.QObject):
         if field.name == "cutter":  # its sizes bear their own labels
             grid.addWidget(field.editor, row, 0, 1, 3)
             self.rows[field.name] = [field.editor]
+        elif isinstance(field, TripleField):  # three numbers need the whole width, or their digits are cut
+            label = QtWidgets.QLabel(option_label(field.name))
+            grid.addWidget(label, row, 0, 1, 3)
+            row += 1
+            grid.addWidget(field.editor, row, 0, 1, 3)
+            self.rows[field.name] = [label, field.editor]
         else:
             label = QtWidgets.QLabel(translate("FiveAxis", "Spacing by") if field.name == SPACING else option_label(field.name))
             grid.addWidget(label, row, 0)

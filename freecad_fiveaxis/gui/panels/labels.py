@@ -38,9 +38,9 @@ def _controllers() -> dict[str, str]:
         "linuxcnc": "LinuxCNC",
         "fanuc": "Fanuc",
         "haas": "Haas",
-        "siemens840d": "Siemens Sinumerik 840D",
-        "heidenhain": translate("FiveAxis", "Heidenhain TNC, klartext (TCPM)"),
-        "heidenhain_m128": translate("FiveAxis", "Heidenhain iTNC 530, klartext (M128)"),
+        "siemens840d": "Siemens 840D",
+        "heidenhain": "Heidenhain TNC (TCPM)",
+        "heidenhain_m128": "Heidenhain iTNC (M128)",
         "mach3": "Mach3, Mach4",
         "grbl": translate("FiveAxis", "grbl with five axes"),
     }

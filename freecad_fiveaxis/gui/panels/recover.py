@@ -85,7 +85,7 @@ def create() -> RecoverPanel:
     from freecad_fiveaxis.app import changes
 
     panel = RecoverPanel()
-    panel.options.show_options(changes.default_options("recover"))
+    panel.options.show_options(changes.default_options("recover") | {"machine": None})
     return show(panel)
 
 
