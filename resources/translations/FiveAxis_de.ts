@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>Blocks whose tip the controller guides (RTCP): proven are their ends only</source>
-        <translation>Sätze, in denen die Steuerung die Spitze führt (RTCP): nachgewiesen sind nur ihre Enden</translation>
+        <translation>NC-Sätze, in denen die Steuerung die Spitze führt (RTCP): nachgewiesen sind nur ihre Enden</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -217,7 +217,7 @@
     </message>
     <message>
         <source>Guided Blocks</source>
-        <translation>Geführte Sätze</translation>
+        <translation>Geführte NC-Sätze</translation>
     </message>
     <message>
         <source>Head</source>
@@ -1759,8 +1759,8 @@
         <translation>Spitze geführt (RTCP)</translation>
     </message>
     <message>
-        <source>Tip guided by the controller: {count} blocks, not proven between their ends</source>
-        <translation>Spitze von der Steuerung geführt: {count} Sätze, zwischen ihren Enden nicht nachgewiesen</translation>
+        <source>Tip guided (RTCP): {count} blocks,</source>
+        <translation>Spitze geführt (RTCP): {count} NC-Sätze,</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -2083,6 +2083,10 @@
         <translation>nicht bestimmt</translation>
     </message>
     <message>
+        <source>not proven between their ends</source>
+        <translation>zwischen ihren Enden nicht nachgewiesen</translation>
+    </message>
+    <message>
         <source>now</source>
         <translation>jetzt</translation>
     </message>
@@ -2280,7 +2284,7 @@
     </message>
     <message>
         <source>{name}, other blocks</source>
-        <translation>{name}, andere Sätze</translation>
+        <translation>{name}, andere NC-Sätze</translation>
     </message>
     <message>
         <source>{now} of {whole}</source>

@@ -18,6 +18,8 @@ from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.gui.panels import prove_signs
 
 ROOT = Path(__file__).resolve().parents[2]
+SLID = 1000
+"""ms after which FreeCAD 1.1 has slid its task panel in, where no view was open before."""
 FAST = {"machine": "trunnion_ac", "stepover": 8, "linear_deflection": 0.1, "origin": (10, -5, 20)}
 
 
@@ -37,6 +39,7 @@ def empty(window):
     close_all(*FreeCAD.listDocuments())
     assert FreeCAD.ActiveDocument is None
     yield
+    assert not FreeCAD.listDocuments(), "what was lent is given back"
     close_all()
 
 
@@ -88,7 +91,7 @@ def panel_form():
 
 def test_a_machine_is_recovered_without_a_document(empty, folder, pair, press, field, type_into, choose, click, until, panel_button,
                                                    screenshot, window, tmp_path, pump):  # fmt: skip
-    press("FiveAxis_Recover")
+    press("FiveAxis_Recover", SLID)
     assert "CL file" in shown(field, "cl_file_error") and "NC file" in shown(field, "program_error")
     panel_button("OK")
     assert FreeCADGui.Control.activeDialog(), "nothing to write yet"
@@ -123,7 +126,7 @@ def test_another_machine_is_named_and_a_file_that_is_there_is_not_written(empty,
                                                                           click, until, panel_button, screenshot, tmp_path):  # fmt: skip
     mine = tmp_path / "mine.fcm"
     mine.write_text("mine")
-    press("FiveAxis_Recover")
+    press("FiveAxis_Recover", SLID)
     type_into(field("cl_file"), str(pair[0]))
     type_into(field("program"), str(pair[1]))
     type_into(field("machine_file"), str(mine))
@@ -151,7 +154,7 @@ def test_files_that_cannot_be_used_and_a_stop_say_so(empty, folder, pair, press,
     from freecad_fiveaxis.core.errors import Cancelled
     from freecad_fiveaxis.gui import waiting
 
-    press("FiveAxis_Recover")
+    press("FiveAxis_Recover", SLID)
     type_into(field("cl_file"), str(pair[1].parent / "gone.apt"))
     assert "does not exist" in shown(field, "cl_file_error")
     type_into(field("cl_file"), str(pair[1]))
@@ -175,7 +178,7 @@ def test_the_signs_are_proven_without_a_document(empty, folder, press, field, ty
                                                  screenshot, tmp_path, monkeypatch, modal, pump):  # fmt: skip
     opened = []
     monkeypatch.setattr(prove_signs.QtGui.QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
-    press("FiveAxis_ProveSigns")
+    press("FiveAxis_ProveSigns", SLID)
     assert not field("mark_pick").isEnabled(), "there is nothing to pick from"
     choose(field("controller"), "Heidenhain TNC (TCPM)")
     assert field("nc_file").text().endswith("trunnion_ac signs.h"), field("nc_file").text()
@@ -218,7 +221,7 @@ def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc
     path = app.create_toolpath(doc, box, machine="trunnion_bc", stepover=8, work_zero=(10, 5, 0), tool=4)
     path.ViewObject.hide()
     look(doc)
-    press("FiveAxis_ProveSigns")
+    press("FiveAxis_ProveSigns", SLID)
     assert field("machine").currentText() == "trunnion_bc"
     click(field("mark_pick"))
     view_click((40, 0, 12))
@@ -238,7 +241,7 @@ def test_a_machine_is_imported_with_its_findings(empty, folder, press, field, ty
     data = json.loads((ROOT / "resources" / "machines" / "trunnion_ac.fcm").read_text(encoding="utf-8"))
     data.pop("fiveaxis", None)
     source.write_text(json.dumps(data))
-    press("FiveAxis_ImportMachine")
+    press("FiveAxis_ImportMachine", SLID)
     type_into(field("source"), str(tmp_path / "notes.txt"))
     assert "does not exist" in shown(field, "source_error")
     (tmp_path / "notes.txt").write_text("no machine")
@@ -252,14 +255,16 @@ def test_a_machine_is_imported_with_its_findings(empty, folder, press, field, ty
     assert not cut(panel_form())
     panel_button("OK", 500)
     assert load_machine(str(folder / "theirs.fcm")).rotary and not FreeCADGui.Control.activeDialog()
-    press("FiveAxis_ImportMachine")
+    press("FiveAxis_ImportMachine", SLID)
     type_into(field("source"), str(source))
     assert field("machine_file").text() == str(folder / "theirs-2.fcm"), "no file is proposed that is there"
     panel_button("Cancel")
 
 
-def test_escape_writes_nothing(empty, folder, press, real_key, window, pump, tmp_path):
-    press("FiveAxis_ProveSigns")
+def test_escape_writes_nothing(empty, folder, press, field, click, real_key, window, pump, tmp_path):
+    press("FiveAxis_ProveSigns", SLID)
+    click(field("calculate"))
+    pump(500)
     real_key(window, "Escape")
     pump(500)
     assert not FreeCADGui.Control.activeDialog() and not list(tmp_path.iterdir())
@@ -271,7 +276,7 @@ def test_the_report_is_saved_where_the_user_says(empty, folder, pair, press, fie
 
     file = tmp_path / "report.html"
     monkeypatch.setattr(recover, "ask_file", lambda *_: str(file))
-    press("FiveAxis_Recover")
+    press("FiveAxis_Recover", SLID)
     type_into(field("cl_file"), str(pair[0]))
     type_into(field("program"), str(pair[1]))
     click(field("calculate"))

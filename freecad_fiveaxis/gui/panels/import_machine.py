@@ -12,8 +12,7 @@ from freecad_fiveaxis.gui.qt import translate
 from . import told
 from .files import FileField, SaveField, all_files, machine_files
 from .form import Form
-from .path_panel import show
-from .work_panel import WorkPanel
+from .work_panel import WorkPanel, open_panel
 
 
 class FilesForm(Form):
@@ -74,4 +73,4 @@ class ImportPanel(WorkPanel):
 
 def create() -> ImportPanel:
     """Open the panel."""
-    return show(ImportPanel())
+    return open_panel(ImportPanel())

@@ -19,10 +19,9 @@ from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, translate
 from . import told
 from .files import SaveField, all_files
 from .form import Form, group_sections
-from .path_panel import show
 from .picking import Point, PointField
 from .post import nc_files, proposed_file, suffix_of
-from .work_panel import WorkPanel
+from .work_panel import WorkPanel, open_panel
 
 SHEETS = (".html", ".htm", ".txt", ".json")
 WIDTH = 80
@@ -129,7 +128,7 @@ def create() -> ProvePanel:
         values |= {"work_zero": tuple(path.WorkZero)}
     panel.options.show_options(values)
     panel.propose()
-    return show(panel)
+    return open_panel(panel)
 
 
 def _sections() -> list[tuple[str, str, list[str]]]:

@@ -11,10 +11,9 @@ from freecad_fiveaxis.gui.qt import QtWidgets, translate
 from . import told
 from .files import FileField, SaveField, cl_files, machine_files
 from .form import Form
-from .path_panel import show
 from .post import nc_files
 from .setup import ask_file, write_asking
-from .work_panel import WorkPanel
+from .work_panel import WorkPanel, open_panel
 
 
 class RecoverPanel(WorkPanel):
@@ -86,7 +85,7 @@ def create() -> RecoverPanel:
 
     panel = RecoverPanel()
     panel.options.show_options(changes.default_options("recover") | {"machine": None})
-    return show(panel)
+    return open_panel(panel)
 
 
 def _sections() -> list[tuple[str, str, list[str]]]:

@@ -3,6 +3,8 @@
 
 result    what was found, to be read before anything is written; OK writes it.
 stale     the form says something else than what was calculated last; OK then calculates first.
+lent      an empty document that is open only while the panel is: FreeCAD 1.1 lays its task panels over a view, and hides them
+          where there is none.
 """
 
 from __future__ import annotations
@@ -10,17 +12,20 @@ from __future__ import annotations
 import os
 from typing import Any
 
+import FreeCAD
 import FreeCADGui
 
 from freecad_fiveaxis.gui.messages import ask, status
-from freecad_fiveaxis.gui.qt import QtWidgets, flags, translate
+from freecad_fiveaxis.gui.qt import QtWidgets, flags, later, translate
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
-from .path_panel import reveal
+from .path_panel import reveal, show
 
 TALL, LOW = 300, 60
 """Pixels of the result, and of the line that says there is none."""
+OVERLAY = "Gui::OverlayTabWidget"
+"""The class of what FreeCAD lays over a view."""
 
 
 class WorkPanel:
@@ -30,6 +35,7 @@ class WorkPanel:
     def __init__(self, title: str, form: Form, buttons: tuple[Any, ...] = ()) -> None:
         self.title, self.options, self.buttons = title, form, buttons
         self.done: Any = None
+        self.lent = ""
         self.calculated: dict[str, Any] | None = None
         self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
         self.calculate_button.setObjectName("calculate")
@@ -143,3 +149,31 @@ class WorkPanel:
             if hasattr(field, "pick"):
                 field.pick.stop()
         FreeCADGui.Control.closeDialog()
+        if self.lent:
+            later(lambda: _give_back(self.lent))
+
+
+def open_panel(panel: WorkPanel) -> WorkPanel:
+    """Open the panel in the task view; with a lent document where it would be hidden without one."""
+    if not FreeCADGui.Control.activeDialog() and not FreeCAD.listDocuments() and _lies_over_a_view():
+        panel.lent = FreeCAD.newDocument().Name
+    return show(panel)
+
+
+def _lies_over_a_view() -> bool:
+    """Whether the task view is one of the windows that FreeCAD lays over a view."""
+    for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget):
+        if dock.objectName() in ("Tasks", "Combo View"):
+            around = dock.parentWidget()
+            while around is not None and around.metaObject().className() != OVERLAY:
+                around = around.parentWidget()
+            if around is not None:
+                return True
+    return False
+
+
+def _give_back(name: str) -> None:
+    """Close a lent document, unless the user has made it his own."""
+    doc = FreeCAD.listDocuments().get(name)
+    if doc is not None and not doc.Objects and not doc.FileName:
+        FreeCAD.closeDocument(name)

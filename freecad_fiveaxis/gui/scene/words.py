@@ -165,8 +165,8 @@ def legend_of(label: str, figures: Figures, look: Any, warning: str) -> Any:
         largest = label_text(said["max_segment_deviation"], said["worst_line"])
         notes.append(translate("FiveAxis", "Largest: {largest}").format(largest=largest))
     if said["guided_blocks"]:
-        guided = translate("FiveAxis", "Tip guided by the controller: {count} blocks, not proven between their ends")
-        notes.append(guided.format(count=said["guided_blocks"]))
+        notes.append(translate("FiveAxis", "Tip guided (RTCP): {count} blocks,").format(count=said["guided_blocks"]))
+        notes.append(translate("FiveAxis", "not proven between their ends"))
     halves = (translate("FiveAxis", "within tolerance"), translate("FiveAxis", "over tolerance"))
     return Legend(label, ramp(look.good, look.bad), marks, halves, keys, notes, warning)
 
