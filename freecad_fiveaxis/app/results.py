@@ -9,12 +9,13 @@ current       the object shows the result of what its base and its settings now 
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from freecad_fiveaxis import __version__
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.errors import FileError, FiveAxisError
+from freecad_fiveaxis.core.files import read_bytes
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.report import Figures
@@ -22,6 +23,7 @@ from freecad_fiveaxis.core.settings import Settings
 
 from .convert import clear_result, put_result
 from .long_work import listening
+from .properties import shown_options
 from .selection import SelectionError
 
 
@@ -36,8 +38,17 @@ class Task:
     @property
     def fingerprint(self) -> str:
         """A hexadecimal number that any change of the input changes; another name of it does not."""
-        said = repr((__version__, replace(self.settings, source=""), _machine(self.settings), self.runs)).encode()
+        settings = replace(self.settings, source="")
+        said = repr((__version__, settings, _machine(self.settings), self.runs, *_contents(self.settings))).encode()
         return hashlib.sha256(hashlib.sha256(self.data).digest() + said).hexdigest()
+
+
+def _contents(settings: Settings) -> tuple[str, ...]:
+    """Checksums of the files that the settings name beside the source. Raises FileError for one that cannot be read."""
+    groups = {type(getattr(settings, top.name)): getattr(settings, top.name) for top in fields(Settings)}
+    leaves = [(cls, leaf) for cls, leaf in shown_options(settings.task) if leaf.metadata["kind"] == "path"]
+    named = [getattr(groups[cls], leaf.name) for cls, leaf in leaves if cls in groups]
+    return tuple(hashlib.sha256(read_bytes(name, "file")).hexdigest() for name in named if name)
 
 
 def _machine(settings: Settings) -> Machine:

@@ -1655,6 +1655,10 @@
         <translation>Der NC-Satz liegt nahe am Pol: das Werkzeug steht fast in Richtung der Achse {first}, und dort muss {first} weit drehen, um das Werkzeug ein wenig zu neigen.</translation>
     </message>
     <message>
+        <source>The controller guides the tip (RTCP); shown are evenly moving axes.</source>
+        <translation>Die Steuerung führt die Spitze (RTCP); gezeigt sind gleichmäßig bewegte Achsen.</translation>
+    </message>
+    <message>
         <source>The head of a machine that is ticked turns: give the tool length.</source>
         <translation>Der Kopf einer angehakten Maschine dreht: die Werkzeuglänge angeben.</translation>
     </message>

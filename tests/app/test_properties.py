@@ -153,3 +153,16 @@ def test_choices_of_an_older_document_are_renewed_and_its_own_is_kept(path):
     path.ToolAxis = "fixed"
     properties.add_missing(path, properties.setting_properties(MILL))
     assert path.getEnumerationsOfProperty("ToolAxis") == [*STRATEGIES, "old_way"][: len(STRATEGIES)] and path.ToolAxis == "fixed"
+
+
+def test_files_that_settings_name_are_part_of_what_a_result_is_of(tmp_path):
+    """No document object has such a setting yet but the audited file itself; the task ``recover`` has."""
+    from freecad_fiveaxis.app import results
+    from freecad_fiveaxis.core.settings import RECOVER, build_settings
+
+    (tmp_path / "a.ngc").write_text("G1 X1")
+    settings = build_settings(RECOVER, "a.apt", {"program": str(tmp_path / "a.ngc"), "machine": "trunnion_ac"})
+    before = results.Task(settings, b"").fingerprint
+    assert results.Task(settings, b"").fingerprint == before
+    (tmp_path / "a.ngc").write_text("G1 X2")
+    assert results.Task(settings, b"").fingerprint != before

@@ -122,6 +122,22 @@ def test_a_path_with_a_wish_that_its_controller_lacks_opens_and_is_mended(dome, 
     panel.reject()
 
 
+def test_play_claims_nothing_of_guided_blocks(dome, doc, press, tree_row, window, pump, screenshot):
+    path = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=8, controller="siemens840d", rtcp="angles")
+    tree_row(path.Label)
+    press("FiveAxis_Play", 800)
+    panel = window.findChild(QtWidgets.QWidget, "FiveAxisPlay")
+    said = {name: panel.findChild(QtWidgets.QLabel, name) for name in ("gap", "most", "bound", "note")}
+    steps = [one for one in panel.findChildren(QtWidgets.QAbstractButton) if one.objectName() == "forward"]
+    assert steps, [one.objectName() for one in panel.findChildren(QtWidgets.QAbstractButton)]
+    for _ in range(5):
+        steps[0].click()
+        pump(100)
+    screenshot("play-guided")
+    assert [said[name].text() for name in ("gap", "most", "bound")] == ["–", "–", "–"]
+    assert "guides the tip" in said["note"].text()
+
+
 @dataclasses.dataclass(frozen=True)
 class SurfaceSettings:
     """What the program is held against."""

@@ -66,6 +66,14 @@ class Readout:
             label.setText(joint_text(float(pose.words[at]), at >= 3))
         self.gap.setText(_distance(float(pose.to_chord)))
         self._show_deviation(block)
+        if self._guided(block):
+            for label in (self.gap, self.most, self.bound):
+                label.setText("–")
+
+    def _guided(self, block: int) -> bool:
+        """Whether the controller guides the tip in a block, of which nothing is known then but where it ends."""
+        guided = self.figures.program.guided
+        return guided is not None and bool(guided.on[block])
 
     def _show_deviation(self, block: int) -> None:
         deviation, tolerance = self.figures.deviation, self.figures.tolerance
@@ -83,6 +91,8 @@ class Readout:
         said = []
         if block == 0:
             said.append(translate("FiveAxis", "First position: where the machine comes from is not known."))
+        if self._guided(block):
+            said.append(translate("FiveAxis", "The controller guides the tip (RTCP); shown are evenly moving axes."))
         if over:
             allowed = translate("FiveAxis", "The tip leaves its segment by more than the {tolerance} that are allowed.")
             said.append(allowed.format(tolerance=length_text(self.figures.tolerance)))
