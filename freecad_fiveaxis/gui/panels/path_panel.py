@@ -26,8 +26,8 @@ DRAWN = 500
 """ms after which something new is drawn."""
 
 
-LAID_OUT = 150
-"""ms after which the first panel of a session is laid out, too: how wide it has to be is not known before."""
+LAID_OUT = (100, 200)
+"""ms, one after the other, until the first panel of a session is laid out, too: how wide it has to be is not known before."""
 
 
 class PathPanel:
@@ -163,8 +163,7 @@ def show(panel: Any) -> Any:
         warn(translate("FiveAxis", "Another task panel is open: close it first."))
         return panel
     FreeCADGui.Control.showDialog(panel)
-    for delay in (0, LAID_OUT):
-        QtCore.QTimer.singleShot(delay, lambda: _widen(panel.form))
+    later(lambda: _widen_soon(panel.form, LAID_OUT))
     return panel
 
 
@@ -180,6 +179,13 @@ def reveal(form: Any) -> None:
     if area:
         later(lambda: area.verticalScrollBar().setValue(0))
         later(lambda: _widen(form))
+
+
+def _widen_soon(form: Any, delays: tuple[int, ...]) -> None:
+    """Now, and after each of the delays; each is begun when the one before is over, however long the window was busy."""
+    _widen(form)
+    if delays:
+        QtCore.QTimer.singleShot(delays[0], lambda: _widen_soon(form, delays[1:]))
 
 
 def _widen(form: Any) -> None:
