@@ -37,7 +37,7 @@ from .post.head import slot_texts
 from .post.writer import write_nc
 from .progress import Progress, silent
 from .records import Bools, Floats
-from .settings import AUDIT, MILL, POST, Settings, flat_options
+from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
 from .singularity import Singularity, find_singular, in_cone
 from .tool_axis import AxisOptions, find_strategy, tool_axes
 
@@ -258,7 +258,7 @@ def _compared(settings: Settings, progress: Progress) -> CLPath | Mesh | None:
     path = settings.audit.against
     if path is None:
         return None
-    if Path(path).suffix.lower() == ".stl":
+    if is_part(path):
         return read_stl(path, progress)
     return read_cl_file(read_bytes(path, "CL file"), settings.feeds.feed, progress).path
 
@@ -277,7 +277,7 @@ def figures(result: Result) -> Figures:
 def check_outputs(settings: Settings) -> None:
     """Before the long work: every file can be written, has a known ending, and is not the source. Raises FiveAxisError."""
     output = settings.output
-    named = (output.output, output.cl, output.blocks, settings.recover.machine_file, settings.audit.rates, *output.report)
+    named = (output.output, output.cl, output.blocks, settings.recover.machine_file, output.rates, *output.report)
     targets = [path for path in named if path]
     reads = [read for read in (settings.source, settings.recover.program, settings.audit.against) if read]
     for path in targets:
@@ -317,7 +317,7 @@ def _report_files(result: Result, progress: Progress) -> dict[str, bytes]:
     output, files = result.made.settings.output, {}
     if output.blocks:
         files[output.blocks] = blocks_csv(result.made.program, result.deviation, result.singularity, progress)
-    if (rates := result.made.settings.audit.rates) and result.audit is not None:
+    if (rates := output.rates) and result.audit is not None:
         files[rates] = rates_csv(result.made.links, result.made.program, result.audit, progress)
     if output.report:
         sheets = figures(result)

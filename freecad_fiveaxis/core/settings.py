@@ -286,10 +286,6 @@ class AuditSettings:
         math.radians(0.2), "angle", "largest angle between the tool axis and that of the CL path at a block's end", (AUDIT,),
         above=0, most=math.pi / 2,
     )  # fmt: skip
-    rates: str | None = option(
-        None, "path", "CSV with one row a block: time, feed over the part, rates asked of the axes, distance off path or part",
-        (AUDIT,),
-    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -300,6 +296,10 @@ class OutputSettings:
     cl: str | None = option(None, "path", "the CL path as an APT file", (MILL,))
     report: tuple[str, ...] = option((), "paths", "report; the ending .json, .html or .txt says which; may be repeated", TASKS)
     blocks: str | None = option(None, "path", "CSV with one row a block", ONE_PROGRAM)
+    rates: str | None = option(
+        None, "path", "CSV with one row a block: time, feed over the part, rates asked of the axes, distance off path or part",
+        (AUDIT,),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -478,3 +478,8 @@ def _written(leaf: dataclasses.Field[Any], value: Any) -> Any:
     if value == "":
         return None  # an option that is left out
     return list(value) if isinstance(value, tuple) else value
+
+
+def is_part(against: str) -> bool:
+    """Whether the file that a program is compared with is a part (.stl); any other is a CL file."""
+    return against.lower().endswith(".stl")

@@ -8,6 +8,10 @@
         <translation>Einige Worte zu jeder Markierung</translation>
     </message>
     <message>
+        <source>Against</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
@@ -16,12 +20,20 @@
         <translation>Winkelabweichung</translation>
     </message>
     <message>
+        <source>Audit</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
     <message>
         <source>Axis Length</source>
         <translation>Länge der Werkzeugachsen</translation>
+    </message>
+    <message>
+        <source>Axis Tolerance</source>
+        <translation>Achstoleranz</translation>
     </message>
     <message>
         <source>Base</source>
@@ -824,6 +836,10 @@
         <translation>größtes R - r an einer konvexen gemeinsamen Kante, bevor ein Bogen genommen wird</translation>
     </message>
     <message>
+        <source>largest angle between the tool axis and that of the CL path at a block's end</source>
+        <translation>größter Winkel zwischen der Werkzeugachse und der des CL-Wegs am Ende eines Satzes</translation>
+    </message>
+    <message>
         <source>largest change of the tool axis where it is led past the pole (deform)</source>
         <translation>größte Änderung der Werkzeugachse, wo sie am Pol vorbeigeführt wird (deform)</translation>
     </message>
@@ -882,6 +898,10 @@
     <message>
         <source>spindle speed, 1/min; 0 leaves the spindle off</source>
         <translation>Spindeldrehzahl, 1/min; 0 lässt die Spindel aus</translation>
+    </message>
+    <message>
+        <source>the CL file (.apt, .cl) or the part (.stl) that the program is compared with [neither]</source>
+        <translation>die CL-Datei (.apt, .cl) oder das Teil (.stl), womit das Programm verglichen wird [nichts]</translation>
     </message>
     <message>
         <source>the NC program that was posted from the CL path</source>
@@ -975,6 +995,10 @@
         <translation>Prüfung</translation>
     </message>
     <message>
+        <source>Axis tolerance</source>
+        <translation>Achstoleranz</translation>
+    </message>
+    <message>
         <source>Back to the first position</source>
         <translation>Zurück zur ersten Stellung</translation>
     </message>
@@ -1009,6 +1033,10 @@
     <message>
         <source>CL files (*.apt *.cl *.cls *.ncl *.aptsource *.txt)</source>
         <translation>CL-Dateien (*.apt *.cl *.cls *.ncl *.aptsource *.txt)</translation>
+    </message>
+    <message>
+        <source>CL path or part</source>
+        <translation>CL-Weg oder Teil</translation>
     </message>
     <message>
         <source>Calculate</source>

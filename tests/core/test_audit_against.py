@@ -331,7 +331,7 @@ def test_an_output_must_not_be_what_is_compared_with(tmp_path):
     settings = build_settings(
         "audit", "p.ngc", {"machine": "trunnion_ac", "against": "p.apt", "rates": str(tmp_path / "../x/p.csv")}
     )
-    again = dataclasses.replace(settings, audit=dataclasses.replace(settings.audit, rates="p.apt"))
+    again = dataclasses.replace(settings, output=dataclasses.replace(settings.output, rates="p.apt"))
     with pytest.raises(FiveAxisError, match="is the file that is read"):
         job.check_outputs(again)
 

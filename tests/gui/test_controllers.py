@@ -10,6 +10,8 @@ from test_workshop import cut, panel_form
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import properties, results
+from freecad_fiveaxis.core.apt import write_apt
+from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.settings import AUDIT, option
 from freecad_fiveaxis.gui.panels import audit, import_machine, labels, prove_signs, recover, toolpath
@@ -109,6 +111,39 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
     assert doc.Audit.GuidedBlocks == path.GuidedBlocks
 
 
+def shown_of(*names):
+    return {name for name in names for one in panel_form().findChildren(QtWidgets.QWidget, name) if one.isVisibleTo(panel_form())}
+
+
+def test_an_audit_is_compared_with_a_cl_path_or_a_part(dome, doc, press, field, choose, type_into, click, until, panel_button,
+                                                       screenshot, tmp_path, pump):  # fmt: skip
+    path = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=4, linearize="on", tolerance=0.01, lead=20)
+    files = {name: str(tmp_path / name) for name in ("a.ngc", "a.apt", "a.stl")}
+    app.post_process(path, files["a.ngc"])
+    app.tessellate(dome, files["a.stl"])
+    found = results.result_of(path)
+    (tmp_path / "a.apt").write_bytes(write_apt(found.made.path, Cutter(10.0), "dome"))
+    press("FiveAxis_Audit")
+    type_into(field("nc_file"), files["a.ngc"])
+    choose(field("machine"), "trunnion_ac")
+    assert shown_of("axis_tolerance", "cutter_diameter") == set()
+    type_into(field("against"), files["a.apt"])
+    assert shown_of("axis_tolerance", "cutter_diameter") == {"axis_tolerance"}
+    click(field("calculate"))
+    until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
+    assert "CL path" not in field("summary").text()
+    pump(500)
+    type_into(field("against"), files["a.stl"])
+    assert shown_of("axis_tolerance", "cutter_diameter") == {"cutter_diameter"}
+    type_into(field("cutter_diameter"), "14 mm")  # the tip stands as before: 2 mm (1 - cos 20 deg) too deep
+    click(field("calculate"))
+    until(lambda: "enter" in field("summary").text(), 60000, "that the larger ball enters the part")
+    pump(300)
+    screenshot("audit-against")
+    panel_button("OK", 500)
+    assert doc.Audit.Against == files["a.stl"] and any("enters the part" in text for text in doc.Audit.Findings)
+
+
 def test_a_path_with_a_wish_that_its_controller_lacks_opens_and_is_mended(dome, doc, pump):
     path = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=8, controller="linuxcnc", rtcp="angles")
     path.Controller = "grbl"
@@ -142,7 +177,7 @@ def test_play_claims_nothing_of_guided_blocks(dome, doc, press, tree_row, window
 class SurfaceSettings:
     """What the program is held against."""
 
-    against: str | None = option(None, "path", "a CL file or STL that the program should follow", (AUDIT,))
+    surface: str | None = option(None, "path", "a CL file or STL that the program should follow", (AUDIT,))
     sideways: float = option(0.5, "length", "farthest that counts as the same pass", (AUDIT,), above=0)
 
 
@@ -166,11 +201,11 @@ def test_a_new_group_of_settings_gets_its_section_its_fields_and_its_properties(
     pump(300)
     box = panel_form().findChild(QtWidgets.QGroupBox, "section_surface")
     assert box is not None and box.title() == "Surface"
-    assert field("against_browse").isVisible() and field("sideways").property("rawValue") == 0.5
-    field("against").setText(str(tmp_path / "gone.stl"))
-    assert "does not exist" in field("against_error").text()
+    assert field("surface_browse").isVisible() and field("sideways").property("rawValue") == 0.5
+    field("surface").setText(str(tmp_path / "gone.stl"))
+    assert "does not exist" in field("surface_error").text()
     kinds = {one.name: one.kind for one in properties.setting_properties(AUDIT)}
-    assert kinds["Against"] == "App::PropertyFile" and kinds["Sideways"] == "App::PropertyLength"
+    assert kinds["Surface"] == "App::PropertyFile" and kinds["Sideways"] == "App::PropertyLength"
 
 
 def test_without_it_the_panel_has_no_such_section(doc, pump):

@@ -67,5 +67,7 @@ MORE = ("origin", "method")
 
 
 def _sections() -> list[Section]:
-    """The file, and a section for each group of the task's settings."""
-    return [("file", translate("FiveAxis", "NC file"), ["nc_file"]), *group_sections("audit", MORE)]
+    """The file, and a section for each group of the task's settings; the cutter beside the part that it is compared with."""
+    groups = group_sections("audit", (*MORE, "cutter"))
+    sections = [(name, title, [*names, "cutter"] if "against" in names else names) for name, title, names in groups]
+    return [("file", translate("FiveAxis", "NC file"), ["nc_file"]), *sections]

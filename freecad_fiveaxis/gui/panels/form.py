@@ -9,7 +9,7 @@ idle      an option that counts for nothing as the choices stand: hidden where a
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
@@ -26,12 +26,29 @@ MORE = "more"
 Section = tuple[str, str, Sequence[str]]
 """Name, title, and the names of the fields in their order."""
 
-DEPENDS = (
-    ("tool_axis", "fixed", ("axis",), ()),
-    ("tool_axis", "minimax", ("max_tilt",), ("lead", "tilt")),
-    ("singularity", "deform", ("max_axis_change",), ()),
+
+def _is(value: str) -> Callable[[Any], bool]:
+    return lambda chosen: bool(chosen == value)
+
+
+def _is_path(against: Any) -> bool:
+    return bool(against) and not _is_part(against)
+
+
+def _is_part(against: Any) -> bool:
+    from freecad_fiveaxis.core.settings import is_part
+
+    return bool(against) and is_part(str(against))
+
+
+DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], ...] = (
+    ("tool_axis", _is("fixed"), ("axis",), ()),
+    ("tool_axis", _is("minimax"), ("max_tilt",), ("lead", "tilt")),
+    ("singularity", _is("deform"), ("max_axis_change",), ()),
+    ("against", _is_path, ("axis_tolerance",), ()),
+    ("against", _is_part, ("cutter",), ()),
 )
-"""A choice and its value; the options that count only then, and those that do not count then."""
+"""A choice and what is asked of it; the options that count only if that holds, and those that do not count then."""
 
 READING = ("audit", "recover")
 """Tasks that read a program: its text may say itself which controller it is for."""
@@ -197,9 +214,9 @@ class Form(QtCore.QObject):
         """The options that count for nothing as the choices stand: they are not shown, not checked and not given."""
         return {
             name
-            for choice, value, only, never in DEPENDS
+            for choice, holds, only, never in DEPENDS
             if choice in self.fields
-            for name in (never if self.fields[choice].value() == value else only)
+            for name in (never if holds(self.fields[choice].value()) else only)
         }
 
     def _show_row(self, name: str, shown: bool) -> None:

@@ -81,6 +81,8 @@ def _options() -> dict[str, str]:
         "singularity": translate("FiveAxis", "Near the pole"),
         "max_axis_change": translate("FiveAxis", "Largest axis change"),
         "tolerance": translate("FiveAxis", "Tolerance"),
+        "against": translate("FiveAxis", "Compare with"),
+        "axis_tolerance": translate("FiveAxis", "Axis tolerance"),
         "method": translate("FiveAxis", "Line deviation by"),
         "region": translate("FiveAxis", "Room for the work zero"),
         "grid": translate("FiveAxis", "Places on the map"),
@@ -146,6 +148,7 @@ def _groups() -> dict[str, str]:
         "ProofSettings": translate("FiveAxis", "Proof"),
         "SetupSettings": translate("FiveAxis", "Setup"),
         "CompareSettings": translate("FiveAxis", "Comparison"),
+        "AuditSettings": translate("FiveAxis", "CL path or part"),
         "RecoverSettings": translate("FiveAxis", "Recover"),
         "ProveSettings": translate("FiveAxis", "Moves"),
     }

@@ -19,7 +19,7 @@ SUNK = 2.0
 """mm; how far the shank reaches into the holder, so that no two faces lie in one plane and flicker."""
 QUARTER = 1.5707963267948966
 DIAMETER, LENGTH = 10.0, 50.0
-"""mm; the cutter of an audit, which knows none, unless the preferences say otherwise."""
+"""mm; where an object says no size, unless the preferences do."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class ToolSize:
 
 
 def size_of(obj: Any, centre_driven: bool = False) -> ToolSize:
-    """The tool of a Toolpath or an Audit, from its properties; an audit has no cutter of its own."""
+    """The tool of a Toolpath or an Audit, from its properties."""
     from freecad_fiveaxis.app import preferences
 
     diameter = _mm(obj, "CutterDiameter") or preferences.cutter_diameter() or DIAMETER
