@@ -5,7 +5,8 @@
     FIVEAXIS_PARTS=parts FIVEAXIS_OUT=nc FIVEAXIS_MACHINE=trunnion_ac freecadcmd examples/batch.py
 
 PARTS     a folder with FCStd and STEP files, or one such file.
-OUT       the folder for the results, made if need be: NAME.ngc, NAME.html and NAME.json for every part.
+OUT       the folder for the results, made if need be: for every part NAME.html, NAME.json and the program, NAME.ngc (or as the
+          files of its controller end).
 settings  as in job files (``fiveaxis mill --help`` lists them, with _ for -), besides linear_deflection, angular_deflection (of
           the tessellation), work_zero=X,Y,Z (in the document) and overwrite=yes. In the environment they begin with FIVEAXIS_.
           What stands after ``--`` wins.
@@ -27,8 +28,10 @@ from pathlib import Path
 STEP, FCSTD = (".step", ".stp"), (".fcstd",)
 OWN = ("parts", "out", "overwrite")
 TESSELLATION = ("linear_deflection", "angular_deflection", "work_zero")
-NOT_OURS = ("output", "cl", "report", "blocks")
+NOT_OURS = ("output", "cl", "report", "blocks", "rates")
 """Options of ``mill`` that name files; here the parts' names make the files' names."""
+CHOICE = ("controller", "machine")
+"""The options that decide how NC files end."""
 PREFIX = "FIVEAXIS_"
 YES = ("1", "yes", "true", "on")
 EVERY = 2.0
@@ -253,18 +256,20 @@ def do_part(name, base, settings, order, say):
 def mill(name, base, settings, order):
     """Compute the toolpath, write NC and reports; returns the figures. All that can be checked is checked first."""
     from freecad_fiveaxis import app
+    from freecad_fiveaxis.app.controllers import suffix_of, suffix_of_path
     from freecad_fiveaxis.app.nc_output import check_replaceable
     from freecad_fiveaxis.app.results import figures_of
     from freecad_fiveaxis.core.files import write_whole
     from freecad_fiveaxis.core.report import as_html, as_json
 
-    doc, target = base.Document, {kind: order.out / f"{name}.{kind}" for kind in ("ngc", "html", "json")}
+    doc, target = base.Document, {kind: order.out / f"{name}.{kind}" for kind in ("html", "json")}
+    target["nc"] = order.out / (name + (suffix_of_path(base) if settings is None else suffix_of(*map(settings.get, CHOICE))))
     overwrite = order.overwrite and not order.written.intersection(target.values())  # two parts of one name: both are wanted
     for path in target.values():
         check_replaceable(doc, path, overwrite)
     toolpath = base if settings is None else app.create_toolpath(doc, base, **settings)
     figures = figures_of(toolpath)
-    app.post_process(toolpath, target["ngc"], overwrite=overwrite)
+    app.post_process(toolpath, target["nc"], overwrite=overwrite)
     for kind, made in (("html", as_html), ("json", as_json)):
         write_whole(target[kind], made(figures).encode("utf-8", "backslashreplace"))
     order.written.update(target.values())

@@ -176,19 +176,6 @@ def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
     return made
 
 
-def dialect_of(controller: str | None, machine: str | None) -> Any:
-    """The core's table of a controller, or of the machine's own; None where the machine cannot be used."""
-    from freecad_fiveaxis.core.errors import FiveAxisError
-    from freecad_fiveaxis.core.job import DEFAULT_CONTROLLER
-    from freecad_fiveaxis.core.machine import load_machine
-    from freecad_fiveaxis.core.post import find_dialect
-
-    try:
-        return find_dialect(controller or (load_machine(machine).controller if machine else "") or DEFAULT_CONTROLLER)
-    except FiveAxisError:
-        return None  # whoever uses the machine tells why it cannot be used
-
-
 def strategy_field(name: str, hint: str) -> ChoiceField:
     """The tool-axis strategies."""
     from freecad_fiveaxis.core.tool_axis import STRATEGIES

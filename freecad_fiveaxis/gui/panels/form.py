@@ -15,7 +15,7 @@ from typing import Any
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .abilities import LACKING, check_guide, reasons, unknown_choices
-from .choosers import CutterField, MachineField, SpacingField, controller_field, dialect_of, strategy_field
+from .choosers import CutterField, MachineField, SpacingField, controller_field, strategy_field
 from .fields import Field, TripleField, error_line, option_field
 from .files import any_file
 from .labels import choice_label, group_label, option_hint, option_label
@@ -185,6 +185,8 @@ class Form(QtCore.QObject):
         """The core's table of the controller that is chosen, or of the machine's own; None where that is not known."""
         if not {"machine", "controller"} <= set(self.fields):
             return None
+        from freecad_fiveaxis.app.controllers import dialect_of
+
         return dialect_of(self.fields["controller"].value(), self.fields["machine"].value())
 
     def _lack(self) -> None:

@@ -17,7 +17,6 @@ from freecad_fiveaxis.gui.qt import QtWidgets, flags, translate
 from freecad_fiveaxis.gui.undo import transaction
 from freecad_fiveaxis.gui.waiting import waiting
 
-from .choosers import dialect_of
 from .fields import TextField, error_line
 from .path_panel import show
 
@@ -155,10 +154,9 @@ def write(path: Any) -> PostPanel:
 
 def proposed_name(path: Any) -> str:
     """Where the NC file of a Toolpath would go."""
-    from freecad_fiveaxis.app.properties import MACHINES_OWN
+    from freecad_fiveaxis.app.controllers import suffix_of_path
 
-    controller = None if path.Controller == MACHINES_OWN else path.Controller
-    return proposed_file(path.Label or path.Name, path.Document.FileName, suffix_of(controller, path.Machine))
+    return proposed_file(path.Label or path.Name, path.Document.FileName, suffix_of_path(path))
 
 
 def proposed_file(name: str, document: str, suffix: str) -> str:
@@ -168,12 +166,6 @@ def proposed_file(name: str, document: str, suffix: str) -> str:
 
     folder = preferences.output_folder() or os.path.dirname(document) or os.path.expanduser("~")
     return os.path.join(str(folder), (FORBIDDEN.sub("_", name).strip(" .") or "program") + suffix)
-
-
-def suffix_of(controller: str | None, machine: str | None) -> str:
-    """How the NC files of a controller end, or of the machine's own."""
-    dialect = dialect_of(controller, machine)
-    return dialect.suffix if dialect else ".ngc"  # writing will say what is the matter with the machine
 
 
 def nc_files() -> str:

@@ -20,7 +20,7 @@ from . import told
 from .files import SaveField, all_files
 from .form import Form, group_sections
 from .picking import Point, PointField
-from .post import nc_files, proposed_file, suffix_of
+from .post import nc_files, proposed_file
 from .work_panel import WorkPanel, open_panel
 
 SHEETS = (".html", ".htm", ".txt", ".json")
@@ -69,6 +69,8 @@ class ProvePanel(WorkPanel):
 
     def propose(self) -> None:
         """Names for the files, after the machine."""
+        from freecad_fiveaxis.app.controllers import suffix_of
+
         said = self.options.options()
         machine = said.get("machine", "")
         name = os.path.splitext(os.path.basename(machine))[0] + " " + translate("FiveAxis", "signs")

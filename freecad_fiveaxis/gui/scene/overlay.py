@@ -22,7 +22,7 @@ PAPER, INK, WARN = (22, 26, 32, 205), (245, 245, 245), (255, 205, 70)
 FONT, SMALL, PAD, BAR = 13, 12, 10, 18
 """Pixels: text, smaller text, border, width of the colour bar."""
 BAR_HEIGHT = 190
-LEFT, SLOT = -0.985, 0.0
+LEFT, SLOT, BESIDE = -0.985, 0.0, 0.42
 """Where the legend stands in the view, -1 to 1 both ways."""
 
 
@@ -58,7 +58,7 @@ def legend_node(legend: Legend, slot: int = 0, right: bool = False) -> Any:
     camera.height, camera.nearDistance, camera.farDistance = 2.0, 0.0, 2.0
     picture = _legend_picture(legend)
     place_node = coin.SoTranslation()
-    place = LEFT + 0.3 * slot
+    place = LEFT + BESIDE * slot
     place_node.translation.setValue(-place if right else place, SLOT, 0.0)
     image = _image(picture)
     image.horAlignment, image.vertAlignment = coin.SoImage.RIGHT if right else coin.SoImage.LEFT, coin.SoImage.HALF

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which controller a machine's programs are for, and how their files end."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.job import DEFAULT_CONTROLLER
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.post import Dialect, find_dialect
+
+from .properties import MACHINES_OWN
+
+SUFFIX = ".ngc"
+"""Where the controller is not known: writing will say what is the matter with the machine."""
+
+
+def dialect_of(controller: str | None, machine: str | None) -> Dialect | None:
+    """The core's table of a controller, or of the machine's own; None where the machine cannot be used."""
+    try:
+        return find_dialect(controller or (load_machine(machine).controller if machine else "") or DEFAULT_CONTROLLER)
+    except FiveAxisError:
+        return None  # whoever uses the machine tells why it cannot be used
+
+
+def suffix_of(controller: str | None, machine: str | None) -> str:
+    """How the NC files of a controller end, or of the machine's own."""
+    dialect = dialect_of(controller, machine)
+    return dialect.suffix if dialect else SUFFIX
+
+
+def suffix_of_path(obj: Any) -> str:
+    """How the NC files of a Toolpath end."""
+    return suffix_of(None if obj.Controller == MACHINES_OWN else obj.Controller, obj.Machine)
