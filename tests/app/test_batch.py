@@ -141,9 +141,9 @@ def test_settings_come_from_the_environment_and_all_well_is_exit_0(step, tmp_pat
 
 
 def test_a_program_ends_as_its_controller_has_it(step, tmp_path):
-    code, lines = batch(step, tmp_path, *words(controller="siemens840d"))
+    code, lines = batch(step, tmp_path / "out", *words(controller="siemens840d"))
     assert code == 0, lines
-    assert sorted(path.name for path in tmp_path.glob("dome.*")) == ["dome.html", "dome.json", "dome.mpf"]
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["dome.html", "dome.json", "dome.mpf"]
 
 
 def test_nothing_is_overwritten_unasked(step, tmp_path):
