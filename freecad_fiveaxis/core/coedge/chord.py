@@ -68,7 +68,7 @@ def make_chords(segments: Segments, junctions: Junctions, at: Ints, radius: floa
     arcs = np.where((step > 0) & (junctions.kind[where] == CONVEX), junctions.arcs[where], quarter)
     piece = np.where(step > 0, step - 1, step + quarter + 1)  # 0 to k
     real, ghost = step == 0, (step < 0) | ((step > 0) & (junctions.kind[where] == END))
-    theta = np.where(ghost, np.pi, junctions.theta[where])
+    theta = np.where(ghost, np.pi, junctions.theta(where))
     delta = np.where(ghost, 0.5 * np.pi, theta) / arcs
     angle = np.where(real, 0.0, np.where(step < 0, piece - quarter, piece) * delta)
     origin, normal, along = _frames(segments, where, step, theta, angle)
@@ -93,7 +93,7 @@ def _frames(segments: Segments, where: Ints, step: Ints, theta: Floats, angle: F
     origin = segments.point.take(2 * segment + (step > 0), axis=1)
     arc = np.flatnonzero(step)
     far = segments.normal.take(2 * segments.live[np.where(nxt < 0, where, nxt)[arc]], axis=1)
-    one, two = normal[:, arc], along[:, arc]
+    one, two = normal.take(arc, axis=1), along.take(arc, axis=1)
     normal[:, arc] = _mix(arc_weights(theta[arc], angle[arc]), one, far, two)
     along[:, arc] = _mix(arc_weights(theta[arc], angle[arc] + 0.5 * np.pi), one, far, two)  # the normal turns that way
     return origin, normal, along
@@ -119,9 +119,9 @@ def _neighbours(segments: Segments, at: Ints, head: Ints, count: Ints) -> tuple[
 
 
 def place_on(chords: Chords, chord: Ints, t: Floats) -> Floats:
-    return np.asarray(chords.origin[:, chord] + t * chords.along[:, chord])
+    return np.asarray(chords.origin.take(chord, axis=1) + t * chords.along.take(chord, axis=1))
 
 
 def height_above(chords: Chords, chord: Ints, place: Floats) -> Floats:
     """Height (c,) of ``place`` (3, c) above the planes of chords, mm."""
-    return dot(chords.normal[:, chord], place - chords.origin[:, chord])
+    return dot(chords.normal.take(chord, axis=1), place - chords.origin.take(chord, axis=1))

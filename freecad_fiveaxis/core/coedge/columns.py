@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.passes import ContactPath
+from freecad_fiveaxis.core.records import Floats
 
 from .junction import CHUNK, Rows, Segments, chosen, direction, dot
 from .rows import Closed
@@ -48,11 +49,8 @@ class Columns:
         normal = segments.normal.take(rows.base, axis=1, out=self.vectors["normal"][:, where], mode="clip")
         normal *= rows.w1
         normal += rows.w2 * segments.normal.take(2 * rows.far, axis=1)
-        along = np.flatnonzero((rows.shift != 0.0) | (rows.w3 != 0.0))
-        if len(along):
-            travel = direction(segments, rows.base[along] >> 1)
-            point[:, along] += rows.shift[along] * travel
-            normal[:, along] += rows.w3[along] * travel
+        self._add_travel(point, rows, rows.shift)
+        self._add_travel(normal, rows, rows.w3)
         centre = np.multiply(rows.reach, normal, out=self.vectors["centre"][:, where])
         centre += point
         for name, side in (("before", rows.left), ("after", rows.right)):
@@ -63,6 +61,14 @@ class Columns:
         labels["coedge"][where][rows.shift != 0.0] = -1  # a trimmed contact lies inside its facet
         np.right_shift(rows.base, 1, out=labels["segment"][where])
         self.fill[where] = rows.fill
+
+    def _add_travel(self, vector: Floats, rows: Rows, by: Floats) -> None:
+        """``vector`` (3, k) + ``by`` (k,) x the direction of the row's segment, in place."""
+        along = np.flatnonzero(by)
+        travel = direction(self.segments, rows.base.take(along) >> 1)
+        travel *= by.take(along)
+        for column, part in zip(vector, travel, strict=True):
+            column[along] += part
 
     def _lift(self, where: slice, rows: Rows) -> None:
         """Put the lifted rows where they belong."""

@@ -36,6 +36,9 @@ GRAZING = 1e-6
 KNIFE = 1e-6
 """rad; nearer than this to half a turn two normals do not span a plane. The arc then goes round in the direction of travel."""
 
+BROAD = 0.5
+"""Length of the sum of two unit normals above which its direction is theirs to the last digits."""
+
 GROUP = 32768
 """Segments that are closed together, about half as many as rows: few enough for their columns to stay in the cache."""
 
@@ -74,16 +77,22 @@ class Segments:
 class Junctions:
     """The junction after each live segment, (m,) each.
 
-    ``kind``; ``rows`` how many rows it makes; ``arcs`` k; ``theta`` rad; ``trim_end`` (at most 0) and ``trim_start`` (at
-    least 0) mm by which a concave junction moves the end of the segment before it and the start of the one after it.
+    ``kind``; ``rows`` how many rows it makes; ``arcs`` k; ``gap`` = 2 sin(theta / 2) and ``wide`` = 2 cos(theta / 2): the
+    lengths of the difference and of the sum of both normals; ``trim_end`` (at most 0) and ``trim_start`` (at least 0) mm by
+    which a concave junction moves the end of the segment before it and the start of the one after it.
     """
 
     kind: Bytes
     rows: Ints
     arcs: Ints
-    theta: Floats
+    gap: Floats
+    wide: Floats
     trim_end: Floats
     trim_start: Floats
+
+    def theta(self, at: Ints) -> Floats:
+        """theta (k,) rad of junctions ``at`` (k,)."""
+        return 2.0 * np.arctan2(self.gap.take(at), self.wide.take(at))
 
 
 class Rows(NamedTuple):
@@ -146,32 +155,55 @@ def find_junctions(segments: Segments, radius: float, tolerance: float) -> Junct
     """Kind, trims and arcs of every junction, for a ball of ``radius`` mm and R - r at most ``tolerance`` mm."""
     m = len(segments.live)
     kind, rows, arcs = np.empty(m, np.int8), np.empty(m, np.int64), np.empty(m, np.int64)
-    theta, trim_end, trim_start = np.empty(m), np.empty(m), np.empty(m)
+    gap, wide, trim_end, trim_start = np.empty((4, m))
     for low in range(0, m, CHUNK):
         part = slice(low, min(low + CHUNK, m))
         n1, n2, d1, d2 = _sides(segments, part)
-        gap, wide = np.sqrt(dot(n1 - n2, n1 - n2)), np.sqrt(dot(n1 + n2, n1 + n2))
-        ahead, behind = dot(d1, n2), dot(d2, n1)
-        kind[part] = _kinds(segments.following[part], radius * gap, ahead, behind, gap)
-        theta[part] = 2.0 * np.arctan2(gap, wide)
-        arcs[part] = arcs_needed(theta[part], radius, tolerance)
-        concave = kind[part] == CONCAVE
-        rise = np.where(concave, 0.5 * radius * gap * gap, 0.0)  # r (1 - cos theta)
-        trim_end[part] = rise / np.where(concave, ahead, 1.0)
-        trim_start[part] = rise / np.where(concave, behind, 1.0)
-        meet = radius * (n1 - n2) + trim_end[part] * d1 - trim_start[part] * d2
-        rows[part] = np.where(concave & (np.abs(meet).max(axis=0) >= SAME), 2, 1)
-        rows[part] += np.where(kind[part] == CONVEX, arcs[part] + 1, 0)
-    return Junctions(kind, rows, arcs, theta, trim_end, trim_start)
+        apart, ahead, behind = n1 - n2, dot(d1, n2), dot(d2, n1)
+        gap[part], wide[part] = np.sqrt(dot(apart, apart)), _length_of_sum(n1, n2)
+        kind[part] = _kinds(segments.following[part], radius * gap[part], ahead, behind, gap[part])
+        arcs[part] = _arcs(gap[part], wide[part], radius, tolerance)
+        rows[part] = np.where(kind[part] == CONVEX, arcs[part] + 2, 1)
+        trim_end[part], trim_start[part] = 0.0, 0.0
+        cut = np.flatnonzero(kind[part] == CONCAVE)
+        rise = 0.5 * radius * gap[part][cut] ** 2  # r (1 - cos theta)
+        end, start = rise / ahead[cut], rise / behind[cut]
+        trim_end[part][cut], trim_start[part][cut] = end, start
+        meet = radius * apart.take(cut, axis=1) + end * d1.take(cut, axis=1) - start * d2.take(cut, axis=1)
+        rows[part][cut] += dot(meet, meet) >= SAME**2
+    return Junctions(kind, rows, arcs, gap, wide, trim_end, trim_start)
 
 
 def _sides(segments: Segments, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
-    """Normals before and after the junctions, then directions before and after, (3, k) each."""
-    nxt = segments.following[part]
-    nxt = np.where(nxt < 0, np.arange(part.start, part.stop), nxt)
-    sides = [segments.live[part], segments.live.take(nxt)]
-    one, two = (segments.normal.take(2 * segment, axis=1) for segment in sides)
-    return one, two, direction(segments, sides[0]), direction(segments, sides[1])
+    """Normals before and after the junctions, then directions before and after, (3, k) each; after an end those before it."""
+    own = segments.live[part.start : part.stop + 1]
+    count, row = part.stop - part.start, np.arange(part.start, part.stop)
+    following = segments.following[part]
+    odd = np.flatnonzero(following != row + 1)
+    other = segments.live.take(np.where(following[odd] < 0, row[odd], following[odd]))
+    sides = []
+    along = _ascending(segments.point, own, 1) - _ascending(segments.point, own, 0)
+    along /= segments.length.take(own)
+    facing = _ascending(segments.normal, own, 0)
+    for one, two in ((facing, segments.normal.take(2 * other, axis=1)), (along, direction(segments, other))):
+        after = np.empty((3, count))
+        after[:, : len(own) - 1] = one[:, 1:]
+        after[:, odd] = two
+        sides.append((one[:, :count], after))
+    return sides[0][0], sides[0][1], sides[1][0], sides[1][1]
+
+
+def _length_of_sum(one: Floats, two: Floats) -> Floats:
+    both = one + two
+    return np.asarray(np.sqrt(dot(both, both)))
+
+
+def _ascending(table: Floats, segment: Ints, end: int) -> Floats:
+    """Of a (3, n) ``table`` of the contact path the entries (``end`` 0) or exits (1) of ascending segments (k,); a view where
+    these follow one another, as they mostly do."""
+    if segment[-1] - segment[0] == len(segment) - 1:
+        return table[:, 2 * segment[0] + end : 2 * segment[-1] + end + 1 : 2]
+    return table.take(2 * segment + end, axis=1)
 
 
 def _kinds(following: Ints, gap: Floats, ahead: Floats, behind: Floats, sine: Floats) -> Bytes:
@@ -188,10 +220,20 @@ def arcs_needed(theta: Floats, radius: float, tolerance: float) -> Ints:
     return np.asarray(np.maximum(fewest, 1))
 
 
+def _arcs(gap: Floats, wide: Floats, radius: float, tolerance: float) -> Ints:
+    """As arcs_needed, of junctions with ``gap`` and ``wide``: an angle only where one sub-step may not do."""
+    sine, cosine = np.sqrt(tolerance * (2.0 * radius + tolerance)), radius  # of the widest sub-step's half, times R
+    arcs = np.ones(len(gap), np.int64)
+    more = np.flatnonzero(gap * (cosine * (1.0 + SAME)) > wide * sine)
+    arcs[more] = arcs_needed(2.0 * np.arctan2(gap[more], wide[more]), radius, tolerance)
+    return arcs
+
+
 def direction(segments: Segments, segment: Ints) -> Floats:
     """Unit direction of travel (3, k) of segments of the contact path."""
     step = segments.point.take(2 * segment + 1, axis=1) - segments.point.take(2 * segment, axis=1)
-    return np.asarray(step / segments.length.take(segment))
+    step /= segments.length.take(segment)
+    return np.asarray(step)
 
 
 def dot(one: Floats, two: Floats) -> Floats:
@@ -223,10 +265,14 @@ def junction_rows(segments: Segments, junctions: Junctions, at: Ints, step: Ints
     final = (step > 0) & (step == count - 1)
     middle = np.flatnonzero((kind == FLAT) | ((kind == CONVEX) & (step > 0) & ~final))
     w1, w2, w3, reach = np.ones(len(at)), np.zeros(len(at)), np.zeros(len(at)), np.full(len(at), float(radius))
-    theta = np.maximum(junctions.theta.take(at[middle]), np.finfo(float).tiny)
-    half = 0.5 * theta / np.where(kind[middle] == FLAT, 1, junctions.arcs.take(at[middle]))
-    w1[middle], w2[middle], w3[middle] = arc_weights(theta, np.maximum(2 * step[middle] - 1, 1) * half)
-    reach[middle] = radius / np.cos(half)
+    wide = junctions.wide.take(at[middle])
+    w1[middle] = w2[middle] = 1.0 / np.maximum(wide, BROAD)  # the unit mean normal: theta is all one sub-step
+    reach[middle] = 2.0 * radius * w1[middle]
+    several = middle[((kind[middle] != FLAT) & (junctions.arcs.take(at[middle]) > 1)) | (wide < BROAD)]
+    theta = junctions.theta(at[several])
+    half = 0.5 * theta / np.where(kind[several] == FLAT, 1, junctions.arcs.take(at[several]))
+    w1[several], w2[several], w3[several] = arc_weights(theta, np.maximum(2 * step[several] - 1, 1) * half)
+    reach[several] = radius / np.cos(half)
     shift = np.where(step > 0, junctions.trim_start.take(at), junctions.trim_end.take(at))
     base = np.where(final, 2 * after, 2 * before + 1)
     return Rows(base, after, before, after, w1, w2, w3, reach, shift, step > 0, np.empty(0, np.int64), np.empty((3, 0)))

@@ -43,15 +43,19 @@ def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools 
     if not len(tight):
         place = _places(segments, junctions.rows)
         found, trimmed = _easy(segments, junctions, _near(segments, None, cut), place, radius), None
+        if cut is None:
+            return Closed(found.rows, None, None)
+        order = np.arange(len(found.number))
     else:
         is_tight = np.isin(segments.line, tight)
         trimmed = trim_polylines(segments, junctions, np.flatnonzero(is_tight), radius, tolerance)
         place = _places(segments, np.where(is_tight, 0, junctions.rows), is_tight[segments.first], trimmed.line)
         easy = _easy(segments, junctions, _near(segments, is_tight, cut), place, radius)
-        found = _merged(easy, _numbered(segments, place, trimmed))
+        found = _joined(easy, _numbered(segments, place, trimmed))
+        order = np.argsort(found.number, kind="stable")
     if cut is None:
-        return Closed(found.rows, None, trimmed)
-    return Closed(*_lasting(found, cut), trimmed)
+        return Closed(_picked(found.rows, order), None, trimmed)
+    return Closed(*_lasting(found, order, cut), trimmed)
 
 
 def _places(segments: Segments, count: Ints, tight: Bools | None = None, line: Ints | None = None) -> Ints:
@@ -105,13 +109,11 @@ def _numbered(segments: Segments, place: Ints, trimmed: Trimmed) -> _Numbered:
     return _Numbered(np.arange(len(line)) + np.repeat(shift, np.diff(start, append=len(line))), line, trimmed.rows)
 
 
-def _merged(one: _Numbered, two: _Numbered) -> _Numbered:
-    """The rows of both in the order of their numbers."""
+def _joined(one: _Numbered, two: _Numbered) -> _Numbered:
+    """The rows of one and then those of the other."""
     number, line = np.concatenate([one.number, two.number]), np.concatenate([one.line, two.line])
     columns = {name: np.concatenate([getattr(one.rows, name), getattr(two.rows, name)]) for name in Rows._fields[:-2]}
-    both = Rows(**columns, lifted=two.rows.lifted + len(one.number), centre=two.rows.centre)
-    order = np.argsort(number, kind="stable")
-    return _Numbered(number[order], line[order], _picked(both, order))
+    return _Numbered(number, line, Rows(**columns, lifted=two.rows.lifted + len(one.number), centre=two.rows.centre))
 
 
 def _picked(rows: Rows, index: Ints) -> Rows:
@@ -125,13 +127,13 @@ def _picked(rows: Rows, index: Ints) -> Rows:
     return picked._replace(lifted=lifted[lifted >= 0], centre=rows.centre[:, lifted >= 0])
 
 
-def _lasting(found: _Numbered, cut: Bools) -> tuple[Rows, Bools]:
-    """The rows that stand over what is cut and have a neighbour, and which of them begin a polyline. The segments on their sides
-    become ones that are cut."""
+def _lasting(found: _Numbered, order: Ints, cut: Bools) -> tuple[Rows, Bools]:
+    """The rows, in that ``order``, that stand over what is cut and have a neighbour, and which of them begin a polyline. The
+    segments on their sides become ones that are cut."""
     rows = found.rows
     left, right = cut.take(rows.left), cut.take(rows.right)
     between = (left != right) & ((rows.w2 != 0.0) | (rows.w3 != 0.0))  # on its way round an edge to a left-out facet
-    kept = np.flatnonzero(cut.take(rows.base >> 1) & ~between)
+    kept = order[(cut.take(rows.base >> 1) & ~between).take(order)]
     begins = row_begins(found.number.take(kept), found.line.take(kept))
     size = np.diff(np.flatnonzero(begins), append=len(kept))
     lasting = np.repeat(size > 1, size)

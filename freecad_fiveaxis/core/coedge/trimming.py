@@ -83,10 +83,10 @@ def _meets(chords: Chords, one: Ints, two: Ints, end: Floats, sense: float) -> F
     lies on the plane or above, or where the line comes up to it; nowhere (infinite) where the two planes face each other and
     the line stays below."""
     tip = place_on(chords, one, end)
-    height = dot(chords.normal[:, two], tip - chords.origin[:, two])
-    falls = -sense * dot(chords.along[:, one], chords.normal[:, two])
+    height = dot(chords.normal.take(two, axis=1), tip - chords.origin.take(two, axis=1))
+    falls = -sense * dot(chords.along.take(one, axis=1), chords.normal.take(two, axis=1))
     below, down = height < -SAME, falls > GRAZING
-    faces = dot(chords.normal[:, one], chords.normal[:, two]) < 0.0
+    faces = dot(chords.normal.take(one, axis=1), chords.normal.take(two, axis=1)) < 0.0
     place = np.where(below & down, end + sense * height / np.where(down, falls, 1.0), end)
     return np.where(below & ~down & faces, -sense * np.inf, place)
 
@@ -152,7 +152,7 @@ def _rows(chords: Chords, segments: Segments, junctions: Junctions) -> tuple[Row
     at, t, real = chords.at[spot.chord], spot.t, chords.real[spot.chord]
     segment, nxt = segments.live[at], segments.following[at]
     far = segments.live[np.where(nxt < 0, at, nxt)]
-    theta = np.maximum(junctions.theta[at], np.finfo(float).tiny)
+    theta = np.maximum(junctions.theta(at), np.finfo(float).tiny)
     angle = np.where(real, 0.0, chords.angle[spot.chord] + np.arctan2(t, radius))
     w1, w2, w3 = arc_weights(theta, np.where(spot.flat, 0.5 * theta, angle))
     w1 = np.where(real & ~spot.flat, 1.0, w1)
@@ -184,7 +184,8 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions) -> _Spot:
     stop, go = place_on(chords, one, chords.stop[one]), place_on(chords, two, chords.start[two])
     apart = crosses & (np.abs(stop - go).max(axis=0) >= SAME)
     dips = np.minimum(height_above(chords, two, stop), height_above(chords, one, go)) < -FLAT_GAP
-    dips &= dot(chords.normal[:, one], chords.normal[:, two]) > 0.0  # nothing is above two planes that face each other
+    facing = dot(chords.normal.take(one, axis=1), chords.normal.take(two, axis=1))
+    dips &= facing > 0.0  # nothing is above two planes that face each other
     first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
     last = np.append(first[1:], len(one))[: len(first)] - 1
     used = np.stack([np.zeros(len(one), bool), yes, apart & dips, apart], axis=1)
@@ -207,10 +208,10 @@ def _lifted(chords: Chords, one: Ints, two: Ints) -> Floats:
     """Half-way from the end of chord ``one`` to the start of chord ``two``, moved out along the mean normal until it is
     above the planes of both (between the two ends of a convex junction: the paper's p + R m)."""
     middle = 0.5 * (place_on(chords, one, chords.stop[one]) + place_on(chords, two, chords.start[two]))
-    mean = chords.normal[:, one] + chords.normal[:, two]
+    mean = chords.normal.take(one, axis=1) + chords.normal.take(two, axis=1)
     mean /= np.sqrt(dot(mean, mean))
     low = np.minimum(height_above(chords, one, middle), height_above(chords, two, middle))
-    return np.asarray(middle - low / dot(mean, chords.normal[:, one]) * mean)
+    return np.asarray(middle - low / dot(mean, chords.normal.take(one, axis=1)) * mean)
 
 
 def _real_sides(chords: Chords, segments: Segments, one: Ints, opened: Bools) -> tuple[Ints, Ints]:
@@ -273,7 +274,7 @@ def _to_segment(chords: Chords, segments: Segments, chord: Ints, place: Floats) 
 
 def _to_chord(chords: Chords, chord: Ints, place: Floats) -> Floats:
     """From ``place`` (3, c) to the nearest point of what is left of chords, (c,) mm."""
-    along, off = chords.along[:, chord], place - chords.origin[:, chord]
+    along, off = chords.along.take(chord, axis=1), place - chords.origin.take(chord, axis=1)
     return _length(off - np.clip(dot(off, along), chords.start[chord], chords.stop[chord]) * along)
 
 
