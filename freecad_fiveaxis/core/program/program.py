@@ -127,18 +127,15 @@ def _guided(joints: JointPath, row: Ints, said: Floats, links: Chain, guide: Gui
 
 def _round_words(q: Floats, dialect: Dialect) -> tuple[Floats, Ints]:
     """Words (m, 5) mm and degrees, the doubles nearest to what is printed, of the rows that move; and these rows (m,)."""
-    words, kept, count = empty_rows(len(q), 5), [np.empty(0, np.int64)], 0
-    before = np.full(5, np.nan)  # equals nothing: row 0 is never left out
+    words, moves = empty_rows(len(q), 5), np.zeros(len(q), np.bool_)
+    moves[:1] = True
     for rows in chunks(len(q)):
-        part = np.empty((5, rows.stop - rows.start + 1))
-        part[:, 0] = before
+        since = slice(max(rows.start, 1), rows.stop)
         for k in range(5):
-            part[k, 1:] = rounded(q[rows, k] if k < 3 else np.degrees(q[rows, k]), dialect.decimals(k))
-        moving = np.flatnonzero((part[:, 1:] != part[:, :-1]).any(axis=0))
-        words[count : count + len(moving)] = part.take(moving + 1, axis=1).T
-        kept.append(rows.start + moving)
-        before, count = part[:, -1], count + len(moving)
-    return words[:count], np.concatenate(kept)
+            words[rows, k] = rounded(q[rows, k] if k < 3 else np.degrees(q[rows, k]), dialect.decimals(k))
+            moves[since] |= words[since, k] != words[since.start - 1 : since.stop - 1, k]
+    row = np.flatnonzero(moves)
+    return (words if len(row) == len(q) else picked(words, row)), row
 
 
 def _check_feeds(row: Ints, motion: Bytes, tip_feed: Floats) -> None:
