@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.linearize import linearize
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.minimax import minimax_axes
-from freecad_fiveaxis.core.nc_reader import read_nc
+from freecad_fiveaxis.core.nc_reader import dialect_of_text, read_nc
 from freecad_fiveaxis.core.passes import ContactPath, place_planes, reachable_facets, slice_mesh
 from freecad_fiveaxis.core.program import Program, block_findings, build_program
 from freecad_fiveaxis.core.report import Figures, as_html, as_json, as_text, blocks_csv, judge, rates_csv
@@ -108,8 +108,10 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
         return mill(settings, mesh, machine, links, dialect, progress, faces)
     if settings.task == POST:
         return post(settings, machine, links, dialect, progress)
-    program = read_nc(read_bytes(settings.source, "NC file"), links, dialect, progress)
-    return Made(settings, machine, links, dialect, program, program.findings)
+    text = read_bytes(settings.source, "NC file")
+    dialect, found = (dialect, ()) if settings.machine.controller else dialect_of_text(text, dialect)
+    program = read_nc(text, links, dialect, progress)
+    return Made(settings, machine, links, dialect, program, found + program.findings)
 
 
 def _told(settings: Settings, dialect: Dialect) -> Dialect:

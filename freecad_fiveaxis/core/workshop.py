@@ -14,7 +14,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, save_machine
-from freecad_fiveaxis.core.nc_reader import read_nc
+from freecad_fiveaxis.core.nc_reader import dialect_of_text, read_nc
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.prove_signs import Plan, Wishes, make_plan, proof_nc, proof_program, sheet_html, sheet_json, sheet_text
 from freecad_fiveaxis.core.recover import (
@@ -84,11 +84,12 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     start, setup = _start(settings)
     path = read_apt(apt, settings.feeds.feed, progress)
     dialect = find_dialect(settings.machine.controller or (start.controller if start else "") or DEFAULT_CONTROLLER)
+    dialect, read_as = (dialect, ()) if settings.machine.controller else dialect_of_text(nc, dialect)
     program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress)
     found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)
     told = recovery_findings(found, settings.recover.certainty)
     machine = replace(found.machine, controller=dialect.name, description=_description(settings, found))
-    found = replace(found, machine=machine, findings=path.findings + program.findings + told)
+    found = replace(found, machine=machine, findings=path.findings + read_as + program.findings + told)
     return Recovered(settings, found, found.findings)
 
 

@@ -7,14 +7,17 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from setup_examples import milled
 from test_nc_reader import LINKS
 
+from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
 from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc_reader import read_nc
 from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.settings import build_settings
 
 LANGUAGES = ("linuxcnc", "siemens840d", "heidenhain")
 
@@ -190,6 +193,19 @@ def test_a_text_of_another_language_than_told_is_read_in_its_own_and_said():
     program = read(H_HEAD + "2 L X+1 F100\n", "linuxcnc")
     assert program.words[1, 0] == 1 and codes_of(program) == ["other-language"]
     assert "other-language" in codes_of(read("G710 G90 F9\nTRAORI\nG1 X1 Y0 Z0 A0 C0\n", "fanuc"))
+
+
+@pytest.mark.parametrize("controller, name", [("heidenhain_m128", "heidenhain"), ("siemens840d", "siemens840d"), ("fanuc", "")])
+def test_a_text_whose_controller_nobody_has_said_is_taken_as_its_own_signs_say(controller, name, tmp_path):
+    posted = milled("trunnion_ac", controller=controller, feed_mode="g94", stepover=12.0, rings=6)
+    (tmp_path / "a.nc").write_bytes(posted.nc)
+    by_text, by_name = (
+        job.run(build_settings("audit", str(tmp_path / "a.nc"), {"machine": "trunnion_ac"} | more))
+        for more in ({}, {"controller": controller})
+    )
+    assert by_text.made.dialect.name == (name or "linuxcnc")  # a Fanuc program shows nothing that others have not
+    assert ("read-as" in [finding.code for finding in by_text.findings]) == bool(name)
+    assert np.array_equal(by_text.made.program.seconds, by_name.made.program.seconds) == bool(name), "what F means"
 
 
 EXAMPLES = {

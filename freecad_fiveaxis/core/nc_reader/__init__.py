@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """NC text of any origin in."""
 
-from .nc_reader import read_nc
+from .nc_reader import dialect_of_text, read_nc
 
-__all__ = ["read_nc"]
+__all__ = ["dialect_of_text", "read_nc"]

@@ -45,6 +45,12 @@ def language_finding(language: str, told: str) -> tuple[Finding, ...]:
     return (Finding(Severity.NOTE, "other-language", text),)
 
 
+def read_as_finding(language: str, controller: str) -> Finding:
+    """What a text was taken for that nobody has said the controller of."""
+    text = f"The text is {NAMES[language]}; it is read as a program of {controller}. If it is for another, give its --controller."
+    return Finding(Severity.NOTE, "read-as", text)
+
+
 def code_findings(words: Words, grammar: Grammar) -> list[Finding]:
     """The codes that are not interpreted, each with its first line and its count."""
     found = []

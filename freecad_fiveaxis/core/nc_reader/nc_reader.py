@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.post.dialect import Dialect, feed_distance
 from freecad_fiveaxis.core.program import Guided, Program, rapid_minutes
 from freecad_fiveaxis.core.program.wrapping import wraps_of
@@ -29,7 +30,15 @@ from . import codes
 from .arcs import Arcs, Chords, chorded
 from .codes import GRAMMARS, Grammar
 from .feeds import feeds
-from .findings import code_findings, guide_findings, language_finding, start_findings, up_to_end, word_findings
+from .findings import (
+    code_findings,
+    guide_findings,
+    language_finding,
+    read_as_finding,
+    start_findings,
+    up_to_end,
+    word_findings,
+)
 from .lines import Lines, last_of
 from .positions import INCH, Moves, axis_words, moves, tool_axes, where_axes_stand
 from .words import language_of, read_words
@@ -65,6 +74,16 @@ def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress:
     findings += tuple(start_findings(links.letters, told_moves, mode[at], lines, grammar))
     program = _program(links, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect)
     return replace(program, findings=findings + guide_findings(program, told_moves), wrap=wrap)
+
+
+def dialect_of_text(text: bytes, usual: Dialect) -> tuple[Dialect, tuple[Finding, ...]]:
+    """Whose program a text is, where nobody has said the controller: ``usual``'s, or by the text's own signs that of the first
+    dialect in that language, with a note."""
+    language = language_of(text, usual.language)
+    if language == usual.language:
+        return usual, ()
+    dialect = next(one for one in DIALECTS.values() if one.language == language)
+    return dialect, (read_as_finding(language, dialect.name),)
 
 
 def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
