@@ -108,3 +108,12 @@ def machine_files() -> str:
 def any_file(leaf: Any) -> FileField:
     """The field of an option that names a file to read, of which no more is known than its help."""
     return FileField(leaf.name, translate("FiveAxis", "Choose a file"), all_files(), option_hint(leaf))
+
+
+def new_machine() -> SaveField:
+    """The field of a machine file to write, which is never one that is there."""
+    return SaveField(
+        "machine_file", translate("FiveAxis", "The machine file to write"), machine_files(),
+        translate("FiveAxis", "In the folder that is proposed it stands in every list of machines from then on."),
+        translate("FiveAxis", "Name the machine file."), (".fcm",), new=True,
+    )  # fmt: skip

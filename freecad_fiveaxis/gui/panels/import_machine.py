@@ -10,7 +10,7 @@ from typing import Any
 from freecad_fiveaxis.gui.qt import translate
 
 from . import told
-from .files import FileField, SaveField, all_files, machine_files
+from .files import FileField, all_files, new_machine
 from .form import Form
 from .work_panel import WorkPanel, open_panel
 
@@ -32,11 +32,7 @@ class ImportPanel(WorkPanel):
             translate("FiveAxis", "LinuxCNC's .ini with trt kinematics, or a .fcm of FreeCAD's Machine editor"),
             translate("FiveAxis", "Choose the file to import."),
         )  # fmt: skip
-        self.target = SaveField(
-            "machine_file", translate("FiveAxis", "The machine file to write"), machine_files(),
-            translate("FiveAxis", "In the folder that is proposed it stands in every list of machines from then on."),
-            translate("FiveAxis", "Name the machine file."), (".fcm",), new=True,
-        )  # fmt: skip
+        self.target = new_machine()
         sections = [("files", translate("FiveAxis", "Files"), ["source", "machine_file"])]
         super().__init__(
             translate("FiveAxis", "Import a machine"), FilesForm("import-machine", None, sections, [self.source, self.target])

@@ -9,7 +9,7 @@ from typing import Any
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 from . import told
-from .files import FileField, SaveField, cl_files, machine_files
+from .files import FileField, cl_files, new_machine
 from .form import Form
 from .post import nc_files
 from .setup import ask_file, write_asking
@@ -30,11 +30,7 @@ class RecoverPanel(WorkPanel):
             translate("FiveAxis", "The program that was made of the CL file, without tool centre point control"),
             translate("FiveAxis", "Choose the NC file that was made of it."),
         )  # fmt: skip
-        self.target = SaveField(
-            "machine_file", translate("FiveAxis", "The machine file to write"), machine_files(),
-            translate("FiveAxis", "In the folder that is proposed it stands in every list of machines from then on."),
-            translate("FiveAxis", "Name the machine file."), (".fcm",), new=True,
-        )  # fmt: skip
+        self.target = new_machine()
         self.save_button = QtWidgets.QPushButton(translate("FiveAxis", "Save the report…"))
         self.save_button.setObjectName("page")
         form = Form("recover", None, _sections(), [self.cl_file, self.program, self.target])
