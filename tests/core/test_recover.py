@@ -326,3 +326,10 @@ def test_a_recovered_machine_needs_no_start_to_be_saved(tmp_path):
     save_machine(found.machine, tmp_path / "a.fcm")
     assert load_machine(tmp_path / "a.fcm").axes == found.machine.axes
     assert "limits-unknown" in codes(found)
+
+
+@pytest.mark.parametrize(("start", "of"), [("fork_head_bc", None), ("trunnion_ac", "Limits of B are left open")])
+def test_of_a_machine_that_has_other_letters_no_limits_are_known(start, of):
+    found = recover(*posted("head_b_table_c")[:2], start=load_machine(start), setup=Setup())
+    said = [finding.text for finding in recovery_findings(found, 0.01) if finding.code == "limits-unknown"]
+    assert [text for text in said if of and of in text] == said and bool(said) == bool(of)

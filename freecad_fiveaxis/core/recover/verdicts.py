@@ -178,9 +178,11 @@ def _effect(found: Recovery) -> str:
 
 
 def _assumed(found: Recovery) -> Iterator[Finding]:
-    if found.start is None:
+    known = () if found.start is None else tuple(axis.letter for axis in found.start.axes)
+    if unknown := [axis.letter for axis in found.machine.axes if axis.letter not in known]:
+        of = f" of {', '.join(unknown)}" if known else ""
         text = (
-            "Limits are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct "
+            f"Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct "
             "them from the machine's data sheet."
         )
         yield Finding(Severity.NOTE, "limits-unknown", text)
