@@ -195,6 +195,7 @@ def test_an_unknown_cure_is_named_with_those_that_there_are():
         cures(milled(**COARSE), ["none", "magic"])
 
 
+@pytest.mark.slow
 def test_a_new_line_in_the_table_of_cures_is_compared(monkeypatch):
     monkeypatch.setattr(cure_table, "CURES", {**CURES, "halved": lambda made: halved})
     settings = build_settings("compare", "cap.stl", {"machines": "trunnion_ac", "stepover": 12.0})

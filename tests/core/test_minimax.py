@@ -77,6 +77,7 @@ def test_on_the_part_of_233_facets_at_least_5_times_smaller(depth):
     assert cases.ratio(cases.part(parts.PART, "table_ab", depth)) > 5.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("depth", DEPTHS)
 def test_by_the_pole_at_least_10_times_smaller(depth):
     assert cases.ratio(cases.part(parts.PART, "trunnion_ac", depth)) > 10.0

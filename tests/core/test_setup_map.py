@@ -77,6 +77,7 @@ def test_the_rotary_centre_is_found_for_a_spherical_part(machine):
     assert found.least <= at_centre
 
 
+@pytest.mark.slow
 def test_the_map_agrees_with_a_full_run_at_20_random_setups():
     made, rng = milled(**COARSE), np.random.default_rng(4)
     low = rng.uniform(-200.0, 0.0, 3)
