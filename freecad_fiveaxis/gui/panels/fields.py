@@ -22,6 +22,10 @@ UNITS = {"length": ("mm", "Length"), "angle": ("deg", "Angle")}
 SHOWN = {"Precision": 6, "NumberFormat": "g", "Denominator": 8}
 """Six digits, so that 0.01 mm in inches does not read 0.00 in."""
 
+FLAGS, CHOSEN = int(QtCore.Qt.UserRole) - 1, 33
+"""The role under which a list's items keep their flags (as QStandardItem.setFlags does), and those of one that can be chosen:
+selectable (1) and enabled (32)."""
+
 
 class Field(QtCore.QObject):
     """An editor and a line for its error. ``edited`` tells that the user, or a program, changed the value."""
@@ -133,8 +137,10 @@ class ChoiceField(Field):
 
     def offer(self, unknown: Collection[Any]) -> None:
         """These values cannot be chosen for now, all others can."""
+        model = self.editor.model()  # by indexes: PySide keeps what it hands out of Qt's own items longer than Qt has them
         for at in range(self.editor.count()):
-            self.editor.model().item(at).setEnabled(self.editor.itemData(at) not in unknown)
+            on = self.editor.itemData(at) not in unknown
+            model.setData(model.index(at, 0), CHOSEN if on else 0, FLAGS)
 
     def value(self) -> Any:
         """The value of the chosen item."""
