@@ -120,7 +120,7 @@ class Form(QtCore.QObject):
         named = {name for _, _, names in sections for name in names}
         rest = [name for name in self.fields if name not in named]
         if rest:
-            column.addWidget(self._folded(self._box(MORE, translate("FiveAxis", "More settings"), rest)))
+            column.addWidget(self._folded(self._box(MORE, translate("FiveAxis", "More settings"), rest), rest))
 
     def _box(self, name: str, title: str, names: Sequence[str]) -> Any:
         box = QtWidgets.QGroupBox(title)
@@ -153,14 +153,14 @@ class Form(QtCore.QObject):
         grid.addWidget(field.error, row + 1, 0, 1, 3)
         grid.addWidget(field.note, row + 2, 0, 1, 3)
 
-    def _folded(self, box: Any) -> Any:
-        """A box that opens when its title is ticked."""
+    def _folded(self, box: Any, names: Sequence[str]) -> Any:
+        """A box with the fields ``names`` that opens when its title is ticked."""
         box.setCheckable(True)
-        inner = [box.layout().itemAt(at).widget() for at in range(box.layout().count())]
-        labels = [widget for widget in inner if not widget.objectName().endswith(("_error", "_note"))]
+        beside = [self.fields[name].browse for name in names if hasattr(self.fields[name], "browse")]
+        inner = [widget for name in names for widget in self.rows[name]] + beside
 
         def fold(opened: bool) -> None:
-            for widget in labels:
+            for widget in inner:
                 widget.setVisible(opened)
 
         box.toggled.connect(fold)
