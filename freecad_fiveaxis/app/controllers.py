@@ -6,9 +6,9 @@ from __future__ import annotations
 from typing import Any
 
 from freecad_fiveaxis.core.errors import FiveAxisError
-from freecad_fiveaxis.core.job import DEFAULT_CONTROLLER
+from freecad_fiveaxis.core.job import dialect_for
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.post import Dialect, find_dialect
+from freecad_fiveaxis.core.post import Dialect
 
 from .properties import MACHINES_OWN
 
@@ -19,7 +19,7 @@ SUFFIX = ".ngc"
 def dialect_of(controller: str | None, machine: str | None) -> Dialect | None:
     """The core's table of a controller, or of the machine's own; None where the machine cannot be used."""
     try:
-        return find_dialect(controller or (load_machine(machine).controller if machine else "") or DEFAULT_CONTROLLER)
+        return dialect_for(controller, load_machine(machine) if machine and not controller else None)
     except FiveAxisError:
         return None  # whoever uses the machine tells why it cannot be used
 

@@ -19,9 +19,10 @@ import numpy as np
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.option_values import read_option
 from freecad_fiveaxis.core.records import Bools
 from freecad_fiveaxis.core.report import Figures, summary, verdict
-from freecad_fiveaxis.core.settings import Settings, build_settings, read_option
+from freecad_fiveaxis.core.settings import Settings, build_settings
 
 from .properties import MACHINES_OWN, RESULTS, default_value, property_name, property_value, shown_options
 from .selection import check_mesh, holder_of

@@ -332,11 +332,16 @@ def _machine(settings: Settings) -> tuple[Machine, Chain, Dialect]:
     return machine, chain(machine, setup), dialect
 
 
+def dialect_for(controller: str | None, machine: Machine | None) -> Dialect:
+    """The dialect of the controller that is named, else of the machine's own, else the usual one. Raises SettingsError."""
+    return find_dialect(controller or (machine.controller if machine else "") or DEFAULT_CONTROLLER)
+
+
 def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
     """The machine, where the part stands on it, and its dialect."""
     given = settings.machine
     machine = load_machine(given.machine)
-    dialect = find_dialect(given.controller or machine.controller or DEFAULT_CONTROLLER)
+    dialect = dialect_for(given.controller, machine)
     if given.tool_length is None and machine.has_head:
         raise SettingsError(f"machine {machine.name} has a rotary head: give --tool-length, gauge point to tip", None)
     length = given.tool_length or 0.0

@@ -23,10 +23,9 @@ from freecad_fiveaxis.core.deform import LARGEST_CHANGE, LEAST_CHANGE
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.minimax import LEAST_TILT, MOST_TILT
 
-from . import quantity
-from .cutter import Cutter, parse_cutter
+from .cutter import Cutter
 from .errors import SettingsError
-from .files import is_name
+from .option_values import read_option, read_text, write_option
 
 MILL, POST, AUDIT, SETUP, COMPARE = "mill", "post", "audit", "setup", "compare"
 RECOVER, PROVE = "recover", "prove-signs"
@@ -58,7 +57,7 @@ def option(
     above: float = -math.inf,
     bare: str = "",
 ) -> Any:
-    """A field of a settings dataclass. ``kind`` is one of the keys of ``READERS``; the range is in the core's units.
+    """A field of a settings dataclass. ``kind``: how it is read, see :mod:`.option_values`; the range is in the core's units.
     ``bare``: what the option means on the command line without a value, and as ``true`` in a job file."""
     metadata = {"kind": kind, "text": text, "tasks": tasks, "choices": choices, "least": least, "most": most, "above": above}
     return field(default=default, metadata=metadata | {"bare": bare})
@@ -340,7 +339,7 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
     Raises SettingsError for an unknown option, a value out of range, or a contradiction.
     """
     if task not in WITHOUT_SOURCE:
-        _text(source, "source")
+        read_text(source, "source")
     known = {leaf.name for _, leaf in option_fields(task)}
     for name in options:
         if name not in known:
@@ -383,101 +382,13 @@ def _check_together(settings: Settings) -> None:
             raise SettingsError(f"{name} {lean:g} deg leaves minimax no choice; leave it out, or choose facet_mean", lean)
 
 
-def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
-    """One value from its text (or JSON value), checked against its choices and range."""
-    name, rules = leaf.name.replace("_", "-"), leaf.metadata
-    if rules["bare"] and isinstance(given, bool):
-        given = rules["bare"] if given else leaf.default
-    if rules["choices"] and given not in rules["choices"]:
-        raise SettingsError(f"{name} {given!r} is not one of {', '.join(rules['choices'])}", given)
-    try:
-        value = READERS[rules["kind"]](given, name)
-    except TypeError as error:
-        raise SettingsError(f"{name} {given!r} is not of the right kind", given) from error
-    numbers = [number for number in (value if isinstance(value, tuple) else (value,)) if isinstance(number, float)]
-    if not all(rules["least"] <= number <= rules["most"] and number > rules["above"] for number in numbers):
-        raise SettingsError(f"{name} {given} is out of range; {_range_text(rules)}", given)
-    return value
-
-
-def _range_text(rules: Mapping[str, Any]) -> str:
-    factor, unit = 180 / math.pi if rules["kind"] == "angle" else 1.0, UNITS.get(rules["kind"], "")
-    parts = [(rules["above"], "above"), (rules["least"], "at least"), (rules["most"], "at most")]
-    bounds = [f"{word} {bound * factor:.7g}{unit}" for bound, word in parts if math.isfinite(bound)]
-    return (
-        f"{'each of its numbers' if rules['kind'] in ('point', 'lengths', 'vector', 'counts') else 'it'} must be "
-        + " and ".join(bounds)
-    )
-
-
-UNITS = {"length": " mm", "lengths": " mm", "point": " mm", "angle": " deg", "feed": " mm/min"}
-
-
-def _text(given: Any, name: str) -> str:
-    if not isinstance(given, str) or not given:
-        raise SettingsError(f"{name} {given!r} is not a text", given)
-    if not is_name(given):
-        raise SettingsError(f"{name} {given!r} holds a character that no name can have; give another", given)
-    return given
-
-
-def _count(given: Any, name: str) -> float:
-    value = quantity.parse(given, quantity.NUMBERS, name)
-    if value != int(value):
-        raise SettingsError(f"{name} {given!r} is not a whole number", given)
-    return value
-
-
-def _counts(given: Any, name: str) -> Vector:
-    x, y, z = quantity.parse_triple(given, quantity.NUMBERS, name)
-    return _count(x, name), _count(y, name), _count(z, name)
-
-
-def _names(given: Any, name: str) -> tuple[str, ...]:
-    parts = [part.strip() for item in _paths(given, name) for part in item.split(",")]
-    return tuple(dict.fromkeys(_text(part, name) for part in parts))
-
-
-def _paths(given: Any, name: str) -> tuple[str, ...]:
-    return tuple(_text(item, name) for item in ([given] if isinstance(given, str) else given))
-
-
-READERS: dict[str, Any] = {
-    "length": quantity.parse_length,
-    "angle": quantity.parse_angle,
-    "feed": quantity.parse_feed,
-    "point": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),
-    "lengths": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),
-    "vector": lambda given, name: quantity.parse_triple(given, quantity.NUMBERS, name),
-    "cutter": lambda given, name: given if isinstance(given, Cutter) else parse_cutter(given),
-    "number": lambda given, name: quantity.parse(given, quantity.NUMBERS, name),
-    "count": _count,
-    "counts": _counts,
-    "text": _text,
-    "choice": _text,
-    "path": _text,
-    "paths": _paths,
-    "names": _names,
-}
-
-
 def flat_options(settings: Settings) -> dict[str, Any]:
     """The options that the task uses, as a job file would hold them (degrees, mm), defaults included."""
     values = {}
     for cls, leaf in option_fields(settings.task):
         holder = next(getattr(settings, top.name) for top in fields(Settings) if top.metadata.get("group") is cls)
-        values[leaf.name] = _written(leaf, getattr(holder, leaf.name))
+        values[leaf.name] = write_option(leaf, getattr(holder, leaf.name))
     return {"task": settings.task, "source": settings.source, **values}
-
-
-def _written(leaf: dataclasses.Field[Any], value: Any) -> Any:
-    if isinstance(value, Cutter):
-        return f"ball:{value.diameter!r}:{value.length!r}"
-    if leaf.metadata["kind"] == "angle" and value is not None:
-        return round(math.degrees(value), 12)
-    if value == "":
-        return None  # an option that is left out
-    return list(value) if isinstance(value, tuple) else value
 
 
 def is_part(against: str) -> bool:

@@ -32,8 +32,8 @@ from .apt import read_apt
 from .errors import FileError, SettingsError
 from .files import check_readable, read_bytes, write_whole
 from .findings import Finding
-from .job import DEFAULT_CONTROLLER, clamped
-from .post import PostOptions, find_dialect
+from .job import clamped, dialect_for
+from .post import PostOptions
 from .progress import Progress, silent
 from .settings import PROVE, RECOVER, Settings, flat_options
 
@@ -83,7 +83,7 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     apt, nc = read_bytes(settings.source, "CL file"), read_bytes(settings.recover.program, "NC file")
     start, setup = _start(settings)
     path = read_apt(apt, settings.feeds.feed, progress)
-    dialect = find_dialect(settings.machine.controller or (start.controller if start else "") or DEFAULT_CONTROLLER)
+    dialect = dialect_for(settings.machine.controller, start)
     dialect, read_as = (dialect, ()) if settings.machine.controller else dialect_of_text(nc, dialect)
     program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress)
     found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)

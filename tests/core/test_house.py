@@ -17,7 +17,7 @@ STREET = [  # rooms and single modules of the core; imports only point up this l
     "errors", "findings", "records", "progress", "quantity", "files", "number_text", "machine", "kinematics", "mesh",
     "passes", "cutter", "coedge", "tool_axis", "feasible", "cl_path", "apt", "trajectory", "deviation", "joint_path", "minimax",
     "deform", "singularity", "post", "machine_import", "linearize", "program", "nc_reader", "audit", "report", "setup_map", "compare",
-    "recover", "prove_signs", "playback", "settings", "job", "cures", "trials", "workshop", "memory", "terminal", "cli",
+    "recover", "prove_signs", "playback", "option_values", "settings", "job", "cures", "trials", "workshop", "memory", "terminal", "cli",
 ]  # fmt: skip
 LATE = {"post/writer.py": "program"}  # a file that stands further down the street than its room
 

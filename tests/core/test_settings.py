@@ -5,7 +5,8 @@ import math
 import pytest
 
 from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.settings import READERS, TASKS, Settings, build_settings, flat_options, option_fields
+from freecad_fiveaxis.core.option_values import READERS
+from freecad_fiveaxis.core.settings import TASKS, Settings, build_settings, flat_options, option_fields
 
 
 def mill(**options):

@@ -284,7 +284,7 @@ class Form(QtCore.QObject):
     def _try(self, name: str, options: Mapping[str, Any]) -> None:
         from freecad_fiveaxis.core.errors import SettingsError
         from freecad_fiveaxis.core.machine import load_machine
-        from freecad_fiveaxis.core.settings import read_option
+        from freecad_fiveaxis.core.option_values import read_option
 
         for given in SpacingField.KINDS if name == SPACING else (name,):
             if given in options and given in self.leaves:

@@ -47,6 +47,11 @@ def _controllers() -> dict[str, str]:
 
 
 def _options() -> dict[str, str]:
+    return _of_programs() | _of_machines_and_places()
+
+
+def _of_programs() -> dict[str, str]:
+    """Options of making and proving a program."""
     return {
         "direction": translate("FiveAxis", "Direction of passes"),
         "scallop": translate("FiveAxis", "Scallop"),
@@ -89,6 +94,12 @@ def _options() -> dict[str, str]:
         "turns": translate("FiveAxis", "Turns of the part"),
         "machines": translate("FiveAxis", "Machines"),
         "cures": translate("FiveAxis", "Cures"),
+    }
+
+
+def _of_machines_and_places() -> dict[str, str]:
+    """Options about a machine itself, and the fields of panels that are no options of the core."""
+    return {
         "program": translate("FiveAxis", "NC file"),
         "machine_file": translate("FiveAxis", "Machine file to write"),
         "certainty": translate("FiveAxis", "Certain within"),

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The value of one option, from what people and job files write and back to that.
+
+kind      of a field of the settings (its metadata ``kind``): how its text is read, and in which unit.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from freecad_fiveaxis.core.machine import Vector
+
+from . import quantity
+from .cutter import Cutter, parse_cutter
+from .errors import SettingsError
+from .files import is_name
+
+UNITS = {"length": " mm", "lengths": " mm", "point": " mm", "angle": " deg", "feed": " mm/min"}
+
+
+def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
+    """One value from its text (or JSON value), checked against its choices and range."""
+    name, rules = leaf.name.replace("_", "-"), leaf.metadata
+    if rules["bare"] and isinstance(given, bool):
+        given = rules["bare"] if given else leaf.default
+    if rules["choices"] and given not in rules["choices"]:
+        raise SettingsError(f"{name} {given!r} is not one of {', '.join(rules['choices'])}", given)
+    try:
+        value = READERS[rules["kind"]](given, name)
+    except TypeError as error:
+        raise SettingsError(f"{name} {given!r} is not of the right kind", given) from error
+    numbers = [number for number in (value if isinstance(value, tuple) else (value,)) if isinstance(number, float)]
+    if not all(rules["least"] <= number <= rules["most"] and number > rules["above"] for number in numbers):
+        raise SettingsError(f"{name} {given} is out of range; {_range_said(rules)}", given)
+    return value
+
+
+def _range_said(rules: Mapping[str, Any]) -> str:
+    factor, unit = 180 / math.pi if rules["kind"] == "angle" else 1.0, UNITS.get(rules["kind"], "")
+    parts = [(rules["above"], "above"), (rules["least"], "at least"), (rules["most"], "at most")]
+    bounds = [f"{word} {bound * factor:.7g}{unit}" for bound, word in parts if math.isfinite(bound)]
+    return (
+        f"{'each of its numbers' if rules['kind'] in ('point', 'lengths', 'vector', 'counts') else 'it'} must be "
+        + " and ".join(bounds)
+    )
+
+
+def read_text(given: Any, name: str) -> str:
+    """A text that can name a file or a thing. Raises SettingsError."""
+    if not isinstance(given, str) or not given:
+        raise SettingsError(f"{name} {given!r} is not a text", given)
+    if not is_name(given):
+        raise SettingsError(f"{name} {given!r} holds a character that no name can have; give another", given)
+    return given
+
+
+def _count(given: Any, name: str) -> float:
+    value = quantity.parse(given, quantity.NUMBERS, name)
+    if value != int(value):
+        raise SettingsError(f"{name} {given!r} is not a whole number", given)
+    return value
+
+
+def _counts(given: Any, name: str) -> Vector:
+    x, y, z = quantity.parse_triple(given, quantity.NUMBERS, name)
+    return _count(x, name), _count(y, name), _count(z, name)
+
+
+def _names(given: Any, name: str) -> tuple[str, ...]:
+    parts = [part.strip() for item in _paths(given, name) for part in item.split(",")]
+    return tuple(dict.fromkeys(read_text(part, name) for part in parts))
+
+
+def _paths(given: Any, name: str) -> tuple[str, ...]:
+    return tuple(read_text(item, name) for item in ([given] if isinstance(given, str) else given))
+
+
+READERS: dict[str, Any] = {
+    "length": quantity.parse_length,
+    "angle": quantity.parse_angle,
+    "feed": quantity.parse_feed,
+    "point": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),
+    "lengths": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),
+    "vector": lambda given, name: quantity.parse_triple(given, quantity.NUMBERS, name),
+    "cutter": lambda given, name: given if isinstance(given, Cutter) else parse_cutter(given),
+    "number": lambda given, name: quantity.parse(given, quantity.NUMBERS, name),
+    "count": _count,
+    "counts": _counts,
+    "text": read_text,
+    "choice": read_text,
+    "path": read_text,
+    "paths": _paths,
+    "names": _names,
+}
+
+
+def write_option(leaf: dataclasses.Field[Any], value: Any) -> Any:
+    """The value as a job file would hold it: degrees, mm, lists; None where the option is left out."""
+    if isinstance(value, Cutter):
+        return f"ball:{value.diameter!r}:{value.length!r}"
+    if leaf.metadata["kind"] == "angle" and value is not None:
+        return round(math.degrees(value), 12)
+    if value == "":
+        return None  # an option that is left out
+    return list(value) if isinstance(value, tuple) else value
