@@ -85,6 +85,8 @@ def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
 def _put(obj: Any, leaf: Any, value: Any) -> None:
     name, kind = property_name(leaf.name), leaf.metadata["kind"]
     if kind == "cutter":
+        if value.ring > 0.0 or value.taper > 0.0:
+            raise SettingsError("document objects have ball cutters only; give another shape on the command line", value)
         obj.CutterDiameter, obj.CutterLength = value.diameter, value.length
         return
     if kind == "point":

@@ -141,6 +141,9 @@ def _metavar(rules: Any) -> str | None:
     return marks.get(rules["kind"], str(rules["kind"]).upper())
 
 
+CUTTERS = "KIND:SIZES, as ball:10, flat:0.5in, bull:10:2 (corner), taperball:6:5deg or taperbull:10:2:5deg; :LENGTH may follow"
+
+
 def _help(leaf: Any) -> str:
     text = str(leaf.metadata["text"]).replace("%", "%%")
     default = leaf.default
@@ -149,7 +152,7 @@ def _help(leaf: Any) -> str:
     if leaf.metadata["kind"] == "angle":
         default = f"{math.degrees(default):g}"
     elif leaf.metadata["kind"] == "cutter":
-        default = f"ball:{default.diameter:g}"
+        text, default = CUTTERS, f"ball:{default.diameter:g}"
     elif isinstance(default, tuple):
         default = ",".join(f"{part:g}" for part in default)
     return f"{text} [{default}]"

@@ -65,8 +65,10 @@ def leading(made: Posted, lead: Lead) -> Cure:
 
 def _to_least_deviation(made: Posted) -> Cure:
     tool, feed, distance = made.settings.tool_axis, made.settings.feeds.feed, reach(made.settings)
+    ring = made.settings.cutter.cutter.ring
     return leading(
-        made, lambda offset, axis, links, progress: minimax_axes(offset, axis, links, distance, tool.max_tilt, feed, progress)
+        made,
+        lambda offset, axis, links, progress: minimax_axes(offset, axis, links, distance, tool.max_tilt, feed, progress, ring),
     )
 
 

@@ -2,6 +2,7 @@
 """What of an offset path the tool can take up once its axis is chosen; the rest is left out, with findings.
 
 leaning in   the axis points below the surface at the contact: the shank would stand in the part.
+flank        the cone of a tapered cutter would stand in the part: the axis leans further from the normal than 90 deg - taper.
 beyond       no branch of the machine takes up the axis within its rotary limits (lead and tilt may lead there, though the
              facet's own normal is within reach).
 """
@@ -27,20 +28,30 @@ _LEANING = (
     "The tool leans into the part over {length:.1f} mm of the passes, the first at {at}; they are left out. Choose another tool "
     "axis, lead or tilt, or cut these places in another set-up."
 )
+_FLANK = (
+    "The flank of the tapered cutter leans into the part over {length:.1f} mm of the passes, the first at {at}; they are left "
+    "out. Choose another tool axis, lead or tilt, or a cutter of less taper."
+)
 _BEYOND = (
     "The tool axis is beyond the rotary limits over {length:.1f} mm of the passes, the first at {at}; they are left out. Use "
     "less lead or tilt, clamp the part in another position, or take another machine."
 )
 
 
-def feasible_rows(path: OffsetPath, axis: Floats, links: Chain) -> tuple[OffsetPath, Floats]:
-    """The rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is left out."""
-    leaning = (path.normal * axis).sum(axis=1) < -LEAN
-    beyond = ~leaning & ~axes_within_limits(links, axis)
-    out = leaning | beyond
+def feasible_rows(path: OffsetPath, axis: Floats, links: Chain, taper: float = 0.0) -> tuple[OffsetPath, Floats]:
+    """The rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is left out. ``taper`` rad of
+    the cutter's flank."""
+    rise = (path.normal * axis).sum(axis=1)
+    leaning = rise < -LEAN
+    flank = ~leaning & (rise < np.sin(taper) - LEAN)
+    beyond = ~(leaning | flank) & ~axes_within_limits(links, axis)
+    out = leaning | flank | beyond
     if not out.any():
         return path, axis
-    found = (_left_out(path, leaning, "axis-into-part", _LEANING), _left_out(path, beyond, "axis-beyond-limits", _BEYOND))
+    found = (
+        _left_out(path, leaning, "axis-into-part", _LEANING), _left_out(path, flank, "flank-into-part", _FLANK),
+        _left_out(path, beyond, "axis-beyond-limits", _BEYOND),
+    )  # fmt: skip
     rows = lasting_rows(path, np.flatnonzero(~out))
     left = take_rows(path, rows)
     findings = path.findings + tuple(finding for finding in found if finding is not None)

@@ -27,16 +27,18 @@ from freecad_fiveaxis.core.passes import ContactPath, place_planes, reachable_fa
 from freecad_fiveaxis.core.program import Program, block_findings, build_program
 from freecad_fiveaxis.core.report import Figures, as_html, as_json, as_text, blocks_csv, judge, rates_csv
 
-from .apt import ClHead, read_cl_file, write_apt
+from .apt import ClHead, cutter_note, read_cl_file, write_apt
+from .cutter import cutter_name
 from .errors import SettingsError
 from .feasible import feasible_rows
 from .files import check_writable, read_bytes, write_whole
-from .findings import Finding, Severity
+from .findings import Finding
 from .post import Dialect, PostOptions, find_dialect
 from .post.head import slot_texts
 from .post.writer import write_nc
 from .progress import Progress, silent
 from .records import Bools, Floats
+from .seating import corner_radius, seated, spacing_radius
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
 from .singularity import Singularity, find_singular, in_cone
 from .tool_axis import AxisOptions, find_strategy, tool_axes
@@ -44,9 +46,6 @@ from .tool_axis import AxisOptions, find_strategy, tool_axes
 DEFAULT_CONTROLLER = "linuxcnc"
 DEFAULT_SCALLOP = 0.01
 """mm, where neither a scallop nor a stepover is asked for: a usual finishing quality."""
-
-SAME_CUTTER = 1e-3
-"""mm by which a cutter's diameter may differ from the CL file's: what its four printed decimals, in inches too, leave open."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,15 +130,14 @@ def mill(
     passes, cutter = settings.passes, settings.cutter.cutter
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
     keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle, faces)
-    planes, spacing = place_planes(
-        mesh, passes.direction, cutter.radius, stepover=passes.stepover, scallop=_scallop(settings),
-        least=passes.least_interval, keep=keep, progress=progress,
-    )  # fmt: skip
+    planes, spacing = _planes(settings, mesh, keep, progress)
     contact = slice_mesh(mesh, planes, passes.direction, progress=progress)
-    closed = close_gaps(contact, mesh, cutter.radius, settings.cutter.coedge_tolerance, None if keep.all() else keep, progress)
+    closed = close_gaps(
+        contact, mesh, corner_radius(cutter), settings.cutter.coedge_tolerance, None if keep.all() else keep, progress
+    )
     ordered = order_passes(closed, settings.links.order)
     axis = tool_axes(ordered, settings.tool_axis.tool_axis, _axis_options(settings))
-    offset, axis = feasible_rows(ordered, axis, links)
+    offset, axis = feasible_rows(ordered, axis, links, cutter.taper)
     led, said = _led(settings, offset, axis, links, progress)
     path = linked(settings, offset, led, mesh, progress)
     found = mesh.findings + left_out + spacing + contact.findings + offset.findings + said + path.findings
@@ -147,33 +145,51 @@ def mill(
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis)
 
 
+def _planes(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Floats, tuple[Finding, ...]]:
+    """Where the planes lie. For what is no ball: at most as far apart as on a flat, for beyond that its bottom ends."""
+    passes, cutter, scallop = settings.passes, settings.cutter.cutter, _scallop(settings)
+    radius, more = cutter.radius, {}
+    if scallop is not None and cutter.ring > 0.0:
+        stand = (settings.tool_axis.tool_axis, _axis_options(settings))
+        radius, more = spacing_radius(cutter, mesh.normal[keep], passes.direction, *stand, scallop), {"widest": 1.0}
+    return place_planes(
+        mesh, passes.direction, radius, stepover=passes.stepover, scallop=scallop, least=passes.least_interval, keep=keep,
+        progress=progress, **more,
+    )  # fmt: skip
+
+
 def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress = silent) -> CLPath:
-    """The CL path through the ball centres with tool axes ``axis`` (n, 3), one for each row of ``offset``."""
+    """The CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``: the cutter sits anew on
+    each of them, whatever led its axis there."""
     options = LinkOptions(
         clearance=settings.links.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
         control_point=settings.machine.control_point,
     )  # fmt: skip
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
-    return link_passes(offset, axis, settings.cutter.cutter, low, high, options, progress)
+    sat, axis = seated(offset, axis, settings.cutter.cutter, settings.cutter.coedge_tolerance)
+    path = link_passes(sat, axis, settings.cutter.cutter, low, high, options, progress)
+    return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)
 
 
 def _led(
     settings: Settings, offset: OffsetPath, axis: Floats, links: Chain, progress: Progress
 ) -> tuple[Floats, tuple[Finding, ...]]:
     """The strategy's axes, led where the settings ask for it: to the least deviation, then past the pole."""
-    tool, cure, distance = settings.tool_axis, settings.cure, reach(settings)
+    tool, cure, distance, ring = settings.tool_axis, settings.cure, reach(settings), settings.cutter.cutter.ring
     if tool.tool_axis == "minimax":
-        axis = minimax_axes(offset, axis, links, distance, tool.max_tilt, settings.feeds.feed, progress)
+        axis = minimax_axes(offset, axis, links, distance, tool.max_tilt, settings.feeds.feed, progress, ring)
     if cure.singularity != "deform":
         return axis, ()
     made, led = deform_axes(offset, axis, links, cure.max_axis_change, progress)
     tolerance = settings.proof.tolerance
-    return made, led + (trade_findings(offset, axis, links, cure.max_axis_change, tolerance, distance, progress) if led else ())
+    if not led:
+        return made, led
+    return made, led + trade_findings(offset, axis, links, cure.max_axis_change, tolerance, distance, progress, ring)
 
 
 def reach(settings: Settings) -> float:
-    """From the driven point to the ball's centre, mm."""
-    return settings.cutter.cutter.radius if settings.machine.control_point == "tip" else 0.0
+    """From the driven point to the hub (the ball's centre), mm."""
+    return settings.cutter.cutter.corner if settings.machine.control_point == "tip" else 0.0
 
 
 def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:
@@ -183,16 +199,16 @@ def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, p
     feeding = path.tip[path.motion != Motion.RAPID] if (path.motion != Motion.RAPID).any() else path.tip
     low, high = feeding.min(axis=0), feeding.max(axis=0)
     return _posted(
-        settings, path, low, high, machine, links, dialect, path.findings + _cutter_note(settings, file.head), progress
+        settings,
+        path,
+        low,
+        high,
+        machine,
+        links,
+        dialect,
+        path.findings + cutter_note(file.head, settings.cutter.cutter),
+        progress,
     )
-
-
-def _cutter_note(settings: Settings, said: ClHead) -> tuple[Finding, ...]:
-    given = settings.cutter.cutter.diameter
-    if said.diameter == 0.0 or abs(said.diameter - given) <= SAME_CUTTER:
-        return ()
-    text = f"The CL file is for a cutter of {said.diameter:g} mm, retracts are laid out for {given:g} mm; give --cutter."
-    return (Finding(Severity.NOTE, "cutter-differs", text, said.diameter, given, "mm"),)
 
 
 def with_head(settings: Settings, said: ClHead) -> Settings:
@@ -346,7 +362,7 @@ def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
         raise SettingsError(f"machine {machine.name} has a rotary head: give --tool-length, gauge point to tip", None)
     length = given.tool_length or 0.0
     if given.control_point == "centre":
-        length -= settings.cutter.cutter.radius
+        length -= settings.cutter.cutter.corner
     return machine, Setup(machine.origin if given.origin is None else given.origin, length), dialect
 
 
@@ -373,7 +389,7 @@ def _cl_head(settings: Settings) -> ClHead:
 
 def _nc_title(settings: Settings, machine: Machine) -> str:
     """What the machinist must have ready. No file's name: the same solid and settings give the same bytes from anywhere."""
-    return f"{machine.name}, ball {settings.cutter.cutter.diameter:g} mm"
+    return f"{machine.name}, {cutter_name(settings.cutter.cutter)}"
 
 
 def _title(settings: Settings) -> str:

@@ -14,7 +14,7 @@ from typing import Any
 from freecad_fiveaxis.core.machine import Vector
 
 from . import quantity
-from .cutter import Cutter, parse_cutter
+from .cutter import Cutter, cutter_text, parse_cutter
 from .errors import SettingsError
 from .files import is_name
 
@@ -100,7 +100,7 @@ READERS: dict[str, Any] = {
 def write_option(leaf: dataclasses.Field[Any], value: Any) -> Any:
     """The value as a job file would hold it: degrees, mm, lists; None where the option is left out."""
     if isinstance(value, Cutter):
-        return f"ball:{value.diameter!r}:{value.length!r}"
+        return cutter_text(value)
     if leaf.metadata["kind"] == "angle" and value is not None:
         return round(math.degrees(value), 12)
     if value == "":

@@ -54,7 +54,7 @@ def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
     axis = find(path, options)
     if (options.lead == 0.0 and options.tilt == 0.0) or not len(axis):
         return axis
-    return _leaned(axis, feed_direction(path, axis), options.lead, options.tilt)
+    return leaned(axis, feed_direction(path, axis), options.lead, options.tilt)
 
 
 def facet_mean(path: OffsetPath, options: AxisOptions) -> Floats:
@@ -172,7 +172,7 @@ def _carried_on(feed: Floats, axis: Floats) -> Floats:
     return feed
 
 
-def _leaned(axis: Floats, feed: Floats, lead: float, tilt: float) -> Floats:
+def leaned(axis: Floats, feed: Floats, lead: float, tilt: float) -> Floats:
     """The axis turned by ``lead`` about left, then by ``tilt`` about the feed (Rodrigues for perpendicular vectors)."""
     right = np.cross(feed, axis)
     return np.asarray(np.cos(lead) * (np.cos(tilt) * axis + np.sin(tilt) * right) + np.sin(lead) * feed)

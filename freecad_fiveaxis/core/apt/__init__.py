@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """CL files in APT form (ISO 4343, ANSI X3.37): written, and read from any CAM system."""
 
-from .head import ClHead
+from .head import ClHead, cutter_note
 from .reader import ClFile, read_apt, read_cl_file
 from .writer import write_apt
 
-__all__ = ["ClFile", "ClHead", "read_apt", "read_cl_file", "write_apt"]
+__all__ = ["ClFile", "ClHead", "cutter_note", "read_apt", "read_cl_file", "write_apt"]

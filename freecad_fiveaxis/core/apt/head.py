@@ -3,16 +3,42 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+from freecad_fiveaxis.core.cutter import Cutter, cutter_from_apt, cutter_name
+from freecad_fiveaxis.core.findings import Finding, Severity
+
+SAME_CUTTER = 1e-3
+"""mm (and rad of the taper) by which a cutter may differ from the CL file's: what its four printed decimals, in inches too, leave
+open."""
 
 
 @dataclass(frozen=True)
 class ClHead:
     """``tool`` number (None: no tool call), ``speed`` 1/min (0: not said), ``coolant`` on; ``diameter`` and ``corner`` radius of
-    the cutter, mm (0: not said)."""
+    the cutter, mm (0: not said); ``said`` (0 to 7 numbers) all that its CUTTER statement says of it, mm and deg."""
 
     tool: int | None = None
     speed: float = 0.0
     coolant: bool = False
     diameter: float = 0.0
     corner: float = 0.0
+    said: tuple[float, ...] = field(default=(), compare=False)
+
+    @property
+    def cutter(self) -> Cutter | None:
+        """The cutter, where its shape is said and is one that can be used here."""
+        return cutter_from_apt(self.said)
+
+
+def cutter_note(said: ClHead, given: Cutter) -> tuple[Finding, ...]:
+    """A note where the CL file is for another cutter than the one given: of another diameter, or, where it says one, shape."""
+    other = said.cutter
+    diameter = said.diameter if other is None else other.diameter
+    if said.diameter > 0.0 and abs(diameter - given.diameter) > SAME_CUTTER:
+        text = f"The CL file is for a cutter of {diameter:g} mm, retracts are laid out for {given.diameter:g} mm; give --cutter."
+        return (Finding(Severity.NOTE, "cutter-differs", text, diameter, given.diameter, "mm"),)
+    if other is None or max(abs(other.corner - given.corner), abs(other.taper - given.taper)) <= SAME_CUTTER:
+        return ()
+    text = f"The CL file is for a {cutter_name(other)}, retracts are laid out for a {cutter_name(given)}; give --cutter."
+    return (Finding(Severity.NOTE, "cutter-differs", text),)

@@ -163,7 +163,7 @@ def _load(rest: str) -> Meaning:
 
 def _cutter(rest: str) -> Meaning:
     numbers = words.numbers_of(rest)
-    return Meaning(Kind.CUTTER, numbers[0], more=tuple(numbers[1:2])) if numbers else Meaning(Kind.NOTHING)
+    return Meaning(Kind.CUTTER, numbers[0], more=tuple(numbers[1:7])) if numbers else Meaning(Kind.NOTHING)
 
 
 def _axis(rest: str) -> Meaning:
@@ -203,4 +203,10 @@ def head_of(said: Said, source_scale: Floats) -> ClHead:
         coolant=bool(said.value(said.of(Kind.COOLANT)).any()),
         diameter=size.value * scale if size else 0.0,
         corner=size.more[0] * scale if size and size.more else 0.0,
+        said=_in_mm((size.value, *size.more), scale) if size else (),
     )
+
+
+def _in_mm(numbers: tuple[float, ...], scale: float) -> tuple[float, ...]:
+    """d, r, e, f, a, b, h of a CUTTER statement; a and b are degrees in every unit."""
+    return tuple(number if k in (4, 5) else scale * number for k, number in enumerate(numbers))

@@ -11,7 +11,7 @@ import re
 import numpy as np
 
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.cutter import Cutter
+from freecad_fiveaxis.core.cutter import Cutter, apt_numbers
 from freecad_fiveaxis.core.number_text import Choice, Column, table
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
@@ -50,7 +50,7 @@ def write_apt(path: CLPath, cutter: Cutter, title: str, progress: Progress = sil
 def _frame(cutter: Cutter, title: str, head: ClHead) -> tuple[bytes, bytes]:
     """What stands before and after the path."""
     plain = re.sub(r"[^A-Za-z0-9 ._+-]", "-", title)[:60]
-    begin = [f"PARTNO {plain}", "UNITS/MM", f"CUTTER/{cutter.diameter:.4f},{cutter.radius:.4f}"]
+    begin = [f"PARTNO {plain}", "UNITS/MM", "CUTTER/" + ",".join(f"{number:.4f}" for number in apt_numbers(cutter))]
     begin += [] if head.tool is None else [f"LOADTL/{head.tool}"]
     begin += [f"SPINDL/RPM,{head.speed:.10g},CLW"] if head.speed > 0.0 else []
     begin += ["COOLNT/ON"] if head.coolant else []

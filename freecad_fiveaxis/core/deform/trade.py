@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, joint_words, q_to_words
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.seating import hubs
 
 from .choice import NEAR, led_axes, near_polylines
 from .deform import LARGEST_CHANGE, LEAST_CHANGE, check_change
@@ -68,11 +69,12 @@ class Trade:
 
 def trade_off(
     offset: OffsetPath, axis: Floats, links: Chain, changes: Sequence[float], tolerance: float, radius: float = 0.0,
-    progress: Progress = silent,
+    progress: Progress = silent, ring: float = 0.0,
 ) -> Trade:  # fmt: skip
     """Lead the axes within each of ``changes`` (rad) and say what comes of it.
 
-    ``tolerance`` mm for the number of blocks; ``radius`` mm from the ball's centre to the driven point (0: the centre is driven).
+    ``tolerance`` mm for the number of blocks; ``radius`` mm from the ball's centre to the driven point (0: the centre is driven);
+    ``ring`` mm of a cutter that is no ball, whose hub takes the place of the ball's centre.
     All rows are measured before rounding. Raises SettingsError for a change or tolerance out of range.
     """
     for change in changes:
@@ -91,13 +93,15 @@ def trade_off(
         progress("trade of axis change", count / len(allowed))
         led = led_axes(offset, axis, links, change) if change else None
         made, passes = (axis, 0) if led is None else (led.axis, int(led.led.sum()))
-        table.append((change, float(angle_between(made, axis).max()), passes, *_driven(offset, made, links, tolerance, radius)))
+        table.append(
+            (change, float(angle_between(made, axis).max()), passes, *_driven(offset, made, links, tolerance, (radius, ring)))
+        )
     return Trade(*(np.array(column) for column in zip(*table, strict=True)))
 
 
 def trade_findings(
     offset: OffsetPath, axis: Floats, links: Chain, change: float, tolerance: float, radius: float = 0.0,
-    progress: Progress = silent,
+    progress: Progress = silent, ring: float = 0.0,
 ) -> tuple[Finding, ...]:  # fmt: skip
     """What smaller and larger changes than ``change`` (rad) would give the passes that come within ``change`` of the pole, as a
     note; none where no pass does. Other arguments as in :func:`trade_off`."""
@@ -108,7 +112,7 @@ def trade_findings(
     begin = starts(offset.polyline)
     chosen = np.arange(len(begin)) % math.ceil(len(axis) / MOST_ROWS) == 0
     rows = np.flatnonzero(np.repeat(chosen, np.diff(begin, append=len(axis))))
-    trade = trade_off(take_rows(offset, rows), axis[rows], links, changes, tolerance, radius, progress)
+    trade = trade_off(take_rows(offset, rows), axis[rows], links, changes, tolerance, radius, progress, ring)
     part = f"{int(chosen.sum())} of the {len(begin)}" if not chosen.all() else f"the {len(begin)}"
     text = (
         f"What an axis change buys on {part} passes that come within {math.degrees(change):.3g} deg of the pole (peak rate and "
@@ -132,12 +136,14 @@ def _near(offset: OffsetPath, axis: Floats, links: Chain, angle: float) -> tuple
 
 
 def _driven(
-    offset: OffsetPath, axis: Floats, links: Chain, tolerance: float, radius: float
+    offset: OffsetPath, axis: Floats, links: Chain, tolerance: float, sizes: tuple[float, float]
 ) -> tuple[float, float, float, float, int]:
-    """Peak rate, turns of both words, largest deviation and number of blocks of the moves on the part."""
+    """Peak rate, turns of both words, largest deviation and number of blocks of the moves on the part.
+
+    ``sizes`` mm: of radius and ring."""
     angles = drive(offset, axis, links)
     found = figures(offset, angles)
-    words = q_to_words(joint_words(links, offset.centre - radius * axis, angles))
+    words = q_to_words(joint_words(links, hubs(offset, axis, sizes[1]) - sizes[0] * axis, angles))
     on_part = np.diff(offset.polyline, prepend=offset.polyline[:1] - 1) == 0
     deviation = measure(links, words).segment[on_part]
     pieces = np.maximum(np.ceil(np.sqrt(deviation / tolerance)), 1.0)

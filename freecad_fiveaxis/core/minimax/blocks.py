@@ -15,8 +15,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freecad_fiveaxis.core.cutter import ring_direction
 from freecad_fiveaxis.core.kinematics import Chain, forward, joint_words
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.records import Floats, Ints
 from freecad_fiveaxis.core.trajectory import Columns, Frames, Pose, combine, dot, frames, tip
 
 MIDDLE = (0.5,)
@@ -54,12 +55,32 @@ class States:
     ends: Ends
 
 
-def states(links: Chain, angles: Floats, centre: Floats, reach: float) -> States:
-    """The states with rotary words ``angles`` (2, m, k) rad at ``centre`` (k, 3) mm of the ball; ``reach`` mm: from there down
-    the axis to the point that the words drive."""
+@dataclass(frozen=True, eq=False)
+class Ring:
+    """How a cutter that is no ball sits: its ``radius`` mm, ``normal`` (k, 3) of the surface and ``feed`` (k, 3), unit."""
+
+    radius: float
+    normal: Floats
+    feed: Floats
+
+    def take(self, rows: Ints) -> Ring:
+        """Some of the rows."""
+        return Ring(self.radius, self.normal[rows], self.feed[rows])
+
+    def out(self, axis: Floats) -> Floats:
+        """From the centre of the corner circle to the hub (m k, 3) mm, for axes (m k, 3) of m states of all k rows."""
+        normal, feed = (np.tile(column, (len(axis) // len(column), 1)) for column in (self.normal, self.feed))
+        return self.radius * ring_direction(normal, axis, feed, self.radius)
+
+
+def states(links: Chain, angles: Floats, centre: Floats, reach: float, ring: Ring | None = None) -> States:
+    """The states with rotary words ``angles`` (2, m, k) rad at ``centre`` (k, 3) mm of the ball; ``reach`` mm: from there, or
+    from the hub of a cutter with a ``ring``, down the axis to the point that the words drive."""
     flat, shape, frame = angles.reshape(2, -1).T, angles.shape[1:], frames(links)
     axis = forward(links, np.column_stack([np.zeros((len(flat), 3)), flat]))[1]
     place = np.broadcast_to(centre, (*shape, 3)).reshape(-1, 3) - reach * axis
+    if ring is not None:
+        place = place + ring.out(axis)
     words = joint_words(links, place, flat).T.reshape(5, *shape)
     arm = tuple(combine(frame.gain[i], tuple(words[:3]), float(frame.offset[i])) for i in range(9))
     x, y, z = (frame.first @ place.T).reshape(3, *shape)

@@ -27,7 +27,10 @@ from freecad_fiveaxis.core.joint_path import solve
 from freecad_fiveaxis.core.kinematics import Chain, q_to_words
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.seating import hubs, seat_normal
+from freecad_fiveaxis.core.tool_axis import feed_direction
 
+from .blocks import Ring
 from .corridor import GOOD, improve
 from .pole import other_way
 from .rows import Rows, find_rows, run_begins
@@ -58,34 +61,37 @@ def minimax_axes(
     max_tilt: float,
     feed: float = math.inf,
     progress: Progress = silent,
+    ring: float = 0.0,
 ) -> Floats:
     """Unit axes (n, 3) for the rows of ``path`` with the smallest largest deviation that was found, run by run; those of ``axis``
     (n, 3), the start, where nothing better was found.
 
     ``reach`` mm: from the ball's centre down the axis to the point that the words drive (the radius, or 0 for the centre);
     ``max_tilt`` rad: how far an axis may leave the great arc between the facet normals on either side of its row; ``feed`` mm/min
-    of the ball, by which the machine's rates bound the turns (by default: they do not). Raises SettingsError for a largest tilt
-    beyond LEAST_TILT to MOST_TILT, ReachError for axes that the machine cannot take up.
+    of the ball, by which the machine's rates bound the turns (by default: they do not); ``ring`` mm of a cutter that is no ball:
+    its hub moves with the axis, which leans only such that the contact stays in front of it. Raises SettingsError for a largest
+    tilt beyond LEAST_TILT to MOST_TILT, ReachError for axes that the machine cannot take up.
     """
     if not LEAST_TILT <= max_tilt <= MOST_TILT:
         tilt, least, most = (f"{math.degrees(angle):g}" for angle in (max_tilt, LEAST_TILT, MOST_TILT))
         raise SettingsError(f"max-tilt {tilt} deg is out of range; give {least} to {most} deg, or choose facet_mean", max_tilt)
     if len(axis) == 0:
         return axis
-    start, before = _driven(path, axis, links, reach)
+    start, before = _driven(path, axis, links, reach, ring)
     at = find_rows(path)
     length = np.linalg.norm(np.diff(at.centre, axis=0, prepend=at.centre[:1]), axis=1)
     minutes = np.maximum(length / feed, INSTANT) if feed < math.inf else np.full(len(length), math.inf)
-    task = Task(links, reach, max_tilt, minutes, np.abs(np.diff(start, axis=0, prepend=start[:1])))
-    found = _followed(path, links, reach, task, at, start, progress)
+    sits = Ring(ring, seat_normal(path), feed_direction(path, axis)) if ring > 0.0 else None
+    task = Task(links, reach, max_tilt, minutes, np.abs(np.diff(start, axis=0, prepend=start[:1])), sits)
+    found = _followed(path, task, at, start, progress)
     return _kept(path, axis, found, task, at, before)
 
 
-def _followed(path: OffsetPath, links: Chain, reach: float, task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
+def _followed(path: OffsetPath, task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
     """The axes (k, 3) of small levels on the branches that the joint path will take them up on, and within the rates there."""
-    words, room = _best(task, at, start, progress), np.ones(len(at.first))
+    words, room, links = _best(task, at, start, progress), np.ones(len(at.first)), task.links
     for _ in range(AGAIN):
-        taken, after = _driven(path, axes_of(links, words), links, reach)
+        taken, after = _driven(path, axes_of(links, words), links, task.reach, task.ring_radius)
         haste = hastes(task, at, taken)
         fast, other = haste > HASTE, after > OTHER * levels(task, at, words) + SAME
         if not (fast | other).any():
@@ -122,7 +128,7 @@ def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, b
     keep = np.ones(len(before), bool)
     for _ in range(CHECKS):
         mixed = np.where(keep[at.run][:, None], found, axis)
-        words, after = _driven(path, mixed, task.links, task.reach)
+        words, after = _driven(path, mixed, task.links, task.reach, task.ring_radius)
         worse = np.where(keep, after >= GAIN * before, after > before * (1.0 + SAME) + SAME)
         worse |= keep & (hastes(task, at, words) > HASTE)
         if not worse.any():
@@ -133,14 +139,14 @@ def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, b
     return axis
 
 
-def _driven(path: OffsetPath, axis: Floats, links: Chain, reach: float) -> tuple[Floats, Floats]:
+def _driven(path: OffsetPath, axis: Floats, links: Chain, reach: float, ring: float) -> tuple[Floats, Floats]:
     """Rotary words (n, 2) rad of all rows as the joint path chooses them, and the largest deviation (p,) mm of each run's
     blocks. Between runs the path goes in one rapid: the axes, not the way, decide on branches."""
     begins = run_begins(path)
     motion = np.where(path.fill, Motion.FILL, Motion.CUT).astype(np.int8)
     motion[begins] = Motion.RAPID
     labels = {name: getattr(path, name) for name in ("normal", "face", "coedge", "pass_")}
-    tip = path.centre - reach * axis
+    tip = hubs(path, axis, ring) - reach * axis
     driven = CLPath(
         tip=tip, axis=axis, motion=motion, feed=np.where(motion == Motion.RAPID, 0.0, 1.0), contact=path.point, **labels
     )

@@ -76,7 +76,7 @@ def _searched(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools, 
     """The best states (s, 2) of stretches on the lattice."""
     grid, good = _lattice(task, at, angles, axis, inner)
     grid = np.ascontiguousarray(grid.transpose(2, 1, 0))
-    there = states(task.links, grid, at.centre, task.reach)
+    there = states(task.links, grid, at.centre, task.reach, task.ring)
     good = good.T & usable(task, at, grid, there)
     good[-1] = True
     cost = step_costs(task, at, there, np.maximum(level, GOOD), MIDDLE, nearest=True, known=-1)

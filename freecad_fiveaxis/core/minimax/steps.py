@@ -18,7 +18,7 @@ import numpy as np
 from freecad_fiveaxis.core.kinematics import Chain, RotaryPair, forward
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
-from .blocks import QUARTERS, Ends, States, bow, states
+from .blocks import QUARTERS, Ends, Ring, States, bow, states
 from .rows import Rows, allowed
 
 DOUBLINGS = 4
@@ -34,22 +34,32 @@ THROUGH = math.radians(0.08)
 STEADY = 1e-6
 """rad: a turn that rounding may make."""
 TURN = 2.0 * math.pi
+FRONT = math.radians(60.0)
+"""How far from straight ahead the contact of a cutter with a ring may go."""
 
 
 @dataclass(frozen=True, eq=False)
 class Task:
     """What bounds the states. ``reach`` mm from the ball's centre to the driven point; ``max_tilt`` rad; ``minutes`` (k,) the
-    time of the block that leads to each row; ``least`` (k, 2) rad: the turn of it that is allowed whatever the time."""
+    time of the block that leads to each row; ``least`` (k, 2) rad: the turn of it that is allowed whatever the time; ``ring``
+    of a cutter that is no ball."""
 
     links: Chain
     reach: float
     max_tilt: float
     minutes: Floats
     least: Floats
+    ring: Ring | None = None
 
     def take(self, rows: Ints) -> Task:
         """The task for some of the rows."""
-        return Task(self.links, self.reach, self.max_tilt, self.minutes[rows], self.least[rows])
+        ring = None if self.ring is None else self.ring.take(rows)
+        return Task(self.links, self.reach, self.max_tilt, self.minutes[rows], self.least[rows], ring)
+
+    @property
+    def ring_radius(self) -> float:
+        """mm; 0 for a ball."""
+        return 0.0 if self.ring is None else self.ring.radius
 
     @property
     def pair(self) -> RotaryPair:
@@ -69,7 +79,7 @@ def levels(task: Task, at: Rows, angles: Floats) -> Floats:
 
 def deviations(task: Task, at: Rows, angles: Floats) -> Floats:
     """The deviation (k,) mm of the block that leads to each row; 0 where a run begins."""
-    start, end = _blocks(states(task.links, angles.T[:, None], at.centre, task.reach).ends)
+    start, end = _blocks(states(task.links, angles.T[:, None], at.centre, task.reach, task.ring).ends)
     found = np.zeros(len(angles))
     found[1:] = bow(task.links, start, end, QUARTERS)[0, 0]
     found[at.first] = 0.0
@@ -88,7 +98,16 @@ def usable(task: Task, at: Rows, grid: Floats, there: States) -> Bools:
     """Which states (m, k) the limits and the row's range allow; ``grid`` (2, m, k) rad."""
     low, high = task.links.low[3:, None, None], task.links.high[3:, None, None]
     good = ((grid >= low) & (grid <= high)).all(0) & (np.abs(np.sin(grid[1] - task.pair.best)) > POLE)
-    return np.asarray(good & allowed(at.before, at.after, task.max_tilt, there.axis))
+    good &= allowed(at.before, at.after, task.max_tilt, there.axis)
+    return np.asarray(good if task.ring is None else good & _in_front(task.ring, there.axis))
+
+
+def _in_front(ring: Ring, axis: Floats) -> Bools:
+    """For which axes (3, m, k) the contact stays in front of the hub, within FRONT of straight ahead: for others a small change
+    of the axis would throw the hub from one side of the contact to the other."""
+    flat = np.moveaxis(axis, 0, -1).reshape(-1, 3)
+    out = ring.out(flat).reshape(*axis.shape[1:], 3)
+    return np.asarray(-(out * ring.feed).sum(axis=-1) >= math.cos(FRONT) * ring.radius)
 
 
 def step_costs(

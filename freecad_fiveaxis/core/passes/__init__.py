@@ -3,6 +3,7 @@
 
 from .passes import ContactPath, direction, slice_mesh
 from .reach import axes_within_limits, reachable_facets
+from .scallop import CREASE
 from .spacing import place_planes
 
-__all__ = ["ContactPath", "axes_within_limits", "direction", "place_planes", "reachable_facets", "slice_mesh"]
+__all__ = ["CREASE", "ContactPath", "axes_within_limits", "direction", "place_planes", "reachable_facets", "slice_mesh"]

@@ -81,10 +81,12 @@ def place_planes(
     least: float = 0.05,
     keep: Bools | None = None,
     progress: Progress = silent,
+    widest: float = WIDEST,
 ) -> tuple[Floats, tuple[Finding, ...]]:
     """Offsets (k,) mm, ascending, of the planes that travel along ``angle`` rad, and what is poor about them.
 
-    ``radius`` of the ball, ``stepover`` or ``scallop``, and ``least``, mm; ``keep`` (f,) the facets that are cut, None for all.
+    ``radius`` of the ball, ``stepover`` or ``scallop``, and ``least``, mm; ``keep`` (f,) the facets that are cut, None for all;
+    ``widest``: the largest interval, in intervals of a flat.
     Raises SettingsError for values out of range, both or none of stepover and scallop, and too many planes.
     """
     _check(angle, radius, stepover, scallop, least)
@@ -96,7 +98,7 @@ def place_planes(
     if stepover is not None:
         return _even_planes(low, high, stepover), ()
     assert scallop is not None
-    return _March(Strip(mesh, across, rows), radius, scallop, least, progress).run()
+    return _March(Strip(mesh, across, rows), radius, scallop, least, progress, widest).run()
 
 
 def _check(angle: float, radius: float, stepover: float | None, scallop: float | None, least: float) -> None:
@@ -154,9 +156,10 @@ class _Step:
 class _March:
     """Places the planes of all ranges one after the other, for a scallop."""
 
-    def __init__(self, strip: Strip, radius: float, scallop: float, least: float, progress: Progress) -> None:
+    def __init__(self, strip: Strip, radius: float, scallop: float, least: float, progress: Progress, widest: float) -> None:
         self._strip, self._radius, self._scallop, self._least, self._progress = strip, radius, scallop, least, progress
         self._flat = flat_interval(radius, scallop)
+        self._widest = widest * self._flat
         self._sample = SAMPLE * self._flat
         self._bias = 1.0  # of the prediction, learnt from the interval before
         self._planes: list[float] = []
@@ -230,7 +233,7 @@ class _March:
         """The interval from the pass at ``offset`` to the next one, before ``end``: trial, measure, correct."""
         here = self._strip.cut(offset, self._sample)
         rest = end - self._inside(offset, end) - offset
-        most = min(rest, WIDEST * self._flat)
+        most = min(rest, self._widest)
         predicted = smallest_interval(here, self._strip.across, self._radius, AIM * self._scallop)
         trial = min(max(self._bias * predicted, self._least), most)
         good, bad = _Step(0.0, 0.0, np.zeros(3), False), math.inf

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a cutter that is no ball sits on the offset path: from the corner circle's centre to the hub.
+
+corner path  what co-edges are closed for: the path of a ball of the corner radius. A ball cutter needs no more.
+ring      a bull nose is that ball swept round a ring: its hub lies one ring radius further, along *out* (see :mod:`.cutter`).
+sharp     the corner of a flat: a ball of a few nanometres, so that sharp edges get their arc of normals and no others do.
+smooth    a co-edge between facets that approximate one surface. All rows of its contact take out from the mean of both normals,
+          as the tool axis does; at the co-edge of a crease each row takes its own normal.
+heel      the side of the bottom away from the contact: in a hollow it meets the part although the contact is tangent.
+"""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.coedge import OffsetPath
+from freecad_fiveaxis.core.cutter import Cutter, ring_direction
+from freecad_fiveaxis.core.passes import CREASE
+
+from .findings import Finding, Severity
+from .records import Floats, Ints
+from .tool_axis import AxisOptions, feed_direction, leaned
+
+SHARP = 2e-6
+"""mm: the corner radius of a flat on its way round edges. With it only creases open a gap that counts (``coedge.FLAT_GAP``)."""
+
+NOTABLE = 0.01
+"""mm of a heel in the part before it is worth a finding: a usual finishing tolerance."""
+
+MOST_PIECES = 64
+"""Pieces of a block at most: half a turn of the axis in steps of less than 3 degrees."""
+
+SAME_STAND = 1.0
+"""deg; facets whose normals differ by less stand alike under a fixed axis when the passes are spaced."""
+
+STEEPEST = 0.02
+"""Sine: a wall that is steeper to the axis, or faces the passes more squarely, does not count when the passes are spaced."""
+
+
+def corner_radius(cutter: Cutter) -> float:
+    """The radius, mm, of the ball for which co-edges are closed."""
+    return max(cutter.corner, min(SHARP, cutter.radius))
+
+
+def hubs(path: OffsetPath, axis: Floats, ring: float) -> Floats:
+    """The hubs (n, 3) mm of a cutter with that ring (mm) and tool axes (n, 3); ``path.centre`` itself for a ball (ring 0)."""
+    if ring == 0.0 or not len(axis):
+        return path.centre
+    return np.asarray(path.centre + ring * ring_direction(seat_normal(path), axis, feed_direction(path, axis), ring))
+
+
+def seat_normal(path: OffsetPath) -> Floats:
+    """The unit normal (n, 3) of the surface on which the cutter sits at each row."""
+    mean = path.before + path.after
+    smooth = np.einsum("ij,ij->i", path.before, path.after) >= np.cos(CREASE)
+    length = np.sqrt(np.maximum(np.einsum("ij,ij->i", mean, mean), 1e-30))
+    return np.asarray(np.where(smooth[:, None], mean / length[:, None], path.normal))
+
+
+def seated(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
+    """The path with the cutter's hubs for its centres, and its axes; what it says of hollows is in the findings.
+
+    A block in which the axis turns so much that the bottom, half-way, would leave the surface by more than ``tolerance`` mm
+    gets rows between. A ball's path comes back as it is.
+    """
+    if cutter.ring == 0.0 or not len(axis):
+        return path, axis
+    path, axis = _divided(path, axis, cutter, tolerance)
+    hub = hubs(path, axis, cutter.ring)
+    return replace(path, centre=hub, findings=path.findings + _heel_findings(path, hub, axis, cutter)), axis
+
+
+# ------------------------------------------------------------------------------------------------ rows between
+
+
+def _divided(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
+    """Rows put between those of cutting moves in which the axis turns by more than the tolerance allows.
+
+    The bottom's lowest point moves on a circle of at most the cutter's radius while the hub goes straight: over a turn a the
+    two part by at most ``radius a^2 / 8``.
+    """
+    cuts = ~path.fill & (np.diff(path.polyline, prepend=-1) == 0)
+    turn = 2.0 * np.arcsin(np.clip(0.5 * np.linalg.norm(np.diff(axis, axis=0, prepend=axis[:1]), axis=1), 0.0, 1.0))
+    widest = np.sqrt(8.0 * tolerance / cutter.radius)
+    pieces = np.where(cuts, np.clip(np.ceil(turn / widest), 1, MOST_PIECES), 1).astype(np.int64)
+    if (pieces == 1).all():
+        return path, axis
+    row = np.repeat(np.arange(len(axis)), pieces)
+    step = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
+    share = step / pieces[row]
+    new = np.flatnonzero(share < 1.0)
+    return _with_rows(path, axis, row, new, share[new])
+
+
+def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floats) -> tuple[OffsetPath, Floats]:
+    """Rows ``row`` (k,) of the path, those at ``new`` moved to ``share`` of the way from the row before, inside its facet.
+
+    Corner circles go straight there, along the facet; axis and seat turn evenly."""
+    end, made, seat = row[new], axis[row], seat_normal(path)
+    start, part = end - 1, share[:, None]
+    columns = {name.name: getattr(path, name.name)[row] for name in fields(path) if name.name != "findings"}
+    for name in ("point", "centre"):
+        given = getattr(path, name)
+        columns[name][new] = (1.0 - part) * given[start] + part * given[end]
+    for name in ("normal", "before", "after"):
+        columns[name][new] = _between(seat[start], seat[end], share)
+    columns["coedge"][new] = -1
+    made[new] = _between(axis[start], axis[end], share)
+    return replace(path, **columns), made
+
+
+def _between(one: Floats, two: Floats, share: Floats) -> Floats:
+    """Unit rows at ``share`` of the angle from ``one`` to ``two``."""
+    angle = 2.0 * np.arcsin(np.clip(0.5 * np.linalg.norm(two - one, axis=1), 0.0, 1.0 - 1e-12))
+    mixed = np.sin((1.0 - share) * angle)[:, None] * one + np.sin(share * angle)[:, None] * two
+    return np.asarray(mixed / np.linalg.norm(mixed, axis=1)[:, None])
+
+
+# ------------------------------------------------------------------------------------------------ hollows
+
+
+def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> tuple[Finding, ...]:
+    depth = heel_depth(path, hub, axis, cutter)
+    deep = np.flatnonzero(depth > NOTABLE)
+    if not len(deep):
+        return ()
+    worst = int(deep[depth[deep].argmax()])
+    x, y, z = path.point[worst].tolist()
+    text = (
+        f"In hollows along the passes the cutter's bottom stands up to about {depth[worst]:.3g} mm in the part behind its "
+        f"contact, over {len(deep)} rows. Give more lead, or take a smaller cutter or a ball."
+    )
+    return (Finding(Severity.WARNING, "heel-in-hollow", text, float(depth[worst]), NOTABLE, "mm", place=(x, y, z)),)
+
+
+def heel_depth(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> Floats:
+    """About how deep (n,) mm the bottom stands in the surface along its pass; below 0: how far it stays off.
+
+    At a distance x behind the contact, where the normal has turned by a on the way, the surface is about ``x a / 2`` higher than
+    the contact's plane; the ring's hindmost point is ``ring (out - feed) . normal`` above it. Likewise ahead.
+    """
+    feed, normal = feed_direction(path, axis), seat_normal(path)
+    out = (hub - path.centre) / cutter.ring
+    lean, ahead = _dot(out, normal), _dot(feed, normal)
+    behind_way = cutter.ring * (1.0 - _dot(out, feed))
+    length, turned = _course(path, feed)
+    first, last = _ends(path.polyline)
+    depth = np.full(len(axis), -np.inf)
+    for sense, way in ((-1.0, behind_way), (1.0, 2.0 * cutter.ring - behind_way)):
+        there = np.clip(length + sense * way, length[first], length[last])
+        hollow = sense * (np.interp(there, length, turned) - turned)
+        rise = 0.5 * np.abs(there - length) * hollow
+        depth = np.maximum(depth, rise - cutter.ring * (lean + sense * ahead))
+    return depth
+
+
+def _course(path: OffsetPath, feed: Floats) -> tuple[Floats, Floats]:
+    """Length (n,) mm of all contacts up to each row, and how far (n,) rad the surface has turned upwards there: half of a
+    co-edge's turn before it, half behind. All rows of a contact have its turn; it counts with the first of them."""
+    length = np.cumsum(np.linalg.norm(np.diff(path.point, axis=0, prepend=path.point[:1]), axis=1))
+    turn = np.where(path.fill, 0.0, -_dot(path.after - path.before, feed))
+    return length, np.cumsum(turn) - 0.5 * turn
+
+
+def _ends(polyline: Ints) -> tuple[Ints, Ints]:
+    """First and last row of the polyline of each row."""
+    start = np.flatnonzero(np.diff(polyline, prepend=polyline[:1] - 1))
+    size = np.diff(start, append=len(polyline))
+    return np.repeat(start, size), np.repeat(start + size - 1, size)
+
+
+def _dot(one: Floats, two: Floats) -> Floats:
+    return np.asarray(np.einsum("ij,ij->i", one, two))
+
+
+# ------------------------------------------------------------------------------------------------ spacing
+
+
+def spacing_radius(cutter: Cutter, normal: Floats, angle: float, strategy: str, options: AxisOptions, scallop: float) -> float:
+    """The radius, mm, of the ball whose passes along ``angle`` rad may stand as far apart as this cutter's.
+
+    ``normal`` (f, 3) of the facets that are cut. A tool that follows the surface stands alike everywhere; under a fixed axis the
+    facet on which the cutter is narrowest counts for all. A ball: its radius.
+    """
+    if cutter.ring == 0.0:
+        return cutter.radius
+    travel = np.array((np.cos(angle), np.sin(angle), 0.0))
+    normal = _few(normal, travel) if strategy == "fixed" else np.array([[0.0, 0.0, 1.0]])
+    upright = np.array(options.fixed, float) / np.linalg.norm(options.fixed)
+    radii = [np.array([np.inf])]
+    for sense in (1.0, -1.0):
+        side = np.cross(normal, travel)
+        axis = np.broadcast_to(upright, normal.shape) if strategy == "fixed" else normal
+        feed = np.cross(side, axis)
+        axis = leaned(axis, sense * feed / np.linalg.norm(feed, axis=1)[:, None], options.lead, options.tilt)
+        stands = np.einsum("ij,ij->i", axis, normal) > STEEPEST
+        radii.append(cutter.equivalent_radius(normal[stands], axis[stands], side[stands], scallop))
+    least = float(np.concatenate(radii).min())
+    return max(least, 1.001 * scallop) if np.isfinite(least) else cutter.radius
+
+
+def _few(normal: Floats, travel: Floats) -> Floats:
+    """Normals that stand for all: one of each degree, without those that look along the passes."""
+    key = np.unique(np.rint(np.degrees(normal) / SAME_STAND), axis=0)
+    few = key / np.linalg.norm(key, axis=1)[:, None]
+    return np.asarray(few[np.linalg.norm(np.cross(few, travel), axis=1) > STEEPEST])
