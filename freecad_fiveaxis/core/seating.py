@@ -29,6 +29,9 @@ SHARP = 2e-6
 NOTABLE = 0.01
 """mm of a heel in the part before it is worth a finding: a usual finishing tolerance."""
 
+NOTHING = 1e-12
+"""Half a chord of unit vectors: nearer to none, or to a whole one, there is no arc between them."""
+
 MOST_PIECES = 64
 """Pieces of a block at most: half a turn of the axis in steps of less than 3 degrees."""
 
@@ -113,7 +116,7 @@ def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floa
 
 def _between(one: Floats, two: Floats, share: Floats) -> Floats:
     """Unit rows at ``share`` of the angle from ``one`` to ``two``."""
-    angle = 2.0 * np.arcsin(np.clip(0.5 * np.linalg.norm(two - one, axis=1), 0.0, 1.0 - 1e-12))
+    angle = 2.0 * np.arcsin(np.clip(0.5 * np.linalg.norm(two - one, axis=1), NOTHING, 1.0 - NOTHING))
     mixed = np.sin((1.0 - share) * angle)[:, None] * one + np.sin(share * angle)[:, None] * two
     return np.asarray(mixed / np.linalg.norm(mixed, axis=1)[:, None])
 
