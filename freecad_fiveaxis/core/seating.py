@@ -148,7 +148,7 @@ def heel_depth(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> F
     out = (hub - path.centre) / cutter.ring
     lean, ahead = _dot(out, normal), _dot(feed, normal)
     behind_way = cutter.ring * (1.0 - _dot(out, feed))
-    length, turned = _course(path, feed)
+    length, turned = _course(path, normal, feed)
     first, last = _ends(path.polyline)
     depth = np.full(len(axis), -np.inf)
     for sense, way in ((-1.0, behind_way), (1.0, 2.0 * cutter.ring - behind_way)):
@@ -159,12 +159,12 @@ def heel_depth(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> F
     return depth
 
 
-def _course(path: OffsetPath, feed: Floats) -> tuple[Floats, Floats]:
-    """Length (n,) mm of all contacts up to each row, and how far (n,) rad the surface has turned upwards there: half of a
-    co-edge's turn before it, half behind. All rows of a contact have its turn; it counts with the first of them."""
+def _course(path: OffsetPath, normal: Floats, feed: Floats) -> tuple[Floats, Floats]:
+    """Length (n,) mm of all contacts up to each row, and how far (n,) rad the surface, as its ``normal`` there says, has turned
+    upwards. All rows of a contact have its co-edge's whole turn; it counts once."""
     length = np.cumsum(np.linalg.norm(np.diff(path.point, axis=0, prepend=path.point[:1]), axis=1))
     turn = np.where(path.fill, 0.0, -_dot(path.after - path.before, feed))
-    return length, np.cumsum(turn) - 0.5 * turn
+    return length, np.cumsum(turn) + _dot(path.after - normal, feed)
 
 
 def _ends(polyline: Ints) -> tuple[Ints, Ints]:

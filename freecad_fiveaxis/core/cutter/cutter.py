@@ -33,8 +33,8 @@ LEAST, MOST = 1e-3, 1e4
 MOST_TAPER = math.radians(60.0)
 """rad; a flank that leans further is the bottom of a countersink."""
 
-FULL = -1.0
-"""The corner radius of a ball: whatever half of the diameter is."""
+FULL = math.inf
+"""The corner radius of a ball, where it is not given: as large as it can be, half the diameter."""
 
 LEAN = 1e-6
 """rad by which rounding may turn a normal that is square to the flank."""
