@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cutters that are no balls on the whole street: they keep out of the part, leave the scallop asked for, and say where they do not."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from cutter_body import depth, facet_points, inside
+
+from freecad_fiveaxis.core import job, seating
+from freecad_fiveaxis.core.apt import read_apt, read_cl_file, write_apt
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.cutter import Cutter, parse_cutter
+from freecad_fiveaxis.core.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.mesh import from_faces, read_stl, write_stl
+from freecad_fiveaxis.core.nc_reader import read_nc
+from freecad_fiveaxis.core.settings import build_settings, flat_options
+from freecad_fiveaxis.core.tool_axis import AxisOptions
+
+CUTTERS = ("flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:8:1:5deg")
+
+
+@pytest.fixture(scope="module")
+def points(parts):
+    """Points on every facet of an example part, each made once."""
+    made = {}
+
+    def of(part):
+        if part not in made:
+            made[part] = facet_points(read_stl(str(parts / f"{part}.stl")), 0.4)
+        return made[part]
+
+    return of
+
+
+def on_part(made):
+    """Tip and axis of every row that cuts, of the path that is driven."""
+    cuts = made.path.motion <= Motion.FILL
+    return made.path.tip[cuts], made.path.axis[cuts]
+
+
+# ------------------------------------------------------------------------------------------------ on the whole street
+
+
+@pytest.mark.parametrize("cutter", CUTTERS)
+@pytest.mark.parametrize("lead, tilt", [(0, 0), (5, 0), (0, 5)])
+def test_on_a_dome_no_cutter_enters_the_facets_and_none_stays_off(cutter, lead, tilt, milled, points):
+    """By no more than the dome's facets leave the sphere (0.0085 mm): half of that, and every row touches."""
+    made = milled("dome", "trunnion_ac", cutter=cutter, lead=lead, tilt=tilt, stepover=9).made
+    deep = depth(parse_cutter(cutter), *on_part(made), points("dome"))
+    assert deep.max() < 0.004
+    assert np.quantile(deep, 0.02) > -0.1  # as near as the points on the facets stand to the contact
+
+
+@pytest.mark.parametrize("cutter", CUTTERS)
+def test_on_a_saddle_a_lead_keeps_every_cutter_out_of_the_hollow(cutter, milled, points):
+    made = milled("saddle", "trunnion_ac", cutter=cutter, lead=10).made
+    assert depth(parse_cutter(cutter), *on_part(made), points("saddle")).max() < 0.004
+    assert not [finding for finding in made.findings if finding.code == "heel-in-hollow"]
+
+
+@pytest.mark.parametrize("cutter", ["flat:10", "bull:10:2", "taperbull:8:1:5deg"])
+def test_a_heel_in_a_hollow_is_told_as_deep_as_it_is(cutter, milled, points):
+    made = milled("saddle", "trunnion_ac", cutter=cutter).made
+    (heel,) = [finding for finding in made.findings if finding.code == "heel-in-hollow"]
+    deep = depth(parse_cutter(cutter), *on_part(made), points("saddle"))
+    assert deep.max() > 0.1 and heel.value == pytest.approx(deep.max(), rel=0.1)
+
+
+@pytest.mark.parametrize("part, lead", [("dome", 5), ("saddle", 10)])
+@pytest.mark.parametrize("cutter", CUTTERS)
+def test_the_program_is_the_path_and_its_deviation_that_of_a_dense_walk(part, lead, cutter, milled):
+    result = milled(part, "trunnion_ac", cutter=cutter, lead=lead)
+    words, links, path = result.made.program.words, result.made.links, result.made.joints.path
+    read = read_nc(result.made.nc, links, result.made.dialect)
+    tip, axis = forward(links, words_to_q(read.words))
+    row = result.made.program.row
+    assert np.linalg.norm(tip - path.tip[row], axis=1).max() < 2e-3 and np.linalg.norm(axis - path.axis[row], axis=1).max() < 1e-5
+    block = np.argsort(result.deviation.segment)[[-1, -2, -30, -100, 40]]
+    q, u = words_to_q(words), np.linspace(0, 1, 2001)[:, None]
+    for b in block[block > 0]:
+        walk, _ = forward(links, q[b - 1] + u * (q[b] - q[b - 1]))
+        chord = walk[-1] - walk[0]
+        foot = np.clip((walk - walk[0]) @ chord / max(chord @ chord, 1e-30), 0, 1)
+        dense = np.linalg.norm(walk - walk[0] - foot[:, None] * chord, axis=1).max()
+        assert dense <= result.deviation.bound[b] + 1e-9
+        assert result.deviation.segment[b] == pytest.approx(dense, rel=1e-5, abs=1e-6)
+
+
+@pytest.mark.parametrize("cutter", ["flat:10", "bull:10:2"])
+@pytest.mark.parametrize(
+    "options", [{"singularity": "deform"}, {"tool_axis": "minimax", "max_tilt": 3}, {"tool_axis": "step_weighted"}]
+)
+def test_the_tip_follows_an_axis_that_was_led(cutter, options, milled, points):
+    """The axes are others than the strategy's, and still the cutter touches the dome and does not enter it."""
+    given = {"cutter": cutter, "stepover": 17, "max_axis_angle": 40}
+    made = milled("dome", "trunnion_ac", **given, **options).made
+    plain = milled("dome", "trunnion_ac", **given).made
+    assert np.abs(on_part(made)[1] - on_part(plain)[1]).max() > 1e-3
+    deep = depth(parse_cutter(cutter), *on_part(made), points("dome"))
+    assert -0.1 < np.quantile(deep, 0.02) and deep.max() < 0.005
+
+
+def test_a_path_whose_tips_stayed_behind_would_be_noticed(milled, points):
+    given = {"cutter": "bull:10:2", "stepover": 17, "max_axis_angle": 40}
+    tip, _ = on_part(milled("dome", "trunnion_ac", **given).made)
+    _, axis = on_part(milled("dome", "trunnion_ac", lead=3, **given).made)
+    assert depth(parse_cutter("bull:10:2"), tip, axis, points("dome")).max() > 0.05
+
+
+@pytest.mark.parametrize("cutter", ["flat:10", "bull:10:2", "ball:10"])
+def test_the_driven_point_of_control_point_centre_is_the_hub(cutter, milled):
+    tip = milled("dome", "trunnion_ac", cutter=cutter, lead=5, stepover=17).made.path
+    hub = milled("dome", "trunnion_ac", cutter=cutter, lead=5, stepover=17, control_point="centre").made.path
+    np.testing.assert_allclose(hub.tip - parse_cutter(cutter).corner * hub.axis, tip.tip, atol=1e-9)
+
+
+def test_a_ball_is_not_seated():
+    """Its path comes back as it is, whatever its axes."""
+    path, axis = object(), np.zeros((3, 3))
+    assert seating.seated(path, axis, Cutter(10.0), 0.01) == (path, axis)
+
+
+# ------------------------------------------------------------------------------------------------ edges
+
+
+def roof(slope):
+    """Two planes that meet in a ridge along y at x = 0, each falling by ``slope`` rad; with sides and a bottom."""
+    z = 30 - 30 * np.tan(slope)
+    top = [(-30, -30, z), (-30, 30, z), (0, -30, 30), (0, 30, 30), (30, -30, z), (30, 30, z)]
+    low = [(x, y, 0) for x, y, _ in top]
+    quads = [(0, 2, 3, 1), (2, 4, 5, 3), (6, 7, 9, 8), (8, 9, 11, 10), (0, 1, 7, 6), (4, 10, 11, 5), (0, 6, 8, 2), (2, 8, 10, 4), (1, 3, 9, 7), (3, 5, 11, 9)]  # fmt: skip
+    face = [(a, b, c) for a, b, c, d in quads] + [(a, c, d) for a, b, c, d in quads]
+    return from_faces(np.array([*top, *low], float), np.array(face))
+
+
+@pytest.mark.parametrize("cutter", ["flat:10", "bull:10:2", "bull:10:0.5"])
+@pytest.mark.parametrize("slope", [8, 20, 40])
+def test_over_a_ridge_no_cutter_cuts_the_edge(cutter, slope, tmp_path):
+    """The axis turns over each long facet; rows between keep the bottom on it within the co-edge tolerance."""
+    mesh = roof(np.radians(slope))
+    write_stl(mesh, tmp_path / "roof.stl")
+    given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 20, "max_axis_angle": 60}
+    made = job.make(build_settings("mill", str(tmp_path / "roof.stl"), given))
+    tip, axis = on_part(made)
+    same = np.diff(made.path.pass_[made.path.motion <= Motion.FILL]) == 0
+    half = [0.5 * (part[1:] + part[:-1])[same] for part in (tip, axis)]
+    half[1] /= np.linalg.norm(half[1], axis=1)[:, None]
+    rows = np.arange(len(half[0]))[:: max(len(half[0]) // 300, 1)]
+    top = facet_points(mesh, 1.0)
+    assert depth(parse_cutter(cutter), tip, axis, top).max() < 0.011
+    assert depth(parse_cutter(cutter), half[0][rows], half[1][rows], top).max() < 0.03
+
+
+def test_the_flank_of_a_tapered_cutter_stays_out_of_steep_walls(milled, points):
+    given = {"cutter": "taperball:6:20deg", "tool_axis": "fixed"}
+    made = milled("dome", "trunnion_ac", **given).made
+    (left,) = [finding for finding in made.findings if finding.code == "flank-into-part"]
+    assert left.value > 10.0
+    assert depth(parse_cutter("taperball:6:20deg"), *on_part(made), points("dome")).max() < 0.004
+    assert (made.offset.normal @ [0, 0, 1]).min() >= np.sin(np.radians(20)) - 1e-5
+    gentle = milled("dome", "trunnion_ac", cutter="ball:6", tool_axis="fixed").made
+    assert not [finding for finding in gentle.findings if finding.code == "flank-into-part"]
+
+
+# ------------------------------------------------------------------------------------------------ scallops
+
+
+def surface(height, size=24.0, count=161):
+    """A solid block with ``height(x, y)`` on top."""
+    x, y = np.meshgrid(*[np.linspace(-size / 2, size / 2, count)] * 2, indexing="ij")
+    vertex = np.stack([x, y, height(x, y)], axis=-1).reshape(-1, 3)
+    row = np.arange(count * count).reshape(count, count)
+    a, b, c, d = (part.ravel() for part in (row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:]))
+    return from_faces(vertex, np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]))
+
+
+SURFACES = {
+    "plane": lambda x, y: 0.3 * y,
+    "cylinder across": lambda x, y: np.sqrt(40.0**2 - y * y),
+    "cylinder along": lambda x, y: np.sqrt(40.0**2 - x * x),
+    "sphere": lambda x, y: np.sqrt(40.0**2 - x * x - y * y),
+}
+
+
+def left_over(made, cutter, height, most):
+    """What stands above the surface mid-way along the passes, from the first to the last of them, mm: sampled columns of material
+    that every position of the cutter, the passes finely divided, cuts down."""
+    path = made.path
+    cuts = np.flatnonzero((path.motion[1:] <= Motion.FILL) & (path.pass_[1:] == path.pass_[:-1]) & (path.pass_[1:] >= 0)) + 1
+    cuts = cuts[np.abs(path.contact[cuts, 0]) < 2 * cutter.radius]
+    share = np.linspace(0, 1, 4)[:, None, None]
+    tip, axis = (((1 - share) * part[cuts - 1] + share * part[cuts]).reshape(-1, 3) for part in (path.tip, path.axis))
+    axis /= np.linalg.norm(axis, axis=1)[:, None]
+    y = np.sort(np.unique(np.round(path.contact[cuts, 1], 6)))
+    y = np.linspace(y[0], y[-1], 400)[1:-1]
+    step, x = 1e-4, np.full(len(y), 0.37)
+    foot = np.stack([x, y, height(x, y)], axis=1)
+    slope = np.stack([(height(x + step, y) - height(x - step, y)), (height(x, y + step) - height(x, y - step))], axis=1) / (
+        2 * step
+    )
+    normal = np.column_stack([-slope, np.ones(len(y))])
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+    level = np.linspace(0, most, 120)
+    hub, left = tip + cutter.corner * axis, np.full(len(y), most)
+    for row in range(len(y)):
+        column = foot[row] + level[:, None] * normal[row]
+        near = np.flatnonzero(np.linalg.norm(hub - foot[row], axis=1) < cutter.radius + 1)
+        for k in near:
+            cut = inside(cutter, column - hub[k], axis[k]) >= 0
+            if cut.any():
+                left[row] = min(left[row], level[cut.argmax()])
+    return left
+
+
+@pytest.mark.parametrize("name", SURFACES)
+@pytest.mark.parametrize("shape, lead", [("bull:6:1", 5), ("flat:6", 5)])
+def test_the_scallop_left_is_what_was_asked_for(name, shape, lead, tmp_path):
+    scallop, cutter = 0.05, parse_cutter(shape)
+    write_stl(surface(SURFACES[name]), tmp_path / "part.stl")
+    given = {"machine": "trunnion_ac", "cutter": shape, "lead": lead, "scallop": scallop, "order": "one_way"}
+    made = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
+    left = left_over(made, cutter, SURFACES[name], 3 * scallop)
+    assert left.max() <= 1.05 * scallop
+    assert left.max() >= 0.35 * scallop  # no needless passes
+    ball = job.make(build_settings("mill", str(tmp_path / "part.stl"), given | {"cutter": "ball:6"}))
+    assert made.contact.pass_.max() < ball.contact.pass_.max()  # what such a cutter is taken for
+
+
+def test_a_scallop_that_is_too_high_would_be_noticed(tmp_path):
+    write_stl(surface(SURFACES["plane"]), tmp_path / "part.stl")
+    given = {"machine": "trunnion_ac", "cutter": "bull:6:1", "lead": 5, "stepover": 5, "order": "one_way"}
+    made = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
+    assert left_over(made, parse_cutter("bull:6:1"), SURFACES["plane"], 0.3).max() > 0.1
+
+
+def test_under_a_fixed_axis_the_narrowest_stand_counts():
+    flat, level = parse_cutter("flat:10"), np.array([[0.0, 0.0, 1.0]])
+    slope = np.array([[0.0, np.sin(0.5), np.cos(0.5)]])
+    options, sizes = AxisOptions(), (0.0, "fixed", AxisOptions(), 0.01)
+    wide, narrow = (seating.spacing_radius(flat, normal, *sizes) for normal in (level, slope))
+    assert wide > 1000.0 and narrow < 0.02
+    assert seating.spacing_radius(flat, np.concatenate([level, slope]), *sizes) == pytest.approx(narrow)
+    assert seating.spacing_radius(flat, slope, 0.0, "facet_mean", options, 0.01) == pytest.approx(wide)
+    assert seating.spacing_radius(Cutter(10.0), slope, *sizes) == 5.0
+
+
+# ------------------------------------------------------------------------------------------------ CL files, job files, heads
+
+
+@pytest.mark.parametrize("shape", [*CUTTERS, "ball:10", "taperbull:8:0:3deg:40"])
+def test_a_cl_file_says_the_cutter_and_gives_it_back(shape, milled):
+    path, cutter = milled("dome", "trunnion_ac", stepover=20).made.path, parse_cutter(shape)
+    text = write_apt(path, cutter, "dome")
+    back = read_cl_file(text).head.cutter
+    assert (back.diameter, back.corner, back.taper) == pytest.approx((cutter.diameter, cutter.corner, cutter.taper), abs=2e-4)
+    assert back.length == (cutter.length if cutter.taper else 50.0)
+    np.testing.assert_allclose(read_apt(text).tip, path.tip, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    "statement, sizes",
+    [("CUTTER/10,2", (10, 2, 0)), ("CUTTER/10,5", (10, 5, 0)), ("CUTTER/10,0", (10, 0, 0)), ("CUTTER/10,2,3,2,0,0,40", (10, 2, 0)),
+     ("CUTTER/5.49836,3,0,3,0,5,40", (6, 3, 5)), ("CUTTER/5.49836,3,0,3,0,5", (6, 3, 5)), ("UNITS/INCHES\nCUTTER/0.5,0.1", (12.7, 2.54, 0)),
+     ("CUTTER/10", None), ("CUTTER/10,2,3,2,30,0,40", None), ("CUTTER/10,2,3,4,0,0,40", None), ("CUTTER/10,2,3,2,0,-5,40", None),
+     ("CUTTER/10,6", None), ("CUTTER/10,2,-3,2,0,0,40", None)],
+)  # fmt: skip
+def test_cutter_statements_of_other_systems(statement, sizes):
+    head = read_cl_file(f"{statement}\nMULTAX/ON\nFEDRAT/100\nGOTO/0,0,0,0,0,1\nGOTO/1,0,0,0,0,1\nFINI\n").head
+    if sizes is None:
+        assert head.cutter is None and head.diameter > 0.0
+    else:
+        assert (head.cutter.diameter, head.cutter.corner, np.degrees(head.cutter.taper)) == pytest.approx(sizes, abs=2e-4)
+
+
+def test_post_notes_another_shape(parts, tmp_path):
+    given = {"machine": "trunnion_ac", "cutter": "bull:10:2", "stepover": 15, "cl": str(tmp_path / "a.apt")}
+    job.write_outputs(job.run(build_settings("mill", str(parts / "dome.stl"), given)))
+
+    def notes(cutter):
+        made = job.make(build_settings("post", str(tmp_path / "a.apt"), {"machine": "trunnion_ac", "cutter": cutter}))
+        return [finding for finding in made.findings if finding.code == "cutter-differs"]
+
+    assert not notes("bull:10:2")
+    assert "bull 10 mm, corner 2 mm" in notes("ball:10")[0].text and "retracts" in notes("bull:8:2")[0].text
+
+
+@pytest.mark.parametrize("shape", CUTTERS)
+def test_a_job_file_and_the_head_name_the_cutter(shape, parts):
+    settings = build_settings("mill", str(parts / "dome.stl"), {"machine": "trunnion_ac", "cutter": shape, "stepover": 20})
+    options = json.loads(json.dumps(flat_options(settings)))
+    assert build_settings(options.pop("task"), options.pop("source"), options) == settings
+    nc = job.make(settings).nc.decode()
+    assert shape.partition(":")[0].replace("taper", "taper ") in nc.lower().partition("g")[0] + nc[:400].lower()
+
+
+def test_the_tool_length_of_a_head_reaches_to_the_hub():
+    given = {"machine": "fork_head_bc", "tool_length": 100, "control_point": "centre"}
+    lengths = [
+        job.clamped(build_settings("mill", "x.stl", given | {"cutter": cutter}))[1]
+        for cutter in ("ball:10", "bull:10:2", "flat:10")
+    ]
+    assert [setup.tool_length for setup in lengths] == [95.0, 98.0, 100.0]
+
+
+def test_rows_between_lie_on_the_facet_and_turn_evenly(milled):
+    made = milled("saddle", "trunnion_ac", cutter="bull:10:2", stepover=20).made
+    bent = made.axis + np.where(np.arange(len(made.axis)) % 2, 0.3, -0.3)[:, None] * np.array([0.0, 1.0, 0.0])
+    bent /= np.linalg.norm(bent, axis=1)[:, None]
+    sat, axis = seating.seated(made.offset, bent, parse_cutter("bull:10:2"), 0.01)
+    assert len(axis) > 2 * len(bent)
+    np.testing.assert_allclose(np.linalg.norm(axis, axis=1), 1.0, atol=1e-12)
+    out = replace(sat, findings=()).centre - sat.point
+    assert np.linalg.norm(out, axis=1).max() < 5.0 + 1.0 and np.isfinite(out).all()
