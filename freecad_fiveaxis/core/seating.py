@@ -3,15 +3,17 @@
 
 corner path  what co-edges are closed for: the path of a ball of the corner radius. A ball cutter needs no more.
 ring      a bull nose is that ball swept round a ring: its hub lies one ring radius further, along *out* (see :mod:`.cutter`).
-sharp     the corner of a flat: a ball of a few nanometres, so that sharp edges get their arc of normals and no others do.
+sharp     the corner of a flat: a ball of some nanometres, so that edges get their arc of normals.
 smooth    a co-edge between facets that approximate one surface. All rows of its contact take out from the mean of both normals,
-          as the tool axis does; at the co-edge of a crease each row takes its own normal.
+          as the tool axis does, and the bottom rocks from facet to facet; at any other co-edge each row takes its own normal, and
+          the bottom slides over the edge.
 heel      the side of the bottom away from the contact: in a hollow it meets the part although the contact is tangent.
 """
 
 from __future__ import annotations
 
 from dataclasses import fields, replace
+from typing import Any
 
 import numpy as np
 
@@ -20,11 +22,19 @@ from freecad_fiveaxis.core.cutter import Cutter, ring_direction
 from freecad_fiveaxis.core.passes import CREASE
 
 from .findings import Finding, Severity
-from .records import Floats, Ints
+from .records import Bools, Floats, Ints
 from .tool_axis import AxisOptions, feed_direction, leaned
 
-SHARP = 2e-6
-"""mm: the corner radius of a flat on its way round edges. With it only creases open a gap that counts (``coedge.FLAT_GAP``)."""
+SHARP = 5e-5
+"""mm: the corner radius of a flat on its way round edges, half of a word's last digit. Co-edges of more than a degree open a gap
+that counts with it (``junction.FLAT_GAP``)."""
+
+ROCKING = 0.01
+"""mm: by so much the bottom may enter a facet between two smooth co-edges; what rocks further is no smooth surface. It is half of
+what such facets leave the surface behind them by, at most."""
+
+SAME = 2.0 * SHARP
+"""mm; hubs nearer than this, under one axis, are one place."""
 
 NOTABLE = 0.01
 """mm of a heel in the part before it is worth a finding: a usual finishing tolerance."""
@@ -51,15 +61,22 @@ def hubs(path: OffsetPath, axis: Floats, ring: float) -> Floats:
     """The hubs (n, 3) mm of a cutter with that ring (mm) and tool axes (n, 3); ``path.centre`` itself for a ball (ring 0)."""
     if ring == 0.0 or not len(axis):
         return path.centre
-    return np.asarray(path.centre + ring * ring_direction(seat_normal(path), axis, feed_direction(path, axis), ring))
+    return np.asarray(path.centre + ring * ring_direction(seat_normal(path, ring), axis, feed_direction(path, axis), ring))
 
 
-def seat_normal(path: OffsetPath) -> Floats:
-    """The unit normal (n, 3) of the surface on which the cutter sits at each row."""
+def seat_normal(path: OffsetPath, ring: float) -> Floats:
+    """The unit normal (n, 3) of the surface on which a cutter with that ring (mm) sits at each row.
+
+    Smooth: over a facet of length L whose normal the axis leaves by half of a co-edge's turn t at both its ends, the bottom
+    enters it at most by ``t min(L, 16 ring) / 16``: at the share s of the way it leans by t (1 - 2 s) / 2 and has s L of facet
+    behind it.
+    """
     mean = path.before + path.after
-    smooth = np.einsum("ij,ij->i", path.before, path.after) >= np.cos(CREASE)
-    length = np.sqrt(np.maximum(np.einsum("ij,ij->i", mean, mean), 1e-30))
-    return np.asarray(np.where(smooth[:, None], mean / length[:, None], path.normal))
+    turn = np.linalg.norm(path.after - path.before, axis=1)
+    way = np.minimum(np.maximum(path.step_before, path.step_after), 16.0 * ring)
+    smooth = (turn <= 2.0 * np.sin(0.5 * CREASE)) & (way * turn <= 16.0 * ROCKING)
+    length = np.linalg.norm(np.where(smooth[:, None], mean, path.normal), axis=1)
+    return np.asarray(np.where(smooth[:, None], mean, path.normal) / length[:, None])
 
 
 def seated(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
@@ -72,7 +89,21 @@ def seated(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> 
         return path, axis
     path, axis = _divided(path, axis, cutter, tolerance)
     hub = hubs(path, axis, cutter.ring)
-    return replace(path, centre=hub, findings=path.findings + _heel_findings(path, hub, axis, cutter)), axis
+    sat = replace(path, centre=hub, findings=path.findings + _heel_findings(path, hub, axis, cutter))
+    rows = np.flatnonzero(~_stands_still(sat, axis))
+    return (sat, axis) if len(rows) == len(axis) else (replace(sat, **_columns(sat, rows)), axis[rows])
+
+
+def _columns(path: OffsetPath, rows: Ints) -> dict[str, Any]:
+    """Rows (k,) of every column of a path, ready to be changed; its polylines go on over what is left out."""
+    return {one.name: getattr(path, one.name)[rows] for one in fields(path) if one.name != "findings"}
+
+
+def _stands_still(path: OffsetPath, axis: Floats) -> Bools:
+    """Rows (n,) that close a gap and neither move nor turn the tool."""
+    moved = np.abs(np.diff(path.centre, axis=0, prepend=path.centre[:1])).max(axis=1)
+    turned = np.abs(np.diff(axis, axis=0, prepend=axis[:1])).max(axis=1)
+    return np.asarray(path.fill & (moved <= SAME) & (turned == 0.0))
 
 
 # ------------------------------------------------------------------------------------------------ rows between
@@ -94,16 +125,16 @@ def _divided(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -
     step = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
     share = step / pieces[row]
     new = np.flatnonzero(share < 1.0)
-    return _with_rows(path, axis, row, new, share[new])
+    return _with_rows(path, axis, row, new, share[new], cutter.ring)
 
 
-def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floats) -> tuple[OffsetPath, Floats]:
+def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floats, ring: float) -> tuple[OffsetPath, Floats]:
     """Rows ``row`` (k,) of the path, those at ``new`` moved to ``share`` of the way from the row before, inside its facet.
 
     Corner circles go straight there, along the facet; axis and seat turn evenly."""
-    end, made, seat = row[new], axis[row], seat_normal(path)
+    end, made, seat = row[new], axis[row], seat_normal(path, ring)
     start, part = end - 1, share[:, None]
-    columns = {name.name: getattr(path, name.name)[row] for name in fields(path) if name.name != "findings"}
+    columns = _columns(path, row)
     for name in ("point", "centre"):
         given = getattr(path, name)
         columns[name][new] = (1.0 - part) * given[start] + part * given[end]
@@ -144,7 +175,7 @@ def heel_depth(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> F
     At a distance x behind the contact, where the normal has turned by a on the way, the surface is about ``x a / 2`` higher than
     the contact's plane; the ring's hindmost point is ``ring (out - feed) . normal`` above it. Likewise ahead.
     """
-    feed, normal = feed_direction(path, axis), seat_normal(path)
+    feed, normal = feed_direction(path, axis), seat_normal(path, cutter.ring)
     out = (hub - path.centre) / cutter.ring
     lean, ahead = _dot(out, normal), _dot(feed, normal)
     behind_way = cutter.ring * (1.0 - _dot(out, feed))

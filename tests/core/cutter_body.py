@@ -39,9 +39,11 @@ def support(outline, axis, direction):
     return (across[:, None] * outline[:, 0] + along[:, None] * outline[:, 1]).max(axis=1)
 
 
-def depth(cutter, tip, axis, points):
-    """How deep (n,) mm the deepest of ``points`` (k, 3) lies in a cutter at each tip (n, 3) along axis (n, 3); outside it is
-    negative, and only right near the skin. The flank goes on upwards for ever."""
+def depth(cutter, tip, axis, points, most=300):
+    """How deep (n,) mm the deepest of ``points`` (k, 3) lies in a cutter at each tip (n, 3) along axis (n, 3), or at ``most`` of them;
+    outside it is negative, and only right near the skin. The flank goes on upwards for ever."""
+    some = np.unique(np.linspace(0, len(tip) - 1, most).astype(int))
+    tip, axis = tip[some], axis[some]
     tree, reach, found = cKDTree(points), cutter.radius + 1.0, np.full(len(tip), -np.inf)
     hub = tip + cutter.corner * axis
     for row, near in enumerate(tree.query_ball_point(hub, reach)):
@@ -51,14 +53,15 @@ def depth(cutter, tip, axis, points):
 
 
 def inside(cutter, from_hub, axis):
-    """Depth (n,) mm of points given from the hub (n, 3)."""
-    height = from_hub @ axis
+    """Depth (n,) mm of points given from the hub (n, 3), of a cutter along ``axis``, (3,) or (n, 3)."""
+    height = (from_hub * axis).sum(axis=1)
     radius = np.linalg.norm(from_hub - height[:, None] * axis, axis=1)
     below = cutter.corner - np.hypot(np.maximum(radius - cutter.ring, 0), height)
     sine, cosine = np.sin(cutter.taper), np.cos(cutter.taper)
     flank = cutter.corner + (cutter.ring - radius) * cosine + height * sine
     rounded = height * cosine + (radius - cutter.ring) * sine < 0  # nearest to the corner circle, not to the flank
-    return np.where(height < 0, below, np.where(rounded & (radius > cutter.ring), np.minimum(below, flank), flank))
+    above = np.where(rounded & (radius > cutter.ring), np.minimum(below, flank), flank)
+    return np.where(height < 0, below, np.minimum(above, height + cutter.corner))
 
 
 def facet_points(mesh, step):

@@ -110,6 +110,8 @@ def cutter_from_apt(numbers: Sequence[float], scale: float = 1.0) -> Cutter | No
     if abs(f - r) > SAME or abs(a) > SAME or not 0.0 <= taper < math.pi / 2.0:
         return None
     ring = 0.5 * d - r * (1.0 - math.sin(taper)) / math.cos(taper) if math.isnan(e) else e
+    if ring < -SAME:
+        return None
     corner = FULL if abs(ring) <= SAME else r
     sizes: dict[str, Any] = {} if math.isnan(h) or h <= 0.0 else {"length": h}
     try:

@@ -81,7 +81,7 @@ def minimax_axes(
     at = find_rows(path)
     length = np.linalg.norm(np.diff(at.centre, axis=0, prepend=at.centre[:1]), axis=1)
     minutes = np.maximum(length / feed, INSTANT) if feed < math.inf else np.full(len(length), math.inf)
-    sits = Ring(ring, seat_normal(path), feed_direction(path, axis)) if ring > 0.0 else None
+    sits = Ring(ring, seat_normal(path, ring), feed_direction(path, axis)) if ring > 0.0 else None
     task = Task(links, reach, max_tilt, minutes, np.abs(np.diff(start, axis=0, prepend=start[:1])), sits)
     found = _followed(path, task, at, start, progress)
     return _kept(path, axis, found, task, at, before)
@@ -139,7 +139,7 @@ def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, b
     return axis
 
 
-def _driven(path: OffsetPath, axis: Floats, links: Chain, reach: float, ring: float) -> tuple[Floats, Floats]:
+def _driven(path: OffsetPath, axis: Floats, links: Chain, reach: float, ring: float = 0.0) -> tuple[Floats, Floats]:
     """Rotary words (n, 2) rad of all rows as the joint path chooses them, and the largest deviation (p,) mm of each run's
     blocks. Between runs the path goes in one rapid: the axes, not the way, decide on branches."""
     begins = run_begins(path)
