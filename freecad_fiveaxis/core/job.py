@@ -151,7 +151,7 @@ def _planes(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> 
     radius, more = cutter.radius, {}
     if scallop is not None and cutter.ring > 0.0:
         stand = (settings.tool_axis.tool_axis, _axis_options(settings))
-        radius, more = spacing_radius(cutter, mesh.normal[keep], passes.direction, *stand, scallop), {"widest": 1.0}
+        radius, more = spacing_radius(cutter, mesh, keep, passes.direction, *stand, scallop), {"widest": 1.0}
     return place_planes(
         mesh, passes.direction, radius, stepover=passes.stepover, scallop=scallop, least=passes.least_interval, keep=keep,
         progress=progress, **more,

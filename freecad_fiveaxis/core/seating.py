@@ -19,7 +19,8 @@ import numpy as np
 
 from freecad_fiveaxis.core.coedge import OffsetPath
 from freecad_fiveaxis.core.cutter import Cutter, ring_direction
-from freecad_fiveaxis.core.passes import CREASE
+from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.passes import CREASE, facet_curvature, turned_along
 
 from .findings import Finding, Severity
 from .records import Bools, Floats, Ints
@@ -47,6 +48,12 @@ MOST_PIECES = 64
 
 SAME_STAND = 1.0
 """deg; facets whose normals differ by less stand alike under a fixed axis when the passes are spaced."""
+
+HAIR = 1e-3
+"""rad: a bottom that stands square is taken to lean forward by this much: it then touches with its foremost point, as it sits."""
+
+MOST = 0.99
+"""Share of the facets whose curvature along the passes counts; a few slivers bend by anything."""
 
 STEEPEST = 0.02
 """Sine: a wall that is steeper to the axis, or faces the passes more squarely, does not count when the passes are spaced."""
@@ -212,15 +219,19 @@ def _dot(one: Floats, two: Floats) -> Floats:
 # ------------------------------------------------------------------------------------------------ spacing
 
 
-def spacing_radius(cutter: Cutter, normal: Floats, angle: float, strategy: str, options: AxisOptions, scallop: float) -> float:
+def spacing_radius(
+    cutter: Cutter, mesh: Mesh, keep: Bools, angle: float, strategy: str, options: AxisOptions, scallop: float
+) -> float:
     """The radius, mm, of the ball whose passes along ``angle`` rad may stand as far apart as this cutter's.
 
-    ``normal`` (f, 3) of the facets that are cut. A tool that follows the surface stands alike everywhere; under a fixed axis the
-    facet on which the cutter is narrowest counts for all. A ball: its radius.
+    ``keep`` (f,): the facets that are cut. A tool that follows the surface stands alike everywhere; under a fixed axis the facet
+    on which the cutter is narrowest counts for all. How the surface bends along the passes counts, too. A ball: its radius.
     """
     if cutter.ring == 0.0:
         return cutter.radius
-    travel = np.array((np.cos(angle), np.sin(angle), 0.0))
+    travel, normal = np.array((np.cos(angle), np.sin(angle), 0.0)), mesh.normal[keep]
+    bend = _bend(facet_curvature(mesh)[:, keep], normal, travel)
+    travel = travel if strategy == "fixed" else np.array((1.0, 0.0, 0.0))
     normal = _few(normal, travel) if strategy == "fixed" else np.array([[0.0, 0.0, 1.0]])
     upright = np.array(options.fixed, float) / np.linalg.norm(options.fixed)
     radii = [np.array([np.inf])]
@@ -228,11 +239,24 @@ def spacing_radius(cutter: Cutter, normal: Floats, angle: float, strategy: str, 
         side = np.cross(normal, travel)
         axis = np.broadcast_to(upright, normal.shape) if strategy == "fixed" else normal
         feed = np.cross(side, axis)
-        axis = leaned(axis, sense * feed / np.linalg.norm(feed, axis=1)[:, None], options.lead, options.tilt)
+        feed /= sense * np.linalg.norm(feed, axis=1)[:, None]
+        axis = leaned(axis, feed, options.lead, options.tilt)
+        square = np.linalg.norm(axis - normal, axis=1) < HAIR
+        axis[square] = leaned(axis[square], feed[square], HAIR, 0.0)
         stands = np.einsum("ij,ij->i", axis, normal) > STEEPEST
-        radii.append(cutter.equivalent_radius(normal[stands], axis[stands], side[stands], scallop))
+        radii.append(cutter.equivalent_radius(normal[stands], axis[stands], side[stands], scallop, bend))
     least = float(np.concatenate(radii).min())
     return max(least, 1.001 * scallop) if np.isfinite(least) else cutter.radius
+
+
+def _bend(tensor: Floats, normal: Floats, travel: Floats) -> float:
+    """The curvature, 1/mm, along the passes that hardly any facet exceeds, 0 where none is convex."""
+    way = travel - (normal @ travel)[:, None] * normal
+    length = np.linalg.norm(way, axis=1)
+    way = way[length > STEEPEST] / length[length > STEEPEST, None]
+    if not len(way):
+        return 0.0
+    return max(float(np.quantile(_dot(turned_along(tensor[:, length > STEEPEST], way), way), MOST)), 0.0)
 
 
 def _few(normal: Floats, travel: Floats) -> Floats:

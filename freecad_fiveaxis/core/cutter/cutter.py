@@ -121,13 +121,13 @@ class Cutter:
         ``normal``, ``axis`` (n, 3) unit; ``direction`` (n, 3): across the way, any length, not along the normal."""
         return effective_radius(normal, axis, direction, self.ring, self.corner)
 
-    def equivalent_radius(self, normal: Floats, axis: Floats, direction: Floats, height: float) -> Floats:
+    def equivalent_radius(self, normal: Floats, axis: Floats, direction: Floats, height: float, bend: float = 0.0) -> Floats:
         """Radius (n,) mm of the ball that is as wide as what the cutter sweeps, ``height`` mm above the contact.
 
-        The sweep lies within that ball up to there, so the ball's scallop is never below the cutter's. Other arguments as for
-        the effective radius; a ``height`` above 0.
+        Up to there that ball lies within the sweep, so the ball's scallop is never below the cutter's. Other arguments as for the
+        effective radius; a ``height`` above 0; ``bend`` 1/mm as in :func:`~.shadow.width_at`.
         """
-        width = width_at(normal, axis, direction, height, self.hub_discs())
+        width = width_at(normal, axis, direction, height, self.hub_discs(), bend)
         return np.asarray((0.25 * width * width + height * height) / (2.0 * height))
 
     def hub_discs(self) -> Floats:

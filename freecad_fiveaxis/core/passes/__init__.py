@@ -3,7 +3,10 @@
 
 from .passes import ContactPath, direction, slice_mesh
 from .reach import axes_within_limits, reachable_facets
-from .scallop import CREASE
+from .scallop import CREASE, facet_curvature, turned_along
 from .spacing import place_planes
 
-__all__ = ["CREASE", "ContactPath", "axes_within_limits", "direction", "place_planes", "reachable_facets", "slice_mesh"]
+__all__ = [
+    "CREASE", "ContactPath", "axes_within_limits", "direction", "facet_curvature", "place_planes", "reachable_facets",
+    "slice_mesh", "turned_along",
+]  # fmt: skip
