@@ -13,7 +13,7 @@ heel      the side of the bottom away from the contact: in a hollow it meets the
 from __future__ import annotations
 
 from dataclasses import fields, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -171,7 +171,7 @@ def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) 
     x, y, z = path.point[worst].tolist()
     text = (
         f"In hollows along the passes the cutter's bottom stands up to about {depth[worst]:.3g} mm in the part behind its "
-        f"contact, over {len(deep)} rows. Give more lead, or take a smaller cutter or a ball."
+        f"contact or before it, over {len(deep)} rows. Give more lead, take a smaller cutter or a ball, or check for gouges."
     )
     return (Finding(Severity.WARNING, "heel-in-hollow", text, float(depth[worst]), NOTABLE, "mm", place=(x, y, z)),)
 
@@ -179,30 +179,37 @@ def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) 
 def heel_depth(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> Floats:
     """About how deep (n,) mm the bottom stands in the surface along its pass; below 0: how far it stays off.
 
-    At a distance x behind the contact, where the normal has turned by a on the way, the surface is about ``x a / 2`` higher than
-    the contact's plane; the ring's hindmost point is ``ring (out - feed) . normal`` above it. Likewise ahead.
+    The ring's hindmost point is ``ring (out - feed) . normal`` above the plane of the contact, its foremost one
+    ``ring (out + feed) . normal``; the surface there rises over that plane by what the pass, unrolled, does.
     """
     feed, normal = feed_direction(path, axis), seat_normal(path, cutter.ring)
     out = (hub - path.centre) / cutter.ring
-    lean, ahead = _dot(out, normal), _dot(feed, normal)
-    behind_way = cutter.ring * (1.0 - _dot(out, feed))
-    length, turned = _course(path, normal, feed)
+    course = _Course.of(path, normal, feed)
     first, last = _ends(path.polyline)
     depth = np.full(len(axis), -np.inf)
-    for sense, way in ((-1.0, behind_way), (1.0, 2.0 * cutter.ring - behind_way)):
-        there = np.clip(length + sense * way, length[first], length[last])
-        hollow = sense * (np.interp(there, length, turned) - turned)
-        rise = 0.5 * np.abs(there - length) * hollow
-        depth = np.maximum(depth, rise - cutter.ring * (lean + sense * ahead))
+    for sense in (-1.0, 1.0):
+        way = sense * cutter.ring * (1.0 + sense * _dot(out, feed))
+        there = np.clip(course.length + way, course.length[first], course.length[last])
+        rise = np.interp(there, course.length, course.height) - course.height - course.slope * (there - course.length)
+        depth = np.maximum(depth, rise - cutter.ring * _dot(out + sense * feed, normal))
     return depth
 
 
-def _course(path: OffsetPath, normal: Floats, feed: Floats) -> tuple[Floats, Floats]:
-    """Length (n,) mm of all contacts up to each row, and how far (n,) rad the surface, as its ``normal`` there says, has turned
-    upwards. All rows of a contact have its co-edge's whole turn; it counts once."""
-    length = np.cumsum(np.linalg.norm(np.diff(path.point, axis=0, prepend=path.point[:1]), axis=1))
-    turn = np.where(path.fill, 0.0, -_dot(path.after - path.before, feed))
-    return length, np.cumsum(turn) + _dot(path.after - normal, feed)
+class _Course(NamedTuple):
+    """The passes unrolled, one row after the other: ``length`` (n,) mm of all contacts up to each row; ``height`` (n,) mm of the
+    surface there, its turns upwards summed up; ``slope`` (n,) rad of the plane on which the cutter sits."""
+
+    length: Floats
+    height: Floats
+    slope: Floats
+
+    @classmethod
+    def of(cls, path: OffsetPath, normal: Floats, feed: Floats) -> _Course:
+        """All rows of a contact have its co-edge's whole turn; it counts once."""
+        step = np.linalg.norm(np.diff(path.point, axis=0, prepend=path.point[:1]), axis=1)
+        slope = np.cumsum(np.where(path.fill, 0.0, -_dot(path.after - path.before, feed)))
+        height = np.cumsum(step * np.append(0.0, slope[:-1]))
+        return cls(np.cumsum(step), height, slope + _dot(path.after - normal, feed))
 
 
 def _ends(polyline: Ints) -> tuple[Ints, Ints]:

@@ -154,6 +154,22 @@ def test_over_a_ridge_no_cutter_cuts_the_edge(cutter, slope, tmp_path):
     assert depth(parse_cutter(cutter), half[0][rows], half[1][rows], top).max() < 0.03
 
 
+@pytest.mark.parametrize("cutter", ["flat:10", "bull:10:2"])
+@pytest.mark.parametrize("slope, options, gouges", [
+    (-5, {}, True), (-5, {"tool_axis": "fixed"}, True), (-5, {"lead": 10}, False), (-20, {"lead": 10}, True), (-45, {}, True),
+])  # fmt: skip
+def test_in_a_valley_the_bottom_is_told_of_where_it_cuts_and_only_there(cutter, slope, options, gouges, tmp_path):
+    """Concave edges are trimmed for the corner circle alone; what the rest of the bottom does there is said."""
+    mesh = roof(np.radians(slope))
+    write_stl(mesh, tmp_path / "valley.stl")
+    given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 20, "max_axis_angle": 60, **options}
+    made = job.make(build_settings("mill", str(tmp_path / "valley.stl"), given))
+    deep = depth(parse_cutter(cutter), *on_part(made), facet_points(mesh, 1.0)).max()
+    heels = [finding.value for finding in made.findings if finding.code == "heel-in-hollow"]
+    assert (deep > 0.1) == gouges == bool(heels)
+    assert not gouges or 0.95 * deep < heels[0] < 1.8 * deep
+
+
 def test_the_flank_of_a_tapered_cutter_stays_out_of_steep_walls(milled, points):
     given = {"cutter": "taperball:6:20deg", "tool_axis": "fixed"}
     made = milled("dome", "trunnion_ac", **given).made

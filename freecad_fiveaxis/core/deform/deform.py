@@ -7,7 +7,8 @@ lead       to change the axis of a pass near the pole such that the first rotary
            fixed cone. Here the way is found by :mod:`.leading`, and kept only where driving it on the machine proves it
            better (:mod:`.choice`).
 
-Only the axis moves. Contact points and ball centres stay what they are, so a ball-end cutter cuts the same surface.
+Only the axis moves. Contact points and ball centres stay what they are, so a ball-end cutter cuts the same surface; any other
+cutter sits anew on its contact (:mod:`.seating`).
 """
 
 from __future__ import annotations
