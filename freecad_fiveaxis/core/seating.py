@@ -46,7 +46,7 @@ NOTHING = 1e-12
 MOST_PIECES = 64
 """Pieces of a block at most: half a turn of the axis in steps of less than 3 degrees."""
 
-SAME_STAND = 1.0
+SAME_STAND = 2.0
 """deg; facets whose normals differ by less stand alike under a fixed axis when the passes are spaced."""
 
 HAIR = 1e-3
@@ -239,8 +239,8 @@ def spacing_radius(
     travel, normal = np.array((np.cos(angle), np.sin(angle), 0.0)), mesh.normal[keep]
     bend = _bend(facet_curvature(mesh)[:, keep], normal, travel)
     travel = travel if strategy == "fixed" else np.array((1.0, 0.0, 0.0))
-    normal = _few(normal, travel) if strategy == "fixed" else np.array([[0.0, 0.0, 1.0]])
     upright = np.array(options.fixed, float) / np.linalg.norm(options.fixed)
+    normal = _few(normal, travel, upright) if strategy == "fixed" else np.array([[0.0, 0.0, 1.0]])
     radii = [np.array([np.inf])]
     for sense in (1.0, -1.0):
         side = np.cross(normal, travel)
@@ -266,8 +266,8 @@ def _bend(tensor: Floats, normal: Floats, travel: Floats) -> float:
     return max(float(np.quantile(_dot(turned_along(tensor[:, length > STEEPEST], way), way), MOST)), 0.0)
 
 
-def _few(normal: Floats, travel: Floats) -> Floats:
-    """Normals that stand for all: one of each degree, without those that look along the passes."""
+def _few(normal: Floats, travel: Floats, upright: Floats) -> Floats:
+    """Normals that stand for all alike, without those that look along the passes or away from the tool."""
     key = np.unique(np.rint(np.degrees(normal) / SAME_STAND), axis=0)
     few = key / np.linalg.norm(key, axis=1)[:, None]
-    return np.asarray(few[np.linalg.norm(np.cross(few, travel), axis=1) > STEEPEST])
+    return np.asarray(few[(np.linalg.norm(np.cross(few, travel), axis=1) > STEEPEST) & (few @ upright > STEEPEST)])

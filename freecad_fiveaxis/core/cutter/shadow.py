@@ -19,10 +19,10 @@ from freecad_fiveaxis.core.records import Floats
 LEVEL = 1e-12
 """Sine below which a level bottom lies on the surface."""
 
-STEPS = 720
-"""Directions of the shadow's outline on each side: its chords lie within it, by less than 1e-5 of its radius."""
+STEPS = 360
+"""Directions of the shadow's outline on each side: its chords lie within it, by less than 1e-4 of its radius."""
 
-CHUNK = 4096
+CHUNK = 256
 """Rows whose outlines are held at a time."""
 
 
