@@ -79,14 +79,15 @@ def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
     given = {name: value for name, value in options.items() if value is not None}
     read = {name: read_option(fields[name], value) for name, value in given.items()}
     for name, value in read.items():
+        if fields[name].metadata["kind"] == "cutter" and (value.ring > 0.0 or value.taper > 0.0):
+            raise SettingsError("document objects have ball cutters only; give another shape on the command line", given[name])
+    for name, value in read.items():
         _put(obj, fields[name], value)
 
 
 def _put(obj: Any, leaf: Any, value: Any) -> None:
     name, kind = property_name(leaf.name), leaf.metadata["kind"]
     if kind == "cutter":
-        if value.ring > 0.0 or value.taper > 0.0:
-            raise SettingsError("document objects have ball cutters only; give another shape on the command line", value)
         obj.CutterDiameter, obj.CutterLength = value.diameter, value.length
         return
     if kind == "point":

@@ -39,7 +39,7 @@ def support(outline, axis, direction):
     return (across[:, None] * outline[:, 0] + along[:, None] * outline[:, 1]).max(axis=1)
 
 
-def depth(cutter, tip, axis, points, most=300):
+def depth(cutter, tip, axis, points, most=150):
     """How deep (n,) mm the deepest of ``points`` (k, 3) lies in a cutter at each tip (n, 3) along axis (n, 3), or at ``most`` of them;
     outside it is negative, and only right near the skin. The flank goes on upwards for ever."""
     some = np.unique(np.linspace(0, len(tip) - 1, most).astype(int))

@@ -38,7 +38,7 @@ def stands(leads, tilts, seed=3):
 def test_the_cutter_touches_its_facet_for_every_lead_and_tilt(shape):
     """The lowest of all points of the body is on the facet's plane, and the contact is on the body."""
     cutter = parse_cutter(shape)
-    points = body(cutter, 800)
+    points = body(cutter, 720, arc=240)
     rows = stands((0, 5, 30), (0, 30))
     for contact, normal, axis, tip in zip(*rows[:3], cutter.tip_from_contact(*rows), strict=True):
         height = (placed(points, tip, axis) - contact) @ normal
@@ -136,7 +136,7 @@ def test_known_effective_radii():
     assert bull.effective_radius(up, lead, x)[0] == pytest.approx(2)
     assert bull.effective_radius(up, up, y)[0] == np.inf
     assert Cutter(10.0).effective_radius(up, up, y)[0] == 5.0
-    assert Cutter(10.0).equivalent_radius(up, lead, y, 0.01)[0] == pytest.approx(5.0, rel=1e-4)
+    assert Cutter(10.0).equivalent_radius(up, lead, y, 0.01)[0] == pytest.approx(5.0, rel=3e-4)
 
 
 @pytest.mark.parametrize("shape", ["ball:10", "flat:10", "bull:10:2", "taperbull:10:2:10deg:25"])
