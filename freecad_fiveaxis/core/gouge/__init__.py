@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cutter, shank and holder against the whole part, along the way that they really go."""
+
+from .body import CUTTER, HOLDER, SHANK, Body, Piece, body_of, depth_of, frustum_piece, round_piece
+from .check import GougeCheck, check_course
+from .course import Course, real_course, straight_course
+from .facet_tree import FacetTree, facet_tree
+from .inside import inside, is_closed
+from .search import Entries, find_entries
+
+__all__ = [
+    "CUTTER",
+    "HOLDER",
+    "SHANK",
+    "Body",
+    "Course",
+    "Entries",
+    "FacetTree",
+    "GougeCheck",
+    "Piece",
+    "body_of",
+    "check_course",
+    "depth_of",
+    "facet_tree",
+    "find_entries",
+    "frustum_piece",
+    "inside",
+    "is_closed",
+    "real_course",
+    "round_piece",
+    "straight_course",
+]

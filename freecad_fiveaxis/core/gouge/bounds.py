@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How deep nodes and facets can be in a piece on its way: upper bounds that hold for every u, and the facet's deepest point.
+
+Any unit direction g gives a bound: what a piece reaches along g, less what the node begins at along g. It holds wherever g comes
+from; a well chosen g only makes it close. Two choices are tried: away from the piece towards the node's point, which is close
+where the node is small, and the node's normal both ways, which is close where the tool touches a surface.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.records import Floats, Ints
+
+from .body import NOWHERE, Piece, off_piece
+from .course import Clusters, Poses
+from .facet_tree import FacetTree
+
+STEPS = 6
+"""Times that a facet's deepest point is improved; what is missing then is part of the bound."""
+
+
+class Way(NamedTuple):
+    """Of k clusters or stretches: columns x, y, z of tip, travel, axis and turn, and the bends (see Clusters)."""
+
+    tip: tuple[Floats, ...]
+    travel: tuple[Floats, ...]
+    axis: tuple[Floats, ...]
+    turn: tuple[Floats, ...]
+    bend_tip: Floats
+    bend_axis: Floats
+
+
+def way_of(clusters: Clusters, rows: Ints) -> Way:
+    """The ways of these clusters (k,)."""
+    tip, travel, axis, turn = (tuple(part.take(rows) for part in field) for field in clusters[:4])
+    return Way(tip, travel, axis, turn, clusters.bend_tip.take(rows), clusters.bend_axis.take(rows))
+
+
+def _dot(p: tuple[Floats, ...], q: tuple[Floats, ...]) -> Floats:
+    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
+
+
+def _discs(piece: Piece) -> list[tuple[float, float]]:
+    low, high = (piece.low, piece.low_radius), (piece.high, piece.high_radius)
+    return [low] if low == high else [low, high]
+
+
+def supports(piece: Piece, way: Way, g: tuple[Floats, ...], both: bool) -> tuple[Floats, Floats]:
+    """The support of the piece over its way in the unit directions g, and in -g where ``both`` is asked for, mm."""
+    m, h, a, w = (_dot(g, vector) for vector in way[:4])
+    there, back = [], []
+    for z, r in _discs(piece):
+        swing = np.abs(h + z * w) if r == 0.0 else None
+        if swing is not None:
+            there.append(m + z * a + swing)
+            back.append(swing - m - z * a)
+            continue
+        one, two = a + w, a - w
+        reach_one, reach_two = r * np.sqrt(np.maximum(1.0 - one * one, 0.0)), r * np.sqrt(np.maximum(1.0 - two * two, 0.0))
+        first, last = m + h + z * one, m - h + z * two
+        there.append(np.maximum(first + reach_one, last + reach_two))
+        if both:
+            back.append(np.maximum(reach_one - first, reach_two - last))
+    lever = max(abs(z) + r for z, r in _discs(piece))
+    more = piece.round + way.bend_tip + lever * way.bend_axis
+    up = (there[0] if len(there) == 1 else np.maximum(*there)) + more
+    if not both:
+        return up, up
+    return up, (back[0] if len(back) == 1 else np.maximum(*back)) + more
+
+
+class Lateral(NamedTuple):
+    """``most`` (n,) mm: no point of the node is deeper; ``least`` (n,) mm: a point of the part in the node is that deep at a
+    pose of the stretch."""
+
+    most: Floats
+    least: Floats
+
+
+def lateral(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Lateral:
+    """The bounds in the direction from the piece, half-way, to the node's point."""
+    scale = 1.0 / np.maximum(np.sqrt(_dot(way.axis, way.axis)), NOWHERE)
+    axis = tuple(part * scale for part in way.axis)
+    arm = tuple(tree.point[k].take(node) - way.tip[k] for k in range(3))
+    off, g = toward(piece, axis, arm)
+    up, _ = supports(piece, way, g, both=False)
+    begins = sum(g[k] * tree.middle[k].take(node) - np.abs(g[k]) * tree.half[k].take(node) for k in range(3))
+    lost = way.bend_tip + (piece.reach + piece.round) * (way.bend_axis + np.abs(1.0 - 1.0 / scale))
+    return Lateral(up - begins, -off - lost)
+
+
+def toward(piece: Piece, axis: tuple[Floats, ...], arm: tuple[Floats, ...]) -> tuple[Floats, tuple[Floats, ...]]:
+    """Signed distance (n,) mm of the points ``arm`` from the tip, and the unit direction in which it grows."""
+    height = _dot(arm, axis)
+    out = tuple(arm[k] - height * axis[k] for k in range(3))
+    radius = np.sqrt(_dot(out, out))
+    off = off_piece(piece, radius, height)
+    across = np.where(radius > NOWHERE, off.across / np.maximum(radius, NOWHERE), 0.0)
+    g = tuple(off.along * axis[k] + across * out[k] for k in range(3))
+    bare = np.flatnonzero(radius <= 1e-9)  # on the axis the direction across it is any
+    if len(bare):
+        g = _unit_on_axis(g, axis, off.along, bare)
+    return off.distance, g
+
+
+def _unit_on_axis(
+    g: tuple[Floats, ...], axis: tuple[Floats, ...], along: Floats, rows: Ints
+) -> tuple[Floats, ...]:  # fmt: skip
+    k = np.stack([part[rows] for part in axis])
+    least = np.eye(3)[np.abs(k).argmin(axis=0)].T
+    side = np.cross(k, least, axis=0)
+    side = side / np.linalg.norm(side, axis=0)
+    share = along[rows]
+    made = share * k + np.sqrt(np.maximum(1.0 - share * share, 0.0)) * side
+    for column, value in zip(g, made, strict=True):
+        column[rows] = value
+    return g
+
+
+def slab(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
+    """The smaller one of the bounds (n,) mm along the nodes' normals, both ways."""
+    normal = tuple(tree.normal[k].take(node) for k in range(3))
+    up, down = supports(piece, way, normal, both=True)
+    return np.minimum(up - tree.low.take(node), down + tree.high.take(node))
+
+
+# ------------------------------------------------------------------------------------------------ facets
+
+
+def support_at(piece: Piece, pose: Poses, g: Floats) -> Floats:
+    """The support (n,) mm of the piece at poses in the unit directions g (3, n)."""
+    along = (g * pose.axis).sum(axis=0)
+    across = np.sqrt(np.maximum(1.0 - along * along, 0.0))
+    reach = [z * along + r * across for z, r in _discs(piece)]
+    most = reach[0] if len(reach) == 1 else np.maximum(*reach)
+    return np.asarray((g * pose.tip).sum(axis=0) + most + piece.round)
+
+
+class Deepest(NamedTuple):
+    """``point`` (3, n) mm on the facet, its signed ``distance`` (n,) mm from the piece, and the direction ``g`` (3, n) in which
+    that grows."""
+
+    point: Floats
+    distance: Floats
+    g: Floats
+
+
+def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
+    """The point of each triangle, corners (3, 3, n), that is deepest in the piece, or nearly so.
+
+    From a point of the facet to the nearest of the core, and back to the nearest of the facet: this comes as near as can be, and
+    for a ball at once. Inside the core the way goes down the slope of the distance instead. The best of all is kept.
+    """
+    axis, tip = tuple(pose.axis), pose.tip
+    middle = corner.mean(axis=0) - tip
+    height = np.clip((middle * pose.axis).sum(axis=0), piece.low, piece.high)
+    aim = tip + height * pose.axis
+    point_core = piece.low == piece.high and piece.low_radius == 0.0
+    best: Deepest | None = None
+    for _ in range(1 if point_core else STEPS):
+        point = nearest_on_facet(corner, aim)
+        distance, direction = toward(piece, axis, tuple(point - tip))
+        g = np.stack(direction)
+        outside = distance + piece.round
+        aim = point - np.where(outside > 0.0, outside, max(piece.low_radius, piece.high_radius)) * g
+        if best is None:
+            best = Deepest(point, distance, g)
+        else:
+            better = distance < best.distance
+            best = Deepest(*(np.where(better, new, old) for new, old in zip((point, distance, g), best, strict=True)))
+    assert best is not None
+    return best
+
+
+def nearest_on_facet(corner: Floats, place: Floats) -> Floats:
+    """The point of each triangle, corners (3, 3, n), that is nearest to a place (3, n): Ericson, Real-Time Collision Detection,
+    5.1.5."""
+    a, b, c = corner
+    ab, ac, ap, bp, cp = b - a, c - a, place - a, place - b, place - c
+    d1, d2 = (ab * ap).sum(axis=0), (ac * ap).sum(axis=0)
+    d3, d4 = (ab * bp).sum(axis=0), (ac * bp).sum(axis=0)
+    d5, d6 = (ab * cp).sum(axis=0), (ac * cp).sum(axis=0)
+    va, vb, vc = d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2
+    total = _safe(va + vb + vc)
+    v, w = vb / total, vc / total
+    share = (d4 - d3) / _safe((d4 - d3) + (d5 - d6))
+    on = (va <= 0.0) & (d4 >= d3) & (d5 >= d6)
+    v, w = np.where(on, 1.0 - share, v), np.where(on, share, w)
+    on = (vb <= 0.0) & (d2 >= 0.0) & (d6 <= 0.0)
+    v, w = np.where(on, 0.0, v), np.where(on, d2 / _safe(d2 - d6), w)
+    on = (vc <= 0.0) & (d1 >= 0.0) & (d3 <= 0.0)
+    v, w = np.where(on, d1 / _safe(d1 - d3), v), np.where(on, 0.0, w)
+    for at, one, two in (
+        ((d6 >= 0.0) & (d5 <= d6), 0.0, 1.0),
+        ((d3 >= 0.0) & (d4 <= d3), 1.0, 0.0),
+        ((d1 <= 0.0) & (d2 <= 0.0), 0.0, 0.0),
+    ):
+        v, w = np.where(at, one, v), np.where(at, two, w)
+    return np.asarray(a + v * ab + w * ac)
+
+
+def _safe(value: Floats) -> Floats:
+    return np.where(value == 0.0, 1.0, value)

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The check: what enters the part, in which blocks, how deep and where.
+
+overcut     the cutter enters the part on a cut: too much is taken off there.
+collision   shank or holder enter the part at all, or the cutter on a rapid or a link.
+spot        blocks that follow one another and all enter. Each of the deepest spots is a finding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+
+from .body import CUTTER, HOLDER, PARTS, SHANK, Body
+from .course import Course
+from .facet_tree import FacetTree, facet_tree
+from .inside import buried_blocks, is_closed
+from .search import Entries, find_entries
+
+MOST_SPOTS = 10
+"""Findings of one kind; more would bury each other."""
+
+OVERCUT = "The cutter goes {depth:.4g} mm too deep into the part at {at}. Use --gouge lift or leave-out, or a smaller cutter."
+RAPID_COLLISION = "The cutter goes {depth:.4g} mm into the part at {at} on its way between passes. Use a larger clearance."
+HOLDER_COLLISION = (
+    "The {part} goes {depth:.4g} mm into the part at {at}. Use a longer tool, more lead or tilt, or leave these places out."
+)
+
+Where = Callable[[int], tuple[int | None, int | None]]
+"""From a block of the course to the block of the program and the line of the NC file."""
+
+
+@dataclass(frozen=True, eq=False)
+class GougeCheck:
+    """``cutter`` and ``above`` (shank and holder): their entries, a row a block of the course; ``buried`` (m,) blocks that are
+    wholly in the part; ``findings``."""
+
+    cutter: Entries
+    above: Entries
+    buried: Bools
+    findings: tuple[Finding, ...]
+
+
+def check_course(
+    mesh: Mesh, body: Body, course: Course, motion: Bytes, tolerance: float, where: Where | None = None,
+    tree: FacetTree | None = None, progress: Progress = silent,
+) -> GougeCheck:  # fmt: skip
+    """Check every block of a course against the whole mesh.
+
+    ``motion`` (m,) of Motion, what each block does; ``tolerance`` mm: entries up to it are no findings, and none deeper is
+    missed. ``where`` tells blocks and lines of the findings; ``tree``: that of the mesh where it is at hand.
+    """
+    tree = facet_tree(mesh) if tree is None else tree
+    cutter = find_entries(body.only(CUTTER), tree, course, tolerance, progress=progress)
+    above = find_entries(body.only(SHANK, HOLDER), tree, course, tolerance, progress=progress)
+    buried = np.zeros(len(course), np.bool_)
+    if is_closed(mesh):
+        buried = buried_blocks(tree, body.only(CUTTER), course, cutter.depth)
+    findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), course)
+    return GougeCheck(cutter, above, buried, findings)
+
+
+def _findings(
+    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, course: Course
+) -> tuple[Finding, ...]:
+    cuts = (motion == Motion.CUT) | (motion == Motion.FILL)
+    found: list[Finding] = []
+    cases = (
+        ("overcut", cutter, cutter.depth * cuts, OVERCUT),
+        ("rapid-collision", cutter, cutter.depth * ~cuts, RAPID_COLLISION),
+        ("holder-collision", above, above.depth, HOLDER_COLLISION),
+    )
+    for code, entries, depth, text in cases:
+        found += _spots(code, text, entries, depth, tolerance, where)
+    return (*found, *_buried(buried, where, course))
+
+
+def _spots(code: str, text: str, entries: Entries, depth: Floats, tolerance: float, where: Where) -> list[Finding]:
+    """The deepest block of each of the deepest spots; the first one says how many there are."""
+    worst, blocks = spots(depth)
+    found = []
+    for k, block in enumerate(worst[:MOST_SPOTS].tolist()):
+        x, y, z = entries.place[block].tolist()
+        said = text.format(depth=depth[block], at=f"({x:.6g}, {y:.6g}, {z:.6g}) mm", part=PARTS[int(entries.part[block])])
+        if k == 0 and blocks > 1:
+            said += f" This is the deepest of {blocks} blocks in {len(worst)} places."
+        told, line = where(block)
+        found.append(Finding(Severity.ERROR, code, said, float(depth[block]), tolerance, "mm", told, line, (x, y, z)))
+    return found
+
+
+def spots(depth: Floats) -> tuple[Ints, int]:
+    """The deepest block of each spot, deepest first, and how many blocks (m,) have a depth above 0."""
+    rows = np.flatnonzero(depth > 0.0)
+    if not len(rows):
+        return rows, 0
+    spot = np.cumsum(np.diff(rows, prepend=rows[0]) > 1)
+    order = np.lexsort((-depth[rows], spot))
+    worst = rows[order[np.flatnonzero(np.diff(spot[order], prepend=-1))]]
+    return worst[np.argsort(-depth[worst], kind="stable")], len(rows)
+
+
+def _buried(buried: Bools, where: Where, course: Course) -> tuple[Finding, ...]:
+    rows = np.flatnonzero(buried)
+    if not len(rows):
+        return ()
+    x, y, z = course.pose(rows[:1], np.zeros(1)).tip[:, 0].tolist()
+    told, line = where(int(rows[0]))
+    text = (
+        f"In {len(rows)} blocks the whole cutter is inside the part, the first at ({x:.6g}, {y:.6g}, {z:.6g}) mm. Check the work "
+        "zero and the units of the part."
+    )
+    return (Finding(Severity.ERROR, "buried", text, float(len(rows)), 0.0, "1", told, line, (x, y, z)),)

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the tool goes: the poses of every block at every u, and how much the way between two poses bends.
+
+pose      where the tip stands and where the unit axis points, work frame.
+block     the way from one row to the next, u from 0 to 1. Block i leads to row i + 1.
+stretch   a part of a block, from one u to another, short enough to bend little; or several of them in a row (a cluster).
+bend      of a stretch: how far, at most, tip (mm) and axis (a pure number) leave the straight way between its two end poses.
+
+**Why the end poses are enough.** A piece's support in direction g is the larger one of ``g . (tip + z axis) + r |g x axis|``
+for its two discs, plus its round. Where tip and axis move straight this is a convex function of u, because a norm of something
+linear is convex; so it is largest at an end. What they leave the straight way by adds at most ``bend_tip + (|z| + r)
+bend_axis``. A stretch of the body therefore lies in the convex hull of its two end bodies, thickened by that much.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.deviation.bound import bending, quick_levers
+from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.trajectory import Vectors, at, axis, checked_words, frames, motion, tip, to_work
+
+WIDE = 4
+"""Stretches, or clusters, in a cluster."""
+
+MOST_PARTS = 64
+"""A block is not laid out in more stretches than that at first; what bends more is divided where it matters."""
+
+STRAIGHT = 1e-6
+"""rad; below this angle the great arc between two axes is a straight way."""
+
+
+class Poses(NamedTuple):
+    """``tip`` (3, n) mm, ``axis`` (3, n) unit."""
+
+    tip: Floats
+    axis: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """``pose`` gives the poses of blocks (n,) at u (n,); ``bend_tip`` (m,) mm and ``bend_axis`` (m,) bound the second derivatives
+    by u of tip and axis in each of the m blocks."""
+
+    pose: Callable[[Ints, Floats], Poses]
+    bend_tip: Floats
+    bend_axis: Floats
+
+    def __len__(self) -> int:
+        return len(self.bend_tip)
+
+
+def straight_course(tips: Floats, axes: Floats) -> Course:
+    """The course as it is commanded: the tip (n, 3) mm on straight lines, the unit axis (n, 3) on great arcs."""
+    start, end = _columns(tips[:-1]), _columns(tips[1:])
+    first, last = _columns(axes[:-1]), _columns(axes[1:])
+    angle = 2.0 * np.arcsin(np.minimum(0.5 * np.linalg.norm(last - first, axis=0), 1.0))
+
+    def pose(block: Ints, u: Floats) -> Poses:
+        p, q = start.take(block, axis=1), end.take(block, axis=1)
+        return Poses(p + u * (q - p), _on_arc(first.take(block, axis=1), last.take(block, axis=1), angle.take(block), u))
+
+    return Course(pose, np.zeros(len(angle)), angle * angle)
+
+
+def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
+    sine = np.sin(angle)
+    near = (angle < STRAIGHT) | (sine < STRAIGHT)
+    safe = np.where(near, 1.0, sine)
+    p = np.where(near, 1.0 - u, np.sin((1.0 - u) * angle) / safe)
+    q = np.where(near, u, np.sin(u * angle) / safe)
+    turned = p * first + q * last
+    length = np.linalg.norm(turned, axis=0)
+    return np.asarray(np.where(length > STRAIGHT, turned / np.maximum(length, STRAIGHT), first))
+
+
+def real_course(links: Chain, words: Floats, back: float = 0.0) -> Course:
+    """The course on the machine, all axes moving linearly between rows of ``words`` (n, 5), mm and **degrees**.
+
+    ``back`` mm: the point that the words drive lies so far above the tip (the ball's centre is driven). Raises ProgramError for
+    words that cannot be used.
+    """
+    rows, frame = checked_words(words), frames(links)
+    move = motion(frame, rows[:-1], rows[1:])
+    turn = np.broadcast_to(np.abs(move.a_step) + np.abs(move.b_step), (len(rows) - 1,)) ** 2
+
+    def pose(block: Ints, u: Floats) -> Poses:
+        there = at(move.take(block), u)
+        k = _stacked(to_work(frame, axis(frame, there)), len(block))
+        return Poses(_stacked(to_work(frame, tip(frame, there)), len(block)) - back * k, k)
+
+    return Course(pose, np.broadcast_to(bending(quick_levers(move), 2), turn.shape) + back * turn, turn)
+
+
+def _stacked(vector: Vectors, count: int) -> Floats:
+    return np.stack([np.broadcast_to(column, (count,)) for column in vector])
+
+
+def _columns(rows: Floats) -> Floats:
+    return np.ascontiguousarray(np.asarray(rows, float).T)
+
+
+# ------------------------------------------------------------------------------------------------ stretches
+
+
+class Stretches(NamedTuple):
+    """``block`` (n,), from ``start`` to ``end`` (n,), the u of that block."""
+
+    block: Ints
+    start: Floats
+    end: Floats
+
+
+def stretches_of(course: Course, blocks: Ints, reach: float, least: float) -> Stretches:
+    """These blocks (k,) in stretches in which no point up to ``reach`` mm from the tip leaves the straight way by more than
+    ``least`` mm, as far as MOST_PARTS allow."""
+    bent = 0.125 * (course.bend_tip[blocks] + reach * course.bend_axis[blocks])
+    count = np.clip(np.ceil(np.sqrt(bent / least)), 1, MOST_PARTS).astype(np.int64)
+    block, share = np.repeat(blocks, count), np.repeat(1.0 / count, count)
+    part = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
+    return Stretches(block, part * share, (part + 1) * share)
+
+
+class Clusters(NamedTuple):
+    """Stretches and their clusters in one table, the largest first: of each the straight way between two poses, ``tip`` -+
+    ``travel`` and ``axis`` -+ ``turn`` (3, n), and what it is left by, ``bend_tip`` and ``bend_axis`` (n,); ``size`` (n,) mm,
+    half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the row of the first stretch, ``top`` how many
+    clusters stand at the head."""
+
+    tip: Floats
+    travel: Floats
+    axis: Floats
+    turn: Floats
+    bend_tip: Floats
+    bend_axis: Floats
+    size: Floats
+    child: Ints
+    arity: Ints
+    first: int
+    top: int
+
+
+def clusters_of(course: Course, parts: Stretches, reach: float, levels: int = 3) -> Clusters:
+    """The table over stretches that follow one another; ``reach`` mm from the tip to the farthest point of the body."""
+    start, end = course.pose(parts.block, parts.start), course.pose(parts.block, parts.end)
+    share = 0.125 * (parts.end - parts.start) ** 2
+    bend_tip, bend_axis = share * course.bend_tip[parts.block], share * course.bend_axis[parts.block]
+    rows = [_straight(start, end, np.arange(len(share)), np.arange(len(share)), bend_tip, bend_axis)]
+    counts = [len(share)]
+    for level in range(1, levels + 1):
+        width = WIDE**level
+        first = np.arange(0, len(share), width)
+        rows.insert(0, _straight(start, end, first, np.minimum(first + width, len(share)) - 1, bend_tip, bend_axis))
+        counts.insert(0, len(first))
+    tip, travel, axis, turn, bend_tip, bend_axis = (np.concatenate(column, axis=-1) for column in zip(*rows, strict=True))
+    size = np.linalg.norm(travel, axis=0) + reach * np.linalg.norm(turn, axis=0) + bend_tip + reach * bend_axis
+    child, arity = _family(counts)
+    return Clusters(tip, travel, axis, turn, bend_tip, bend_axis, size, child, arity, sum(counts[:-1]), counts[0])
+
+
+def _family(counts: list[int]) -> tuple[Ints, Ints]:
+    child, arity, start = [], [], 0
+    for count, more in pairwise(counts):
+        start += count
+        first = WIDE * np.arange(count)
+        child.append(start + first)
+        arity.append(np.minimum(first + WIDE, more) - first)
+    none = np.zeros(counts[-1], np.int64)
+    return np.concatenate([*child, none]), np.concatenate([*arity, none])
+
+
+def _straight(start: Poses, end: Poses, first: Ints, last: Ints, bend_tip: Floats, bend_axis: Floats) -> tuple[Floats, ...]:
+    """The straight way from the start of stretches ``first`` (k,) to the end of ``last`` (k,), and what those between leave it
+    by: each of their ends is compared with the point of the way at which its tip is nearest."""
+    p, q = start.tip[:, first], end.tip[:, last]
+    a, b = start.axis[:, first], end.axis[:, last]
+    tip, travel, axis, turn = 0.5 * (p + q), 0.5 * (q - p), 0.5 * (a + b), 0.5 * (b - a)
+    bend_tip, bend_axis = (np.maximum.reduceat(bend, first) for bend in (bend_tip, bend_axis))
+    if (first == last).all():
+        return tip, travel, axis, turn, bend_tip, bend_axis
+    group = np.repeat(np.arange(len(first)), last - first + 1)
+    off_tip, off_axis = np.zeros(len(group)), np.zeros(len(group))
+    square = np.maximum((travel * travel).sum(axis=0), 1e-300)
+    even = (np.arange(len(group)) - first[group]) / np.maximum(last - first, 1)[group]
+    for pose in (start, end):
+        arm = pose.tip - tip[:, group]
+        share = np.clip((arm * travel[:, group]).sum(axis=0) / square[group], -1.0, 1.0)
+        share = np.where(square[group] > 1e-18, share, 2.0 * even - 1.0)
+        off_tip = np.maximum(off_tip, np.linalg.norm(arm - share * travel[:, group], axis=0))
+        off_axis = np.maximum(off_axis, np.linalg.norm(pose.axis - axis[:, group] - share * turn[:, group], axis=0))
+    return (
+        tip, travel, axis, turn,
+        bend_tip + np.maximum.reduceat(off_tip, first), bend_axis + np.maximum.reduceat(off_axis, first),
+    )  # fmt: skip

@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The deepest entry of a body into the part in every block of a course, with an upper bound for the whole way.
+
+pair      a cluster, or a stretch, with a node, or a facet. It is dropped when its bound says that nothing in it is deeper than
+          asked for, or than what its block is known to hold already. Of the others the larger partner is divided.
+
+Two trees are gone down together, so whole clusters are cleared of whole regions at once. What is left, stretches with facets, is
+divided in time or across the facet until bound and depth are as near as asked for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bools, Floats, Ints
+
+from .body import Body, Piece
+from .bounds import deepest, lateral, slab, support_at, way_of
+from .course import Clusters, Course, Poses, Stretches, clusters_of, stretches_of
+from .facet_tree import FacetTree
+
+BATCH = 8192
+"""Blocks at a time: their table stays in the processor's cache."""
+
+SLICE = 16384
+"""Pairs at a time."""
+
+ROUNDS = 40
+"""Divisions of a pair; after that the bound is what it is."""
+
+MOST_PAIRS = 2_000_000
+"""Pairs of one batch beyond which the batch is halved."""
+
+RELATIVE = 0.01
+"""A depth is known to this share of itself, or to the accuracy asked for where that is more."""
+
+SURELY = 0.999
+"""Of a depth that is known to be reached, what is not lost by rounding."""
+
+BENT = 0.1
+"""Stretches bend at most by this share of the limit where MOST_PARTS allow."""
+
+
+@dataclass(frozen=True, eq=False)
+class Entries:
+    """Of each of m blocks: ``depth`` (m,) mm that a point of the part is in the body at ``u`` (m,), at ``place`` (m, 3) mm, of
+    facet ``facet`` (m,); all of it 0, facet -1, where no depth above the limit was found. ``bound`` (m,) mm: no point is deeper
+    at any u; ``part`` (m,) CUTTER, SHANK or HOLDER."""
+
+    depth: Floats
+    bound: Floats
+    u: Floats
+    place: Floats
+    facet: Ints
+    part: Ints
+
+
+def find_entries(
+    body: Body, tree: FacetTree, course: Course, limit: float, accuracy: float | None = None, blocks: Ints | None = None,
+    progress: Progress = silent,
+) -> Entries:  # fmt: skip
+    """The entries deeper than ``limit`` mm in these ``blocks`` (k,), all where None is given; the others' stay empty.
+
+    Depth and bound differ by at most ``accuracy`` mm (a tenth of the limit) or RELATIVE, but for blocks that bend too much.
+    """
+    m = len(course)
+    found = Entries(np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64))
+    wanted = np.arange(m) if blocks is None else blocks
+    search = _Search(tree, course, limit, 0.1 * limit if accuracy is None else accuracy, body.reach, found, np.zeros(m))
+    for first in range(0, len(wanted), BATCH):
+        progress("gouge", first / len(wanted))
+        search.batch(body, wanted[first : first + BATCH])
+    progress("gouge", 1.0)
+    found.bound[wanted] = np.maximum(found.bound[wanted], search.floor(wanted))
+    return found
+
+
+class _Left(NamedTuple):
+    """Pairs of stretches with facets, or parts of facets: ``block``, ``start``, ``end`` (n,), ``corner`` (3, 3, n), ``leaf``
+    (n,)."""
+
+    block: Ints
+    start: Floats
+    end: Floats
+    corner: Floats
+    leaf: Ints
+
+    def picked(self, rows: Ints | Bools) -> _Left:
+        return _Left(self.block[rows], self.start[rows], self.end[rows], self.corner[..., rows], self.leaf[rows])
+
+
+class _TooMany(Exception):
+    """More pairs than memory should hold."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Search:
+    tree: FacetTree
+    course: Course
+    limit: float
+    accuracy: float
+    reach: float
+    found: Entries
+    known: Floats
+
+    def batch(self, body: Body, blocks: Ints) -> None:
+        """Fill in the entries of these blocks."""
+        parts = stretches_of(self.course, blocks, self.reach, BENT * self.limit)
+        clusters = clusters_of(self.course, parts, self.reach)
+        try:
+            for piece in sorted(body.pieces, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
+                self._refine(piece, self._traverse(piece, clusters, parts))
+        except _TooMany:
+            half = len(blocks) // 2
+            for some in (blocks[:half], blocks[half:]):
+                self.batch(body, some)
+
+    def floor(self, block: Ints) -> Floats:
+        """What a pair of these blocks must be able to exceed, mm."""
+        placed = self.found.depth.take(block)
+        least = np.maximum(self.limit, self.known.take(block))
+        return np.where(placed > 0.0, np.maximum(least, placed + np.maximum(self.accuracy, RELATIVE * placed)), least)
+
+    def _traverse(self, piece: Piece, clusters: Clusters, parts: Stretches) -> _Left:
+        way, node = np.arange(clusters.top), np.zeros(clusters.top, np.int64)
+        done: list[tuple[Ints, Ints]] = []
+        while len(way):
+            way, node = self._pruned(piece, clusters, parts, way, node)
+            whole = (clusters.arity.take(way) == 0) & (node >= self.tree.leaf)
+            done.append((way[whole] - clusters.first, node[whole]))
+            way, node = _divided(clusters, self.tree, way[~whole], node[~whole])
+            if len(way) > MOST_PAIRS and len(parts.block) > 1 and parts.block[0] != parts.block[-1]:
+                raise _TooMany
+        stretch, leaf = (np.concatenate(column) for column in zip(*done, strict=True))
+        leaf = leaf - self.tree.leaf
+        corner = self.tree.corner.take(leaf, axis=1).reshape(3, 3, -1)
+        return _Left(parts.block[stretch], parts.start[stretch], parts.end[stretch], corner, leaf)
+
+    def _pruned(self, piece: Piece, clusters: Clusters, parts: Stretches, way: Ints, node: Ints) -> tuple[Ints, Ints]:
+        """The pairs that may hold more than is known."""
+        kept = []
+        for first in range(0, len(way), SLICE):
+            one, two = way[first : first + SLICE], node[first : first + SLICE]
+            ways = way_of(clusters, one)
+            stretch = one - clusters.first
+            single = np.flatnonzero(stretch >= 0)
+            beside = lateral(piece, ways, self.tree, two)
+            floor = np.full(len(one), self.limit)
+            if len(single):
+                block = parts.block.take(stretch[single])
+                self._learn(block, beside.least[single])
+                floor[single] = self.floor(block)
+            rows = np.flatnonzero(np.minimum(beside.most, piece.most) > floor)
+            if len(rows):
+                rows = rows[slab(piece, way_of(clusters, one[rows]), self.tree, two[rows]) > floor[rows]]
+            kept.append(first + rows)
+        rows = np.concatenate(kept)
+        return way[rows], node[rows]
+
+    def _learn(self, block: Ints, least: Floats) -> None:
+        """Depths that are known to be reached, though not yet where."""
+        deep = np.flatnonzero(least > self.limit)
+        if len(deep):
+            np.maximum.at(self.known, block[deep], SURELY * least[deep])
+
+    def _refine(self, piece: Piece, left: _Left) -> None:
+        for _ in range(ROUNDS):
+            if not len(left.block):
+                return
+            middle = 0.5 * (left.start + left.end)
+            pose = self.course.pose(left.block, middle)
+            deep = deepest(piece, pose, left.corner)
+            self._note(piece, left, middle, -deep.distance, deep.point)
+            most, in_time, half_way = self._most(piece, left, pose, deep.g)
+            rows = np.flatnonzero(np.minimum(most, piece.most) > self.floor(left.block))
+            left, most = left.picked(rows), most[rows]
+            if len(rows) > MOST_PAIRS:
+                break
+            across = (half_way + deep.distance)[rows]
+            left, most = _halved(left, in_time[rows] >= across), np.tile(most, 2)
+        np.maximum.at(self.found.bound, left.block, most)
+
+    def _most(self, piece: Piece, left: _Left, pose: Poses, g: Floats) -> tuple[Floats, Floats, Floats]:
+        """The bound (n,) mm over the stretch; along g, how much of it comes from the way between the poses, and what is left
+        half-way.
+
+        Only along g do both shrink as the pair is divided; the normal's bound may be the better one, but it does not become
+        better.
+        """
+        start, end = self.course.pose(left.block, left.start), self.course.pose(left.block, left.end)
+        share = 0.125 * (left.end - left.start) ** 2
+        lever = max(abs(piece.low) + piece.low_radius, abs(piece.high) + piece.high_radius)
+        bend = share * (self.course.bend_tip[left.block] + lever * self.course.bend_axis[left.block])
+
+        def bound(g: Floats) -> tuple[Floats, Floats, Floats]:
+            over = np.maximum(support_at(piece, start, g), support_at(piece, end, g)) + bend
+            begins, half_way = (g * left.corner).sum(axis=1).min(axis=0), support_at(piece, pose, g)
+            return over - begins, over - half_way, half_way - begins
+
+        most, in_time, flat = bound(g)
+        normal = self.tree.normal.take(self.tree.leaf + left.leaf, axis=1)
+        for direction in (normal, -normal):
+            most = np.minimum(most, bound(direction)[0])
+        return most, in_time, flat
+
+    def _note(self, piece: Piece, left: _Left, u: Floats, depth: Floats, point: Floats) -> None:
+        """Keep the deepest entry of each block, with its place."""
+        found = self.found
+        rows = np.flatnonzero((depth > self.limit) & (depth > found.depth.take(left.block)))
+        if not len(rows):
+            return
+        order = rows[np.argsort(depth[rows], kind="stable")]  # where a block comes again, the deepest is written last
+        block = left.block[order]
+        found.depth[block], found.u[block], found.place[block] = depth[order], u[order], point.T[order]
+        found.facet[block], found.part[block] = self.tree.facet[left.leaf[order]], piece.part
+
+
+def _divided(clusters: Clusters, tree: FacetTree, way: Ints, node: Ints) -> tuple[Ints, Ints]:
+    """The larger partner of each pair replaced by its children."""
+    by_way = clusters.arity.take(way) > 0
+    by_way &= (node >= tree.leaf) | (clusters.size.take(way) > tree.size.take(node))
+    one, two = np.flatnonzero(by_way), np.flatnonzero(~by_way)
+    first, count = clusters.child.take(way[one]), clusters.arity.take(way[one])
+    below, many = tree.child.take(node[two]), tree.arity.take(node[two])
+    ways = np.concatenate([_family(first, count), np.repeat(way[two], many)])
+    nodes = np.concatenate([np.repeat(node[one], count), _family(below, many)])
+    return ways, nodes
+
+
+def _family(first: Ints, count: Ints) -> Ints:
+    head = np.cumsum(count) - count
+    return np.asarray(np.arange(int(count.sum())) + np.repeat(first - head, count))
+
+
+def _halved(left: _Left, in_time: Bools) -> _Left:
+    """Each pair as two: the first and the second half of its stretch, or the facet parted across its longest side."""
+    middle = 0.5 * (left.start + left.end)
+    start = np.concatenate([left.start, np.where(in_time, middle, left.start)])
+    end = np.concatenate([np.where(in_time, middle, left.end), left.end])
+    one, two = _parted(left.corner)
+    corner = np.concatenate(
+        [np.where(in_time, left.corner, one), np.where(in_time, left.corner, two)], axis=2
+    )  # fmt: skip
+    return _Left(np.tile(left.block, 2), start, end, corner, np.tile(left.leaf, 2))
+
+
+def _parted(corner: Floats) -> tuple[Floats, Floats]:
+    side = ((corner - np.roll(corner, -1, axis=0)) ** 2).sum(axis=1)
+    longest, at = side.argmax(axis=0), np.arange(corner.shape[2])
+    a, b, c = (corner[(longest + k) % 3, :, at].T for k in range(3))
+    middle = 0.5 * (a + b)
+    return np.stack([a, middle, c]), np.stack([middle, b, c])

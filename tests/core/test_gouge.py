@@ -1,0 +1,295 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Entries of the tool into the part: closed forms, a judge by dense samples, and bad cases."""
+
+import numpy as np
+import pytest
+from gouge_examples import bowl, corner, dense_points, round_groove, sampled_depth, step, v_groove
+
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.cutter import Cutter
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.gouge import (
+    HOLDER,
+    SHANK,
+    Body,
+    body_of,
+    check_course,
+    depth_of,
+    facet_tree,
+    find_entries,
+    frustum_piece,
+    inside,
+    is_closed,
+    real_course,
+    round_piece,
+    straight_course,
+)
+from freecad_fiveaxis.core.kinematics import Setup, chain, linear_words
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.mesh import from_faces
+
+UP = np.array([0.0, 0.0, 1.0])
+LIMIT = 0.01
+
+
+def ball(radius):
+    """A ball that is driven by its centre."""
+    return Body((round_piece(0.0, radius, 0.0),))
+
+
+def course_through(*places):
+    """Straight blocks of an upright tool."""
+    return straight_course(np.array(places, float), np.broadcast_to(UP, (len(places), 3)))
+
+
+def entries(body, mesh, course, limit=LIMIT, **more):
+    return find_entries(body, facet_tree(mesh), course, limit, **more)
+
+
+def close(found, depth, block=0):
+    """The depth found is right, and the bound is at or above it and not much more."""
+    assert found.depth[block] == pytest.approx(depth, rel=0.011, abs=LIMIT / 10)
+    assert depth - 1e-9 <= found.bound[block] <= 1.025 * depth + 2 * LIMIT
+
+
+# ------------------------------------------------------------------------------------------------ the body
+
+
+def test_the_depth_of_a_point_is_its_distance_from_the_body():
+    rng = np.random.default_rng(1)
+    body = Body((round_piece(3.0, 2.0, 2.0), frustum_piece(2.0, 5.0, 30.0, 8.0), frustum_piece(30.0, 15.0, 50.0, 10.0, HOLDER)))
+    points = rng.uniform(-25, 60, (4000, 3))
+    tip, axis = np.array([1.0, 2.0, 3.0]), np.array([0.6, 0.0, 0.8])
+    depth = depth_of(body, tip, axis, points)
+    moved = points + rng.normal(size=points.shape) * 0.3
+    change = np.abs(depth_of(body, tip, axis, moved) - depth)
+    assert (change <= np.linalg.norm(moved - points, axis=1) + 1e-12).all()
+    height = (points - tip) @ axis
+    radius = np.linalg.norm(points - tip - height[:, None] * axis, axis=1)
+    in_cone = (height > 2) & (height < 30) & (radius < 5.0 + 3.0 * (height - 2.0) / 28.0)
+    in_holder = (height > 30) & (height < 50) & (radius < 15.0 - 5.0 * (height - 30.0) / 20.0)
+    out = np.maximum(radius - 3.0, 0.0)
+    in_round = np.hypot(out, height - 2.0) < 2.0
+    assert ((depth > 0) == (in_cone | in_holder | in_round)).all()
+
+
+@pytest.mark.parametrize("sizes", [(-1.0, 2.0, 2.0), (0.0, 0.0, 1.0), (0.0, np.nan, 1.0), (0.0, 1e9, 1.0)])
+def test_a_piece_that_no_tool_has_is_refused(sizes):
+    with pytest.raises(SettingsError):
+        round_piece(*sizes)
+
+
+def test_the_body_of_a_ball_cutter_is_a_ball_and_a_cylinder_with_what_is_above():
+    body = body_of(Cutter(10.0, 40.0), shank=[(12.0, 20.0)], holder=[(40.0, 30.0), (60.0, 10.0)])
+    at = lambda r, z: depth_of(body, np.zeros(3), UP, np.array([[r, 0.0, z]]))[0]  # noqa: E731
+    assert at(0, 0) == pytest.approx(0.0, abs=1e-12) and at(0, 5) == pytest.approx(5.0)
+    assert at(5, 39.9) == pytest.approx(0.0, abs=1e-12) and at(5.5, 20) < 0 < at(5.5, 45) and at(25, 95) > 0 > at(25, 85)
+    assert {piece.part for piece in body.only(SHANK, HOLDER).pieces} == {SHANK, HOLDER}
+
+
+# ------------------------------------------------------------------------------------------------ closed forms
+
+
+@pytest.mark.parametrize("half_angle", np.radians([20.0, 45.0, 70.0]))
+def test_a_ball_in_a_v_groove(half_angle):
+    radius, height = 4.0, 3.5
+    found = entries(ball(radius), v_groove(half_angle), course_through((-5, 0, height), (5, 0, height)))
+    close(found, radius - height * np.sin(half_angle))
+
+
+def test_a_ball_that_touches_both_flanks_is_no_entry():
+    radius, half = 3.0, np.radians(30.0)
+    height = radius / np.sin(half)
+    found = entries(ball(radius), v_groove(half), course_through((-5, 0, height), (5, 0, height)))
+    assert found.depth[0] == 0.0 and found.bound[0] == LIMIT
+    lower = entries(ball(radius), v_groove(half), course_through((-5, 0, height - 0.03), (5, 0, height - 0.03)))
+    close(lower, 0.03 * np.sin(half))
+
+
+def test_a_ball_in_a_groove_of_smaller_radius_enters_at_both_rims():
+    groove, radius, height = 4.0, 5.0, 1.0
+    found = entries(ball(radius), round_groove(groove), course_through((-5, 0, height), (5, 0, height)))
+    close(found, radius - np.hypot(groove, height))
+
+
+def test_a_step_is_entered_between_two_rows_that_are_free():
+    radius = 3.0
+    course = course_through((0, -6.0, radius), (0, -1.0, 6.0 + radius), (0, 9.0, 6.0 + radius))
+    found = entries(ball(radius), step(), course)
+    way = np.array([0.0, 5.0, 6.0]) / np.hypot(5.0, 6.0)
+    edge = np.array([0.0, 6.0, 6.0 - radius])  # from the first centre to the edge
+    close(found, radius - np.linalg.norm(edge - (edge @ way) * way))
+    assert found.depth[1] == 0.0
+
+
+@pytest.mark.parametrize("off", [(2.0, 2.5, 2.9), (2.9, 2.95, 2.0), (1.0, 2.0, 3.5)])
+def test_a_ball_in_a_corner(off):
+    found = entries(ball(3.0), corner(), course_through(np.array(off) + (8, 8, 8), off, np.array(off) + (4, 0, 0)))
+    close(found, 3.0 - min(off))
+    close(found, 3.0 - min(off[1:] + (off[0],)), 1)
+
+
+def test_a_ball_in_a_bowl_enters_only_where_the_bowl_is_smaller():
+    low = entries(ball(9.0), bowl(), course_through((0, 0, -6.4), (0.5, 0, -6.4)))
+    assert low.depth[0] == pytest.approx(np.hypot(0.5, 6.4) + 9.0 - 15.0, abs=0.03)  # the facets' chords lie 0.015 inside
+    assert entries(ball(9.0), bowl(), course_through((0, 0, -5.9), (0.1, 0, -5.9))).depth[0] == 0.0
+
+
+def test_a_turning_tool_enters_between_its_ends():
+    """The tip stands still over a floor and the axis swings: a flat end dips by radius x sin of the angle at the ends only."""
+    swing = np.radians(8.0)
+    axes = np.array([[0, np.sin(-swing), np.cos(swing)], [0, np.sin(swing), np.cos(swing)]])
+    flat = Body((frustum_piece(0.0, 5.0, 20.0, 5.0),))
+    course = straight_course(np.array([[0, -12.0, 0.1], [0, -12.0, 0.1]]), axes)
+    found = entries(flat, step(), course)
+    dip = 5.0 * np.sin(swing) - 0.1
+    assert dip / (np.sin(swing) + np.cos(swing)) == pytest.approx(found.depth[0], rel=0.02)  # depth in the tool's right angle
+
+
+# ------------------------------------------------------------------------------------------------ the judge
+
+
+def random_course(rng, count, reach, low):
+    tips = rng.uniform(-reach, reach, (count, 3)) + (0, 0, low)
+    axes = rng.normal(size=(count, 3)) * 0.4 + (0, 0, 1.5)
+    return straight_course(tips, axes / np.linalg.norm(axes, axis=1)[:, None])
+
+
+BODIES = {
+    "ball": ball(3.0),
+    "bull": Body((round_piece(2.0, 1.0, 1.0), frustum_piece(1.0, 3.0, 15.0, 3.0))),
+    "taper": Body((round_piece(0.0, 1.5, 1.5), frustum_piece(1.2, 1.45, 20.0, 5.0))),
+    "tool": body_of(Cutter(4.0, 12.0), holder=[(18.0, 15.0)]),
+}
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_depth_and_bound_stand_on_both_sides_of_what_dense_samples_find(name):
+    rng = np.random.default_rng(5)
+    mesh, course = round_groove(6.0, 12, 12.0, 16.0), random_course(rng, 12, 8.0, 2.0)
+    found, points = entries(BODIES[name], mesh, course), dense_points(mesh, 0.4)
+    worst = [sampled_depth(BODIES[name], points, course, b, 21) for b in range(len(course))]
+    worst = np.array(worst)
+    assert (found.bound >= worst - 1e-9).all()
+    assert (worst[found.depth == 0.0] <= LIMIT).all() and (found.depth > 0).sum() > 5
+    assert (found.bound[found.depth > 0] <= 1.05 * found.depth[found.depth > 0] + 2 * LIMIT).all()
+    for block in np.flatnonzero(found.depth):
+        pose = course.pose(np.array([block]), found.u[block : block + 1])
+        there = depth_of(BODIES[name], pose.tip[:, 0], pose.axis[:, 0], found.place[block : block + 1])[0]
+        assert there == pytest.approx(found.depth[block], abs=1e-9)
+
+
+def test_the_judge_would_see_a_depth_that_is_too_small():
+    mesh, course = step(), course_through((0, -6.0, 3.0), (0, -1.0, 9.0))
+    found = entries(ball(3.0), mesh, course)
+    worst = sampled_depth(ball(2.5), dense_points(mesh, 0.2), course, 0)
+    assert worst < 0.9 * found.depth[0]
+
+
+@pytest.mark.parametrize("name", ["trunnion_ac", "fork_head_bc"])
+def test_the_real_way_of_a_machine_is_checked_not_the_commanded_one(name):
+    machine = load_machine(name)
+    links = chain(machine, Setup(machine.origin, tool_length=120.0))
+    tips = np.array([[-10.0, -12.0, 3.005], [10.0, -12.0, 3.005]])
+    angles = np.radians([[0.0, 0.0], [25.0, 20.0]])
+    words = np.concatenate([linear_words(links, tips, angles), np.degrees(angles)], axis=1)
+    course = real_course(links, words)
+    found = entries(BODIES["ball"], step(), course)
+    worst = sampled_depth(BODIES["ball"], dense_points(step(), 0.2), course, 0, 201)
+    assert worst <= found.bound[0] and found.depth[0] == pytest.approx(worst, abs=max(0.02 * worst, 0.03))
+    axes = course.pose(np.zeros(2, int), np.array([0.0, 1.0])).axis.T
+    straight = entries(BODIES["ball"], step(), straight_course(tips, axes))
+    assert found.depth[0] > 0.1 and straight.depth[0] == 0.0
+
+
+def test_a_finer_mesh_of_the_same_part_has_the_same_entries():
+    course = course_through((0, -6.0, 3.0), (0, -1.0, 9.0))
+    coarse, fine = step(), step()
+    for _ in range(5):
+        a, b, c = fine.face.T
+        middle = [(fine.vertex[p] + fine.vertex[q]) / 2 for p, q in ((a, b), (b, c), (c, a))]
+        corners = [fine.vertex[r] for r in (a, b, c)]
+        tri = [(corners[0], middle[0], middle[2]), (middle[0], corners[1], middle[1]), (middle[2], middle[1], corners[2]), middle]
+        vertex, row = np.unique(
+            np.concatenate([np.stack(t, 1) for t in tri]).reshape(-1, 3).round(9), axis=0, return_inverse=True
+        )
+        fine = from_faces(vertex, row.reshape(-1, 3))
+    assert len(fine.face) > 1000 * len(coarse.face) / 2
+    one, two = entries(ball(3.0), coarse, course), entries(ball(3.0), fine, course)
+    assert one.depth[0] == pytest.approx(two.depth[0], rel=0.011)
+
+
+# ------------------------------------------------------------------------------------------------ inside
+
+
+def test_points_are_inside_where_the_profile_says_so():
+    rng = np.random.default_rng(2)
+    points = rng.uniform(-35, 35, (3000, 3)) * (0.7, 1.0, 0.5)
+    x, y, z = points.T
+    within = (np.abs(x) < 20) & (np.abs(y) < 30) & (z > -10) & (z < np.where(y > 0, 6.0, 0.0))
+    assert (inside(facet_tree(step()), points) == within).all() and 100 < within.sum() < 2900
+
+
+def test_a_cutter_that_goes_through_the_part_is_buried_in_the_middle():
+    mesh = step()
+    course = course_through((0, -10, 8), (0, -10, -1), (0, -10, -5), (1, -10, -5), (0, -10, 8))
+    done = check_course(mesh, ball(1.0), course, np.zeros(4, np.int8), LIMIT)
+    assert done.buried.tolist() == [False, True, True, False] or done.buried.tolist() == [False, False, True, False]
+    assert {f.code for f in done.findings} == {"overcut", "buried"}
+
+
+# ------------------------------------------------------------------------------------------------ bad cases
+
+
+def test_a_cutter_larger_than_the_part_is_found_and_does_not_hang():
+    mesh = corner(4.0, 2.0)
+    done = check_course(mesh, ball(60.0), course_through((0, 0, 30.0), (5, 0, 30.0)), np.zeros(1, np.int8), LIMIT)
+    assert [f.code for f in done.findings] == ["overcut"] and done.findings[0].value > 20.0
+
+
+def test_a_holder_that_collides_everywhere_is_one_kind_of_finding():
+    rows = np.linspace(-15, 15, 400)
+    course = course_through(*np.column_stack([rows, 0 * rows - 12.0, 0 * rows + 2.0]))
+    body = body_of(Cutter(4.0, 6.0), holder=[(40.0, 30.0)])
+    done = check_course(step(height=12.0), body, course, np.zeros(399, np.int8), LIMIT)
+    assert {f.code for f in done.findings} == {"holder-collision"} and "399 blocks" in done.findings[0].text
+    assert "holder" in done.findings[0].text
+
+
+def test_an_open_mesh_has_no_inside_but_its_surface_is_checked():
+    mesh = bowl()
+    assert not is_closed(mesh) and is_closed(step())
+    done = check_course(mesh, ball(2.0), course_through((0, 0, -14.0), (1, 0, -14.0)), np.zeros(1, np.int8), LIMIT)
+    assert [f.code for f in done.findings] == ["overcut"]
+
+
+def test_facets_that_look_inward_change_nothing():
+    mesh, course = bowl(), course_through((0, 0, -14.0), (1, 0, -14.0))
+    turned = from_faces(mesh.vertex, mesh.face[:, ::-1])
+    assert entries(ball(2.0), mesh, course).depth[0] == pytest.approx(entries(ball(2.0), turned, course).depth[0], rel=0.011)
+
+
+def test_blocks_of_no_length_are_poses():
+    found = entries(ball(3.0), step(), course_through((0, -12, 2.5), (0, -12, 2.5), (0, -12, 3.0), (0, -12, 3.0)))
+    close(found, 0.5)
+    assert found.depth[2] == 0.0
+
+
+def test_a_course_without_blocks_has_no_entries():
+    found = entries(ball(3.0), step(), course_through((0, 0, 0)))
+    assert len(found.depth) == 0
+
+
+def test_a_mesh_of_one_facet():
+    mesh = from_faces([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+    close(entries(ball(2.0), mesh, course_through((1, 1, 1.5), (1.2, 1, 1.5))), 0.5)
+
+
+def test_rapids_that_enter_are_collisions_and_cuts_overcuts():
+    course = course_through((0, -12, 2.0), (1, -12, 2.0), (2, -12, 9.0), (3, -12, 2.0))
+    motion = np.array([Motion.CUT, Motion.RAPID, Motion.RAPID], np.int8)
+    done = check_course(step(), ball(3.0), course, motion, LIMIT, where=lambda block: (block + 7, block + 100))
+    by_code = {f.code: f for f in done.findings}
+    assert set(by_code) == {"overcut", "rapid-collision"}
+    assert (by_code["overcut"].block, by_code["overcut"].line) == (7, 100)
+    assert by_code["overcut"].value == pytest.approx(1.0, rel=0.011) and by_code["overcut"].limit == LIMIT
