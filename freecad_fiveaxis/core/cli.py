@@ -137,6 +137,7 @@ def _metavar(rules: Any) -> str | None:
         "lengths": "X,Y,Z",
         "vector": "I,J,K",
         "counts": "NX,NY,NZ",
+        "stack": "DxL,...",
     }
     return marks.get(rules["kind"], str(rules["kind"]).upper())
 

@@ -16,6 +16,7 @@ from freecad_fiveaxis.core.cl_path import CLPath, LinkOptions, Motion, link_pass
 from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
 from freecad_fiveaxis.core.deform import deform_axes, trade_findings
 from freecad_fiveaxis.core.deviation import Deviation, measure, without_guided
+from freecad_fiveaxis.core.gouge import Body, body_of, check_program, facet_tree, leave_out, lift_path
 from freecad_fiveaxis.core.joint_path import JointPath, solve
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, q_to_words
 from freecad_fiveaxis.core.linearize import linearize
@@ -139,7 +140,8 @@ def mill(
     axis = tool_axes(ordered, settings.tool_axis.tool_axis, _axis_options(settings))
     offset, axis = feasible_rows(ordered, axis, links, cutter.taper)
     led, said = _led(settings, offset, axis, links, progress)
-    path = linked(settings, offset, led, mesh, progress)
+    offset, led = _left_out(settings, offset, led, mesh, progress)
+    path = _lifted(settings, linked(settings, offset, led, mesh, progress), mesh, progress)
     found = mesh.findings + left_out + spacing + contact.findings + offset.findings + said + path.findings
     posted = _posted(settings, path, low, high, machine, links, dialect, found, progress)
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis)
@@ -156,6 +158,27 @@ def _planes(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> 
         mesh, passes.direction, radius, stepover=passes.stepover, scallop=scallop, least=passes.least_interval, keep=keep,
         progress=progress, **more,
     )  # fmt: skip
+
+
+def tool_body(settings: Settings) -> Body:
+    """Cutter, shank and holder."""
+    return body_of(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
+
+
+def _left_out(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress) -> tuple[OffsetPath, Floats]:
+    """The rows that can be cut without entering the part, where the settings ask to leave out the others."""
+    if settings.gouge.gouge != "leave-out":
+        return offset, axis
+    body, back = tool_body(settings), settings.cutter.cutter.radius
+    return leave_out(offset, axis, facet_tree(mesh), body, settings.proof.tolerance, back, progress)
+
+
+def _lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> CLPath:
+    """The path with the tool lifted out of the part, where the settings ask for that; else the very path given."""
+    if settings.gouge.gouge != "lift":
+        return path
+    back = settings.cutter.cutter.radius - reach(settings)
+    return lift_path(path, facet_tree(mesh), tool_body(settings), settings.proof.tolerance, back, progress).path
 
 
 def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress = silent) -> CLPath:
@@ -257,7 +280,7 @@ def prove(made: Made, progress: Progress = silent) -> Result:
         deviation = without_guided(deviation, guided.on, guided.tip)
     singularity = find_singular(made.links, words, made.machine.singular_cone)
     judged = judge(made.links, made.program, deviation, singularity, proof.tolerance)
-    found = made.findings + deviation.findings + judged
+    found = made.findings + deviation.findings + _entered(made, progress) + judged
     if made.settings.task != AUDIT:
         return Result(made, deviation, singularity, found)
     audited = _audited(made, deviation, progress)
@@ -279,6 +302,15 @@ def _compared(settings: Settings, progress: Progress) -> CLPath | Mesh | None:
     if is_part(path):
         return read_stl(path, progress)
     return read_cl_file(read_bytes(path, "CL file"), settings.feeds.feed, progress).path
+
+
+def _entered(made: Made, progress: Progress) -> tuple[Finding, ...]:
+    """What the tool enters of the part on its real way, where it is known and the settings ask for the check."""
+    if not isinstance(made, Milled) or made.settings.gouge.gouge == "off":
+        return ()
+    back = made.settings.cutter.cutter.radius - reach(made.settings)
+    tolerance = made.settings.proof.tolerance
+    return check_program(made.mesh, tool_body(made.settings), made.links, made.program, tolerance, back, progress).findings
 
 
 def figures(result: Result) -> Figures:

@@ -86,6 +86,7 @@ READERS: dict[str, Any] = {
     "lengths": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),
     "vector": lambda given, name: quantity.parse_triple(given, quantity.NUMBERS, name),
     "cutter": lambda given, name: given if isinstance(given, Cutter) else parse_cutter(given),
+    "stack": quantity.parse_stack,
     "number": lambda given, name: quantity.parse(given, quantity.NUMBERS, name),
     "count": _count,
     "counts": _counts,
@@ -103,6 +104,8 @@ def write_option(leaf: dataclasses.Field[Any], value: Any) -> Any:
         return cutter_text(value)
     if leaf.metadata["kind"] == "angle" and value is not None:
         return round(math.degrees(value), 12)
+    if leaf.metadata["kind"] == "stack":
+        return ",".join(f"{diameter!r}x{length!r}" for diameter, length in value) or None
     if value == "":
         return None  # an option that is left out
     return list(value) if isinstance(value, tuple) else value

@@ -33,6 +33,24 @@ def parse_length(text: str | float, what: str = "length") -> float:
     return parse(text, LENGTHS, what)
 
 
+def parse_stack(text: str | list[str] | tuple[tuple[float, float], ...], what: str = "stack") -> tuple[tuple[float, float], ...]:
+    """Cylinders upon each other, mm: ``DIAMETERxLENGTH``, as ``16x30`` or ``40x25,63x50`` (also ``0.5inx2in``); (d, l) each."""
+    if not isinstance(text, str):
+        return tuple(row if isinstance(row, tuple) else parse_stack(row, what)[0] for row in text)
+    rows = []
+    for part in text.split(","):
+        diameter, times, length = part.lower().partition("x")
+        if not times:
+            raise SettingsError(
+                f"{what} {text!r} is no stack; write DIAMETERxLENGTH from the cutter upwards, as 40x25,63x50", text
+            )
+        row = parse_length(diameter, what), parse_length(length, what)
+        if not 0.0 < min(row) <= max(row) <= 1e4:
+            raise SettingsError(f"{what} {part!r} is out of range; give diameters and lengths above 0, up to 10000 mm", text)
+        rows.append(row)
+    return tuple(rows)
+
+
 def parse_angle(text: str | float, what: str = "angle") -> float:
     """Radians; a bare number is in degrees."""
     return parse(text, ANGLES, what)

@@ -201,6 +201,26 @@ class CureSettings:
     )  # fmt: skip
 
 
+GOUGE = ("off", "report", "lift", "leave-out")
+"""What is done where the tool would enter the part."""
+
+
+@dataclass(frozen=True)
+class GougeSettings:
+    """Cutter, shank and holder against the whole part."""
+
+    gouge: str = option(
+        "off", "choice", "where the tool enters the part: only report, lift it along its axis, or leave out; off: no check",
+        (MILL,), choices=GOUGE,
+    )  # fmt: skip
+    shank: tuple[tuple[float, float], ...] = option(
+        (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards, as 8x20,12x30; checked with --gouge", (MILL,)
+    )
+    holder: tuple[tuple[float, float], ...] = option(
+        (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50; checked with --gouge", (MILL,)
+    )
+
+
 @dataclass(frozen=True)
 class ProofSettings:
     """What is proven of every block."""
@@ -315,6 +335,7 @@ class Settings:
     feeds: FeedSettings = group(FeedSettings)
     head: HeadSettings = group(HeadSettings)
     cure: CureSettings = group(CureSettings)
+    gouge: GougeSettings = group(GougeSettings)
     proof: ProofSettings = group(ProofSettings)
     setup: SetupSettings = group(SetupSettings)
     compare: CompareSettings = group(CompareSettings)

@@ -15,8 +15,8 @@ FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySid
 MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
 STREET = [  # rooms and single modules of the core; imports only point up this list
     "errors", "findings", "records", "progress", "quantity", "files", "number_text", "machine", "kinematics", "mesh",
-    "passes", "cutter", "coedge", "tool_axis", "feasible", "seating", "cl_path", "apt", "trajectory", "deviation", "gouge",
-    "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "nc_reader", "audit",
+    "passes", "cutter", "coedge", "tool_axis", "feasible", "seating", "cl_path", "apt", "trajectory", "deviation",
+    "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "nc_reader", "audit",
     "report", "setup_map", "compare",
     "recover", "prove_signs", "playback", "option_values", "settings", "job", "cures", "trials", "workshop", "memory", "terminal", "cli",
 ]  # fmt: skip

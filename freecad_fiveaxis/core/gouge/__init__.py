@@ -2,10 +2,12 @@
 """Cutter, shank and holder against the whole part, along the way that they really go."""
 
 from .body import CUTTER, HOLDER, SHANK, Body, Piece, body_of, depth_of, frustum_piece, round_piece
-from .check import GougeCheck, check_course
+from .check import GougeCheck, check_course, check_program
 from .course import Course, real_course, straight_course
 from .facet_tree import FacetTree, facet_tree
 from .inside import inside, is_closed
+from .leave_out import leave_out
+from .lift import Lifted, lift_path
 from .search import Entries, find_entries
 
 __all__ = [
@@ -17,15 +19,19 @@ __all__ = [
     "Entries",
     "FacetTree",
     "GougeCheck",
+    "Lifted",
     "Piece",
     "body_of",
     "check_course",
+    "check_program",
     "depth_of",
     "facet_tree",
     "find_entries",
     "frustum_piece",
     "inside",
     "is_closed",
+    "leave_out",
+    "lift_path",
     "real_course",
     "round_piece",
     "straight_course",

@@ -15,12 +15,14 @@ import numpy as np
 
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.kinematics import Chain, forward, words_to_q
 from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 
 from .body import CUTTER, HOLDER, PARTS, SHANK, Body
-from .course import Course
+from .course import Course, real_course, straight_course
 from .facet_tree import FacetTree, facet_tree
 from .inside import buried_blocks, is_closed
 from .search import Entries, find_entries
@@ -66,6 +68,26 @@ def check_course(
         buried = buried_blocks(tree, body.only(CUTTER), course, cutter.depth)
     findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), course)
     return GougeCheck(cutter, above, buried, findings)
+
+
+def check_program(
+    mesh: Mesh, body: Body, links: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent
+) -> GougeCheck:
+    """Check every block of a program, along the way that the machine really goes; see :func:`check_course`.
+
+    ``back`` mm: how far above the tip the point lies that the words drive. Where the controller guides the tip, its way is taken
+    to be straight and the axis to turn on great arcs.
+    """
+    if program.guided is None:
+        course = real_course(links, program.words, back)
+    else:
+        tips, axes = forward(links, words_to_q(program.words))
+        course = straight_course(tips - back * axes, axes)
+
+    def where(block: int) -> tuple[int | None, int | None]:
+        return block + 1, int(program.line[block + 1])
+
+    return check_course(mesh, body, course, program.motion[1:], tolerance, where, progress=progress)
 
 
 def _findings(

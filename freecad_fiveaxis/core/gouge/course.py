@@ -32,8 +32,8 @@ WIDE = 4
 MOST_PARTS = 64
 """A block is not laid out in more stretches than that at first; what bends more is divided where it matters."""
 
-STRAIGHT = 1e-6
-"""rad; below this angle the great arc between two axes is a straight way."""
+STRAIGHT = 1e-9
+"""rad; axes that differ by less, or are opposite but for less, do not tell in which plane the arc between them lies."""
 
 
 class Poses(NamedTuple):
@@ -69,15 +69,26 @@ def straight_course(tips: Floats, axes: Floats) -> Course:
     return Course(pose, np.zeros(len(angle)), angle * angle)
 
 
+def still_course(tips: Floats, axes: Floats) -> Course:
+    """Blocks that only stand: one for each tip (n, 3) mm and unit axis (n, 3)."""
+    place, pointing = _columns(tips), _columns(axes)
+
+    def pose(block: Ints, u: Floats) -> Poses:
+        return Poses(place.take(block, axis=1), pointing.take(block, axis=1))
+
+    return Course(pose, np.zeros(len(tips)), np.zeros(len(tips)))
+
+
 def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
-    sine = np.sin(angle)
-    near = (angle < STRAIGHT) | (sine < STRAIGHT)
-    safe = np.where(near, 1.0, sine)
-    p = np.where(near, 1.0 - u, np.sin((1.0 - u) * angle) / safe)
-    q = np.where(near, u, np.sin(u * angle) / safe)
-    turned = p * first + q * last
-    length = np.linalg.norm(turned, axis=0)
-    return np.asarray(np.where(length > STRAIGHT, turned / np.maximum(length, STRAIGHT), first))
+    """At share u of the great arc; between opposite axes one of the many there are."""
+    across = last - (first * last).sum(axis=0) * first
+    length = np.linalg.norm(across, axis=0)
+    lost = np.flatnonzero(length < STRAIGHT)
+    if len(lost):
+        any_way = np.cross(first[:, lost], np.eye(3)[np.abs(first[:, lost]).argmin(axis=0)].T, axis=0)
+        across[:, lost] = any_way
+        length[lost] = np.linalg.norm(any_way, axis=0)
+    return np.asarray(np.cos(u * angle) * first + (np.sin(u * angle) / length) * across)
 
 
 def real_course(links: Chain, words: Floats, back: float = 0.0) -> Course:

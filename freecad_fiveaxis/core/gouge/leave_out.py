@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The other cure: leave out what cannot be cut without entering the part, before the passes are linked."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.coedge import OffsetPath, lasting_rows, take_rows
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Floats, picked
+
+from .body import Body
+from .course import straight_course
+from .facet_tree import FacetTree
+from .search import find_entries
+
+
+def leave_out(
+    path: OffsetPath, axis: Floats, tree: FacetTree, body: Body, tolerance: float, back: float, progress: Progress = silent
+) -> tuple[OffsetPath, Floats]:
+    """The rows between which body and part stay apart but for ``tolerance`` mm, and their axes (n, 3); findings say what is
+    left out.
+
+    ``back`` mm: how far above the tip the path's centres lie. Shank and holder count as the cutter does.
+    """
+    joined = np.flatnonzero(np.diff(path.polyline) == 0)
+    course = straight_course(path.centre - back * axis, axis)
+    entries = find_entries(body, tree, course, tolerance, blocks=joined, progress=progress)
+    blocks = np.flatnonzero(entries.depth > 0.0)
+    if not len(blocks):
+        return path, axis
+    out = np.zeros(len(path.point), np.bool_)
+    out[blocks] = out[blocks + 1] = True
+    steps = np.linalg.norm(np.diff(path.point, axis=0), axis=1)
+    length = float(steps[joined[(out[1:] | out[:-1])[joined]]].sum())
+    worst = int(entries.depth.argmax())
+    x, y, z = entries.place[worst].tolist()
+    text = (
+        f"{length:.4g} mm of the passes are left out, because the tool would enter the part there, deepest by "
+        f"{entries.depth[worst]:.4g} mm at ({x:.6g}, {y:.6g}, {z:.6g}) mm. Use a smaller cutter or another tool axis there."
+    )
+    rows = lasting_rows(path, np.flatnonzero(~out))
+    left = take_rows(path, rows)
+    finding = Finding(Severity.WARNING, "left-out", text, length, 0.0, "mm", place=(x, y, z))
+    return replace(left, findings=(*path.findings, finding)), picked(axis, rows)

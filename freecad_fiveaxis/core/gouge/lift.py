@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cure that keeps the passes: lift the tool along its axis until the cutter touches and no longer enters.
+
+A row is lifted by what takes the deepest point of the part out of the cutter, as often as one is left that is deep: each of these
+lifts is what that point demands, so the sum is never more than the part demands. Then the blocks between the rows are
+checked. Where one enters between two rows that do not, a row is put in at its deepest place and lifted in its turn.
+
+lifted    a row that was moved. Only rows on the part are: ends of cuts and fills. Links and rapids stay.
+aim       what a lifted cutter may still enter by: half the tolerance, so that rounded words do not use it up.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.records import Bools, Floats, Ints
+
+from .body import CUTTER, Body, way_out
+from .course import Course, still_course, straight_course
+from .facet_tree import FacetTree
+from .search import find_entries
+
+AIM = 0.5
+"""Of the tolerance."""
+
+LIFTS = 200
+"""Lifts of one row, each to the next point that is too deep."""
+
+ROUNDS = 24
+"""Times that rows are put in; each about halves the way between them where it must."""
+
+SHORT = 0.1
+"""Of the cutter's thickness: rows put in only to stay low do not come nearer to each other."""
+
+FEW = 1000
+"""Rows that may be put in however few were given."""
+
+MOST_ROWS = 8
+"""Times as many rows as were given, beyond which no more are put in."""
+
+
+@dataclass(frozen=True, eq=False)
+class Lifted:
+    """``path``: the very path given where nothing was to be lifted. ``row`` (n,): the row of the path given that each row is,
+    or leads to; ``lift`` (n,) mm that it was moved along its axis (of rows put in: off the lifted way)."""
+
+    path: CLPath
+    row: Ints
+    lift: Floats
+
+
+def lift_path(
+    path: CLPath, tree: FacetTree, body: Body, tolerance: float, back: float = 0.0, progress: Progress = silent
+) -> Lifted:
+    """The path with the cutter lifted out of the part, wherever it is deeper in than ``tolerance`` mm.
+
+    ``back`` mm: how far above the tip the point lies that the path gives. Shank and holder are not looked at.
+    """
+    cutter, aim = body.only(CUTTER), AIM * tolerance
+    tips = path.tip - back * path.axis
+    cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
+    course, blocks = straight_course(tips, path.axis), np.flatnonzero(cuts)
+    first = find_entries(cutter, tree, course, tolerance, blocks=blocks, progress=progress)
+    if not (first.depth > 0.0).any():
+        return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)))
+    touched = np.zeros(len(tips), np.bool_)
+    touched[:-1] |= first.depth > 0.0
+    touched[1:] |= first.depth > 0.0
+    lifter, rows = _Lifter(course, cutter, tree, aim), np.flatnonzero(touched)
+    tip, axis, lift = tips.copy(), path.axis.copy(), np.zeros(len(tips))
+    tip[rows], axis[rows], lift[rows] = lifter.rows(rows.astype(float))
+    way = _Way(tip, axis, np.arange(len(tips), dtype=float), lift, cuts)
+    way = lifter.lower(way, SHORT * max(piece.most for piece in cutter.pieces), tolerance)
+    dirty = (way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0) | (first.depth[way.key[:-1].astype(np.int64)] > 0.0)
+    way = lifter.between(way, way.cuts & dirty, progress)
+    findings = (*path.findings, *_findings(path, way))
+    return Lifted(replace(_rows(path, way, back), findings=findings), _row(way), way.lift)
+
+
+@dataclass(frozen=True, eq=False)
+class _Way:
+    """Tips, axes (n, 3); ``key`` (n,) where each stands on the way given, block + u; its lift off that way; ``cuts`` (n - 1,):
+    which blocks cut."""
+
+    tip: Floats
+    axis: Floats
+    key: Floats
+    lift: Floats
+    cuts: Bools
+
+
+@dataclass(frozen=True, eq=False)
+class _Lifter:
+    """``given``: the way before anything is lifted; ``aim`` mm, what may be left of an entry."""
+
+    given: Course
+    cutter: Body
+    tree: FacetTree
+    aim: float
+
+    def rows(self, key: Floats) -> tuple[Floats, Floats, Floats]:
+        """Tips, axes (k, 3) and lifts (k,) at these places, lifted until the cutter is nowhere deeper in than the aim."""
+        block = np.minimum(key.astype(np.int64), len(self.given) - 1)
+        pose = self.given.pose(block, key - block)
+        tip, axis = pose.tip.T.copy(), pose.axis.T.copy()
+        start, left = tip.copy(), np.arange(len(key))
+        for _ in range(LIFTS):
+            entries = find_entries(self.cutter, self.tree, still_course(tip[left], axis[left]), self.aim)
+            deep = np.flatnonzero(entries.depth > 0.0)
+            if not len(deep):
+                break
+            left = left[deep]
+            by = way_out(self.cutter, tip[left], axis[left], entries.place[deep])
+            tip[left] += np.maximum(by, 0.5 * self.aim)[:, None] * axis[left]
+        return tip, axis, ((tip - start) * axis).sum(axis=1)
+
+    def lower(self, way: _Way, least: float, tolerance: float) -> _Way:
+        """Rows put in where the way between two lifted rows stands more than ``tolerance`` mm higher than it must; blocks of up
+        to ``least`` mm stay whole."""
+        wait = np.ones(len(way.cuts), np.bool_)
+        for _ in range(ROUNDS):
+            long = np.linalg.norm(np.diff(way.tip, axis=0), axis=1) > least
+            blocks = np.flatnonzero(way.cuts & wait & long & (np.maximum(way.lift[1:], way.lift[:-1]) > tolerance))
+            key = 0.5 * (way.key[blocks] + way.key[blocks + 1])
+            tip, axis, lift = self.rows(key)
+            high = np.flatnonzero(0.5 * (way.lift[blocks] + way.lift[blocks + 1]) - lift > tolerance)
+            if not len(high):
+                break
+            way, wait = _put_in(way, blocks[high], tip[high], axis[high], key[high], lift[high])
+        return way
+
+    def between(self, way: _Way, dirty: Bools, progress: Progress) -> _Way:
+        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends."""
+        given = len(way.tip)
+        for k in range(ROUNDS):
+            progress("lift", k / ROUNDS)
+            course = straight_course(way.tip, way.axis)
+            entries = find_entries(self.cutter, self.tree, course, self.aim, blocks=np.flatnonzero(dirty))
+            blocks = np.flatnonzero(entries.depth > 0.0)
+            if not len(blocks) or len(way.tip) > MOST_ROWS * given + FEW:
+                break
+            deepest = (k % 2 == 0) & (np.abs(entries.u[blocks] - 0.5) < 0.45)  # before a wall only halving comes near it
+            u = np.where(deepest, entries.u[blocks], 0.5)
+            key = way.key[blocks] + u * (way.key[blocks + 1] - way.key[blocks])
+            tip, axis, lift = self.rows(key)
+            way, dirty = _put_in(way, blocks, tip, axis, key, lift)
+        progress("lift", 1.0)
+        return way
+
+
+def _put_in(way: _Way, blocks: Ints, tip: Floats, axis: Floats, key: Floats, lift: Floats) -> tuple[_Way, Bools]:
+    """The way with a row in each of these blocks (k,), and which blocks are new."""
+
+    def put(column: Floats, rows: Floats) -> Floats:
+        return np.insert(column, blocks + 1, rows, axis=0)
+
+    cuts = np.insert(way.cuts, blocks, True)
+    new, row = np.zeros(len(cuts), np.bool_), np.arange(1, len(blocks) + 1) + blocks
+    new[row - 1] = new[row] = True
+    return _Way(put(way.tip, tip), put(way.axis, axis), put(way.key, key), put(way.lift, lift), cuts), new
+
+
+def _row(way: _Way) -> Ints:
+    """The row (n,) of the path given that each row of the way is, or leads to."""
+    return np.ceil(way.key).astype(np.int64)
+
+
+def _rows(path: CLPath, way: _Way, back: float) -> CLPath:
+    """The path with the rows of the way: those put in take face, normal and feed from the row that they lead to."""
+    columns = {
+        name: getattr(path, name)[_row(way)] for name in ("motion", "feed", "contact", "normal", "face", "coedge", "pass_")
+    }
+    return replace(path, tip=way.tip + back * way.axis, axis=way.axis, **columns)
+
+
+def _findings(path: CLPath, way: _Way) -> tuple[Finding, ...]:
+    """What was lifted, over which length, and where most."""
+    if not (way.lift > 0.0).any():
+        return ()
+    worst = int(way.lift.argmax())
+    blocks = way.cuts & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0))
+    length = float(np.linalg.norm(np.diff(way.tip, axis=0), axis=1)[blocks].sum())
+    x, y, z = path.contact[_row(way)[worst]].tolist()
+    text = (
+        f"The tool was lifted over {length:.4g} mm of the passes, most at ({x:.6g}, {y:.6g}, {z:.6g}) mm, where "
+        f"{way.lift[worst]:.4g} mm stay uncut along its axis. Cut these places with a smaller cutter or another tool axis."
+    )
+    return (Finding(Severity.WARNING, "lifted", text, float(way.lift[worst]), 0.0, "mm", place=(x, y, z)),)

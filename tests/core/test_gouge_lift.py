@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cures against gouging: what is lifted or left out is no more than the part demands, and nothing enters afterwards."""
+
+import numpy as np
+import pytest
+from gouge_examples import bowl, dense_points, round_groove, sampled_depth, step
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.cutter import Cutter
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.gouge import (
+    Body,
+    body_of,
+    facet_tree,
+    find_entries,
+    frustum_piece,
+    lift_path,
+    real_course,
+    round_piece,
+    straight_course,
+)
+from freecad_fiveaxis.core.gouge.body import way_out
+from freecad_fiveaxis.core.quantity import parse_stack
+from freecad_fiveaxis.core.settings import build_settings, flat_options
+
+TOLERANCE = 0.01
+OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 85, "linearize": "on"}
+
+
+def milled(mesh, **options):
+    settings = build_settings("mill", "part", {**OPTIONS, "stepover": 2, **options})
+    return job.make(settings, mesh=mesh)
+
+
+def cl_path(tips, axis=(0.0, 0.0, 1.0)):
+    n = len(tips)
+    tips, axes = np.array(tips, float), np.tile(np.array(axis, float), (n, 1))
+    none, motion = np.full(n, -1), np.full(n, Motion.CUT, np.int8)
+    motion[0] = Motion.RAPID
+    return CLPath(tips, axes, motion, np.where(motion == Motion.CUT, 500.0, 0.0), tips, axes, none, none, none)
+
+
+def entering(path, mesh, body, tolerance=TOLERANCE):
+    """The depth of cuts, by the check, along the path as it is commanded."""
+    found = find_entries(body, facet_tree(mesh), straight_course(path.tip, path.axis), tolerance)
+    return found.depth[np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))]
+
+
+# ------------------------------------------------------------------------------------------------ lift
+
+
+def test_a_ball_over_a_groove_that_is_too_narrow_is_lifted_onto_its_rims():
+    groove, radius = 4.0, 5.0
+    path = cl_path([(-5, 0, -4), (0, 0, -4), (5, 0, -4)])
+    lifted = lift_path(path, facet_tree(round_groove(groove)), body_of(Cutter(2 * radius)), TOLERANCE)
+    touching = np.sqrt(radius**2 - groove**2) - radius  # the tip when both rims touch
+    assert lifted.path.tip[:, 2] == pytest.approx(touching, abs=TOLERANCE)
+    assert lifted.lift == pytest.approx(touching + 4.0, abs=TOLERANCE) and (lifted.path.tip[:, :2] == path.tip[:, :2]).all()
+    finding = lifted.path.findings[-1]
+    assert finding.code == "lifted" and finding.value == pytest.approx(touching + 4.0, abs=TOLERANCE)
+    assert not entering(lifted.path, round_groove(groove), body_of(Cutter(2 * radius))).any()
+
+
+def test_over_a_step_rows_are_put_in_so_that_no_block_cuts_the_edge():
+    mesh, radius = step(6.0), 3.0
+    path = cl_path([(0, -9, 0), (0, 6, 0), (0, 9, 0)])
+    body = body_of(Cutter(2 * radius, 20.0))
+    lifted = lift_path(path, facet_tree(mesh), body, TOLERANCE)
+    print(len(lifted.path.tip))
+    assert len(lifted.path.tip) > 3 and not entering(lifted.path, mesh, body).any()
+    y, z = lifted.path.tip[:, 1], lifted.path.tip[:, 2]
+    over = np.clip(-y, 0.0, radius)
+    demanded = np.where(y > -radius, 6.0 - (radius - np.sqrt(radius**2 - over**2)), 0.0)
+    assert (z <= demanded + TOLERANCE).all()  # no row is higher than the edge demands
+    points = dense_points(mesh, 0.3)
+    course = straight_course(lifted.path.tip, lifted.path.axis)
+    assert max(sampled_depth(body, points, course, k, 7) for k in range(len(course))) <= TOLERANCE
+
+
+def test_the_rows_between_are_needed():
+    """Without them, the judge finds the edge in the cutter."""
+    body, points = body_of(Cutter(6.0, 20.0)), dense_points(step(6.0), 0.5)
+    course = straight_course(np.array([(0, -9.0, 0), (0, 6.0, 6.0)]), np.tile([0.0, 0, 1], (2, 1)))
+    assert sampled_depth(body, points, course, 0, 41) > 1.0
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        Body((round_piece(2.0, 1.0, 1.0), frustum_piece(1.0, 3.0, 25.0, 3.0))),
+        Body((frustum_piece(0.0, 3.0, 25.0, 3.0),)),
+        Body((round_piece(0.0, 1.0, 1.0), frustum_piece(1.0, 1.0, 20.0, 4.0))),
+    ],
+    ids=["bull", "flat", "taper"],
+)
+def test_other_cutters_are_lifted_too(body):
+    mesh = step(6.0)
+    path = cl_path([(0, -9, 0.0), (0, -1.0, 0.0), (0, 5, 0)], (0.1, 0.0, np.sqrt(0.99)))
+    lifted = lift_path(path, facet_tree(mesh), body, TOLERANCE)
+    assert lifted.lift.max() > 5.0 and not entering(lifted.path, mesh, body).any()
+
+
+def test_the_way_out_of_a_cutter_is_where_a_drop_cutter_stops():
+    rng = np.random.default_rng(3)
+    body = Body((round_piece(2.0, 1.0, 1.0), frustum_piece(1.0, 3.0, 10.0, 6.0)))
+    points = rng.uniform((-7, -7, -2), (7, 7, 9), (500, 3))
+    tip, axis = np.zeros((500, 3)), np.tile([0.0, 0.0, 1.0], (500, 1))
+    by = way_out(body, tip, axis, points)
+    radius = np.hypot(points[:, 0], points[:, 1])
+    over = np.clip(radius - 2.0, 0.0, 1.0)
+    low = np.where(radius <= 3.0, 1.0 - np.sqrt(1.0 - over**2), np.where(radius <= 6.0, 1.0 + (radius - 3.0) * 3.0, np.inf))
+    assert by == pytest.approx(np.maximum(points[:, 2] - low, 0.0), abs=1e-12)
+
+
+def test_where_nothing_enters_the_path_stays_the_same_object():
+    made = milled(step(6.0), tool_axis="facet_mean", direction=90, cutter="ball:6")
+    lifted = lift_path(made.path, facet_tree(made.mesh), body_of(Cutter(6.0)), TOLERANCE)
+    assert lifted.path is made.path and not lifted.lift.any()
+
+
+@pytest.mark.parametrize("part", ["dome", "half_cylinder"])
+def test_convex_parts_are_posted_byte_for_byte_as_without_the_check(parts, part):
+    options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 12, "linearize": "on"}
+    bytes_of = lambda gouge: job.make(build_settings("mill", str(parts / f"{part}.stl"), {**options, "gouge": gouge})).nc  # noqa: E731
+    assert bytes_of("lift") == bytes_of("off") == bytes_of("leave-out")
+
+
+# ------------------------------------------------------------------------------------------------ the street
+
+
+@pytest.mark.parametrize(
+    ("mesh", "cutter"), [(round_groove(4.0), "ball:10"), (bowl(15.0, 30), "ball:20")], ids=["groove", "bowl"]
+)
+@pytest.mark.parametrize("gouge", ["lift", "leave-out"])
+def test_after_the_cure_the_program_does_not_enter_on_its_real_way(mesh, cutter, gouge):
+    before = job.prove(milled(mesh, cutter=cutter, gouge="report"))
+    assert "overcut" in {f.code for f in before.findings}
+    made = milled(mesh, cutter=cutter, gouge=gouge)
+    after = job.prove(made)
+    assert not {"overcut", "rapid-collision", "buried"} & {f.code for f in after.findings}
+    assert {"lift": "lifted", "leave-out": "left-out"}[gouge] in {f.code for f in after.findings}
+    course = real_course(made.links, made.program.words)
+    points = dense_points(mesh, 0.8)
+    blocks = np.random.default_rng(0).choice(len(course), 40, replace=False)
+    cutter = body_of(made.settings.cutter.cutter)
+    assert max(sampled_depth(cutter, points, course, int(k), 5) for k in blocks) <= TOLERANCE
+
+
+def test_a_path_driven_by_the_centre_is_lifted_as_that_of_the_tip():
+    options = {"cutter": "ball:10", "gouge": "lift"}
+    by_tip, by_centre = milled(round_groove(4.0), **options), milled(round_groove(4.0), control_point="centre", **options)
+    assert by_centre.path.tip - 5.0 * by_centre.path.axis == pytest.approx(by_tip.path.tip, abs=1e-9)
+
+
+def test_a_holder_is_checked_and_its_block_and_line_are_told():
+    made = milled(step(30.0), cutter="ball:6:10", gouge="report", holder="50x30", direction=90)
+    found = [f for f in job.prove(made).findings if f.code == "holder-collision"]
+    assert found and found[0].line == made.program.line[found[0].block] and found[0].value > 1.0
+
+
+def test_stacks_are_read_with_units_and_written_back():
+    assert parse_stack("40x25, 0.5inx1in") == ((40.0, 25.0), (12.7, 25.4))
+    settings = build_settings("mill", "a.stl", {"machine": "trunnion_ac", "holder": "40x25,63x50", "shank": "8x20"})
+    assert settings.gouge.holder == ((40.0, 25.0), (63.0, 50.0))
+    again = build_settings("mill", "a.stl", {k: v for k, v in flat_options(settings).items() if k not in ("task", "source")})
+    assert again.gouge == settings.gouge
+
+
+@pytest.mark.parametrize("text", ["40", "40x", "x40", "40x0", "-4x5", "40x25,", "40x1e9"])
+def test_a_stack_that_cannot_be_read_is_refused(text):
+    with pytest.raises(SettingsError, match="holder"):
+        build_settings("mill", "a.stl", {"machine": "trunnion_ac", "holder": text})
