@@ -170,6 +170,8 @@ def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
             best = Deepest(point, distance, g)
         else:
             better = distance < best.distance
+            if not better.any():
+                break
             best = Deepest(*(np.where(better, new, old) for new, old in zip((point, distance, g), best, strict=True)))
     assert best is not None
     return best

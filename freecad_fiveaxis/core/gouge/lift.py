@@ -34,6 +34,9 @@ LIFTS = 200
 ROUNDS = 24
 """Times that rows are put in; each about halves the way between them where it must."""
 
+ROUGHLY = 0.1
+"""mm; so near to the deepest point is near enough to lift by. That nothing is deeper than the aim is known to the aim all the same."""
+
 SHORT = 0.1
 """Of the cutter's thickness: rows put in only to stay low do not come nearer to each other."""
 
@@ -65,7 +68,7 @@ def lift_path(
     tips = path.tip - back * path.axis
     cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
     course, blocks = straight_course(tips, path.axis), np.flatnonzero(cuts)
-    first = find_entries(cutter, tree, course, tolerance, blocks=blocks, progress=progress)
+    first = find_entries(cutter, tree, course, tolerance, ROUGHLY, blocks, progress)
     if not (first.depth > 0.0).any():
         return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)))
     touched = np.zeros(len(tips), np.bool_)
@@ -110,7 +113,7 @@ class _Lifter:
         tip, axis = pose.tip.T.copy(), pose.axis.T.copy()
         start, left = tip.copy(), np.arange(len(key))
         for _ in range(LIFTS):
-            entries = find_entries(self.cutter, self.tree, still_course(tip[left], axis[left]), self.aim)
+            entries = find_entries(self.cutter, self.tree, still_course(tip[left], axis[left]), self.aim, ROUGHLY)
             deep = np.flatnonzero(entries.depth > 0.0)
             if not len(deep):
                 break
@@ -140,7 +143,7 @@ class _Lifter:
         for k in range(ROUNDS):
             progress("lift", k / ROUNDS)
             course = straight_course(way.tip, way.axis)
-            entries = find_entries(self.cutter, self.tree, course, self.aim, blocks=np.flatnonzero(dirty))
+            entries = find_entries(self.cutter, self.tree, course, self.aim, ROUGHLY, np.flatnonzero(dirty))
             blocks = np.flatnonzero(entries.depth > 0.0)
             if not len(blocks) or len(way.tip) > MOST_ROWS * given + FEW:
                 break
