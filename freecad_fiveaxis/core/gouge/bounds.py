@@ -95,6 +95,8 @@ def lateral(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Lateral:
 def toward(piece: Piece, axis: tuple[Floats, ...], arm: tuple[Floats, ...]) -> tuple[Floats, tuple[Floats, ...]]:
     """Signed distance (n,) mm of the points ``arm`` from the tip, and the unit direction in which it grows."""
     height = _dot(arm, axis)
+    if piece.low_radius == 0.0 and piece.high_radius == 0.0:
+        return _from_spine(piece, axis, arm, np.clip(height, piece.low, piece.high))
     out = tuple(arm[k] - height * axis[k] for k in range(3))
     radius = np.sqrt(_dot(out, out))
     off = off_piece(piece, radius, height)
@@ -104,6 +106,20 @@ def toward(piece: Piece, axis: tuple[Floats, ...], arm: tuple[Floats, ...]) -> t
     if len(bare):
         g = _unit_on_axis(g, axis, off.along, bare)
     return off.distance, g
+
+
+def _from_spine(
+    piece: Piece, axis: tuple[Floats, ...], arm: tuple[Floats, ...], height: Floats
+) -> tuple[Floats, tuple[Floats, ...]]:  # fmt: skip
+    """:func:`toward` for a core that is a stretch of the axis: balls, and cylinders with round ends."""
+    out = tuple(arm[k] - height * axis[k] for k in range(3))
+    distance = np.sqrt(_dot(out, out))
+    inverse = 1.0 / np.maximum(distance, NOWHERE)
+    g = tuple(part * inverse for part in out)
+    bare = np.flatnonzero(distance <= NOWHERE)
+    if len(bare):
+        g = _unit_on_axis(g, axis, np.zeros(len(distance)), bare)
+    return distance - piece.round, g
 
 
 def _unit_on_axis(

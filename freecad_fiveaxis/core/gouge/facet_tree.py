@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 LEAF = 4
 """At least so many facets hang on each of the last nodes but one (fewer where the mesh has fewer)."""
 
-BEND = 0.5
+BEND = 0.2
 """What a change of the normals by 1 counts for in parting, as a share of the node's size."""
 
 

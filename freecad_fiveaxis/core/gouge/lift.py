@@ -35,7 +35,7 @@ ROUNDS = 24
 """Times that rows are put in; each about halves the way between them where it must."""
 
 ROUGHLY = 0.1
-"""mm; so near to the deepest point is near enough to lift by. That nothing is deeper than the aim is known to the aim all the same."""
+"""mm; so near to the deepest point is near enough to lift by. That nothing is deeper than the aim is known all the same."""
 
 SHORT = 0.1
 """Of the cutter's thickness: rows put in only to stay low do not come nearer to each other."""

@@ -41,7 +41,10 @@ RELATIVE = 0.01
 SURELY = 0.999
 """Of a depth that is known to be reached, what is not lost by rounding."""
 
-BENT = 0.1
+LONGER = 2.0
+"""So many times its size a cluster may be smaller than a node and is divided all the same: stretches are what bounds are close for."""
+
+BENT = 0.3
 """Stretches bend at most by this share of the limit where MOST_PARTS allow."""
 
 
@@ -222,7 +225,7 @@ class _Search:
 def _divided(clusters: Clusters, tree: FacetTree, way: Ints, node: Ints) -> tuple[Ints, Ints]:
     """The larger partner of each pair replaced by its children."""
     by_way = clusters.arity.take(way) > 0
-    by_way &= (node >= tree.leaf) | (clusters.size.take(way) > tree.size.take(node))
+    by_way &= (node >= tree.leaf) | (LONGER * clusters.size.take(way) > tree.size.take(node))
     one, two = np.flatnonzero(by_way), np.flatnonzero(~by_way)
     first, count = clusters.child.take(way[one]), clusters.arity.take(way[one])
     below, many = tree.child.take(node[two]), tree.arity.take(node[two])
