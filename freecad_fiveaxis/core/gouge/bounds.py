@@ -80,16 +80,27 @@ class Lateral(NamedTuple):
     least: Floats
 
 
-def lateral(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Lateral:
-    """The bounds in the direction from the piece, half-way, to the node's point."""
+def lateral(piece: Piece, way: Way, tree: FacetTree, node: Ints, limit: float) -> Lateral:
+    """The bounds in the direction from the piece, half-way, to the node's point: by its box, and of facets that the box does not
+    clear below ``limit`` mm by their corners."""
     scale = 1.0 / np.maximum(np.sqrt(_dot(way.axis, way.axis)), NOWHERE)
     axis = tuple(part * scale for part in way.axis)
     arm = tuple(tree.point[k].take(node) - way.tip[k] for k in range(3))
     off, g = toward(piece, axis, arm)
     up, _ = supports(piece, way, g, both=False)
-    begins = sum(g[k] * tree.middle[k].take(node) - np.abs(g[k]) * tree.half[k].take(node) for k in range(3))
+    begins = np.zeros(len(node))
+    for k in range(3):
+        begins += g[k] * tree.middle[k].take(node) - np.abs(g[k]) * tree.half[k].take(node)
+    facets = np.flatnonzero((up - begins > limit) & (node >= tree.leaf))
+    begins[facets] = _begins(tree, node[facets] - tree.leaf, tuple(part[facets] for part in g))
     lost = way.bend_tip + (piece.reach + piece.round) * (way.bend_axis + np.abs(1.0 - 1.0 / scale))
     return Lateral(up - begins, -off - lost)
+
+
+def _begins(tree: FacetTree, leaf: Ints, g: tuple[Floats, ...]) -> Floats:
+    """The smallest ``g . x`` (n,) mm of the points x of facets (n,)."""
+    corner = [[tree.corner[3 * i + k].take(leaf) for k in range(3)] for i in range(3)]
+    return np.asarray(np.minimum(np.minimum(_dot(g, tuple(corner[0])), _dot(g, tuple(corner[1]))), _dot(g, tuple(corner[2]))))
 
 
 def toward(piece: Piece, axis: tuple[Floats, ...], arm: tuple[Floats, ...]) -> tuple[Floats, tuple[Floats, ...]]:

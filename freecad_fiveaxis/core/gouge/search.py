@@ -42,7 +42,7 @@ SURELY = 0.999
 """Of a depth that is known to be reached, what is not lost by rounding."""
 
 LONGER = 2.0
-"""So many times its size a cluster may be smaller than a node and is divided all the same: stretches are what bounds are close for."""
+"""So many times smaller than a node a cluster may be and is divided all the same: bounds are close for stretches."""
 
 BENT = 0.3
 """Stretches bend at most by this share of the limit where MOST_PARTS allow."""
@@ -151,7 +151,7 @@ class _Search:
             ways = way_of(clusters, one)
             stretch = one - clusters.first
             single = np.flatnonzero(stretch >= 0)
-            beside = lateral(piece, ways, self.tree, two)
+            beside = lateral(piece, ways, self.tree, two, self.limit)
             floor = np.full(len(one), self.limit)
             if len(single):
                 block = parts.block.take(stretch[single])
