@@ -8,6 +8,7 @@ from .facet_tree import FacetTree, facet_tree
 from .inside import inside, is_closed
 from .leave_out import leave_out
 from .lift import Lifted, lift_path
+from .remainder import Remainder, find_remainder, uncut_finding
 from .search import Entries, find_entries
 
 __all__ = [
@@ -21,12 +22,14 @@ __all__ = [
     "GougeCheck",
     "Lifted",
     "Piece",
+    "Remainder",
     "body_of",
     "check_course",
     "check_program",
     "depth_of",
     "facet_tree",
     "find_entries",
+    "find_remainder",
     "frustum_piece",
     "inside",
     "is_closed",
@@ -35,4 +38,5 @@ __all__ = [
     "real_course",
     "round_piece",
     "straight_course",
+    "uncut_finding",
 ]

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The map of what is left: closed forms, and the same by brute force."""
+
+import numpy as np
+import pytest
+from gouge_examples import step, v_groove
+
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.gouge import Body, depth_of, find_remainder, frustum_piece, round_piece, straight_course
+from freecad_fiveaxis.core.gouge.remainder import surface_samples, uncut_finding
+
+BALL = Body((round_piece(0.0, 3.0, 3.0),))
+
+
+def upright(*tips):
+    return straight_course(np.array(tips, float), np.tile([0.0, 0.0, 1.0], (len(tips), 1)))
+
+
+def test_the_samples_share_the_whole_area_and_lie_on_their_facets():
+    mesh = step()
+    point, facet, area = surface_samples(mesh, 1.5)
+    a, b, c = (mesh.vertex[mesh.face[:, k]] for k in range(3))
+    whole = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    assert np.bincount(facet, area) == pytest.approx(whole)
+    assert np.abs(((point - mesh.vertex[mesh.face[facet, 0]]) * mesh.normal[facet]).sum(axis=1)).max() < 1e-12
+
+
+def test_between_two_passes_on_a_floor_the_scallop_is_left():
+    course = upright((-15, -12, 0), (15, -12, 0), (15, -10, 0), (-15, -10, 0))
+    mesh = step()
+    point, _, _ = surface_samples(mesh, 1.0)
+    left = find_remainder(mesh, BALL, course, np.array([0, 2]), 1.0)
+    floor = (np.abs(point[:, 2]) < 1e-9) & (np.abs(point[:, 0]) < 14) & (np.abs(point[:, 1] + 11) < 1.0)
+    off = 1.0 - np.abs(point[floor][:, 1] + 11.0)  # from the nearer pass
+    assert left.height[floor] == pytest.approx(np.hypot(3.0, off) - 3.0, abs=1e-5) and floor.sum() > 30
+
+
+def test_at_the_bottom_of_a_v_groove_the_ball_leaves_what_the_angle_demands():
+    half = np.radians(40.0)
+    height = 3.0 / np.sin(half) - 3.0  # of the tip when both flanks are touched
+    left = find_remainder(v_groove(half), BALL, upright((-20, 0, height), (20, 0, height)), np.array([0]), 0.8)
+    near = (np.linalg.norm(left.point[:, 1:], axis=1) < 1.0) & (np.abs(left.point[:, 0]) < 15)
+    assert left.height[near].max() == pytest.approx(height, abs=0.4) and left.height.min() > -1e-9
+    lower = find_remainder(v_groove(half), BALL, upright((-20, 0, height - 0.1), (20, 0, height - 0.1)), np.array([0]), 0.8)
+    assert lower.height.min() == pytest.approx(-0.1 * np.sin(half), abs=0.01)
+
+
+@pytest.mark.parametrize(
+    "body", [BALL, Body((round_piece(2.0, 1.0, 1.0), frustum_piece(1.0, 3.0, 15.0, 3.0)))], ids=["ball", "bull"]
+)
+def test_brute_force_over_dense_poses_finds_no_lower_height(body):
+    rng = np.random.default_rng(4)
+    tips = np.column_stack([np.linspace(-15, 15, 16), -8 + np.cumsum(rng.normal(size=16)), 0.2 + 0.2 * rng.uniform(size=16)])
+    axes = rng.normal(size=(16, 3)) * 0.15 + (0, 0, 1)
+    course = straight_course(tips, axes / np.linalg.norm(axes, axis=1)[:, None])
+    left = find_remainder(step(), body, course, np.arange(15), 3.0)
+    pose = course.pose(np.repeat(np.arange(15), 60), np.tile(np.linspace(0, 1, 60), 15))
+    depth = np.array([depth_of(body, pose.tip.T, pose.axis.T, point).max() for point in left.point])
+    near = left.height < 2.0
+    assert (left.height[near] <= -depth[near] + 0.02).all() and (left.height >= -depth - 0.05).all() and near.sum() > 50
+
+
+def test_what_is_left_is_told_with_its_area():
+    left = find_remainder(step(), BALL, upright((-20, -12, 0), (20, -12, 0)), np.array([0]), 3.0)
+    (finding,) = uncut_finding(left, 1.0)
+    assert (
+        finding.code == "uncut" and finding.value == pytest.approx(left.area[left.height > 1.0].sum()) and finding.unit == "mm2"
+    )
+    assert uncut_finding(left, 1e3) == ()
+
+
+def test_without_cuts_nothing_can_be_said():
+    with pytest.raises(SettingsError):
+        find_remainder(step(), BALL, upright((0, 0, 0), (1, 0, 0)), np.empty(0, int), 1.0)
