@@ -11,12 +11,24 @@ import os
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import numpy as np
+
 from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
 from freecad_fiveaxis.core.cl_path import CLPath, LinkOptions, Motion, link_passes, order_passes
 from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
 from freecad_fiveaxis.core.deform import deform_axes, trade_findings
 from freecad_fiveaxis.core.deviation import Deviation, measure, without_guided
-from freecad_fiveaxis.core.gouge import Body, body_of, check_program, facet_tree, leave_out, lift_path
+from freecad_fiveaxis.core.gouge import (
+    Body,
+    body_of,
+    check_program,
+    facet_tree,
+    find_remainder,
+    leave_out,
+    lift_path,
+    straight_course,
+    uncut_finding,
+)
 from freecad_fiveaxis.core.joint_path import JointPath, solve
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, q_to_words
 from freecad_fiveaxis.core.linearize import linearize
@@ -47,6 +59,9 @@ from .tool_axis import AxisOptions, find_strategy, tool_axes
 DEFAULT_CONTROLLER = "linuxcnc"
 DEFAULT_SCALLOP = 0.01
 """mm, where neither a scallop nor a stepover is asked for: a usual finishing quality."""
+
+LEFT_SPACING = 0.1
+"""Of the cutter's diameter: how far apart the surface is looked at for what is left on it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,7 +157,8 @@ def mill(
     led, said = _led(settings, offset, axis, links, progress)
     offset, led = _left_out(settings, offset, led, mesh, progress)
     path = _lifted(settings, linked(settings, offset, led, mesh, progress), mesh, progress)
-    found = mesh.findings + left_out + spacing + contact.findings + offset.findings + said + path.findings
+    uncut = _uncut(settings, path, mesh, keep, progress)
+    found = mesh.findings + left_out + spacing + contact.findings + offset.findings + said + path.findings + uncut
     posted = _posted(settings, path, low, high, machine, links, dialect, found, progress)
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis)
 
@@ -179,6 +195,18 @@ def _lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) ->
         return path
     back = settings.cutter.cutter.radius - reach(settings)
     return lift_path(path, facet_tree(mesh), tool_body(settings), settings.proof.tolerance, back, progress).path
+
+
+def _uncut(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Finding, ...]:
+    """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance."""
+    cutter, stepover = settings.cutter.cutter, settings.passes.stepover
+    if settings.gouge.gouge not in ("lift", "leave-out"):
+        return ()
+    scallop = _scallop(settings) if stepover is None else stepover * stepover / (8.0 * cutter.radius)
+    course = straight_course(path.tip - (cutter.radius - reach(settings)) * path.axis, path.axis)
+    cuts = np.flatnonzero(np.isin(path.motion[1:], (Motion.CUT, Motion.FILL)))
+    left = find_remainder(mesh, body_of(cutter), course, cuts, LEFT_SPACING * cutter.diameter, keep, progress)
+    return uncut_finding(left, 2.0 * (scallop or 0.0) + settings.proof.tolerance)
 
 
 def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress = silent) -> CLPath:

@@ -38,8 +38,8 @@ STEPS = 9
 CLOSE = 0.25
 """Distance of samples on the way, as a share of the cutter's thickness."""
 
-MOST_PARTS = 64
-"""A facet is parted at most so often along each side."""
+MOST_PARTS = 256
+"""A facet is parted at most so often each way."""
 
 MOST_SAMPLES = 4_000_000
 """Sampled poses; a longer way is sampled more widely."""
@@ -90,29 +90,26 @@ def find_remainder(
 
 
 def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints, Floats]:
-    """Points (k, 3), their facets (k,) and areas (k,): the middles of the equal parts of each facet."""
+    """Points (k, 3), their facets (k,) and areas (k,): the middles of equal parts of each facet, in rows along its longest side.
+
+    With shares s and t from 0 to 1, ``(1 - sqrt(s)) a + sqrt(s) ((1 - t) b + t c)`` covers a facet evenly; its longest side is b c.
+    """
     chosen = np.arange(len(mesh.face)) if facets is None else np.flatnonzero(facets)
-    corner = mesh.vertex[mesh.face[chosen]]
-    side = np.linalg.norm(corner - np.roll(corner, -1, axis=1), axis=2).max(axis=1)
-    count = np.clip(np.ceil(side / spacing), 1, MOST_PARTS).astype(np.int64)
-    whole = 0.5 * np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
-    point, facet, area = [np.empty((0, 3))], [np.empty(0, np.int64)], [np.empty(0)]
-    for n in np.unique(count).tolist():
-        rows = np.flatnonzero(count == n)
-        share = _part_middles(n)
-        point.append(np.einsum("pk,fkx->fpx", share, corner[rows]).reshape(-1, 3))
-        facet.append(np.repeat(chosen[rows], len(share)))
-        area.append(np.repeat(whole[rows] / len(share), len(share)))
-    return np.concatenate(point), np.concatenate(facet), np.concatenate(area)
-
-
-def _part_middles(n: int) -> Floats:
-    """Barycentric middles (n^2, 3) of the n^2 equal parts of a triangle."""
-    i, j = (grid.ravel() for grid in np.meshgrid(np.arange(n), np.arange(n), indexing="ij"))
-    upright, turned = i + j < n, i + j < n - 1
-    v = np.concatenate([i[upright] + 1.0 / 3.0, i[turned] + 2.0 / 3.0]) / n
-    w = np.concatenate([j[upright] + 1.0 / 3.0, j[turned] + 2.0 / 3.0]) / n
-    return np.stack([1.0 - v - w, v, w], axis=1)
+    row = mesh.face[chosen]
+    side = np.stack([mesh.vertex[row[:, (k + 2) % 3]] - mesh.vertex[row[:, (k + 1) % 3]] for k in range(3)])
+    length = np.linalg.norm(side, axis=2)
+    longest, at = length.argmax(axis=0), np.arange(len(row))
+    whole = 0.5 * np.linalg.norm(np.cross(side[0], side[1]), axis=1)
+    long = length[longest, at]
+    along = np.clip(np.ceil(long / spacing), 1, MOST_PARTS).astype(np.int64)
+    across = np.clip(np.ceil(2.0 * whole / long / spacing), 1, MOST_PARTS).astype(np.int64)
+    a, b, c = (mesh.vertex[row[at, (longest + k) % 3]] for k in range(3))
+    count = along * across
+    of = np.repeat(at, count)
+    part = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+    s = np.sqrt((part // along[of] + 0.5) / across[of])[:, None]
+    t = ((part % along[of] + 0.5) / along[of])[:, None]
+    return a[of] * (1.0 - s) + s * ((1.0 - t) * b[of] + t * c[of]), chosen[of], (whole / count)[of]
 
 
 def _way_samples(body: Body, course: Course, blocks: Ints) -> tuple[Ints, Floats, Floats]:
