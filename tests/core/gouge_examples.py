@@ -117,3 +117,21 @@ def sampled_depth(body, points, course, block, samples=41):
     low, high = pose.tip.min(axis=1) - body.reach, pose.tip.max(axis=1) + body.reach
     points = points[((points >= low) & (points <= high)).all(axis=1)]
     return max(depth_of(body, tip, axis, points).max(initial=0.0) for tip, axis in zip(pose.tip.T, pose.axis.T, strict=True))
+
+
+def brute_distance(mesh, place):
+    """The distance of one place from all facets: over the facet's plane where the foot lies inside, else from its three edges."""
+    corner = mesh.vertex[mesh.face]
+    a = corner[:, 0]
+    normal = np.cross(corner[:, 1] - a, corner[:, 2] - a)
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+    height = ((place - a) * normal).sum(axis=1)
+    foot = place - height[:, None] * normal
+    best, inside = np.full(len(a), np.inf), np.ones(len(a), bool)
+    for k in range(3):
+        p, q = corner[:, k], corner[:, (k + 1) % 3]
+        edge = q - p
+        share = np.clip(((place - p) * edge).sum(axis=1) / (edge * edge).sum(axis=1), 0.0, 1.0)
+        best = np.minimum(best, np.linalg.norm(place - p - share[:, None] * edge, axis=1))
+        inside &= (np.cross(edge, foot - p) * normal).sum(axis=1) >= 0.0
+    return np.where(inside, np.minimum(best, np.abs(height)), best).min()

@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from gouge_examples import bowl, corner, dense_points, round_groove, sampled_depth, step, v_groove
+from gouge_examples import bowl, brute_distance, corner, dense_points, round_groove, sampled_depth, step, v_groove
 
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.cutter import Cutter
@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.gouge import (
     round_piece,
     straight_course,
 )
+from freecad_fiveaxis.core.gouge.course import still_course
 from freecad_fiveaxis.core.kinematics import Setup, chain, linear_words
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.mesh import from_faces
@@ -177,6 +178,34 @@ def test_depth_and_bound_stand_on_both_sides_of_what_dense_samples_find(name):
         pose = course.pose(np.array([block]), found.u[block : block + 1])
         there = depth_of(BODIES[name], pose.tip[:, 0], pose.axis[:, 0], found.place[block : block + 1])[0]
         assert there == pytest.approx(found.depth[block], abs=1e-9)
+
+
+@pytest.fixture(scope="module")
+def balls_everywhere():
+    """A wavy patch, 300 places about it, and what was found in balls about them."""
+    x, y = np.meshgrid(np.linspace(-20, 20, 41), np.linspace(-20, 20, 41), indexing="ij")
+    z = 2.0 * np.sin(x / 3.0) * np.cos(y / 4.0)
+    row = np.arange(x.size).reshape(x.shape)
+    a, b, c, d = (part.ravel() for part in (row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:]))
+    mesh = from_faces(np.stack([x, y, z], -1).reshape(-1, 3), np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]))
+    centres = np.random.default_rng(6).uniform((-22, -22, -6), (22, 22, 6), (300, 3))
+    found = entries(ball(3.0), mesh, still_course(centres, np.tile(UP, (300, 1))))
+    return mesh, centres, found
+
+
+def test_brute_force_over_all_facets_says_the_same(balls_everywhere):
+    mesh, centres, found = balls_everywhere
+    depth = np.array([3.0 - brute_distance(mesh, centre) for centre in centres])
+    assert found.depth == pytest.approx(np.where(depth > LIMIT, depth, 0.0), rel=0.011, abs=LIMIT / 5)
+    assert (found.depth <= np.maximum(depth, 0.0) + 1e-9).all() and (found.bound >= depth).all() and (depth > LIMIT).sum() > 100
+
+
+def test_signed_distances_by_another_library_say_the_same(balls_everywhere):
+    trimesh = pytest.importorskip("trimesh")
+    mesh, centres, found = balls_everywhere
+    _, distance, _ = trimesh.proximity.closest_point_naive(trimesh.Trimesh(mesh.vertex, mesh.face), centres)
+    depth = np.where(3.0 - distance > LIMIT, 3.0 - distance, 0.0)
+    assert found.depth == pytest.approx(depth, rel=0.011, abs=LIMIT / 5)
 
 
 def test_the_judge_would_see_a_depth_that_is_too_small():

@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.gouge import (
     straight_course,
 )
 from freecad_fiveaxis.core.gouge.body import way_out
+from freecad_fiveaxis.core.mesh import read_stl
 from freecad_fiveaxis.core.quantity import parse_stack
 from freecad_fiveaxis.core.settings import build_settings, flat_options
 
@@ -144,6 +145,18 @@ def test_after_the_cure_the_program_does_not_enter_on_its_real_way(mesh, cutter,
     blocks = np.random.default_rng(0).choice(len(course), 40, replace=False)
     cutter = body_of(made.settings.cutter.cutter)
     assert max(sampled_depth(cutter, points, course, int(k), 5) for k in blocks) <= TOLERANCE
+
+
+@pytest.mark.parametrize("diameter", [20, 60])
+def test_the_worst_overcut_of_a_wavy_patch_is_the_judges_too(parts, diameter):
+    mesh = read_stl(str(parts / "freeform_233.stl"))
+    made = milled(mesh, tool_axis="facet_mean", cutter=f"ball:{diameter}", stepover=4, gouge="report")
+    worst = max((f for f in job.prove(made).findings if f.code == "overcut"), key=lambda f: f.value)
+    body, course = Body(body_of(made.settings.cutter.cutter).pieces[:1]), real_course(made.links, made.program.words)
+    points = dense_points(mesh, 0.4)
+    assert sampled_depth(body, points, course, worst.block - 1, 21) == pytest.approx(worst.value, rel=0.02)
+    others = np.random.default_rng(1).choice(len(course), 30, replace=False)
+    assert max(sampled_depth(body, points, course, int(k), 5) for k in others) <= 1.011 * worst.value
 
 
 def test_a_path_driven_by_the_centre_is_lifted_as_that_of_the_tip():

@@ -92,7 +92,7 @@ def find_remainder(
 def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints, Floats]:
     """Points (k, 3), their facets (k,) and areas (k,): the middles of equal parts of each facet, in rows along its longest side.
 
-    With shares s and t from 0 to 1, ``(1 - sqrt(s)) a + sqrt(s) ((1 - t) b + t c)`` covers a facet evenly; its longest side is b c.
+    With s and t from 0 to 1, ``(1 - sqrt(s)) a + sqrt(s) ((1 - t) b + t c)`` covers a facet evenly; its longest side is b c.
     """
     chosen = np.arange(len(mesh.face)) if facets is None else np.flatnonzero(facets)
     row = mesh.face[chosen]
