@@ -99,8 +99,9 @@ def body_of(cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: I
     top = max(cutter.length, cutter.radius)
     pieces = [round_piece(0.0, cutter.radius, cutter.radius)]
     if top > cutter.radius:
-        pieces = [_checked(Piece(cutter.radius, 0.0, max(top - cutter.radius, cutter.radius), 0.0, cutter.radius))]
-        pieces.append(frustum_piece(cutter.radius, cutter.radius, top, cutter.radius))
+        last = min(max(top - cutter.radius, cutter.radius), top)  # from here on only the cylinder's end is missing
+        pieces = [_checked(Piece(cutter.radius, 0.0, last, 0.0, cutter.radius))]
+        pieces += [frustum_piece(last, cutter.radius, top, cutter.radius)] if top > last else []
     for part, rows in ((SHANK, shank), (HOLDER, holder)):
         for diameter, length in rows:
             pieces.append(frustum_piece(top, 0.5 * diameter, top + length, 0.5 * diameter, part))
