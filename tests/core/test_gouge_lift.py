@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cures against gouging: what is lifted or left out is no more than the part demands, and nothing enters afterwards."""
 
+import json
+
 import numpy as np
 import pytest
 from gouge_examples import bowl, dense_points, round_groove, sampled_depth, step
 
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.gouge import (
@@ -183,3 +186,13 @@ def test_stacks_are_read_with_units_and_written_back():
 def test_a_stack_that_cannot_be_read_is_refused(text):
     with pytest.raises(SettingsError, match="holder"):
         build_settings("mill", "a.stl", {"machine": "trunnion_ac", "holder": text})
+
+
+def test_the_command_line_tells_an_overcut_and_lifts_it(tmp_path, parts, capsys):
+    common = ["mill", str(parts / "freeform_233.stl"), "--machine", "trunnion_ac", "--cutter", "ball:40", "--stepover", "6"]
+    common += ["--linearize", "on", "--holder", "63x40", "-o", str(tmp_path / "a.ngc"), "--report", str(tmp_path / "a.json")]
+    assert main([*common, "--gouge", "report"]) == 1
+    told = json.loads((tmp_path / "a.json").read_text())
+    assert "overcut" in {finding["code"] for finding in told["findings"]} and told["inputs"]["holder"] == "63.0x40.0"
+    assert main([*common, "--gouge", "lift", "--quiet"]) == 0
+    assert "too deep into the part" in capsys.readouterr().out
