@@ -166,6 +166,30 @@ def support_at(piece: Piece, pose: Poses, g: Floats) -> Floats:
     return np.asarray((g * pose.tip).sum(axis=0) + most + piece.round)
 
 
+class Mixed(NamedTuple):
+    """Two directions ``g``, ``h`` (3, n) and the share (n,) of the first: the mean of what they bound is a bound, too."""
+
+    g: Floats
+    h: Floats
+    share: Floats
+
+
+def end_and_side(piece: Piece, pose: Poses, point: Floats, normal: Floats) -> Mixed:
+    """The directions of a frustum's nearer end and of its side at points (3, n), mixed so that the mean is as near to the facet's
+    ``normal`` (3, n) as can be. Where a facet is deepest both ends are equally near, and neither direction alone tells so."""
+    arm = point - pose.tip
+    height = (arm * pose.axis).sum(axis=0)
+    out = arm - height * pose.axis
+    out = out / np.maximum(np.sqrt((out * out).sum(axis=0)), NOWHERE)
+    slope = float(np.hypot(piece.high_radius - piece.low_radius, piece.high - piece.low))
+    side = ((piece.high - piece.low) * out + (piece.low_radius - piece.high_radius) * pose.axis) / slope
+    end = np.where(2.0 * height < piece.low + piece.high, -1.0, 1.0) * pose.axis
+    one, two = (g - (g * normal).sum(axis=0) * normal for g in (end, side))
+    change = one - two
+    share = -(two * change).sum(axis=0) / np.maximum((change * change).sum(axis=0), NOWHERE)
+    return Mixed(end, side, np.clip(share, 0.0, 1.0))
+
+
 class Deepest(NamedTuple):
     """``point`` (3, n) mm on the facet, its signed ``distance`` (n,) mm from the piece, and the direction ``g`` (3, n) in which
     that grows."""
@@ -186,20 +210,19 @@ def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
     height = np.clip((middle * pose.axis).sum(axis=0), piece.low, piece.high)
     aim = tip + height * pose.axis
     point_core = piece.low == piece.high and piece.low_radius == 0.0
+    step = min(max(piece.low_radius, piece.high_radius), np.sqrt(float(((corner - corner[0]) ** 2).sum(axis=1).max(initial=0.0))))
     best: Deepest | None = None
     for _ in range(1 if point_core else STEPS):
         point = nearest_on_facet(corner, aim)
         distance, direction = toward(piece, axis, tuple(point - tip))
         g = np.stack(direction)
-        outside = distance + piece.round
-        aim = point - np.where(outside > 0.0, outside, max(piece.low_radius, piece.high_radius)) * g
-        if best is None:
-            best = Deepest(point, distance, g)
-        else:
+        if best is not None:  # from the best point so far, ever more carefully where the way is not that of projections
             better = distance < best.distance
-            if not better.any():
-                break
-            best = Deepest(*(np.where(better, new, old) for new, old in zip((point, distance, g), best, strict=True)))
+            point, distance, g = (np.where(better, new, old) for new, old in zip((point, distance, g), best, strict=True))
+        best = Deepest(point, distance, g)
+        outside = distance + piece.round
+        step *= 0.6
+        aim = point - np.where(outside > 0.0, outside, step) * g
     assert best is not None
     return best
 

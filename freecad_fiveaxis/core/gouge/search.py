@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 from .body import Body, Piece
-from .bounds import deepest, lateral, slab, support_at, way_of
+from .bounds import deepest, end_and_side, lateral, slab, support_at, way_of
 from .course import Clusters, Course, Poses, Stretches, clusters_of, stretches_of
 from .facet_tree import FacetTree
 
@@ -132,10 +132,10 @@ class _Search:
         way, node = np.arange(clusters.top), np.zeros(clusters.top, np.int64)
         done: list[tuple[Ints, Ints]] = []
         while len(way):
-            way, node = self._pruned(piece, clusters, parts, way, node)
+            way, node, enters = self._pruned(piece, clusters, parts, way, node)
             whole = (clusters.arity.take(way) == 0) & (node >= self.tree.leaf)
             done.append((way[whole] - clusters.first, node[whole]))
-            way, node = _divided(clusters, self.tree, way[~whole], node[~whole])
+            way, node = _divided(clusters, self.tree, way[~whole], node[~whole], enters[~whole])
             if len(way) > MOST_PAIRS and len(parts.block) > 1 and parts.block[0] != parts.block[-1]:
                 raise _TooMany
         stretch, leaf = (np.concatenate(column) for column in zip(*done, strict=True))
@@ -143,9 +143,9 @@ class _Search:
         corner = self.tree.corner.take(leaf, axis=1).reshape(3, 3, -1)
         return _Left(parts.block[stretch], parts.start[stretch], parts.end[stretch], corner, leaf)
 
-    def _pruned(self, piece: Piece, clusters: Clusters, parts: Stretches, way: Ints, node: Ints) -> tuple[Ints, Ints]:
-        """The pairs that may hold more than is known."""
-        kept = []
+    def _pruned(self, piece: Piece, clusters: Clusters, parts: Stretches, way: Ints, node: Ints) -> tuple[Ints, Ints, Bools]:
+        """The pairs that may hold more than is known, and which of them do enter."""
+        kept, deep = [], []
         for first in range(0, len(way), SLICE):
             one, two = way[first : first + SLICE], node[first : first + SLICE]
             ways = way_of(clusters, one)
@@ -161,8 +161,9 @@ class _Search:
             if len(rows):
                 rows = rows[slab(piece, way_of(clusters, one[rows]), self.tree, two[rows]) > floor[rows]]
             kept.append(first + rows)
+            deep.append(beside.least[rows] > self.limit)
         rows = np.concatenate(kept)
-        return way[rows], node[rows]
+        return way[rows], node[rows], np.concatenate(deep)
 
     def _learn(self, block: Ints, least: Floats) -> None:
         """Depths that are known to be reached, though not yet where."""
@@ -178,7 +179,7 @@ class _Search:
             pose = self.course.pose(left.block, middle)
             deep = deepest(piece, pose, left.corner)
             self._note(piece, left, middle, -deep.distance, deep.point)
-            most, in_time, half_way = self._most(piece, left, pose, deep.g)
+            most, in_time, half_way = self._most(piece, left, pose, deep.point, deep.g)
             rows = np.flatnonzero(np.minimum(most, piece.most) > self.floor(left.block))
             left, most = left.picked(rows), most[rows]
             if len(rows) > MOST_PAIRS:
@@ -187,7 +188,7 @@ class _Search:
             left, most = _halved(left, in_time[rows] >= across), np.tile(most, 2)
         np.maximum.at(self.found.bound, left.block, most)
 
-    def _most(self, piece: Piece, left: _Left, pose: Poses, g: Floats) -> tuple[Floats, Floats, Floats]:
+    def _most(self, piece: Piece, left: _Left, pose: Poses, point: Floats, g: Floats) -> tuple[Floats, Floats, Floats]:
         """The bound (n,) mm over the stretch; along g, how much of it comes from the way between the poses, and what is left
         half-way.
 
@@ -208,6 +209,14 @@ class _Search:
         normal = self.tree.normal.take(self.tree.leaf + left.leaf, axis=1)
         for direction in (normal, -normal):
             most = np.minimum(most, bound(direction)[0])
+        if piece.round == 0.0:
+            mixed = end_and_side(piece, pose, point, normal)
+            over = sum(
+                share * (np.maximum(support_at(piece, start, g), support_at(piece, end, g)) + bend)
+                for g, share in ((mixed.g, mixed.share), (mixed.h, 1.0 - mixed.share))
+            )
+            begins = ((mixed.share * mixed.g + (1.0 - mixed.share) * mixed.h) * left.corner).sum(axis=1).min(axis=0)
+            most = np.minimum(most, over - begins)
         return most, in_time, flat
 
     def _note(self, piece: Piece, left: _Left, u: Floats, depth: Floats, point: Floats) -> None:
@@ -222,10 +231,11 @@ class _Search:
         found.facet[block], found.part[block] = self.tree.facet[left.leaf[order]], piece.part
 
 
-def _divided(clusters: Clusters, tree: FacetTree, way: Ints, node: Ints) -> tuple[Ints, Ints]:
-    """The larger partner of each pair replaced by its children."""
+def _divided(clusters: Clusters, tree: FacetTree, way: Ints, node: Ints, enters: Bools) -> tuple[Ints, Ints]:
+    """The larger partner of each pair replaced by its children; the cluster where it does enter, because only blocks can tell
+    that they know of deeper places."""
     by_way = clusters.arity.take(way) > 0
-    by_way &= (node >= tree.leaf) | (LONGER * clusters.size.take(way) > tree.size.take(node))
+    by_way &= enters | (node >= tree.leaf) | (LONGER * clusters.size.take(way) > tree.size.take(node))
     one, two = np.flatnonzero(by_way), np.flatnonzero(~by_way)
     first, count = clusters.child.take(way[one]), clusters.arity.take(way[one])
     below, many = tree.child.take(node[two]), tree.arity.take(node[two])
