@@ -7,7 +7,7 @@ from gouge_examples import bowl, brute_distance, corner, dense_points, round_gro
 
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.gouge import (
     HOLDER,
     SHANK,
@@ -322,3 +322,11 @@ def test_rapids_that_enter_are_collisions_and_cuts_overcuts():
     assert set(by_code) == {"overcut", "rapid-collision"}
     assert (by_code["overcut"].block, by_code["overcut"].line) == (7, 100)
     assert by_code["overcut"].value == pytest.approx(1.0, rel=0.011) and by_code["overcut"].limit == LIMIT
+
+
+def test_the_check_can_be_stopped():
+    def stop(stage, fraction):
+        raise Cancelled("stopped")
+
+    with pytest.raises(Cancelled):
+        check_course(step(), ball(3.0), course_through((0, -12, 2.5), (5, -12, 2.5)), np.zeros(1, np.int8), LIMIT, progress=stop)

@@ -27,6 +27,9 @@ from .facet_tree import FacetTree, facet_tree
 from .inside import buried_blocks, is_closed
 from .search import Entries, find_entries
 
+ROUGHLY = 0.1
+"""mm; so well is known how deep shank and holder are in the part. Whether they are is known to the tolerance all the same."""
+
 MOST_SPOTS = 10
 """Findings of one kind; more would bury each other."""
 
@@ -62,7 +65,7 @@ def check_course(
     """
     tree = facet_tree(mesh) if tree is None else tree
     cutter = find_entries(body.only(CUTTER), tree, course, tolerance, progress=progress)
-    above = find_entries(body.only(SHANK, HOLDER), tree, course, tolerance, progress=progress)
+    above = find_entries(body.only(SHANK, HOLDER), tree, course, tolerance, ROUGHLY, progress=progress)
     buried = np.zeros(len(course), np.bool_)
     if is_closed(mesh):
         buried = buried_blocks(tree, body.only(CUTTER), course, cutter.depth)

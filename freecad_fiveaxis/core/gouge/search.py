@@ -10,6 +10,8 @@ divided in time or across the facet until bound and depth are as near as asked f
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -37,6 +39,9 @@ MOST_PAIRS = 2_000_000
 
 RELATIVE = 0.01
 """A depth is known to this share of itself, or to the accuracy asked for where that is more."""
+
+PAUSE = 0.2
+"""s between two words on how far the work is."""
 
 SURELY = 0.999
 """Of a depth that is known to be reached, what is not lost by rounding."""
@@ -76,10 +81,23 @@ def find_entries(
     search = _Search(tree, course, limit, 0.1 * limit if accuracy is None else accuracy, body.reach, found, np.zeros(m))
     for first in range(0, len(wanted), BATCH):
         progress("gouge", first / len(wanted))
-        search.batch(body, wanted[first : first + BATCH])
+        search.batch(body, wanted[first : first + BATCH], _now_and_then(progress, first / len(wanted)))
     progress("gouge", 1.0)
     found.bound[wanted] = np.maximum(found.bound[wanted], search.floor(wanted))
     return found
+
+
+def _now_and_then(progress: Progress, fraction: float) -> Callable[[], None]:
+    """What says how far the work is, at most a few times a second."""
+    last = time.monotonic()
+
+    def tick() -> None:
+        nonlocal last
+        if time.monotonic() - last > PAUSE:
+            last = time.monotonic()
+            progress("gouge", fraction)
+
+    return tick
 
 
 class _Left(NamedTuple):
@@ -110,17 +128,17 @@ class _Search:
     found: Entries
     known: Floats
 
-    def batch(self, body: Body, blocks: Ints) -> None:
-        """Fill in the entries of these blocks."""
+    def batch(self, body: Body, blocks: Ints, tick: Callable[[], None]) -> None:
+        """Fill in the entries of these blocks; ``tick`` is called again and again."""
         parts = stretches_of(self.course, blocks, self.reach, BENT * self.limit)
         clusters = clusters_of(self.course, parts, self.reach)
         try:
             for piece in sorted(body.pieces, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
-                self._refine(piece, self._traverse(piece, clusters, parts))
+                self._refine(piece, self._traverse(piece, clusters, parts, tick), tick)
         except _TooMany:
             half = len(blocks) // 2
             for some in (blocks[:half], blocks[half:]):
-                self.batch(body, some)
+                self.batch(body, some, tick)
 
     def floor(self, block: Ints) -> Floats:
         """What a pair of these blocks must be able to exceed, mm."""
@@ -128,10 +146,11 @@ class _Search:
         least = np.maximum(self.limit, self.known.take(block))
         return np.where(placed > 0.0, np.maximum(least, placed + np.maximum(self.accuracy, RELATIVE * placed)), least)
 
-    def _traverse(self, piece: Piece, clusters: Clusters, parts: Stretches) -> _Left:
+    def _traverse(self, piece: Piece, clusters: Clusters, parts: Stretches, tick: Callable[[], None]) -> _Left:
         way, node = np.arange(clusters.top), np.zeros(clusters.top, np.int64)
         done: list[tuple[Ints, Ints]] = []
         while len(way):
+            tick()
             way, node, enters = self._pruned(piece, clusters, parts, way, node)
             whole = (clusters.arity.take(way) == 0) & (node >= self.tree.leaf)
             done.append((way[whole] - clusters.first, node[whole]))
@@ -171,8 +190,9 @@ class _Search:
         if len(deep):
             np.maximum.at(self.known, block[deep], SURELY * least[deep])
 
-    def _refine(self, piece: Piece, left: _Left) -> None:
+    def _refine(self, piece: Piece, left: _Left, tick: Callable[[], None]) -> None:
         for _ in range(ROUNDS):
+            tick()
             if not len(left.block):
                 return
             middle = 0.5 * (left.start + left.end)
