@@ -196,3 +196,10 @@ def test_the_command_line_tells_an_overcut_and_lifts_it(tmp_path, parts, capsys)
     assert "overcut" in {finding["code"] for finding in told["findings"]} and told["inputs"]["holder"] == "63.0x40.0"
     assert main([*common, "--gouge", "lift", "--quiet"]) == 0
     assert "too deep into the part" in capsys.readouterr().out
+
+
+def test_where_the_controller_guides_the_tip_its_straight_way_is_checked():
+    options = {"cutter": "ball:10", "gouge": "report", "linearize": "off"}
+    by_joints, guided = (job.prove(milled(round_groove(4.0), **options, rtcp=rtcp)) for rtcp in ("off", "angles"))
+    worst = [max(f.value for f in result.findings if f.code == "overcut") for result in (by_joints, guided)]
+    assert guided.made.program.guided is not None and worst[1] == pytest.approx(worst[0], rel=0.03)
