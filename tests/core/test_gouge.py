@@ -265,6 +265,7 @@ def test_a_cutter_that_goes_through_the_part_is_buried_in_the_middle():
     done = check_course(mesh, ball(1.0), course, np.zeros(4, np.int8), LIMIT)
     assert done.buried.tolist() == [False, True, True, False] or done.buried.tolist() == [False, False, True, False]
     assert {f.code for f in done.findings} == {"overcut", "buried"}
+    assert "at least 1 mm" in done.findings[0].text or "at least 0.99" in done.findings[0].text
 
 
 # ------------------------------------------------------------------------------------------------ bad cases

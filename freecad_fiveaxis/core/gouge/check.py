@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 from .body import CUTTER, HOLDER, PARTS, SHANK, Body
 from .course import Course, real_course, straight_course
 from .facet_tree import FacetTree, facet_tree
-from .inside import buried_blocks, is_closed
+from .inside import buried_blocks, crossing_depth, is_closed
 from .search import Entries, find_entries
 
 ROUGHLY = 0.1
@@ -33,10 +33,10 @@ ROUGHLY = 0.1
 MOST_SPOTS = 10
 """Findings of one kind; more would bury each other."""
 
-OVERCUT = "The cutter goes {depth:.4g} mm too deep into the part at {at}. Use --gouge lift or leave-out, or a smaller cutter."
-RAPID_COLLISION = "The cutter goes {depth:.4g} mm into the part at {at} on its way between passes. Use a larger clearance."
+OVERCUT = "The cutter goes {depth} mm too deep into the part at {at}. Use --gouge lift or leave-out, or a smaller cutter."
+RAPID_COLLISION = "The cutter goes {depth} mm into the part at {at} on its way between passes. Use a larger clearance."
 HOLDER_COLLISION = (
-    "The {part} goes {depth:.4g} mm into the part at {at}. Use a longer tool, more lead or tilt, or leave these places out."
+    "The {part} goes {depth} mm into the part at {at}. Use a longer tool, more lead or tilt, or leave these places out."
 )
 
 Where = Callable[[int], tuple[int | None, int | None]]
@@ -69,7 +69,8 @@ def check_course(
     buried = np.zeros(len(course), np.bool_)
     if is_closed(mesh):
         buried = buried_blocks(tree, body.only(CUTTER), course, cutter.depth)
-    findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), course)
+    whole = crossing_depth(body.only(CUTTER)) if is_closed(mesh) else np.inf
+    findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), course, whole)
     return GougeCheck(cutter, above, buried, findings)
 
 
@@ -94,7 +95,7 @@ def check_program(
 
 
 def _findings(
-    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, course: Course
+    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, course: Course, whole: float
 ) -> tuple[Finding, ...]:
     cuts = (motion == Motion.CUT) | (motion == Motion.FILL)
     found: list[Finding] = []
@@ -104,17 +105,21 @@ def _findings(
         ("holder-collision", above, above.depth, HOLDER_COLLISION),
     )
     for code, entries, depth, text in cases:
-        found += _spots(code, text, entries, depth, tolerance, where)
+        found += _spots(code, text, entries, depth, tolerance, where, whole if entries is cutter else np.inf)
     return (*found, *_buried(buried, where, course))
 
 
-def _spots(code: str, text: str, entries: Entries, depth: Floats, tolerance: float, where: Where) -> list[Finding]:
-    """The deepest block of each of the deepest spots; the first one says how many there are."""
+def _spots(
+    code: str, text: str, entries: Entries, depth: Floats, tolerance: float, where: Where, whole: float
+) -> list[Finding]:  # fmt: skip
+    """The deepest block of each of the deepest spots; the first one says how many there are. From a depth of ``whole`` mm on more
+    than the depth may be in the part."""
     worst, blocks = spots(depth)
     found = []
     for k, block in enumerate(worst[:MOST_SPOTS].tolist()):
         x, y, z = entries.place[block].tolist()
-        said = text.format(depth=depth[block], at=f"({x:.6g}, {y:.6g}, {z:.6g}) mm", part=PARTS[int(entries.part[block])])
+        amount = f"{'at least ' if depth[block] >= whole else ''}{depth[block]:.4g}"
+        said = text.format(depth=amount, at=f"({x:.6g}, {y:.6g}, {z:.6g}) mm", part=PARTS[int(entries.part[block])])
         if k == 0 and blocks > 1:
             said += f" This is the deepest of {blocks} blocks in {len(worst)} places."
         told, line = where(block)

@@ -71,13 +71,18 @@ def buried_blocks(tree: FacetTree, body: Body, course: Course, depth: Floats) ->
     m = len(course)
     if not m or not body.pieces:
         return np.zeros(m, np.bool_)
-    height, radius = _middle(body.pieces[0])
-    crosses = depth >= CROSSED * radius
+    height, _ = _middle(body.pieces[0])
+    crosses = depth >= crossing_depth(body)
     run = np.cumsum(crosses | np.append(True, crosses[:-1])) - 1
     first = np.flatnonzero(np.diff(run, prepend=-1))
     pose = course.pose(first, np.zeros(len(first)))
     within = inside(tree, (pose.tip + height * pose.axis).T)
     return np.asarray(within[run] & ~crosses)
+
+
+def crossing_depth(body: Body) -> float:
+    """The depth (mm) from which on the body's core may be through the surface."""
+    return CROSSED * _middle(body.pieces[0])[1] if body.pieces else np.inf
 
 
 def _middle(piece: Piece) -> tuple[float, float]:
