@@ -155,10 +155,11 @@ def mill(
     axis = tool_axes(ordered, settings.tool_axis.tool_axis, _axis_options(settings))
     offset, axis = feasible_rows(ordered, axis, links, cutter.taper)
     led, said = _led(settings, offset, axis, links, progress)
-    offset, led = _left_out(settings, offset, led, mesh, progress)
-    path = _lifted(settings, linked(settings, offset, led, mesh, progress), mesh, progress)
-    uncut = _uncut(settings, path, mesh, keep, progress)
-    found = mesh.findings + left_out + spacing + contact.findings + offset.findings + said + path.findings + uncut
+    cut, led = _left_out(settings, offset, led, mesh, progress)
+    way = linked(settings, cut, led, mesh, progress)
+    path = _lifted(settings, way, mesh, progress)
+    uncut = _uncut(settings, path, mesh, keep, progress) if cut is not offset or path is not way else ()
+    found = mesh.findings + left_out + spacing + contact.findings + cut.findings + said + path.findings + uncut
     posted = _posted(settings, path, low, high, machine, links, dialect, found, progress)
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis)
 
@@ -200,8 +201,6 @@ def _lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) ->
 def _uncut(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Finding, ...]:
     """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance."""
     cutter, stepover = settings.cutter.cutter, settings.passes.stepover
-    if settings.gouge.gouge not in ("lift", "leave-out"):
-        return ()
     scallop = _scallop(settings) if stepover is None else stepover * stepover / (8.0 * cutter.radius)
     course = straight_course(path.tip - (cutter.radius - reach(settings)) * path.axis, path.axis)
     cuts = np.flatnonzero(np.isin(path.motion[1:], (Motion.CUT, Motion.FILL)))

@@ -140,6 +140,7 @@ def test_after_the_cure_the_program_does_not_enter_on_its_real_way(mesh, cutter,
     before = job.prove(milled(mesh, cutter=cutter, gouge="report"))
     assert "overcut" in {f.code for f in before.findings}
     made = milled(mesh, cutter=cutter, gouge=gouge)
+    assert len(made.axis) == len(made.offset.point)
     after = job.prove(made)
     assert not {"overcut", "rapid-collision", "buried"} & {f.code for f in after.findings}
     assert {"lift": "lifted", "leave-out": "left-out"}[gouge] in {f.code for f in after.findings}
