@@ -186,7 +186,7 @@ def _left_out(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, 
     """The rows that can be cut without entering the part, where the settings ask to leave out the others."""
     if settings.gouge.gouge != "leave-out":
         return offset, axis
-    body, back = tool_body(settings), settings.cutter.cutter.radius
+    body, back = tool_body(settings), settings.cutter.cutter.corner
     return leave_out(offset, axis, facet_tree(mesh), body, settings.proof.tolerance, back, progress)
 
 
@@ -194,7 +194,7 @@ def _lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) ->
     """The path with the tool lifted out of the part, where the settings ask for that; else the very path given."""
     if settings.gouge.gouge != "lift":
         return path
-    back = settings.cutter.cutter.radius - reach(settings)
+    back = settings.cutter.cutter.corner - reach(settings)
     return lift_path(path, facet_tree(mesh), tool_body(settings), settings.proof.tolerance, back, progress).path
 
 
@@ -202,7 +202,7 @@ def _uncut(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, progress: 
     """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance."""
     cutter, stepover = settings.cutter.cutter, settings.passes.stepover
     scallop = _scallop(settings) if stepover is None else stepover * stepover / (8.0 * cutter.radius)
-    course = straight_course(path.tip - (cutter.radius - reach(settings)) * path.axis, path.axis)
+    course = straight_course(path.tip - (cutter.corner - reach(settings)) * path.axis, path.axis)
     cuts = np.flatnonzero(np.isin(path.motion[1:], (Motion.CUT, Motion.FILL)))
     left = find_remainder(mesh, body_of(cutter), course, cuts, LEFT_SPACING * cutter.diameter, keep, progress)
     return uncut_finding(left, 2.0 * (scallop or 0.0) + settings.proof.tolerance)
@@ -335,7 +335,7 @@ def _entered(made: Made, progress: Progress) -> tuple[Finding, ...]:
     """What the tool enters of the part on its real way, where it is known and the settings ask for the check."""
     if not isinstance(made, Milled) or made.settings.gouge.gouge == "off":
         return ()
-    back = made.settings.cutter.cutter.radius - reach(made.settings)
+    back = made.settings.cutter.cutter.corner - reach(made.settings)
     tolerance = made.settings.proof.tolerance
     return check_program(made.mesh, tool_body(made.settings), made.links, made.program, tolerance, back, progress).findings
 

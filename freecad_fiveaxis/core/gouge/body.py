@@ -13,6 +13,7 @@ Depth changes no faster than the body moves, and each piece is convex: its signe
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -91,22 +92,30 @@ def _checked(piece: Piece) -> Piece:
 
 
 def body_of(cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: Iterable[tuple[float, float]] = ()) -> Body:
-    """The body of a ball cutter with a cylinder up to its length, then shank and holder.
+    """The body of a cutter up to its length, then shank and holder, after those that the cutter brings itself.
 
     ``shank``, ``holder``: (diameter, length) mm of stacked cylinders, from the cutter upwards. Raises SettingsError for sizes
     that no tool has.
     """
-    top = max(cutter.length, cutter.radius)
-    pieces = [round_piece(0.0, cutter.radius, cutter.radius)]
-    if top > cutter.radius:
-        last = min(max(top - cutter.radius, cutter.radius), top)  # from here on only the cylinder's end is missing
-        pieces = [_checked(Piece(cutter.radius, 0.0, last, 0.0, cutter.radius))]
-        pieces += [frustum_piece(last, cutter.radius, top, cutter.radius)] if top > last else []
+    pieces = [*_cutter_pieces(cutter), *(frustum_piece(*row, HOLDER) for row in cutter.holder)]
+    top = max(cutter.length, cutter.corner)
     for part, rows in ((SHANK, shank), (HOLDER, holder)):
         for diameter, length in rows:
             pieces.append(frustum_piece(top, 0.5 * diameter, top + length, 0.5 * diameter, part))
             top += length
     return Body(tuple(pieces))
+
+
+def _cutter_pieces(cutter: Cutter) -> list[Piece]:
+    """One piece from the bottom up, so that no inner border makes a point seem less deep than it is: all points within the corner
+    radius of a stretch of the axis (ball), a cylinder (bull nose) or a cone (tapered); and its end, which that rounds off."""
+    corner, slope = cutter.corner, math.tan(cutter.taper)
+    top = max(cutter.length, corner)
+    last = min(max(top - corner, corner), top)
+    pieces = [_checked(Piece(corner, cutter.ring, last, cutter.ring + (last - corner) * slope, corner))]
+    if top > last:
+        pieces.append(frustum_piece(last, cutter.top_radius - (cutter.length - last) * slope, top, cutter.top_radius))
+    return pieces
 
 
 # ------------------------------------------------------------------------------------------------ the meridian plane
