@@ -224,6 +224,10 @@
         <translation>Abstand</translation>
     </message>
     <message>
+        <source>Gouge</source>
+        <translation>Eindringen</translation>
+    </message>
+    <message>
         <source>Grid</source>
         <translation>Raster</translation>
     </message>
@@ -238,6 +242,10 @@
     <message>
         <source>High Speed</source>
         <translation>Hochgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation>Halter</translation>
     </message>
     <message>
         <source>Holder Diameter</source>
@@ -502,6 +510,10 @@
     <message>
         <source>Setup</source>
         <translation>Aufspannung</translation>
+    </message>
+    <message>
+        <source>Shank</source>
+        <translation>Schaft</translation>
     </message>
     <message>
         <source>Show Axes</source>
@@ -796,6 +808,14 @@
         <translation>Abhilfen zum Vergleich, mit Komma dazwischen [alle, die es gibt]</translation>
     </message>
     <message>
+        <source>cylinders above the cutter, DIAMETERxLENGTH upwards, as 8x20,12x30; checked with --gouge</source>
+        <translation>Zylinder über der Schneide, DURCHMESSERxLÄNGE nach oben, etwa 8x20,12x30; geprüft mit --gouge</translation>
+    </message>
+    <message>
+        <source>cylinders of the holder above cutter and shank, as 40x25,63x50; checked with --gouge</source>
+        <translation>Zylinder des Halters über Schneide und Schaft, etwa 40x25,63x50; geprüft mit --gouge</translation>
+    </message>
+    <message>
         <source>divide feed blocks over tolerance into the fewest that hold it</source>
         <translation>Vorschubsätze über der Toleranz in die wenigsten teilen, die sie einhalten</translation>
     </message>
@@ -950,6 +970,10 @@
     <message>
         <source>way of each linear axis</source>
         <translation>Weg jeder Linearachse</translation>
+    </message>
+    <message>
+        <source>where the tool enters the part: only report, lift it along its axis, or leave out; off: no check</source>
+        <translation>wo das Werkzeug ins Teil eindringt: nur melden, entlang seiner Achse abheben oder auslassen; off: keine Prüfung</translation>
     </message>
     <message>
         <source>work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300</source>
