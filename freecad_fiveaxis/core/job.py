@@ -27,6 +27,7 @@ from freecad_fiveaxis.core.gouge import (
     leave_out,
     lift_path,
     straight_course,
+    tilt_free,
     uncut_finding,
 )
 from freecad_fiveaxis.core.joint_path import JointPath, solve
@@ -51,7 +52,7 @@ from .post.head import slot_texts
 from .post.writer import write_nc
 from .progress import Progress, silent
 from .records import Bools, Floats
-from .seating import corner_radius, seated, spacing_radius
+from .seating import corner_radius, scallop_of, seated, spacing_radius
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
 from .singularity import Singularity, find_singular, in_cone
 from .tool_axis import AxisOptions, find_strategy, tool_axes
@@ -155,11 +156,11 @@ def mill(
     axis = tool_axes(ordered, settings.tool_axis.tool_axis, _axis_options(settings))
     offset, axis = feasible_rows(ordered, axis, links, cutter.taper)
     led, said = _led(settings, offset, axis, links, progress)
-    cut, led = _left_out(settings, offset, led, mesh, progress)
-    way = linked(settings, cut, led, mesh, progress)
+    turned, led = _tilted(settings, offset, led, mesh, links, progress)
+    way = linked(settings, turned, led, mesh, progress)
     path = _lifted(settings, way, mesh, progress)
-    uncut = _uncut(settings, path, mesh, keep, progress) if cut is not offset or path is not way else ()
-    found = mesh.findings + left_out + spacing + contact.findings + cut.findings + said + path.findings + uncut
+    uncut = _uncut(settings, path, mesh, keep, progress)
+    found = mesh.findings + left_out + spacing + contact.findings + turned.findings + said + path.findings + uncut
     posted = _posted(settings, path, low, high, machine, links, dialect, found, progress)
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis)
 
@@ -182,30 +183,51 @@ def tool_body(settings: Settings) -> Body:
     return body_of(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
 
 
-def _left_out(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress) -> tuple[OffsetPath, Floats]:
-    """The rows that can be cut without entering the part, where the settings ask to leave out the others."""
-    if settings.gouge.gouge != "leave-out":
+def _tilted(
+    settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, links: Chain, progress: Progress
+) -> tuple[OffsetPath, Floats]:
+    """The path with the tool tilted free of the part, where the settings ask for that; else what is given."""
+    if settings.gouge.gouge != "tilt":
         return offset, axis
+    cutter, most, tolerance = settings.cutter.cutter, settings.tool_axis.max_tilt, settings.proof.tolerance
+    return tilt_free(offset, axis, cutter, tool_body(settings), facet_tree(mesh), links, most, tolerance, progress)
+
+
+def _left_out(settings: Settings, sat: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress) -> tuple[OffsetPath, Floats]:
+    """The rows that can be cut without entering the part, where the settings ask to leave out the others. ``sat``: with hubs."""
+    if settings.gouge.gouge != "leave-out":
+        return sat, axis
     body, back = tool_body(settings), settings.cutter.cutter.corner
-    return leave_out(offset, axis, facet_tree(mesh), body, settings.proof.tolerance, back, progress)
+    return leave_out(sat, axis, facet_tree(mesh), body, settings.proof.tolerance, back, progress)
 
 
 def _lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> CLPath:
     """The path with the tool lifted out of the part, where the settings ask for that; else the very path given."""
-    if settings.gouge.gouge != "lift":
+    if settings.gouge.gouge not in ("lift", "tilt"):
         return path
     back = settings.cutter.cutter.corner - reach(settings)
     return lift_path(path, facet_tree(mesh), tool_body(settings), settings.proof.tolerance, back, progress).path
 
 
 def _uncut(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Finding, ...]:
-    """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance."""
-    cutter, stepover = settings.cutter.cutter, settings.passes.stepover
-    scallop = _scallop(settings) if stepover is None else stepover * stepover / (8.0 * cutter.radius)
+    """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance; nothing is looked for where none did."""
+    if not {"lifted", "left-out"} & {finding.code for finding in path.findings}:
+        return ()
+    cutter = settings.cutter.cutter
     course = straight_course(path.tip - (cutter.corner - reach(settings)) * path.axis, path.axis)
     cuts = np.flatnonzero(np.isin(path.motion[1:], (Motion.CUT, Motion.FILL)))
     left = find_remainder(mesh, body_of(cutter), course, cuts, LEFT_SPACING * cutter.diameter, keep, progress)
-    return uncut_finding(left, 2.0 * (scallop or 0.0) + settings.proof.tolerance)
+    return uncut_finding(left, 2.0 * _left_scallop(settings, mesh, keep) + settings.proof.tolerance)
+
+
+def _left_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
+    """The scallop, mm, that the passes leave: the one asked for, or that of the stepover."""
+    cutter, passes, tool = settings.cutter.cutter, settings.passes, settings.tool_axis
+    if passes.stepover is None:
+        return _scallop(settings) or 0.0
+    turned = tool.max_tilt if settings.gouge.gouge == "tilt" else 0.0
+    stand = (tool.tool_axis, replace(_axis_options(settings), tilt=max(abs(tool.tilt), turned)))
+    return scallop_of(cutter, mesh, keep, passes.direction, *stand, passes.stepover)
 
 
 def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress = silent) -> CLPath:
@@ -217,6 +239,7 @@ def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, pro
     )  # fmt: skip
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
     sat, axis = seated(offset, axis, settings.cutter.cutter, settings.cutter.coedge_tolerance)
+    sat, axis = _left_out(settings, sat, axis, mesh, progress)
     path = link_passes(sat, axis, settings.cutter.cutter, low, high, options, progress)
     return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)
 

@@ -55,6 +55,9 @@ HAIR = 1e-3
 MOST = 0.99
 """Share of the facets whose curvature along the passes counts; a few slivers bend by anything."""
 
+SETTLED = 8
+"""Rounds in which the scallop of a stepover and the radius at its height agree."""
+
 STEEPEST = 0.02
 """Sine: a wall that is steeper to the axis, or faces the passes more squarely, does not count when the passes are spaced."""
 
@@ -98,7 +101,7 @@ def seated(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> 
     hub = hubs(path, axis, cutter.ring)
     sat = replace(path, centre=hub, findings=path.findings + _heel_findings(path, hub, axis, cutter))
     rows = np.flatnonzero(~_stands_still(sat, axis))
-    return (sat, axis) if len(rows) == len(axis) else (replace(sat, **_columns(sat, rows)), axis[rows])
+    return (sat, axis) if len(rows) == len(axis) else (keep_rows(sat, rows), axis[rows])
 
 
 def _columns(path: OffsetPath, rows: Ints) -> dict[str, Any]:
@@ -128,25 +131,38 @@ def _divided(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -
     pieces = np.where(cuts, np.clip(np.ceil(turn / widest), 1, MOST_PIECES), 1).astype(np.int64)
     if (pieces == 1).all():
         return path, axis
+    return rows_between(path, axis, pieces, cutter.ring)[:2]
+
+
+def rows_between(path: OffsetPath, axis: Floats, pieces: Ints, ring: float) -> tuple[OffsetPath, Floats, Ints]:
+    """The move that arrives at each row in ``pieces`` (n,) equal parts (1: as it is): the path, its axes, and the row (k,) of the
+    path given that each row is, or leads to. ``ring`` mm of the cutter."""
     row = np.repeat(np.arange(len(axis)), pieces)
     step = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
     share = step / pieces[row]
     new = np.flatnonzero(share < 1.0)
-    return _with_rows(path, axis, row, new, share[new], cutter.ring)
+    return *_with_rows(path, axis, row, new, share[new], ring), row
+
+
+def keep_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
+    """Rows (k,) of a path, ascending; its polylines go on over what is left out."""
+    return replace(path, **_columns(path, rows))
 
 
 def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floats, ring: float) -> tuple[OffsetPath, Floats]:
     """Rows ``row`` (k,) of the path, those at ``new`` moved to ``share`` of the way from the row before, inside its facet.
 
-    Corner circles go straight there, along the facet; axis and seat turn evenly."""
-    end, made, seat = row[new], axis[row], seat_normal(path, ring)
+    Corner circles go straight there, along the facet; axis and seat turn evenly. A ball sits on the facet itself."""
+    end, made = row[new], axis[row]
     start, part = end - 1, share[:, None]
+    seat = seat_normal(path, ring)
+    normal = _between(seat[start], seat[end], share) if ring > 0.0 else path.before[end]
     columns = _columns(path, row)
     for name in ("point", "centre"):
         given = getattr(path, name)
         columns[name][new] = (1.0 - part) * given[start] + part * given[end]
     for name in ("normal", "before", "after"):
-        columns[name][new] = _between(seat[start], seat[end], share)
+        columns[name][new] = normal
     columns["coedge"][new] = -1
     made[new] = _between(axis[start], axis[end], share)
     return replace(path, **columns), made
@@ -254,6 +270,17 @@ def spacing_radius(
         radii.append(cutter.equivalent_radius(normal[stands], axis[stands], side[stands], scallop, bend))
     least = float(np.concatenate(radii).min())
     return max(least, 1.001 * scallop) if np.isfinite(least) else cutter.radius
+
+
+def scallop_of(
+    cutter: Cutter, mesh: Mesh, keep: Bools, angle: float, strategy: str, options: AxisOptions, stepover: float
+) -> float:
+    """About the scallop, mm, that passes ``stepover`` mm apart leave on a flat; other arguments as for :func:`spacing_radius`."""
+    half, scallop = 0.5 * stepover, 0.125 * stepover**2 / cutter.radius
+    for _ in range(1 if cutter.ring == 0.0 else SETTLED):
+        radius = spacing_radius(cutter, mesh, keep, angle, strategy, options, scallop)
+        scallop = radius - float(np.sqrt(max(radius**2 - half**2, 0.0)))
+    return scallop
 
 
 def _bend(tensor: Floats, normal: Floats, travel: Floats) -> float:

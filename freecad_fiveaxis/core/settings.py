@@ -104,8 +104,10 @@ class ToolAxisSettings:
     lead: float = option(0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 3, most=math.pi / 3)
     tilt: float = option(0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 3, most=math.pi / 3)
     max_tilt: float = option(
-        math.radians(5.0), "angle", "how far the strategy `minimax` may leave the facet normals", least=LEAST_TILT, most=MOST_TILT
-    )
+        math.radians(5.0), "angle",
+        "how far the strategy `minimax` may leave the facet normals, and --gouge tilt the axes of any strategy",
+        least=LEAST_TILT, most=MOST_TILT,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -201,7 +203,7 @@ class CureSettings:
     )  # fmt: skip
 
 
-GOUGE = ("off", "report", "lift", "leave-out")
+GOUGE = ("off", "report", "lift", "leave-out", "tilt")
 """What is done where the tool would enter the part."""
 
 
@@ -210,7 +212,9 @@ class GougeSettings:
     """Cutter, shank and holder against the whole part."""
 
     gouge: str = option(
-        "off", "choice", "where the tool enters the part: only report, lift it along its axis, or leave out; off: no check",
+        "off", "choice",
+        "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within --max-tilt and "
+        "lift where the cutter still enters; off: no check",
         (MILL,), choices=GOUGE,
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(

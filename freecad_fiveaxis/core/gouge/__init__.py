@@ -10,6 +10,7 @@ from .leave_out import leave_out
 from .lift import Lifted, lift_path
 from .remainder import Remainder, find_remainder, uncut_finding
 from .search import Entries, find_entries
+from .tilt import tilt_free
 
 __all__ = [
     "CUTTER",
@@ -38,5 +39,6 @@ __all__ = [
     "real_course",
     "round_piece",
     "straight_course",
+    "tilt_free",
     "uncut_finding",
 ]

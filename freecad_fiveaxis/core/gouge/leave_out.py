@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from freecad_fiveaxis.core.coedge import OffsetPath, lasting_rows, take_rows
+from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, picked
@@ -24,7 +25,8 @@ def leave_out(
     """The rows between which body and part stay apart but for ``tolerance`` mm, and their axes (n, 3); findings say what is
     left out.
 
-    ``back`` mm: how far above the tip the path's centres lie. Shank and holder count as the cutter does.
+    ``path``: with the cutter's hubs for its centres (:func:`~.seating.seated`), ``back`` mm above the tip. Shank and holder count
+    as the cutter does. Raises SettingsError where nothing is left.
     """
     joined = np.flatnonzero(np.diff(path.polyline) == 0)
     course = straight_course(path.centre - back * axis, axis)
@@ -43,6 +45,13 @@ def leave_out(
         f"{entries.depth[worst]:.4g} mm at ({x:.6g}, {y:.6g}, {z:.6g}) mm. Use a smaller cutter or another tool axis there."
     )
     rows = lasting_rows(path, np.flatnonzero(~out))
+    if not len(rows):
+        text = (
+            f"gouge leave-out leaves nothing to cut: the tool would enter the part on every pass, deepest by "
+            f"{entries.depth[worst]:.4g} mm at ({x:.6g}, {y:.6g}, {z:.6g}) mm; use a smaller cutter or holder, a longer tool or "
+            "another tool axis, or see where with gouge report"
+        )
+        raise SettingsError(text, float(entries.depth[worst]))
     left = take_rows(path, rows)
     finding = Finding(Severity.WARNING, "left-out", text, length, 0.0, "mm", place=(x, y, z))
     return replace(left, findings=(*path.findings, finding)), picked(axis, rows)
