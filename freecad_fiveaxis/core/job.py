@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
 from freecad_fiveaxis.core.deform import deform_axes, trade_findings
 from freecad_fiveaxis.core.deviation import Deviation, measure, without_guided
 from freecad_fiveaxis.core.gouge import (
+    AIM,
     Body,
     body_of,
     check_program,
@@ -158,10 +159,10 @@ def mill(
     led, said = _led(settings, offset, axis, links, progress)
     turned, led = _tilted(settings, offset, led, mesh, links, progress)
     way = linked(settings, turned, led, mesh, progress)
-    path = _lifted(settings, way, mesh, progress)
+    path, entering = _lifted(settings, way, mesh, progress)
     uncut = _uncut(settings, path, mesh, keep, progress)
     found = mesh.findings + left_out + spacing + contact.findings + turned.findings + said + path.findings + uncut
-    posted = _posted(settings, path, low, high, machine, links, dialect, found, progress)
+    posted = _posted(settings, path, low, high, machine, links, dialect, found, progress, entering)
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis)
 
 
@@ -198,15 +199,18 @@ def _left_out(settings: Settings, sat: OffsetPath, axis: Floats, mesh: Mesh, pro
     if settings.gouge.gouge != "leave-out":
         return sat, axis
     body, back = tool_body(settings), settings.cutter.cutter.corner
-    return leave_out(sat, axis, facet_tree(mesh), body, settings.proof.tolerance, back, progress)
+    return leave_out(sat, axis, facet_tree(mesh), body, AIM * settings.proof.tolerance, back, progress)
 
 
-def _lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> CLPath:
-    """The path with the tool lifted out of the part, where the settings ask for that; else the very path given."""
-    if settings.gouge.gouge not in ("lift", "tilt"):
-        return path
-    back = settings.cutter.cutter.corner - reach(settings)
-    return lift_path(path, facet_tree(mesh), tool_body(settings), settings.proof.tolerance, back, progress).path
+def _lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> tuple[CLPath, float]:
+    """The path with the tool lifted out of the part, where the settings ask for that, else the very path given; and how deep, mm,
+    what a cure leaves of entries may still be."""
+    gouge, tolerance = settings.gouge.gouge, settings.proof.tolerance
+    if gouge in ("lift", "tilt"):
+        back = settings.cutter.cutter.corner - reach(settings)
+        lifted = lift_path(path, facet_tree(mesh), tool_body(settings), tolerance, back, progress)
+        return lifted.path, lifted.left
+    return path, AIM * tolerance if any(finding.code == "left-out" for finding in path.findings) else 0.0
 
 
 def _uncut(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Finding, ...]:
@@ -296,10 +300,11 @@ def with_head(settings: Settings, said: ClHead) -> Settings:
 
 def _posted(
     settings: Settings, path: CLPath, low: Floats, high: Floats, machine: Machine, links: Chain, dialect: Dialect,
-    found: tuple[Finding, ...], progress: Progress,
+    found: tuple[Finding, ...], progress: Progress, entering: float = 0.0,
 ) -> Posted:  # fmt: skip
+    """``entering`` mm: so much of the tolerance the path itself uses up."""
     joints = solve(path, links, low, high, settings.links.clearance, settings.cutter.cutter.radius, progress)
-    joints = _linearized(settings, joints, machine, links, dialect, progress)
+    joints = _linearized(settings, joints, machine, links, dialect, settings.proof.tolerance - entering, progress)
     program = build_program(joints, links, dialect, settings.feeds.feed_mode == "g93", progress)
     nc = write_nc(program, dialect, _nc_title(settings, machine), _head(settings), progress)
     findings = found + block_findings(joints.findings, program) + program.findings
@@ -307,10 +312,10 @@ def _posted(
 
 
 def _linearized(
-    settings: Settings, joints: JointPath, machine: Machine, links: Chain, dialect: Dialect, progress: Progress
+    settings: Settings, joints: JointPath, machine: Machine, links: Chain, dialect: Dialect, tolerance: float, progress: Progress
 ) -> JointPath:
     """The joint path with the blocks divided that the settings name: all feed blocks over tolerance, or those in the cone."""
-    cure, tolerance = settings.cure, settings.proof.tolerance
+    cure = settings.cure
     if cure.linearize == "on":
         return linearize(joints, links, dialect, tolerance, None, progress)
     if cure.singularity == "linearize":

@@ -7,12 +7,13 @@ from .course import Course, real_course, straight_course
 from .facet_tree import FacetTree, facet_tree
 from .inside import inside, is_closed
 from .leave_out import leave_out
-from .lift import Lifted, lift_path
+from .lift import AIM, Lifted, lift_path
 from .remainder import Remainder, find_remainder, uncut_finding
 from .search import Entries, find_entries
 from .tilt import tilt_free
 
 __all__ = [
+    "AIM",
     "CUTTER",
     "HOLDER",
     "SHANK",

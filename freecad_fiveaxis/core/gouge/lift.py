@@ -6,7 +6,8 @@ lifts is what that point demands, so the sum is never more than the part demands
 checked. Where one enters between two rows that do not, a row is put in at its deepest place and lifted in its turn.
 
 lifted    a row that was moved. Only rows on the part are: ends of cuts and fills. Links and rapids stay.
-aim       what a lifted cutter may still enter by: half the tolerance, so that rounded words do not use it up.
+aim       what a lifted cutter may still enter by: half the tolerance, so that the machine's way, which leaves the commanded one,
+          does not use it up. What enters by more than the aim is lifted.
 """
 
 from __future__ import annotations
@@ -27,6 +28,9 @@ from .search import find_entries
 
 AIM = 0.5
 """Of the tolerance."""
+
+GRAZE = 0.1
+"""Of the tolerance: entries below this are none."""
 
 LIFTS = 200
 """Lifts of one row, each to the next point that is too deep."""
@@ -50,17 +54,19 @@ MOST_ROWS = 8
 @dataclass(frozen=True, eq=False)
 class Lifted:
     """``path``: the very path given where nothing was to be lifted. ``row`` (n,): the row of the path given that each row is,
-    or leads to; ``lift`` (n,) mm that it was moved along its axis (of rows put in: off the lifted way)."""
+    or leads to; ``lift`` (n,) mm that it was moved along its axis (of rows put in: off the lifted way); ``left`` mm: no cut of
+    the path enters by more than that, but for GRAZE."""
 
     path: CLPath
     row: Ints
     lift: Floats
+    left: float
 
 
 def lift_path(
     path: CLPath, tree: FacetTree, body: Body, tolerance: float, back: float = 0.0, progress: Progress = silent
 ) -> Lifted:
-    """The path with the cutter lifted out of the part, wherever it is deeper in than ``tolerance`` mm.
+    """The path with the cutter lifted out of the part, wherever it is deeper in than half of ``tolerance`` mm.
 
     ``back`` mm: how far above the tip the point lies that the path gives. Shank and holder are not looked at.
     """
@@ -68,21 +74,21 @@ def lift_path(
     tips = path.tip - back * path.axis
     cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
     course, blocks = straight_course(tips, path.axis), np.flatnonzero(cuts)
-    first = find_entries(cutter, tree, course, tolerance, ROUGHLY, blocks, progress)
-    if not (first.depth > 0.0).any():
-        return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)))
-    touched = np.zeros(len(tips), np.bool_)
-    touched[:-1] |= first.depth > 0.0
-    touched[1:] |= first.depth > 0.0
+    first = find_entries(cutter, tree, course, GRAZE * tolerance, None, blocks, progress)
+    deep = first.bound > aim
+    if not deep.any():
+        left = float(first.bound[first.depth > 0.0].max(initial=0.0))
+        return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), left)
+    touched = np.append(deep, False) | np.append(False, deep)
     lifter, rows = _Lifter(course, cutter, tree, aim), np.flatnonzero(touched)
     tip, axis, lift = tips.copy(), path.axis.copy(), np.zeros(len(tips))
     tip[rows], axis[rows], lift[rows] = lifter.rows(rows.astype(float))
     way = _Way(tip, axis, np.arange(len(tips), dtype=float), lift, cuts)
     way = lifter.lower(way, SHORT * max(piece.most for piece in cutter.pieces), tolerance)
-    dirty = (way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0) | (first.depth[way.key[:-1].astype(np.int64)] > 0.0)
+    dirty = (way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0) | deep[way.key[:-1].astype(np.int64)]
     way = lifter.between(way, way.cuts & dirty, progress)
     findings = (*path.findings, *_findings(path, way))
-    return Lifted(replace(_rows(path, way, back), findings=findings), _row(way), way.lift)
+    return Lifted(replace(_rows(path, way, back), findings=findings), _row(way), way.lift, aim)
 
 
 @dataclass(frozen=True, eq=False)

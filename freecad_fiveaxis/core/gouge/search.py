@@ -87,6 +87,11 @@ def find_entries(
     return found
 
 
+def which_enter(body: Body, tree: FacetTree, course: Course, limit: float, blocks: Ints, progress: Progress = silent) -> Bools:
+    """Which blocks (m,) of the course enter by more than ``limit`` mm, of these ``blocks`` (k,); how deep is not asked."""
+    return np.asarray(find_entries(body, tree, course, limit, np.inf, blocks, progress).bound > limit)
+
+
 def _now_and_then(progress: Progress, fraction: float) -> Callable[[], None]:
     """What says how far the work is, at most a few times a second."""
     last = time.monotonic()
@@ -142,8 +147,10 @@ class _Search:
 
     def floor(self, block: Ints) -> Floats:
         """What a pair of these blocks must be able to exceed, mm."""
-        placed = self.found.depth.take(block)
-        least = np.maximum(self.limit, self.known.take(block))
+        placed, known = self.found.depth.take(block), self.known.take(block)
+        if self.accuracy == np.inf:  # that it enters is all that is asked
+            return np.where(np.maximum(placed, known) > 0.0, np.inf, self.limit)
+        least = np.maximum(self.limit, known)
         return np.where(placed > 0.0, np.maximum(least, placed + np.maximum(self.accuracy, RELATIVE * placed)), least)
 
     def _traverse(self, piece: Piece, clusters: Clusters, parts: Stretches, tick: Callable[[], None]) -> _Left:

@@ -19,6 +19,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -34,9 +35,10 @@ from freecad_fiveaxis.core.seating import hubs, keep_rows, rows_between
 from freecad_fiveaxis.core.tool_axis import feed_direction
 
 from .body import CUTTER, HOLDER, SHANK, Body, round_piece
-from .course import straight_course
+from .course import Course, straight_course
 from .facet_tree import FacetTree
-from .search import find_entries
+from .lift import AIM
+from .search import Entries, find_entries, which_enter
 
 SPREAD = 5.0
 """mm, at least, over which a turn springs back by the factor e; the cutter's diameter where that is more."""
@@ -56,8 +58,8 @@ ABOVE, OF_CUTTER = 1e3, 3e2
 RESTLESS = 0.1
 """rad: what a turn of a ring cutter's contact about its bottom by a radian counts as."""
 
-AIM = 0.5
-"""Of the tolerance: what may be left of an entry, so that rounded words do not use it up."""
+ROUGHLY = 0.1
+"""mm; so well is known how deep what could not be freed is in the part."""
 
 MARGIN = 0.05
 """mm by which shank and holder are to stay off the part beyond that: the machine's way is not quite the commanded one."""
@@ -83,10 +85,10 @@ def tilt_free(
     could free, the very path and axes given come back.
     """
     task = _Task(cutter, body, tree, links, max_tilt, tolerance, max(cutter.diameter, SPREAD))
-    before = task.entering(path, axis, tolerance, 0.0)
-    if not before.wanted.any():
+    hit = task.entering(path, axis)
+    if not hit.any():
         return path, axis
-    window = _near(path, before.wanted, REACH * task.spread)
+    window = _near(path, hit, REACH * task.spread)
     pieces = np.ones(len(axis), np.int64)
     length = np.linalg.norm(np.diff(path.centre, axis=0), axis=1)
     cuts = np.flatnonzero(window & ~path.fill[1:])
@@ -99,22 +101,18 @@ def tilt_free(
     kept = np.flatnonzero(beside | np.append(row[1:] != row[:-1], True))
     fine, made = keep_rows(fine, kept), np.where(turned[:, None], _turned(given, offset), given)[kept]
     fine, made, offset = (fine, made, offset[kept]) if turned.any() else (path, axis, np.zeros_like(axis))
-    left = task.entering(fine, made, tolerance, 0.0)
-    findings = (*path.findings, *_findings(fine, offset, left.above, left.place, max_tilt))
+    course = straight_course(task.tips(fine, made), made)
+    joined = np.flatnonzero(np.diff(fine.polyline) == 0)
+    left = find_entries(body.only(SHANK, HOLDER), tree, course, tolerance, ROUGHLY, joined)
+    findings = (*path.findings, *_findings(fine, offset, left, max_tilt))
     return replace(fine, findings=findings), made
 
 
-@dataclass(frozen=True, eq=False)
-class _Entering:
-    """Of each block (m,): whether shank or holder, and whether the cutter enter such that a tilt may help; ``place`` (m, 3)."""
+class _Hits(NamedTuple):
+    """Of blocks (m,), or of each state's (k, m): whether shank or holder enter, and whether the cutter does."""
 
     above: Bools
     cutter: Bools
-    place: Floats
-
-    @property
-    def wanted(self) -> Bools:
-        return self.above | self.cutter
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,29 +129,24 @@ class _Task:
         """Where the tips (n, 3) stand under these axes (n, 3)."""
         return np.asarray(hubs(path, axis, self.cutter.ring) - self.cutter.corner * axis)
 
-    def entering(self, path: OffsetPath, axis: Floats, limit: float, margin: float) -> _Entering:
-        """What enters by more than ``limit`` mm along the path under these axes (n, 3)."""
-        course_of = self.tips(path, axis), axis
-        joined = np.flatnonzero(np.diff(path.polyline) == 0)
-        return self.hits(*course_of, joined, self.hopeless(path, axis, joined), limit, margin)
+    def entering(self, path: OffsetPath, axis: Floats) -> Bools:
+        """The blocks (n - 1,) along the path under these axes (n, 3) where something enters that a tilt might free."""
+        course, joined = straight_course(self.tips(path, axis), axis), np.flatnonzero(np.diff(path.polyline) == 0)
+        hits = self.hits(course, joined, self.hopeless(course, joined), self.tolerance, 0.0)
+        return np.asarray(hits.above | hits.cutter)
 
-    def hopeless(self, path: OffsetPath, axis: Floats, blocks: Ints) -> Ints:
+    def hopeless(self, course: Course, blocks: Ints) -> Ints:
         """Those of the blocks where a ball itself enters: no axis frees that."""
         if self.cutter.ring > 0.0:
             return blocks[:0]
         ball = Body((round_piece(0.0, self.cutter.corner, self.cutter.corner),))
-        course = straight_course(self.tips(path, axis), axis)
-        found = find_entries(ball, self.tree, course, AIM * self.tolerance, np.inf, blocks)
-        return np.flatnonzero(found.depth > 0.0)
+        return np.flatnonzero(which_enter(ball, self.tree, course, AIM * self.tolerance, blocks))
 
-    def hits(self, tips: Floats, axes: Floats, blocks: Ints, hopeless: Ints, limit: float, margin: float) -> _Entering:
-        """The same for tips and axes (n, 3), only in these blocks; ``hopeless``: where the cutter is not looked at."""
-        course = straight_course(tips, axes)
-        above = self.body.only(SHANK, HOLDER)
-        thick = Body(tuple(piece._replace(round=piece.round + margin) for piece in above.pieces))
-        upper = find_entries(thick, self.tree, course, limit, np.inf, blocks)
-        lower = find_entries(self.body.only(CUTTER), self.tree, course, limit, np.inf, np.setdiff1d(blocks, hopeless))
-        return _Entering(upper.depth > 0.0, lower.depth > 0.0, upper.place)
+    def hits(self, course: Course, blocks: Ints, hopeless: Ints, limit: float, margin: float) -> _Hits:
+        """What enters by more than ``limit`` mm in these blocks; ``hopeless``: where the cutter is not looked at."""
+        above = tuple(piece._replace(round=piece.round + margin) for piece in self.body.only(SHANK, HOLDER).pieces)
+        lower = which_enter(self.body.only(CUTTER), self.tree, course, limit, np.setdiff1d(blocks, hopeless))
+        return _Hits(which_enter(Body(above), self.tree, course, limit, blocks), lower)
 
 
 def _turned(axis: Floats, offset: Floats) -> Floats:
@@ -217,7 +210,7 @@ class _Runs:
         feed = feed_direction(path, axis)
         first = np.flatnonzero(np.diff(path.polyline, prepend=-1))
         blocks = np.flatnonzero(window[:-1] & (np.diff(path.polyline) == 0))
-        hopeless = task.hopeless(path, axis, blocks)
+        hopeless = task.hopeless(straight_course(task.tips(path, axis), axis), blocks)
         frame = np.stack([feed, np.cross(axis, feed)])
         weight = np.maximum(step, SHORTEST * task.spread)
         return cls(task, path, axis, blocks, hopeless, weight, frame, first, np.diff(first, append=len(axis)))
@@ -268,21 +261,17 @@ class _Runs:
 
     def penalty(self, tips: Floats, axes: Floats) -> Floats:
         """What the entering blocks cost the rows (k, n) at their ends."""
-        hit = self.hits(tips, axes)
-        return self.share((ABOVE * hit.above + OF_CUTTER * hit.cutter).reshape(len(tips), -1) * self.weight)
+        hits = self.hits(tips, axes)
+        return self.share((ABOVE * hits.above + OF_CUTTER * hits.cutter) * self.weight)
 
-    def hits(self, tips: Floats, axes: Floats) -> _Entering:
-        """Of every block (k, n - 1) under each state, flat."""
+    def hits(self, tips: Floats, axes: Floats) -> _Hits:
+        """Of every block (k, n - 1) under each state."""
         count, n = axes.shape[:2]
         every = (np.arange(count) * n)[:, None]
         blocks, hopeless = (every + self.window).ravel(), (every + self.hopeless).ravel()
-        limit = AIM * self.task.tolerance
-        hit = self.task.hits(tips.reshape(-1, 3), axes.reshape(-1, 3), blocks, hopeless, limit, MARGIN)
-
-        def rows(column: Bools) -> Bools:
-            return np.append(column, False).reshape(count, n)[:, :-1]
-
-        return _Entering(rows(hit.above), rows(hit.cutter), hit.place)
+        course = straight_course(tips.reshape(-1, 3), axes.reshape(-1, 3))
+        hits = self.task.hits(course, blocks, hopeless, AIM * self.task.tolerance, MARGIN)
+        return _Hits(*(np.append(column, False).reshape(count, n)[:, :-1] for column in hits))
 
     def share(self, block: Floats) -> Floats:
         """What blocks (..., n - 1) give to the rows (..., n) at their ends, half each."""
@@ -303,13 +292,11 @@ class _Runs:
     def better(self, offset: Floats) -> Floats:
         """The offsets of the runs that enter over less of their way than without."""
         axes = np.stack([self.axis, _turned(self.axis, offset)])
-        hit = self.hits(self.standing(axes), axes)
-        cost = self.share((ABOVE * hit.above + OF_CUTTER * hit.cutter) * self.weight)
-        summed = np.add.reduceat(cost, self.first, axis=1)
+        summed = np.add.reduceat(self.penalty(self.standing(axes), axes), self.first, axis=1)
         return np.where(np.repeat(summed[1] < summed[0], self.size)[:, None], offset, 0.0)
 
 
-def _findings(path: OffsetPath, offset: Floats, left: Bools, place: Floats, max_tilt: float) -> tuple[Finding, ...]:
+def _findings(path: OffsetPath, offset: Floats, left: Entries, max_tilt: float) -> tuple[Finding, ...]:
     """How many rows were tilted and by how much at most; where shank or holder are not free all the same."""
     found, most = [], math.degrees(max_tilt)
     angle = np.degrees(np.linalg.norm(offset, axis=1))
@@ -321,12 +308,12 @@ def _findings(path: OffsetPath, offset: Floats, left: Bools, place: Floats, max_
             "tool stays out of the part."
         )
         found.append(Finding(Severity.NOTE, "tilted", text, float(angle[worst]), most, "deg", place=at))
-    if left.any():
-        length = float(np.linalg.norm(np.diff(path.point, axis=0), axis=1)[left].sum())
-        at, said = _place(place[int(left.argmax())])
+    if left.depth.any():
+        length = float(np.linalg.norm(np.diff(path.point, axis=0), axis=1)[left.depth > 0.0].sum())
+        at, said = _place(left.place[int(left.depth.argmax())])
         text = (
-            f"Over {length:.4g} mm of the passes no tilt of up to {most:.4g} deg keeps shank and holder out of the part, first "
-            f"at {said}. Use more --max-tilt or a longer tool, or leave these places out."
+            f"Over {length:.4g} mm of the passes no tilt of up to {most:.4g} deg keeps shank and holder out of the part, the "
+            f"deepest entry at {said}. Use more --max-tilt or a longer tool, or leave these places out."
         )
         found.append(Finding(Severity.WARNING, "not-freed", text, length, 0.0, "mm", place=at))
     return tuple(found)
