@@ -21,14 +21,18 @@ from freecad_fiveaxis.core.deviation import Deviation, measure, without_guided
 from freecad_fiveaxis.core.gouge import (
     AIM,
     Body,
+    GougeCheck,
+    Remainder,
     body_of,
     check_program,
     facet_tree,
     find_remainder,
     leave_out,
     lift_path,
+    program_course,
     straight_course,
     tilt_free,
+    too_deep_finding,
     uncut_finding,
 )
 from freecad_fiveaxis.core.joint_path import JointPath, solve
@@ -89,23 +93,28 @@ class Posted(Made):
 
 @dataclass(frozen=True, eq=False)
 class Milled(Posted):
-    """A program made from a mesh. ``axis`` (n, 3): the strategy's tool axes, before any cure, one for each row of ``offset``."""
+    """A program made from a mesh. ``axis`` (n, 3): the strategy's tool axes, before any cure, one for each row of ``offset``;
+    ``keep`` (f,): the facets that are machined."""
 
     mesh: Mesh
     contact: ContactPath
     offset: OffsetPath
     axis: Floats
+    keep: Bools
 
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A proven program. ``findings`` of every stage, in the order of the street. ``audit``: only of a program not made here."""
+    """A proven program. ``findings`` of every stage, in the order of the street. ``audit``: only of a program not made here;
+    ``gouge`` and ``left``: what enters the part on the real way, and what stays on it, where the settings ask for that."""
 
     made: Made
     deviation: Deviation
     singularity: Singularity
     findings: tuple[Finding, ...]
     audit: Audit | None = None
+    gouge: GougeCheck | None = None
+    left: Remainder | None = None
 
 
 def run(settings: Settings, progress: Progress = silent) -> Result:
@@ -163,7 +172,7 @@ def mill(
     uncut = _uncut(settings, path, mesh, keep, progress)
     found = mesh.findings + left_out + spacing + contact.findings + turned.findings + said + path.findings + uncut
     posted = _posted(settings, path, low, high, machine, links, dialect, found, progress, entering)
-    return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis)
+    return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis, keep=keep)
 
 
 def _planes(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Floats, tuple[Finding, ...]]:
@@ -205,23 +214,28 @@ def _left_out(settings: Settings, sat: OffsetPath, axis: Floats, mesh: Mesh, pro
 def _lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> tuple[CLPath, float]:
     """The path with the tool lifted out of the part, where the settings ask for that, else the very path given; and how deep, mm,
     what a cure leaves of entries may still be."""
-    gouge, tolerance = settings.gouge.gouge, settings.proof.tolerance
-    if gouge in ("lift", "tilt"):
-        back = settings.cutter.cutter.corner - reach(settings)
-        lifted = lift_path(path, facet_tree(mesh), tool_body(settings), tolerance, back, progress)
+    tolerance = settings.proof.tolerance
+    if settings.gouge.gouge in ("lift", "tilt"):
+        lifted = lift_path(path, facet_tree(mesh), tool_body(settings), tolerance, _back(settings), progress)
         return lifted.path, lifted.left
     return path, AIM * tolerance if any(finding.code == "left-out" for finding in path.findings) else 0.0
 
 
 def _uncut(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Finding, ...]:
-    """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance; nothing is looked for where none did."""
-    if not {"lifted", "left-out"} & {finding.code for finding in path.findings}:
+    """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance; nothing is looked for where there was no
+    cure, or where the map of what is left tells it."""
+    if settings.gouge.left == "on" or not {"lifted", "left-out"} & {finding.code for finding in path.findings}:
         return ()
     cutter = settings.cutter.cutter
-    course = straight_course(path.tip - (cutter.corner - reach(settings)) * path.axis, path.axis)
+    course = straight_course(path.tip - _back(settings) * path.axis, path.axis)
     cuts = np.flatnonzero(np.isin(path.motion[1:], (Motion.CUT, Motion.FILL)))
     left = find_remainder(mesh, body_of(cutter), course, cuts, LEFT_SPACING * cutter.diameter, keep, progress)
-    return uncut_finding(left, 2.0 * _left_scallop(settings, mesh, keep) + settings.proof.tolerance)
+    return uncut_finding(left, allowed(settings, mesh, keep))
+
+
+def allowed(settings: Settings, mesh: Mesh, keep: Bools) -> float:
+    """So much may stay on the facets ``keep`` (f,), mm: twice the scallop, which is that of a flat, and the tolerance."""
+    return 2.0 * _left_scallop(settings, mesh, keep) + settings.proof.tolerance
 
 
 def _left_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
@@ -335,9 +349,11 @@ def prove(made: Made, progress: Progress = silent) -> Result:
         deviation = without_guided(deviation, guided.on, guided.tip)
     singularity = find_singular(made.links, words, made.machine.singular_cone)
     judged = judge(made.links, made.program, deviation, singularity, proof.tolerance)
-    found = made.findings + deviation.findings + _entered(made, progress) + judged
+    gouge, left = _entered(made, progress), _left(made, progress)
+    entered = (gouge.findings if gouge else ()) + (_said_of(left, made) if left is not None and isinstance(made, Milled) else ())
+    found = made.findings + deviation.findings + entered + judged
     if made.settings.task != AUDIT:
-        return Result(made, deviation, singularity, found)
+        return Result(made, deviation, singularity, found, gouge=gouge, left=left)
     audited = _audited(made, deviation, progress)
     return Result(made, deviation, singularity, found + audited.findings, audited)
 
@@ -359,13 +375,33 @@ def _compared(settings: Settings, progress: Progress) -> CLPath | Mesh | None:
     return read_cl_file(read_bytes(path, "CL file"), settings.feeds.feed, progress).path
 
 
-def _entered(made: Made, progress: Progress) -> tuple[Finding, ...]:
+def _entered(made: Made, progress: Progress) -> GougeCheck | None:
     """What the tool enters of the part on its real way, where it is known and the settings ask for the check."""
     if not isinstance(made, Milled) or made.settings.gouge.gouge == "off":
-        return ()
-    back = made.settings.cutter.cutter.corner - reach(made.settings)
+        return None
     tolerance = made.settings.proof.tolerance
-    return check_program(made.mesh, tool_body(made.settings), made.links, made.program, tolerance, back, progress).findings
+    return check_program(made.mesh, tool_body(made.settings), made.links, made.program, tolerance, _back(made.settings), progress)
+
+
+def _left(made: Made, progress: Progress) -> Remainder | None:
+    """What the cutter leaves on the machined facets on its real way, where they are known and the settings ask for it."""
+    if not isinstance(made, Milled) or made.settings.gouge.left == "off":
+        return None
+    cutter, course = made.settings.cutter.cutter, program_course(made.links, made.program, _back(made.settings))
+    cuts = np.flatnonzero(np.isin(made.program.motion[1:], (Motion.CUT, Motion.FILL)))
+    return find_remainder(made.mesh, body_of(cutter), course, cuts, LEFT_SPACING * cutter.diameter, made.keep, progress)
+
+
+def _said_of(left: Remainder, made: Milled) -> tuple[Finding, ...]:
+    """Where more stays than may, and, where no check tells it, where too much is taken off."""
+    settings = made.settings
+    deep = too_deep_finding(left, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
+    return uncut_finding(left, allowed(settings, made.mesh, made.keep)) + deep
+
+
+def _back(settings: Settings) -> float:
+    """How far above the tip the point lies that the words drive, mm."""
+    return settings.cutter.cutter.corner - reach(settings)
 
 
 def figures(result: Result) -> Figures:
@@ -375,7 +411,9 @@ def figures(result: Result) -> Figures:
         title=_title(made.settings), kind=made.settings.task, machine=made.machine, links=made.links,
         program=made.program, deviation=result.deviation, singularity=result.singularity,
         tolerance=made.settings.proof.tolerance, findings=result.findings, inputs=flat_options(made.settings),
-        audit=result.audit,
+        audit=result.audit, gouge=result.gouge, left=result.left,
+        allowed=allowed(made.settings, made.mesh, made.keep) if isinstance(made, Milled) else 0.0,
+        mesh=made.mesh if isinstance(made, Milled) else None,
     )  # fmt: skip
 
 

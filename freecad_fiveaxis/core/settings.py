@@ -223,6 +223,10 @@ class GougeSettings:
     holder: tuple[tuple[float, float], ...] = option(
         (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50; checked with --gouge", (MILL,)
     )
+    left: Literal["on", "off"] = option(
+        "off", "choice", "map of what stays uncut and of what is cut too deep, on the machined facets", (MILL,),
+        choices=("on", "off"), bare="on",
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -33,11 +33,16 @@ ROUGHLY = 0.1
 MOST_SPOTS = 10
 """Findings of one kind; more would bury each other."""
 
-OVERCUT = "The cutter goes {depth} mm too deep into the part at {at}. Use --gouge lift or leave-out, or a smaller cutter."
-RAPID_COLLISION = "The cutter goes {depth} mm into the part at {at} on its way between passes. Use a larger clearance."
-HOLDER_COLLISION = (
-    "The {part} goes {depth} mm into the part at {at}. Use a longer tool, more lead or tilt, or leave these places out."
-)
+GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collision", "holder-collision"
+"""The codes of the findings."""
+
+SAID = {
+    OVERCUT: "The cutter goes {depth} mm too deep into the part at {at}. Use --gouge lift or leave-out, or a smaller cutter.",
+    RAPID_COLLISION: "The cutter goes {depth} mm into the part at {at} on its way between passes. Use a larger clearance.",
+    HOLDER_COLLISION: (
+        "The {part} goes {depth} mm into the part at {at}. Use a longer tool, more lead or tilt, or leave these places out."
+    ),
+}
 
 Where = Callable[[int], tuple[int | None, int | None]]
 """From a block of the course to the block of the program and the line of the NC file."""
@@ -52,6 +57,20 @@ class GougeCheck:
     above: Entries
     buried: Bools
     findings: tuple[Finding, ...]
+
+    def cases(self, motion: Bytes) -> tuple[tuple[str, Entries, Floats], ...]:
+        """The three kinds of entries: code, entries, and their depths (m,) mm, 0 in blocks that have none of this kind;
+        ``motion`` (m,) what each block does."""
+        return _cases(self.cutter, self.above, motion)
+
+
+def _cases(cutter: Entries, above: Entries, motion: Bytes) -> tuple[tuple[str, Entries, Floats], ...]:
+    cuts = (motion == Motion.CUT) | (motion == Motion.FILL)
+    return (
+        (OVERCUT, cutter, cutter.depth * cuts),
+        (RAPID_COLLISION, cutter, cutter.depth * ~cuts),
+        (HOLDER_COLLISION, above, above.depth),
+    )
 
 
 def check_course(
@@ -74,19 +93,24 @@ def check_course(
     return GougeCheck(cutter, above, buried, findings)
 
 
-def check_program(
-    mesh: Mesh, body: Body, links: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent
-) -> GougeCheck:
-    """Check every block of a program, along the way that the machine really goes; see :func:`check_course`.
+def program_course(links: Chain, program: Program, back: float = 0.0) -> Course:
+    """The way that the machine really goes: block i of the course leads to row i + 1 of the program.
 
     ``back`` mm: how far above the tip the point lies that the words drive. Where the controller guides the tip, its way is taken
     to be straight and the axis to turn on great arcs.
     """
     if program.guided is None:
-        course = real_course(links, program.words, back)
-    else:
-        tips, axes = forward(links, words_to_q(program.words))
-        course = straight_course(tips - back * axes, axes)
+        return real_course(links, program.words, back)
+    tips, axes = forward(links, words_to_q(program.words))
+    return straight_course(tips - back * axes, axes)
+
+
+def check_program(
+    mesh: Mesh, body: Body, links: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent
+) -> GougeCheck:
+    """Check every block of a program, along the way that the machine really goes; see :func:`check_course` and
+    :func:`program_course`."""
+    course = program_course(links, program, back)
 
     def where(block: int) -> tuple[int | None, int | None]:
         return block + 1, int(program.line[block + 1])
@@ -97,15 +121,9 @@ def check_program(
 def _findings(
     cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, course: Course, whole: float
 ) -> tuple[Finding, ...]:
-    cuts = (motion == Motion.CUT) | (motion == Motion.FILL)
     found: list[Finding] = []
-    cases = (
-        ("overcut", cutter, cutter.depth * cuts, OVERCUT),
-        ("rapid-collision", cutter, cutter.depth * ~cuts, RAPID_COLLISION),
-        ("holder-collision", above, above.depth, HOLDER_COLLISION),
-    )
-    for code, entries, depth, text in cases:
-        found += _spots(code, text, entries, depth, tolerance, where, whole if entries is cutter else np.inf)
+    for code, entries, depth in _cases(cutter, above, motion):
+        found += _spots(code, SAID[code], entries, depth, tolerance, where, whole if entries is cutter else np.inf)
     return (*found, *_buried(buried, where, course))
 
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -53,18 +54,24 @@ GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 @dataclass(frozen=True, eq=False)
 class Remainder:
     """``point`` (k, 3) mm on the surface; ``facet`` (k,); ``area`` (k,) mm2; ``height`` (k,) mm; ``block`` (k,) of the course
-    that comes nearest."""
+    that comes nearest; ``spacing`` mm of the samples."""
 
     point: Floats
     facet: Ints
     area: Floats
     height: Floats
     block: Ints
+    spacing: float
 
     def left(self, above: float) -> tuple[float, float]:
         """The area (mm2) on which more than ``above`` mm is left, and how much more there is on it (mm3)."""
         more = self.height > above
         return float(self.area[more].sum()), float(((self.height - above) * self.area)[more].sum())
+
+    def taken(self, below: float) -> tuple[float, float]:
+        """The area (mm2) on which more than ``below`` mm is taken off too deep, and how much more there is on it (mm3)."""
+        more = self.height < -below
+        return float(self.area[more].sum()), float(((-self.height - below) * self.area)[more].sum())
 
 
 def find_remainder(
@@ -86,7 +93,7 @@ def find_remainder(
         rows = slice(first, first + CHUNK)
         height[rows], nearest[rows] = _lowest(body, course, tree, block, u, step, point[rows])
     progress("what is left", 1.0)
-    return Remainder(point, facet, area, height, nearest)
+    return Remainder(point, facet, area, height, nearest, spacing)
 
 
 def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints, Floats]:
@@ -94,22 +101,56 @@ def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> 
 
     With s and t from 0 to 1, ``(1 - sqrt(s)) a + sqrt(s) ((1 - t) b + t c)`` covers a facet evenly; its longest side is b c.
     """
+    parts = _parts(mesh, spacing, facets)
+    return _in_part(mesh, parts, 0.5, 0.5), parts.facet, parts.area
+
+
+def sample_parts(mesh: Mesh, spacing: float, facets: Bools | None = None) -> Floats:
+    """The corners (k, 4, 3) mm, in turn, of the parts that the samples stand for; together they cover the facets."""
+    parts = _parts(mesh, spacing, facets)
+    return np.stack(
+        [_in_part(mesh, parts, down, along) for down, along in ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))], axis=1
+    )
+
+
+class _Parts(NamedTuple):
+    """Of each part of a facet: ``facet`` (k,), ``area`` (k,) mm2, the facet's corner ``apex`` (k,) opposite its longest side,
+    ``row`` and ``column`` (k,) of the part among so many ``rows`` and ``columns`` (k,)."""
+
+    facet: Ints
+    area: Floats
+    apex: Ints
+    row: Ints
+    column: Ints
+    rows: Ints
+    columns: Ints
+
+
+def _parts(mesh: Mesh, spacing: float, facets: Bools | None) -> _Parts:
     chosen = np.arange(len(mesh.face)) if facets is None else np.flatnonzero(facets)
     row = mesh.face[chosen]
     side = np.stack([mesh.vertex[row[:, (k + 2) % 3]] - mesh.vertex[row[:, (k + 1) % 3]] for k in range(3)])
     length = np.linalg.norm(side, axis=2)
-    longest, at = length.argmax(axis=0), np.arange(len(row))
+    apex = length.argmax(axis=0)
     whole = 0.5 * np.linalg.norm(np.cross(side[0], side[1]), axis=1)
-    long = length[longest, at]
-    along = np.clip(np.ceil(long / spacing), 1, MOST_PARTS).astype(np.int64)
-    across = np.clip(np.ceil(2.0 * whole / long / spacing), 1, MOST_PARTS).astype(np.int64)
-    a, b, c = (mesh.vertex[row[at, (longest + k) % 3]] for k in range(3))
-    count = along * across
-    of = np.repeat(at, count)
+    long = length.max(axis=0)
+    columns = np.clip(np.ceil(long / spacing), 1, MOST_PARTS).astype(np.int64)
+    rows = np.clip(np.ceil(2.0 * whole / long / spacing), 1, MOST_PARTS).astype(np.int64)
+    count = columns * rows
+    of = np.repeat(np.arange(len(row)), count)
     part = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
-    s = np.sqrt((part // along[of] + 0.5) / across[of])[:, None]
-    t = ((part % along[of] + 0.5) / along[of])[:, None]
-    return a[of] * (1.0 - s) + s * ((1.0 - t) * b[of] + t * c[of]), chosen[of], (whole / count)[of]
+    down, along = np.divmod(part, columns[of])
+    return _Parts(chosen[of], (whole / count)[of], apex[of], down, along, rows[of], columns[of])
+
+
+def _in_part(mesh: Mesh, parts: _Parts, down: float, along: float) -> Floats:
+    """The point (k, 3) of each part at these shares of it, from the apex down and along the longest side."""
+    corner = mesh.face[parts.facet]
+    at = np.arange(len(corner))
+    a, b, c = (mesh.vertex[corner[at, (parts.apex + k) % 3]] for k in range(3))
+    s = np.sqrt((parts.row + down) / parts.rows)[:, None]
+    t = ((parts.column + along) / parts.columns)[:, None]
+    return np.asarray(a * (1.0 - s) + s * ((1.0 - t) * b + t * c))
 
 
 def _way_samples(body: Body, course: Course, blocks: Ints) -> tuple[Ints, Floats, Floats]:
@@ -179,3 +220,18 @@ def uncut_finding(remainder: Remainder, above: float) -> tuple[Finding, ...]:
         f"{remainder.height[worst]:.4g} mm; {volume:.4g} mm3 in all. Cut these places with a smaller cutter or another tool axis."
     )
     return (Finding(Severity.WARNING, "uncut", text, area, 0.0, "mm2", place=(x, y, z)),)
+
+
+def too_deep_finding(remainder: Remainder, tolerance: float) -> tuple[Finding, ...]:
+    """A finding where the cutter takes off more than ``tolerance`` mm too much somewhere: area, depth and its place."""
+    area, volume = remainder.taken(tolerance)
+    if area == 0.0:
+        return ()
+    worst = int(remainder.height.argmin())
+    x, y, z = remainder.point[worst].tolist()
+    text = (
+        f"On {area:.4g} mm2 of the machined surface more than {tolerance:.3g} mm is cut too deep, most at ({x:.6g}, {y:.6g}, "
+        f"{z:.6g}) mm: {-remainder.height[worst]:.4g} mm; {volume:.4g} mm3 in all. Use --gouge lift or leave-out, or a smaller "
+        "cutter."
+    )
+    return (Finding(Severity.ERROR, "cut-too-deep", text, -float(remainder.height[worst]), tolerance, "mm", place=(x, y, z)),)

@@ -22,6 +22,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.gouge import GOUGES
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.trajectory import tip_at
 
@@ -178,7 +179,9 @@ def listed(figures: Figures) -> tuple[tuple[Row, ...], tuple[int, ...]]:
 def _told(figures: Figures, mark: Marker) -> Finding:
     """What is known of a marker, as a finding."""
     if mark.block is None or mark.kind not in (LARGEST, OVER, SINGULAR):
-        return mark.finding or Finding(Severity.NOTE, mark.kind, mark.label, place=mark.place)
+        severity = Severity.ERROR if mark.kind in GOUGES else Severity.NOTE
+        line = None if mark.block is None else int(figures.program.line[mark.block])
+        return mark.finding or Finding(severity, mark.kind, mark.label, block=mark.block, line=line, place=mark.place)
     there = spot(figures, mark.block)
     if mark.kind == SINGULAR:
         value, unit, severity = max(turn for _, turn in there.turns), "deg", Severity.WARNING

@@ -27,8 +27,10 @@ from freecad_fiveaxis.core.audit.rates import SAME
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.deviation import Deviation
 from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.gouge import GougeCheck, Remainder
 from freecad_fiveaxis.core.kinematics import Chain, forward
 from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.records import Floats, Ints
 from freecad_fiveaxis.core.singularity import Singularity
@@ -46,7 +48,8 @@ class Figures:
     """All that a report shows. ``tolerance`` mm; ``findings`` those of every stage.
 
     ``program``, ``deviation`` and ``singularity`` have one row a block; ``links`` is the chain that ``program`` is for. ``audit``
-    where there was one.
+    where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
+    ``allowed`` mm: so much may be left; ``mesh``: the part where it is known.
     """
 
     title: str
@@ -60,6 +63,10 @@ class Figures:
     findings: tuple[Finding, ...] = ()
     inputs: Mapping[str, object] = field(default_factory=dict)
     audit: Audit | None = None
+    gouge: GougeCheck | None = None
+    left: Remainder | None = None
+    allowed: float = 0.0
+    mesh: Mesh | None = None
 
     @cached_property
     def feeds(self) -> Ints:

@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from freecad_fiveaxis.core.findings import Finding
+from freecad_fiveaxis.core.gouge import GOUGES, PARTS
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
@@ -45,7 +45,8 @@ def markers(figures: Figures) -> tuple[Marker, ...]:
         *_marked(figures, "largest-deviation", figures.worst[:1], deviation.segment, "{:.4g} mm"),
         *_marked(figures, OVER, _run_peaks(over, deviation.segment), deviation.segment, "{:.4g} mm"),
         *_marked(figures, SINGULAR, _run_peaks(near, turned), turned, "turns {:.4g} deg"),
-        *_placed(figures.findings),
+        *_entered(figures),
+        *_placed(figures),
     )
 
 
@@ -69,6 +70,20 @@ def _marked(figures: Figures, kind: str, rows: Ints, values: Floats, label: str)
     return made
 
 
-def _placed(findings: Sequence[Finding]) -> list[Marker]:
-    others = [one for one in findings if one.place is not None and one.code not in (OVER, SINGULAR)]
+def _entered(figures: Figures) -> list[Marker]:
+    """Where the tool enters the part: in each run of blocks the deepest, at the point that is entered most."""
+    if figures.gouge is None:
+        return []
+    told, made = {(one.code, one.block): one for one in reversed(figures.findings)}, []
+    for code, entries, depth in figures.gouge.cases(figures.program.motion[1:]):
+        for block in _run_peaks(depth > 0.0, depth).tolist():
+            x, y, z = entries.place[block].tolist()
+            label = f"{PARTS[int(entries.part[block])]} {depth[block]:.4g} mm in the part, line {figures.program.line[block + 1]}"
+            made.append(Marker((x, y, z), code, label, told.get((code, block + 1)), block + 1))
+    return made
+
+
+def _placed(figures: Figures) -> list[Marker]:
+    marked = (OVER, SINGULAR, *(GOUGES if figures.gouge else ()))
+    others = [one for one in figures.findings if one.place is not None and one.code not in marked]
     return [Marker(one.place, one.code, one.code.replace("-", " "), one, one.block) for one in others[:MARKERS] if one.place]
