@@ -17,7 +17,7 @@ import numpy as np
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.records import Bools, Floats
 
-from .remainder import Remainder, sample_parts
+from .remainder import Remainder, surface_parts
 
 NO_HEIGHT = (0.60, 0.63, 0.66)
 """The colour of facets that are not machined, red green blue, 0 to 1."""
@@ -28,7 +28,7 @@ LEFT = ((0.72, 0.86, 0.95), (0.34, 0.66, 0.88), (0.00, 0.40, 0.70), (0.00, 0.16,
 DEEP = ((0.99, 0.85, 0.62), (0.97, 0.60, 0.35), (0.84, 0.24, 0.10), (0.50, 0.00, 0.05))
 """What is taken off too deep, from little to the most."""
 
-LEAST_SPAN = 10.0
+LEAST_SPAN = 2.0
 """The far end of the scale is at least so many times its neutral border."""
 
 MARKS = (1.0, 2.0, 5.0)
@@ -107,8 +107,8 @@ def facet_heights(remainder: Remainder, facets: int, tolerance: float, allowed: 
 
 
 def left_patches(mesh: Mesh, remainder: Remainder) -> Floats:
-    """The corners (k, 4, 3) mm, in turn, of the part of its facet that each sample of the remainder stands for."""
-    return sample_parts(mesh, remainder.spacing, machined(mesh, remainder))
+    """The triangles (k, 3, 3) mm that the samples of the remainder stand for: finer than facets where those are large."""
+    return surface_parts(mesh, remainder.spacing, machined(mesh, remainder))[0]
 
 
 def machined(mesh: Mesh, remainder: Remainder) -> Bools:

@@ -3,7 +3,7 @@
 
 height    of a point of the part's surface: how far the cutter stays away from it all along its way, mm. Above 0 so much is left
           on it, below 0 so much is taken off too deep.
-sample    a point in the middle of a facet, or of an equal part of it, with the area that it stands for.
+sample    the middle of a facet, or of a part of it, with the area that it stands for.
 
 The way is sampled, the poses nearest to each point are looked up in a k-d tree, and between those poses and their neighbours the
 height is followed to its minimum. Every height found is that of a real pose, so it is never too small.
@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -39,8 +38,11 @@ STEPS = 9
 CLOSE = 0.25
 """Distance of samples on the way, as a share of the cutter's thickness."""
 
-MOST_PARTS = 256
-"""A facet is parted at most so often each way."""
+LONGEST = 1.5
+"""Times the spacing: no part's side is longer, and most parts' middles then lie about the spacing apart."""
+
+MOST_HALVINGS = 16
+"""A facet is halved at most so often."""
 
 MOST_SAMPLES = 4_000_000
 """Sampled poses; a longer way is sampled more widely."""
@@ -96,61 +98,38 @@ def find_remainder(
     return Remainder(point, facet, area, height, nearest, spacing)
 
 
-def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints, Floats]:
-    """Points (k, 3), their facets (k,) and areas (k,): the middles of equal parts of each facet, in rows along its longest side.
+def surface_parts(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints]:
+    """Triangles (k, 3, 3) mm that together cover these facets, in the facets' own sense, and the facet (k,) of each.
 
-    With s and t from 0 to 1, ``(1 - sqrt(s)) a + sqrt(s) ((1 - t) b + t c)`` covers a facet evenly; its longest side is b c.
+    None has a side much longer than ``spacing`` mm: what is longer is halved across its longest side, again and again.
     """
-    parts = _parts(mesh, spacing, facets)
-    return _in_part(mesh, parts, 0.5, 0.5), parts.facet, parts.area
+    facet = np.arange(len(mesh.face)) if facets is None else np.flatnonzero(facets)
+    corner, done = mesh.vertex[mesh.face[facet]], []
+    for _ in range(MOST_HALVINGS):
+        side = np.linalg.norm(np.roll(corner, 1, axis=1) - np.roll(corner, -1, axis=1), axis=2)  # that opposite each corner
+        apex, long = side.argmax(axis=1), side.max(axis=1) > LONGEST * spacing
+        done.append((corner[~long], facet[~long]))
+        corner, facet = _halved(corner[long], apex[long]), np.repeat(facet[long], 2)
+        if not len(facet):
+            break
+    corners, of = (np.concatenate(column) for column in zip(*done, (corner, facet), strict=True))
+    order = np.argsort(of, kind="stable")
+    return corners[order], of[order]
 
 
-def sample_parts(mesh: Mesh, spacing: float, facets: Bools | None = None) -> Floats:
-    """The corners (k, 4, 3) mm, in turn, of the parts that the samples stand for; together they cover the facets."""
-    parts = _parts(mesh, spacing, facets)
-    return np.stack(
-        [_in_part(mesh, parts, down, along) for down, along in ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))], axis=1
-    )
+def _halved(corner: Floats, apex: Ints) -> Floats:
+    """Both halves (2 k, 3, 3), in turn, of triangles (k, 3, 3): from ``apex`` (k,) to the middle of the side opposite."""
+    row = np.arange(len(corner))
+    a, b, c = (corner[row, (apex + k) % 3] for k in range(3))
+    middle = 0.5 * (b + c)
+    return np.stack([np.stack([a, b, middle], axis=1), np.stack([a, middle, c], axis=1)], axis=1).reshape(-1, 3, 3)
 
 
-class _Parts(NamedTuple):
-    """Of each part of a facet: ``facet`` (k,), ``area`` (k,) mm2, the facet's corner ``apex`` (k,) opposite its longest side,
-    ``row`` and ``column`` (k,) of the part among so many ``rows`` and ``columns`` (k,)."""
-
-    facet: Ints
-    area: Floats
-    apex: Ints
-    row: Ints
-    column: Ints
-    rows: Ints
-    columns: Ints
-
-
-def _parts(mesh: Mesh, spacing: float, facets: Bools | None) -> _Parts:
-    chosen = np.arange(len(mesh.face)) if facets is None else np.flatnonzero(facets)
-    row = mesh.face[chosen]
-    side = np.stack([mesh.vertex[row[:, (k + 2) % 3]] - mesh.vertex[row[:, (k + 1) % 3]] for k in range(3)])
-    length = np.linalg.norm(side, axis=2)
-    apex = length.argmax(axis=0)
-    whole = 0.5 * np.linalg.norm(np.cross(side[0], side[1]), axis=1)
-    long = length.max(axis=0)
-    columns = np.clip(np.ceil(long / spacing), 1, MOST_PARTS).astype(np.int64)
-    rows = np.clip(np.ceil(2.0 * whole / long / spacing), 1, MOST_PARTS).astype(np.int64)
-    count = columns * rows
-    of = np.repeat(np.arange(len(row)), count)
-    part = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
-    down, along = np.divmod(part, columns[of])
-    return _Parts(chosen[of], (whole / count)[of], apex[of], down, along, rows[of], columns[of])
-
-
-def _in_part(mesh: Mesh, parts: _Parts, down: float, along: float) -> Floats:
-    """The point (k, 3) of each part at these shares of it, from the apex down and along the longest side."""
-    corner = mesh.face[parts.facet]
-    at = np.arange(len(corner))
-    a, b, c = (mesh.vertex[corner[at, (parts.apex + k) % 3]] for k in range(3))
-    s = np.sqrt((parts.row + down) / parts.rows)[:, None]
-    t = ((parts.column + along) / parts.columns)[:, None]
-    return np.asarray(a * (1.0 - s) + s * ((1.0 - t) * b + t * c))
+def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints, Floats]:
+    """The middles (k, 3) of the surface's parts, their facets (k,) and areas (k,) mm2."""
+    corner, facet = surface_parts(mesh, spacing, facets)
+    area = 0.5 * np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
+    return corner.mean(axis=1), facet, area
 
 
 def _way_samples(body: Body, course: Course, blocks: Ints) -> tuple[Ints, Floats, Floats]:
