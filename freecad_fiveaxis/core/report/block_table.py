@@ -6,6 +6,7 @@ line     the line of the NC file, counted from 1.
 words    the block's end, mm and degrees, turns not folded; X Y Z and then the machine's two rotary letters sorted. Where the
          controller guides the tip X Y Z are the tip's place, and the deviations are 0: they are not ours to measure.
 bound    rounded up, so that what is read back is still a bound.
+depth    only where the program was checked against the part: how deep cutter, shank or holder go into it in the block, mm.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.deviation import Deviation
+from freecad_fiveaxis.core.gouge import GougeCheck
 from freecad_fiveaxis.core.number_text import Choice, Column, Part, table
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
@@ -29,10 +31,11 @@ def letter_order(letters: str) -> list[int]:
     return [0, 1, 2, *sorted((3, 4), key=lambda column: letters[column])]
 
 
-def header(letters: str) -> str:
-    """The column names for the machine's ``letters`` (in the order of the words, as "XYZCA")."""
+def header(letters: str, depth: bool = False) -> str:
+    """The column names for the machine's ``letters`` (in the order of the words, as "XYZCA"); ``depth``: the last one too."""
     words = ",".join(letters[column] for column in letter_order(letters))
-    return f"block,line,motion,{words},feed,u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
+    names = f"block,line,motion,{words},feed,u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
+    return names + ",depth" * depth
 
 
 def round_up(values: Floats, decimals: int = DECIMALS) -> Floats:
@@ -42,8 +45,10 @@ def round_up(values: Floats, decimals: int = DECIMALS) -> Floats:
     return np.where(count / step < values, count + 1.0, count) / step
 
 
-def blocks_csv(program: Program, deviation: Deviation, singularity: Singularity, progress: Progress = silent) -> bytes:
-    """The whole table as ASCII text, lines ending in a line feed. All three records have one row a block."""
+def blocks_csv(
+    program: Program, deviation: Deviation, singularity: Singularity, progress: Progress = silent, gouge: GougeCheck | None = None
+) -> bytes:
+    """The whole table as ASCII text, lines ending in a line feed. All three records have one row a block, ``gouge`` one less."""
     rows = len(program.words)
     # adding 0 turns -0 into 0
     words = [_said(program, column) + 0.0 for column in letter_order(program.letters)]
@@ -57,7 +62,10 @@ def blocks_csv(program: Program, deviation: Deviation, singularity: Singularity,
         *(Column(b",", values, DECIMALS) for values in numbers),
         Column(b",", singularity.singular.astype(np.int64)),
     ]
-    return header(program.letters).encode() + b"\n" + table(parts, progress=progress)
+    if gouge is not None:
+        depth = np.maximum(gouge.cutter.depth, gouge.above.depth)
+        parts.append(Column(b",", np.append(0.0, depth)[:rows], DECIMALS))
+    return header(program.letters, gouge is not None).encode() + b"\n" + table(parts, progress=progress)
 
 
 def _said(program: Program, column: int) -> Floats:

@@ -37,6 +37,7 @@ from freecad_fiveaxis.core.singularity import Singularity
 
 from .audited import audit_rows, audited, worst_of
 from .block_table import letter_order
+from .part_facts import part_numbers
 
 WORST = 10
 """So many single blocks are named; more tell nobody anything that the table of blocks does not tell better."""
@@ -163,6 +164,7 @@ def summary(figures: Figures) -> dict[str, Any]:
         }
         | _travelled(figures)
         | audited(figures.program, figures.audit)
+        | part_numbers(figures.program, figures.gouge, figures.left, figures.tolerance, figures.allowed)
     )
 
 

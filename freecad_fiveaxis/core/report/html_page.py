@@ -16,6 +16,8 @@ from freecad_fiveaxis.core.progress import Progress, silent
 
 from .figures import Figures, summary, worst_of_audit, worst_table
 from .json_text import plain
+from .left_picture import left_svg
+from .part_facts import deepest_entries, part_verdict
 from .plots import Plot, plots
 from .text import facts, grouped, number, verdict
 
@@ -56,7 +58,10 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
     body = [
         f"<header><h1>{escape(figures.title)}</h1><p>{escape(figures.kind)} on {escape(figures.machine.name)}</p></header>",
         f'<p class="verdict {_mood(numbers)}">{escape(verdict(figures, numbers))}</p>',
+        *(f'<p class="verdict {mood}">{escape(said)}</p>' for said, mood in part_verdict(numbers, figures.tolerance)),
         _section("Figures", _cards(facts(numbers))),
+        _section("Where the tool enters the part", _entries(figures, numbers)),
+        *_left_map(figures, numbers),
         *_pictures(plots(figures, progress), bool(numbers["feed_blocks"])),
         _section("Worst blocks", _worst(figures)),
         *_audited(figures),
@@ -141,6 +146,42 @@ def _worst(figures: Figures) -> str:
         ],
         "The largest deviation from the commanded segment first.",
     )
+
+
+def _entries(figures: Figures, numbers: Mapping[str, Any]) -> str:
+    """The deepest places."""
+    if figures.gouge is None:
+        return ""
+    rows = deepest_entries(figures.program, figures.gouge)
+    if not rows:
+        return "<p>Nowhere.</p>"
+    head = ["kind", "what", "depth, mm", "proven bound, mm", "NC line", "block", "at u", "place X Y Z, mm"]
+    return _table(
+        head,
+        [
+            [
+                row["kind"], row["part"], number(row["depth"], 4), number(row["bound"], 4), str(row["line"]), str(row["block"]),
+                number(row["u"], 3), " ".join(number(value, 3) for value in row["place"]),
+            ]
+            for row in rows
+        ],
+        "The deepest places; of neighbouring blocks that all enter only the deepest is told.",
+    )  # fmt: skip
+
+
+def _left_map(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
+    """The map of what is left."""
+    if figures.left is None or figures.mesh is None:
+        return []
+    said = (
+        "The machined surface, coloured by how far the cutter stays away from it all along its way. Up to "
+        f"{figures.allowed:.3g} mm may be left (scallops and tolerance), {figures.tolerance:g} mm too deep is within tolerance. "
+        "Facets that are not machined are grey. Rings: the most that is left, and the deepest place."
+    )
+    most, deepest = numbers["max_left"], numbers["max_too_deep"]
+    alt = f"Map of what is left: at most {most:.4g} mm on the part, at most {deepest:.4g} mm too deep."
+    svg = left_svg(figures.mesh, figures.left, figures.tolerance, figures.allowed)
+    return _pictures([Plot("left", "What is left on the part", said, alt, svg)], wanted=False)
 
 
 ASKED = {

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from .figures import Figures, summary, worst_of_audit, worst_table
+from .part_facts import deepest_entries, left_report
 
 VERSION = 1
 """Of the JSON report: raised when a key changes its meaning."""
@@ -25,18 +26,29 @@ def as_json(figures: Figures) -> str:
     Bytes of a file name that are no Unicode (Python's lone surrogates) become escapes, which JSON readers give back.
 
     Keys: version, summary (see :func:`~freecad_fiveaxis.core.report.figures.summary`), worst_blocks, findings, inputs; of an
-    audit also ``audit``: its worst lines by limits, rates, and distance off the CL path or depth in the part.
+    audit also ``audit``: its worst lines by limits, rates, and distance off the CL path or depth in the part; where the part was
+    looked at also ``gouge``: the deepest entries, and ``left`` (see :mod:`~freecad_fiveaxis.core.report.part_facts`).
     """
     report = {
         "version": VERSION,
         "summary": summary(figures),
         "worst_blocks": worst_table(figures),
         **({} if figures.audit is None else {"audit": worst_of_audit(figures)}),
+        **_of_part(figures),
         "findings": figures.findings,
         "inputs": figures.inputs,
     }
     text = json.dumps(plain(report), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     return text.encode("utf-8", "backslashreplace").decode("utf-8")
+
+
+def _of_part(figures: Figures) -> dict[str, Any]:
+    program, told = figures.program, {}
+    if figures.gouge is not None:
+        told["gouge"] = {"deepest": deepest_entries(program, figures.gouge)}
+    if figures.left is not None:
+        told["left"] = left_report(program, figures.left, figures.tolerance, figures.allowed)
+    return told
 
 
 def plain(value: object) -> Any:

@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.findings import Finding
 
 from .audited import audit_facts
 from .figures import Figures, summary, worst_table
+from .part_facts import part_facts, part_verdict
 
 WIDTH = 100
 """Columns of the text report."""
@@ -24,13 +25,21 @@ def as_text(figures: Figures) -> str:
     """The report for the terminal, at most WIDTH columns, worst blocks first."""
     numbers: dict[str, Any] = summary(figures)
     parts = [
-        [*_wrap(f"{figures.title}: {figures.kind} on {figures.machine.name}"), *_wrap(verdict(figures, numbers))],
+        [
+            *_wrap(f"{figures.title}: {figures.kind} on {figures.machine.name}"),
+            *_wrap(verdict(figures, numbers)),
+            *_on_part(figures, numbers),
+        ],
         _worst_lines(figures),
         _facts(numbers),
         _axis_lines(numbers["axes"]),
         _finding_lines(figures.findings),
     ]
     return "\n\n".join("\n".join(part) for part in parts if part) + "\n"
+
+
+def _on_part(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
+    return [line for said, _ in part_verdict(numbers, figures.tolerance) for line in _wrap(said)]
 
 
 def verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
@@ -100,6 +109,7 @@ def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
         ("time", duration(numbers["time_s"])),
         ("rotary travel", turned),
         *audit_facts(numbers),
+        *part_facts(numbers),
     ]
 
 

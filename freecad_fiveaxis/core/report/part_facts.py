@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the program does to the part, in numbers: where the tool enters it, and what is left on it.
+
+entry     a block in which cutter, shank or holder go into the part deeper than the tolerance: ``overcut`` (the cutter, on a cut),
+          ``rapid-collision`` (the cutter, between passes), ``holder-collision`` (shank or holder, at any time).
+left      of a place of the machined surface: how far the cutter stays away from it, mm; below 0 it is cut too deep.
+allowed   so much may be left, mm: scallops and tolerance.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from freecad_fiveaxis.core.gouge import GOUGES, PARTS, GougeCheck, HeightScale, Remainder, height_scale, scale_marks, spots
+from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.records import Floats
+
+DEEPEST = 10
+"""So many places are named."""
+
+STEPS = (1.0, 2.0, 5.0)
+"""Borders of the histogram are these times a power of ten."""
+
+TOLD = {
+    "overcut": "deepest overcut",
+    "rapid-collision": "deepest entry between passes",
+    "holder-collision": "deepest entry of shank or holder",
+}
+
+
+def part_numbers(
+    program: Program, gouge: GougeCheck | None, left: Remainder | None, tolerance: float, allowed: float
+) -> dict[str, Any]:
+    """The numbers for the summary, mm, mm2 and mm3; only those that were looked for."""
+    told: dict[str, Any] = {}
+    if gouge is not None:
+        cases = gouge.cases(program.motion[1:])
+        for code, _, depth in cases:
+            name, worst = code.replace("-", "_"), int(depth.argmax()) if depth.any() else None
+            told[f"max_{name}"] = float(depth.max(initial=0.0))
+            told[f"{name}_blocks"] = int((depth > 0.0).sum())
+            told[f"{name}_line"] = None if worst is None else int(program.line[worst + 1])
+        told["cutter_bound"] = float(gouge.cutter.bound.max(initial=0.0))
+        told["buried_blocks"] = int(gouge.buried.sum())
+    if left is not None:
+        told["max_left"] = float(left.height.max())
+        told["left_area"], told["left_volume"] = left.left(allowed)
+        told["max_too_deep"] = max(-float(left.height.min()), 0.0)
+        told["too_deep_area"], told["too_deep_volume"] = left.taken(tolerance)
+        told["machined_area"] = float(left.area.sum())
+    return told
+
+
+def deepest_entries(program: Program, gouge: GougeCheck) -> list[dict[str, Any]]:
+    """The deepest entries of all kinds as rows, deepest first; of a run of neighbouring blocks the deepest one."""
+    found = []
+    for code, entries, depth in gouge.cases(program.motion[1:]):
+        for block in spots(depth)[0][:DEEPEST].tolist():
+            found.append({
+                "kind": code,
+                "part": PARTS[int(entries.part[block])],
+                "depth": float(depth[block]),
+                "bound": float(entries.bound[block]),
+                "block": block + 1,
+                "line": int(program.line[block + 1]),
+                "u": float(entries.u[block]),
+                "place": entries.place[block].tolist(),
+            })  # fmt: skip
+    return sorted(found, key=lambda row: -row["depth"])[:DEEPEST]
+
+
+def left_report(program: Program, left: Remainder, tolerance: float, allowed: float) -> dict[str, Any]:
+    """What is left as scripts want it: the two extremes with place, block and NC line; area and volume beyond what may be; the
+    histogram by area."""
+    return {
+        "tolerance": tolerance,
+        "allowed": allowed,
+        "machined_area": float(left.area.sum()),
+        "most_left": _extreme(program, left, int(left.height.argmax())),
+        "most_too_deep": _extreme(program, left, int(left.height.argmin())),
+        "left": dict(zip(("area", "volume"), left.left(allowed), strict=True)),
+        "too_deep": dict(zip(("area", "volume"), left.taken(tolerance), strict=True)),
+        "histogram": histogram(left, height_scale(left, tolerance, allowed)),
+    }
+
+
+def _extreme(program: Program, left: Remainder, row: int) -> dict[str, Any]:
+    block = int(left.block[row]) + 1
+    return {
+        "height": float(left.height[row]), "place": left.point[row].tolist(), "facet": int(left.facet[row]),
+        "block": block, "line": int(program.line[block]),
+    }  # fmt: skip
+
+
+def histogram(left: Remainder, scale: HeightScale) -> list[dict[str, float]]:
+    """The area (mm2) between each two borders, ``from`` and ``to`` mm, deepest first; every sample is in one."""
+    edge = borders(scale)
+    area, _ = np.histogram(np.clip(left.height, edge[0], edge[-1]), edge, weights=left.area)
+    return [{"from": a, "to": b, "area": c} for a, b, c in zip(edge[:-1].tolist(), edge[1:].tolist(), area.tolist(), strict=True)]
+
+
+def borders(scale: HeightScale) -> Floats:
+    """Heights, mm, ascending: ends and neutral borders of the scale, and 1, 2, 5 times powers of ten between them."""
+    ends = [height for _, height in scale_marks(scale)]
+    sides = ((scale.tolerance, scale.deepest, -1.0), (scale.allowed, scale.highest, 1.0))
+    between = [sign * value for low, high, sign in sides for value in _round_values(low, high)]
+    neutral = [0.0, scale.tolerance, *_round_values(scale.tolerance, scale.allowed)]
+    return np.unique([*ends, *between, *(value for value in neutral if value <= scale.allowed)])
+
+
+def _round_values(low: float, high: float) -> list[float]:
+    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    values = [step * 10.0**power for power in powers for step in STEPS]
+    return [value for value in values if 1.05 * low < value < high / 1.05]
+
+
+def part_verdict(numbers: Mapping[str, Any], tolerance: float) -> tuple[tuple[str, str], ...]:
+    """One plain sentence for each thing that was looked for, and whether it is good, bad or open."""
+    said = []
+    if "overcut_blocks" in numbers:
+        entered = [code for code in GOUGES if numbers[f"{code.replace('-', '_')}_blocks"]]
+        if entered:
+            parts = "; ".join(" ".join(_entry_fact(numbers, code)) for code in entered)
+            said.append((f"The tool enters the part by more than {tolerance:g} mm: {parts}.", "bad"))
+        elif not numbers["buried_blocks"]:
+            said.append((f"Gouge-free: nowhere does the tool enter the part by more than {tolerance:g} mm.", "good"))
+        if numbers["buried_blocks"]:
+            said.append((f"In {numbers['buried_blocks']} blocks the whole cutter is inside the part.", "bad"))
+    if "max_left" in numbers:
+        if numbers["left_area"]:
+            share = f"{numbers['left_area']:.4g} of {numbers['machined_area']:.4g} mm2"
+            said.append((f"More is left than may be on {share}, at most {numbers['max_left']:.4g} mm.", "open"))
+        else:
+            said.append((f"Nothing is left but scallops, at most {numbers['max_left']:.3g} mm.", "good"))
+    return tuple(said)
+
+
+def part_facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """The numbers as pairs of name and value with unit; none where nothing was looked for."""
+    facts = []
+    if "overcut_blocks" in numbers:
+        facts = [_entry_fact(numbers, code) for code in GOUGES]
+        facts.append(("nowhere the cutter goes deeper than", f"{numbers['cutter_bound']:.6f} mm (proven)"))
+    if "max_left" in numbers:
+        facts += [
+            ("most that is left on the surface", f"{numbers['max_left']:.4f} mm"),
+            ("area with more left than may be", _area(numbers, "left")),
+            ("deepest below the surface", f"{numbers['max_too_deep']:.4f} mm"),
+            ("area cut too deep", _area(numbers, "too_deep")),
+        ]
+    return facts
+
+
+def _entry_fact(numbers: Mapping[str, Any], code: str) -> tuple[str, str]:
+    name = code.replace("-", "_")
+    blocks = numbers[f"{name}_blocks"]
+    where = f" in {blocks} blocks (deepest: NC line {numbers[f'{name}_line']})" if blocks else ""
+    return TOLD[code], f"{numbers[f'max_{name}']:.4f} mm{where}"
+
+
+def _area(numbers: Mapping[str, Any], name: str) -> str:
+    area, whole, volume = numbers[f"{name}_area"], numbers["machined_area"], numbers[f"{name}_volume"]
+    return f"{area:.4g} mm2 of {whole:.4g} mm2; {volume:.3g} mm3" if area else "none"
