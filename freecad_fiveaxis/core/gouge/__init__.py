@@ -17,6 +17,7 @@ from .left_map import (
     left_patches,
     level_colours,
     machined,
+    round_values,
     scale_marks,
 )
 from .lift import AIM, Lifted, lift_path
@@ -63,6 +64,7 @@ __all__ = [
     "program_course",
     "real_course",
     "round_piece",
+    "round_values",
     "scale_marks",
     "spots",
     "straight_course",

@@ -84,7 +84,7 @@ def height_colours(height: Floats, scale: HeightScale) -> Floats:
 
 
 def scale_marks(scale: HeightScale) -> tuple[tuple[float, float], ...]:
-    """Level and height (mm) of the marks of a legend, deepest first: both ends, both borders of the neutral, powers of ten."""
+    """Level and height (mm) of the marks of a legend, deepest first: both ends, both borders of the neutral, round values."""
     up = [scale.allowed, *_powers(scale.allowed, scale.highest), scale.highest]
     down = [scale.tolerance, *_powers(scale.tolerance, scale.deepest), scale.deepest]
     height = np.array([*(-value for value in reversed(down)), *up])
@@ -92,8 +92,15 @@ def scale_marks(scale: HeightScale) -> tuple[tuple[float, float], ...]:
 
 
 def _powers(low: float, high: float) -> list[float]:
-    """Powers of ten well between the two."""
-    return [10.0**k for k in range(math.ceil(math.log10(1.6 * low)), math.floor(math.log10(high / 1.6)) + 1)]
+    """Powers of ten well between the two; where that is none, 1, 2 and 5 times them."""
+    return [value for value in round_values(low, high) if low * 100.0 > high or math.log10(value).is_integer()]
+
+
+def round_values(low: float, high: float, apart: float = 1.3) -> list[float]:
+    """1, 2, 5 times powers of ten between the two (above 0), from each at least so many times apart."""
+    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    values = [float(f"{mark:g}e{power}") for power in powers for mark in MARKS]
+    return [value for value in values if apart * low < value < high / apart]
 
 
 def facet_heights(remainder: Remainder, facets: int, tolerance: float, allowed: float) -> Floats:

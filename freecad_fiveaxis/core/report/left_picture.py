@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import base64
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
@@ -42,6 +41,9 @@ VIEWS = (
     ("From the back right", math.radians(60.0), math.radians(30.0)),
 )
 """Name, azimuth and elevation, rad."""
+
+NEUTRAL_WIDE = 120
+"""Of the scale's piece between too deep and left."""
 
 LIGHT = np.array([-0.35, 0.45, 0.82])
 """Where the light comes from, in the view: right, up, towards."""
@@ -151,7 +153,7 @@ def _histogram(left: Remainder, scale: HeightScale, tall: int) -> tuple[str, int
     drawn = [_text(0, 14, "Area by height above the part", size=15)]
     for at, (row, colour) in enumerate(zip(rows, colours, strict=True)):
         y, wide = 28 + at * step, 200.0 * row["area"] / most
-        drawn.append(_text(150, y + 0.7 * step, f"{row['from']:.3g} to {row['to']:.3g} mm", "end"))
+        drawn.append(_text(150, y + 0.72 * step, f"{row['from']:.3g} to {row['to']:.3g} mm", "end"))
         if row["area"] > 0.0:
             bar = f'<rect x="160" y="{y + 0.1 * step:.1f}" width="{max(wide, 1.0):.1f}" height="{0.8 * step:.1f}" '
             drawn.append(bar + f'fill="{_hex(colour)}" stroke="{LINE}" stroke-width="0.7"/>')
@@ -170,25 +172,23 @@ def _percent(share: float) -> str:
 
 
 def _legend(scale: HeightScale) -> str:
-    """The scale of colours with its heights in mm."""
-    steps, x0, wide = 120, 60.0, WIDE - 120.0
-    level = (np.arange(steps) + 0.5) / steps * 2.0 - 1.0
+    """The scale of colours with its heights in mm: too deep, as it should be, left."""
+    steps, x0, side = 60, 30.0, 0.5 * (WIDE - 60.0 - NEUTRAL_WIDE)
+    ramp = (np.arange(steps) + 0.5) / steps
+    colours = level_colours(np.concatenate([ramp - 1.0, [0.0], ramp]))
+    widths = np.concatenate([np.full(steps, side / steps), [NEUTRAL_WIDE], np.full(steps, side / steps)])
+    left = x0 + np.cumsum(widths) - widths
     bars = [
-        f'<rect x="{x0 + at * wide / steps:.2f}" y="0" width="{wide / steps + 0.3:.2f}" height="16" fill="{_hex(colour)}"/>'
-        for at, colour in enumerate(level_colours(level))
+        f'<rect x="{x:.2f}" y="0" width="{wide:.2f}" height="16" fill="{_hex(colour)}"/>'
+        for x, wide, colour in zip(left, widths, colours, strict=True)
     ]
-    frame = f'<rect x="{x0}" y="0" width="{wide}" height="16" fill="none" stroke="{LINE}"/>'
-    marks = [x0 + 0.5 * (value + 1.0) * wide for value, _ in _legend_marks(scale)]
-    ticks = "".join(f'<path d="M{x:.1f} 16v5" stroke="{SOFT}"/>' for x in marks)
-    said = [_text(x, 35, f"{height:+.3g}", "middle") for x, (_, height) in zip(marks, _legend_marks(scale), strict=True)]
-    middle = f"within {-scale.tolerance:.3g} to {scale.allowed:+.3g} mm: as it should be"
-    words = _text(x0, 54, "cut too deep, mm", fill=RED) + _text(x0 + wide, 54, "left on the part, mm", "end", BLUE)
-    return "".join([*bars, frame, ticks, *said, words, _text(x0 + 0.5 * wide, 54, middle, "middle", SOFT)])
-
-
-def _legend_marks(scale: HeightScale) -> Sequence[tuple[float, float]]:
-    """All marks but the two borders of the neutral, which stand on one another."""
-    return [(level, height) for level, height in scale_marks(scale) if level != 0.0]
+    frame = f'<rect x="{x0}" y="0" width="{WIDE - 60}" height="16" fill="none" stroke="{LINE}"/>'
+    drawn = ['<g shape-rendering="crispEdges">', *bars, frame, "</g>"]
+    for level, height in scale_marks(scale):
+        x = x0 + (1.0 + level) * side + NEUTRAL_WIDE * (height > 0.0)
+        drawn += [f'<path d="M{x:.1f} 16v5" stroke="{SOFT}"/>', _text(x, 35, f"{height:+.3g}", "middle")]
+    drawn += [_text(x0, 54, "cut too deep, mm", fill=RED), _text(WIDE - x0, 54, "left on the part, mm", "end", BLUE)]
+    return "".join([*drawn, _text(0.5 * WIDE, 54, "as it should be", "middle", SOFT)])
 
 
 def _hex(colour: Floats) -> str:

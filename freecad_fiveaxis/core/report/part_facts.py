@@ -9,21 +9,27 @@ allowed   so much may be left, mm: scallops and tolerance.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.gouge import GOUGES, PARTS, GougeCheck, HeightScale, Remainder, height_scale, scale_marks, spots
+from freecad_fiveaxis.core.gouge import (
+    GOUGES,
+    PARTS,
+    GougeCheck,
+    HeightScale,
+    Remainder,
+    height_scale,
+    round_values,
+    scale_marks,
+    spots,
+)
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.records import Floats
 
 DEEPEST = 10
 """So many places are named."""
-
-STEPS = (1.0, 2.0, 5.0)
-"""Borders of the histogram are these times a power of ten."""
 
 TOLD = {
     "overcut": "deepest overcut",
@@ -107,15 +113,9 @@ def borders(scale: HeightScale) -> Floats:
     """Heights, mm, ascending: ends and neutral borders of the scale, and 1, 2, 5 times powers of ten between them."""
     ends = [height for _, height in scale_marks(scale)]
     sides = ((scale.tolerance, scale.deepest, -1.0), (scale.allowed, scale.highest, 1.0))
-    between = [sign * value for low, high, sign in sides for value in _round_values(low, high)]
-    neutral = [0.0, scale.tolerance, *_round_values(scale.tolerance, scale.allowed)]
+    between = [sign * value for low, high, sign in sides for value in round_values(low, high, 1.05)]
+    neutral = [0.0, scale.tolerance, *round_values(scale.tolerance, scale.allowed, 1.05)]
     return np.unique([*ends, *between, *(value for value in neutral if value <= scale.allowed)])
-
-
-def _round_values(low: float, high: float) -> list[float]:
-    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
-    values = [step * 10.0**power for power in powers for step in STEPS]
-    return [value for value in values if 1.05 * low < value < high / 1.05]
 
 
 def part_verdict(numbers: Mapping[str, Any], tolerance: float) -> tuple[tuple[str, str], ...]:
