@@ -15,31 +15,14 @@ import numpy as np
 from freecad_fiveaxis.core.records import Floats, Ints
 
 from .body import NOWHERE, Piece, off_piece
-from .course import Clusters, Poses
-from .facet_tree import FacetTree
+from .course import Columns, Poses, Way
+from .facet_tree import FacetTree, Plates
 
 STEPS = 6
 """Times that a facet's deepest point is improved; what is missing then is part of the bound."""
 
 
-class Way(NamedTuple):
-    """Of k clusters or stretches: columns x, y, z of tip, travel, axis and turn, and the bends (see Clusters)."""
-
-    tip: tuple[Floats, ...]
-    travel: tuple[Floats, ...]
-    axis: tuple[Floats, ...]
-    turn: tuple[Floats, ...]
-    bend_tip: Floats
-    bend_axis: Floats
-
-
-def way_of(clusters: Clusters, rows: Ints) -> Way:
-    """The ways of these clusters (k,)."""
-    tip, travel, axis, turn = (tuple(part.take(rows) for part in field) for field in clusters[:4])
-    return Way(tip, travel, axis, turn, clusters.bend_tip.take(rows), clusters.bend_axis.take(rows))
-
-
-def _dot(p: tuple[Floats, ...], q: tuple[Floats, ...]) -> Floats:
+def _dot(p: Columns, q: Columns) -> Floats:
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 
 
@@ -48,7 +31,7 @@ def _discs(piece: Piece) -> list[tuple[float, float]]:
     return [low] if low == high else [low, high]
 
 
-def supports(piece: Piece, way: Way, g: tuple[Floats, ...], both: bool) -> tuple[Floats, Floats]:
+def supports(piece: Piece, way: Way, g: Columns, both: bool) -> tuple[Floats, Floats]:
     """The support of the piece over its way in the unit directions g, and in -g where ``both`` is asked for, mm."""
     m, h, a, w = (_dot(g, vector) for vector in way[:4])
     there, back = [], []
@@ -72,38 +55,44 @@ def supports(piece: Piece, way: Way, g: tuple[Floats, ...], both: bool) -> tuple
     return up, (back[0] if len(back) == 1 else np.maximum(*back)) + more
 
 
-class Lateral(NamedTuple):
-    """``most`` (n,) mm: no point of the node is deeper; ``least`` (n,) mm: a point of the part in the node is that deep at a
-    pose of the stretch."""
-
-    most: Floats
-    least: Floats
-
-
-def lateral(piece: Piece, way: Way, tree: FacetTree, node: Ints, limit: float) -> Lateral:
-    """The bounds in the direction from the piece, half-way, to the node's point: by its box, and of facets that the box does not
-    clear below ``limit`` mm by their corners."""
-    scale = 1.0 / np.maximum(np.sqrt(_dot(way.axis, way.axis)), NOWHERE)
-    axis = tuple(part * scale for part in way.axis)
-    arm = tuple(tree.point[k].take(node) - way.tip[k] for k in range(3))
-    off, g = toward(piece, axis, arm)
-    up, _ = supports(piece, way, g, both=False)
-    begins = np.zeros(len(node))
-    for k in range(3):
-        begins += g[k] * tree.middle[k].take(node) - np.abs(g[k]) * tree.half[k].take(node)
-    facets = np.flatnonzero((up - begins > limit) & (node >= tree.leaf))
-    begins[facets] = _begins(tree, node[facets] - tree.leaf, tuple(part[facets] for part in g))
-    lost = way.bend_tip + (piece.reach + piece.round) * (way.bend_axis + np.abs(1.0 - 1.0 / scale))
-    return Lateral(up - begins, -off - lost)
+def plate_bound(piece: Piece, way: Way, plate: Plates) -> tuple[Floats, Columns]:
+    """The bound (n,) mm in the direction g, given too, from the piece, half-way, to the nearest place of the plate."""
+    arm = tuple(plate.middle[k] - way.tip[k] for k in range(3))
+    ways = (plate.normal, plate.side, _cross(plate.normal, plate.side))
+    height = np.clip(_dot(arm, way.unit), piece.low, piece.high)
+    core = tuple(height * way.unit[k] - arm[k] for k in range(3))  # the core's place on the axis, from the plate's middle
+    at = tuple(np.clip(_dot(core, ways[i]), -plate.wide[i], plate.wide[i]) for i in range(3))
+    place = tuple(arm[k] + at[0] * ways[0][k] + at[1] * ways[1][k] + at[2] * ways[2][k] for k in range(3))
+    _, g = toward(piece, way.unit, place)
+    over = supports(piece, way, g, both=False)[0] - _dot(g, plate.middle)
+    for i in range(3):
+        over += np.abs(_dot(g, ways[i])) * plate.wide[i]
+    return over, g
 
 
-def _begins(tree: FacetTree, leaf: Ints, g: tuple[Floats, ...]) -> Floats:
+def corner_bound(piece: Piece, way: Way, g: Columns, tree: FacetTree, leaf: Ints) -> Floats:
+    """The bound (n,) mm in the directions g for facets (n,), by their corners."""
+    return supports(piece, way, g, both=False)[0] - _begins(tree, leaf, g)
+
+
+def least_depth(piece: Piece, way: Way, plate: Plates) -> Floats:
+    """(n,) mm: a point of the part in the node is that deep at a pose of the way, or negative."""
+    off, _ = toward(piece, way.unit, tuple(plate.point[k] - way.tip[k] for k in range(3)))
+    short = np.abs(1.0 - _dot(way.axis, way.unit))
+    return -off - way.bend_tip - (piece.reach + piece.round) * (way.bend_axis + short)
+
+
+def _cross(p: Columns, q: Columns) -> Columns:
+    return p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
+
+
+def _begins(tree: FacetTree, leaf: Ints, g: Columns) -> Floats:
     """The smallest ``g . x`` (n,) mm of the points x of facets (n,)."""
     corner = [[tree.corner[3 * i + k].take(leaf) for k in range(3)] for i in range(3)]
     return np.asarray(np.minimum(np.minimum(_dot(g, tuple(corner[0])), _dot(g, tuple(corner[1]))), _dot(g, tuple(corner[2]))))
 
 
-def toward(piece: Piece, axis: tuple[Floats, ...], arm: tuple[Floats, ...]) -> tuple[Floats, tuple[Floats, ...]]:
+def toward(piece: Piece, axis: Columns, arm: Columns) -> tuple[Floats, Columns]:
     """Signed distance (n,) mm of the points ``arm`` from the tip, and the unit direction in which it grows."""
     height = _dot(arm, axis)
     if piece.low_radius == 0.0 and piece.high_radius == 0.0:
@@ -120,8 +109,8 @@ def toward(piece: Piece, axis: tuple[Floats, ...], arm: tuple[Floats, ...]) -> t
 
 
 def _from_spine(
-    piece: Piece, axis: tuple[Floats, ...], arm: tuple[Floats, ...], height: Floats
-) -> tuple[Floats, tuple[Floats, ...]]:  # fmt: skip
+    piece: Piece, axis: Columns, arm: Columns, height: Floats
+) -> tuple[Floats, Columns]:  # fmt: skip
     """:func:`toward` for a core that is a stretch of the axis: balls, and cylinders with round ends."""
     out = tuple(arm[k] - height * axis[k] for k in range(3))
     distance = np.sqrt(_dot(out, out))
@@ -134,12 +123,13 @@ def _from_spine(
 
 
 def _unit_on_axis(
-    g: tuple[Floats, ...], axis: tuple[Floats, ...], along: Floats, rows: Ints
-) -> tuple[Floats, ...]:  # fmt: skip
+    g: Columns, axis: Columns, along: Floats, rows: Ints
+) -> Columns:  # fmt: skip
     k = np.stack([part[rows] for part in axis])
     least = np.eye(3)[np.abs(k).argmin(axis=0)].T
     side = np.cross(k, least, axis=0)
-    side = side / np.linalg.norm(side, axis=0)
+    length = np.linalg.norm(side, axis=0)
+    side = np.where(length > NOWHERE, side / np.maximum(length, NOWHERE), least)  # of opposite axes no mean is left
     share = along[rows]
     made = share * k + np.sqrt(np.maximum(1.0 - share * share, 0.0)) * side
     for column, value in zip(g, made, strict=True):
@@ -147,11 +137,11 @@ def _unit_on_axis(
     return g
 
 
-def slab(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
-    """The smaller one of the bounds (n,) mm along the nodes' normals, both ways."""
-    normal = tuple(tree.normal[k].take(node) for k in range(3))
-    up, down = supports(piece, way, normal, both=True)
-    return np.minimum(up - tree.low.take(node), down + tree.high.take(node))
+def slab(piece: Piece, way: Way, plate: Plates) -> Floats:
+    """The smaller one of the bounds (n,) mm along the plates' normals, both ways."""
+    up, down = supports(piece, way, plate.normal, both=True)
+    middle = _dot(plate.normal, plate.middle)
+    return np.minimum(up - middle, down + middle) + plate.wide[0]
 
 
 # ------------------------------------------------------------------------------------------------ facets

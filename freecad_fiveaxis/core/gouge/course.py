@@ -26,6 +26,8 @@ from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.records import Floats, Ints
 from freecad_fiveaxis.core.trajectory import Vectors, at, axis, checked_words, frames, motion, tip, to_work
 
+Columns = tuple[Floats, ...]
+
 WIDE = 4
 """Stretches, or clusters, in a cluster."""
 
@@ -138,23 +140,41 @@ def stretches_of(course: Course, blocks: Ints, reach: float, least: float) -> St
     return Stretches(block, part * share, (part + 1) * share)
 
 
-class Clusters(NamedTuple):
-    """Stretches and their clusters in one table, the largest first: of each the straight way between two poses, ``tip`` -+
-    ``travel`` and ``axis`` -+ ``turn`` (3, n), and what it is left by, ``bend_tip`` and ``bend_axis`` (n,); ``size`` (n,) mm,
-    half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the row of the first stretch, ``top`` how many
-    clusters stand at the head."""
+class Way(NamedTuple):
+    """The straight way between two poses, ``tip`` -+ ``travel`` and ``axis`` -+ ``turn``, columns x, y, z each; ``unit`` is as
+    long as a unit and points as ``axis`` does; ``bend_tip`` (mm), ``bend_axis``: what the way itself leaves this one by."""
 
-    tip: Floats
-    travel: Floats
-    axis: Floats
-    turn: Floats
+    tip: Columns
+    travel: Columns
+    axis: Columns
+    turn: Columns
+    unit: Columns
     bend_tip: Floats
     bend_axis: Floats
+
+    def take(self, rows: Ints) -> Way:
+        """Some of them."""
+        tip, travel, axis, turn, unit = (tuple(column.take(rows) for column in part) for part in self[:5])
+        return Way(tip, travel, axis, turn, unit, self.bend_tip.take(rows), self.bend_axis.take(rows))
+
+
+class Clusters(NamedTuple):
+    """Stretches and their clusters in one table, the largest first: ``way`` (n, 17), one in a row, columns as in :class:`Way`;
+    ``size`` (n,) mm, half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the row of the first stretch,
+    ``top`` how many clusters stand at the head."""
+
+    way: Floats
     size: Floats
     child: Ints
     arity: Ints
     first: int
     top: int
+
+    def ways(self, rows: Ints) -> Way:
+        """Those of these clusters (k,)."""
+        column = tuple(np.ascontiguousarray(self.way.take(rows, axis=0).T))
+        tip, travel, axis, turn, unit = (column[k : k + 3] for k in range(0, 15, 3))
+        return Way(tip, travel, axis, turn, unit, column[15], column[16])
 
 
 def clusters_of(course: Course, parts: Stretches, reach: float, levels: int = 3) -> Clusters:
@@ -171,8 +191,10 @@ def clusters_of(course: Course, parts: Stretches, reach: float, levels: int = 3)
         counts.insert(0, len(first))
     tip, travel, axis, turn, bend_tip, bend_axis = (np.concatenate(column, axis=-1) for column in zip(*rows, strict=True))
     size = np.linalg.norm(travel, axis=0) + reach * np.linalg.norm(turn, axis=0) + bend_tip + reach * bend_axis
+    unit = axis / np.maximum(np.linalg.norm(axis, axis=0), 1e-30)
+    way = np.concatenate([tip, travel, axis, turn, unit, bend_tip[None], bend_axis[None]])
     child, arity = _family(counts)
-    return Clusters(tip, travel, axis, turn, bend_tip, bend_axis, size, child, arity, sum(counts[:-1]), counts[0])
+    return Clusters(np.ascontiguousarray(way.T), size, child, arity, sum(counts[:-1]), counts[0])
 
 
 def _family(counts: list[int]) -> tuple[Ints, Ints]:

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The facets of a mesh in a tree of nodes, so that most of them are never looked at.
 
-node      some facets that lie together: a box around them, a slab between two parallel planes across their mean normal, and one
-          point of the part among them. The last nodes are the facets themselves, whose slab has no thickness.
+node      some facets that lie together: a box around them along x, y, z, a plate, and one point of the part among them. The last
+          nodes are the facets themselves, whose plate has no thickness.
+plate     a box around them that lies as they do: along their mean normal, along the way they spread most across it, and along
+          the third direction. Of facets on a slope it is far thinner than the box along x, y, z.
 level     all nodes with equally many facets; the nodes of all levels stand in one table, the root first.
 
 The tree is perfectly balanced: at each level the facets of every node are parted at the median of what spreads most, place or
@@ -12,39 +14,59 @@ normal, all nodes at once. It is filled up with copies of the last facets.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
-LEAF = 4
+LEAF = 2
 """At least so many facets hang on each of the last nodes but one (fewer where the mesh has fewer)."""
+
+Columns = tuple[Floats, ...]
 
 BEND = 0.2
 """What a change of the normals by 1 counts for in parting, as a share of the node's size."""
 
 
+class Plates(NamedTuple):
+    """Of n nodes, columns x, y, z each: ``middle`` mm of the plate, ``normal`` and ``side`` unit the first two of its directions,
+    ``wide`` mm half its sizes along the three, ``point`` mm one of the part's points."""
+
+    middle: Columns
+    normal: Columns
+    side: Columns
+    wide: Columns
+    point: Columns
+
+    def take(self, rows: Ints) -> Plates:
+        """Some of them."""
+        return Plates(*(tuple(column.take(rows) for column in part) for part in self))
+
+
 @dataclass(frozen=True, eq=False)
 class FacetTree:
     """``facet`` (k,) row of the mesh of each leaf, ``corner`` (9, k) its corners a, b, c, mm. Of all nodes: ``middle``, ``half``
-    (3, n) mm the box, ``normal`` (3, n) unit, ``low``, ``high`` (n,) mm the slab, ``point`` (3, n) mm one of the part's points,
-    ``size`` (n,) mm half the box's diagonal; ``child`` (n,) the first child and ``arity`` (n,) how many, 0 at a leaf; ``leaf``
-    the first node that is a facet; ``facet_first`` (k,) False for copies."""
+    (3, n) mm the box; ``plate`` (n, 15), a node in one row because they are looked up in any order: columns as in
+    :class:`Plates`; ``size`` (n,) mm half the box's diagonal; ``child`` (n,) the first child and ``arity`` (n,) how many, 0 at a
+    leaf; ``leaf`` the first node that is a facet; ``facet_first`` (k,) False for copies."""
 
     facet: Ints
     corner: Floats
     middle: Floats
     half: Floats
-    normal: Floats
-    low: Floats
-    high: Floats
-    point: Floats
+    plate: Floats
     size: Floats
     child: Ints
     arity: Ints
     leaf: int
     facet_first: Bools
+
+    def plates(self, node: Ints) -> Plates:
+        """Those of these nodes (n,)."""
+        column = tuple(np.ascontiguousarray(self.plate.take(node, axis=0).T))
+        return Plates(*(column[k : k + 3] for k in range(0, 15, 3)))
 
 
 def facet_tree(mesh: Mesh) -> FacetTree:
@@ -63,12 +85,13 @@ def facet_tree(mesh: Mesh) -> FacetTree:
         start += count
         child.append(start + np.arange(count) * (more // count))
         arity.append(np.full(count, more // count))
-    middle, half, mean, low, high, point, size = (np.concatenate(part, axis=-1) for part in zip(*levels, strict=True))
+    middle, half, *plate, size = (np.concatenate(part, axis=-1) for part in zip(*levels, strict=True))
     once = np.zeros(len(order), np.bool_)
     once[np.unique(order, return_index=True)[1]] = True
     children, arities = np.concatenate(child), np.concatenate(arity)
     leaf = start - counts[-1]
-    return FacetTree(order, corner, middle, half, mean, low, high, point, size, children, arities, leaf, once)
+    table = np.ascontiguousarray(np.concatenate(plate).T)
+    return FacetTree(order, corner, middle, half, table, size, children, arities, leaf, once)
 
 
 def _parted(centre: Floats, normal: Floats) -> tuple[Ints, int]:
@@ -88,7 +111,7 @@ def _parted(centre: Floats, normal: Floats) -> tuple[Ints, int]:
 
 
 def _level(corner: Floats, normal: Floats, count: int) -> tuple[Floats, ...]:
-    """Box, slab, point and size of ``count`` nodes of equally many facets."""
+    """Box, plate, point and size of ``count`` nodes of equally many facets."""
     corners = corner.reshape(3, 3, count, -1)  # corner, x y z, node, facet
     top, bottom = corners.max(axis=(0, 3)), corners.min(axis=(0, 3))
     middle, half = 0.5 * (top + bottom), 0.5 * (top - bottom)
@@ -97,8 +120,23 @@ def _level(corner: Floats, normal: Floats, count: int) -> tuple[Floats, ...]:
     first = normal.reshape(3, count, -1)[:, :, 0]
     mean = np.where(length > 1e-3, mean / np.maximum(length, 1e-3), first)
     mean = mean / np.linalg.norm(mean, axis=0)
-    along = np.einsum("in,cinf->cnf", mean, corners)
+    plate, side, wide = _plate(corners - middle[:, :, None], mean)
     centre = corners.mean(axis=0)  # x y z, node, facet
     off = ((centre - middle[:, :, None]) ** 2).sum(axis=0).argmin(axis=1)
     point = np.take_along_axis(centre, off[None, :, None], axis=2)[:, :, 0]
-    return middle, half, mean, along.min(axis=(0, 2)), along.max(axis=(0, 2)), point, np.linalg.norm(half, axis=0)
+    return middle, half, middle + plate, mean, side, wide, point, np.linalg.norm(half, axis=0)
+
+
+def _plate(corners: Floats, normal: Floats) -> tuple[Floats, Floats, Floats]:
+    """Middle (3, n), second direction (3, n) and half sizes (3, n) of the plates around corners (3, 3, n, facets)."""
+    one = np.cross(normal, np.eye(3)[np.abs(normal).argmin(axis=0)].T, axis=0)
+    one = one / np.linalg.norm(one, axis=0)
+    two = np.cross(normal, one, axis=0)
+    x, y = (np.einsum("in,cinf->cnf", way, corners) for way in (one, two))
+    x, y = x - x.mean(axis=(0, 2))[:, None], y - y.mean(axis=(0, 2))[:, None]
+    turn = 0.5 * np.arctan2(2.0 * (x * y).sum(axis=(0, 2)), (x * x - y * y).sum(axis=(0, 2)))
+    side = np.cos(turn) * one + np.sin(turn) * two
+    ways = np.stack([normal, side, np.cross(normal, side, axis=0)])
+    along = np.einsum("kin,cinf->kcnf", ways, corners)
+    low, high = along.min(axis=(1, 3)), along.max(axis=(1, 3))
+    return np.einsum("kn,kin->in", 0.5 * (low + high), ways), side, 0.5 * (high - low)

@@ -21,14 +21,14 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 from .body import Body, Piece
-from .bounds import deepest, end_and_side, lateral, slab, support_at, way_of
+from .bounds import corner_bound, deepest, end_and_side, least_depth, plate_bound, slab, support_at
 from .course import Clusters, Course, Poses, Stretches, clusters_of, stretches_of
 from .facet_tree import FacetTree
 
 BATCH = 8192
 """Blocks at a time: their table stays in the processor's cache."""
 
-SLICE = 16384
+SLICE = 4096
 """Pairs at a time."""
 
 ROUNDS = 40
@@ -46,7 +46,7 @@ PAUSE = 0.2
 SURELY = 0.999
 """Of a depth that is known to be reached, what is not lost by rounding."""
 
-LONGER = 2.0
+LONGER = 4.0
 """So many times smaller than a node a cluster may be and is divided all the same: bounds are close for stretches."""
 
 BENT = 0.3
@@ -173,23 +173,30 @@ class _Search:
         """The pairs that may hold more than is known, and which of them do enter."""
         kept, deep = [], []
         for first in range(0, len(way), SLICE):
-            one, two = way[first : first + SLICE], node[first : first + SLICE]
-            ways = way_of(clusters, one)
-            stretch = one - clusters.first
-            single = np.flatnonzero(stretch >= 0)
-            beside = lateral(piece, ways, self.tree, two, self.limit)
-            floor = np.full(len(one), self.limit)
-            if len(single):
-                block = parts.block.take(stretch[single])
-                self._learn(block, beside.least[single])
-                floor[single] = self.floor(block)
-            rows = np.flatnonzero(np.minimum(beside.most, piece.most) > floor)
-            if len(rows):
-                rows = rows[slab(piece, way_of(clusters, one[rows]), self.tree, two[rows]) > floor[rows]]
+            rows, enters = self._stay(piece, clusters, parts, way[first : first + SLICE], node[first : first + SLICE])
             kept.append(first + rows)
-            deep.append(beside.least[rows] > self.limit)
+            deep.append(enters)
         rows = np.concatenate(kept)
         return way[rows], node[rows], np.concatenate(deep)
+
+    def _stay(self, piece: Piece, clusters: Clusters, parts: Stretches, way: Ints, node: Ints) -> tuple[Ints, Bools]:
+        """:meth:`_pruned` for so many that they stay in the processor's cache: which rows stay."""
+        block, single = parts.block.take(np.maximum(way - clusters.first, 0)), way >= clusters.first
+        floor = np.where(single, self.floor(block), self.limit)
+        ways, plates = clusters.ways(way), self.tree.plates(node)
+        most, g = plate_bound(piece, ways, plates)
+        rows = np.flatnonzero(np.minimum(most, piece.most) > floor)
+        ways, plates, most, single = ways.take(rows), plates.take(rows), most[rows], single[rows]
+        most = np.minimum(most, slab(piece, ways, plates))
+        facets = np.flatnonzero((most > floor[rows]) & (node[rows] >= self.tree.leaf))
+        there = rows[facets]
+        by_corner = corner_bound(piece, ways.take(facets), tuple(k[there] for k in g), self.tree, node[there] - self.tree.leaf)
+        most[facets] = np.minimum(most[facets], by_corner)
+        least = least_depth(piece, ways, plates)
+        block = block[rows]
+        self._learn(block[single], least[single])
+        stay = most > np.where(single, self.floor(block), self.limit)
+        return rows[stay], least[stay] > self.limit
 
     def _learn(self, block: Ints, least: Floats) -> None:
         """Depths that are known to be reached, though not yet where."""
@@ -233,7 +240,7 @@ class _Search:
             return over - begins, over - half_way, half_way - begins
 
         most, in_time, flat = bound(g)
-        normal = self.tree.normal.take(self.tree.leaf + left.leaf, axis=1)
+        normal = np.stack(self.tree.plates(self.tree.leaf + left.leaf).normal)
         for direction in (normal, -normal):
             most = np.minimum(most, bound(direction)[0])
         if piece.round == 0.0:
