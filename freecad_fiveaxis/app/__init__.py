@@ -31,8 +31,9 @@ def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
     """A computed toolpath; returns the Toolpath object.
 
     ``base``: a solid, body, compound, mesh or Tessellation object, or ``(object, ["Face3"])``. Settings as in job files:
-    ``machine="trunnion_ac", cutter="ball:10", scallop=0.01, feed=1000, ...``; also ``work_zero=(x, y, z)`` mm, ``faces``,
-    ``linear_deflection`` mm, ``angular_deflection`` deg, ``holder_diameter`` and ``holder_length`` mm.
+    ``machine="trunnion_ac", cutter="bull:10:2", holder="40x25,63x50", gouge="report", scallop=0.01, feed=1000, ...``; also
+    ``work_zero=(x, y, z)`` mm, ``faces``, ``linear_deflection`` mm, ``angular_deflection`` deg; ``holder_diameter`` and
+    ``holder_length`` mm are a holder of one cylinder.
     Raises FiveAxisError; then the document is as it was.
     """
     from .actions import create_toolpath as act
@@ -61,7 +62,8 @@ def annotate(toolpath: Any) -> Any:
 def audit(doc: Any, nc_path: Any, machine: str, **settings: Any) -> Any:
     """Judge a finished NC file on a machine; returns the Audit object, computed.
 
-    Settings: ``controller``, ``tolerance`` mm, ``method``, ``origin``, ``tool_length``, and ``work_zero`` for the drawing.
+    Settings: ``controller``, ``tolerance`` mm, ``method``, ``origin``, ``tool_length``, and ``work_zero``, ``shank`` and
+    ``holder`` for the drawing.
     Raises FiveAxisError; then the document is as it was.
     """
     from .actions import audit as act

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
 from freecad_fiveaxis.core.errors import FileError, SettingsError
 from freecad_fiveaxis.core.files import check_writable, write_whole
-from freecad_fiveaxis.core.quantity import ANGLES, LENGTHS, parse, parse_length, parse_triple
+from freecad_fiveaxis.core.quantity import ANGLES, LENGTHS, parse, parse_length, parse_stack, parse_triple, stack_text
 from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
 
 from . import auditing, markers, selection, tessellation, toolpath
@@ -40,7 +40,8 @@ def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, 
 
 def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.create_toolpath`."""
-    extra = _extra(settings)
+    settings = _with_holder(settings)
+    extra = _extra(settings, _EXTRA)
     options = {name: value for name, value in settings.items() if name not in _OF_MESH and name not in _EXTRA}
     options["machine"] = options.get("machine") or DEFAULT_MACHINE
     build_settings(MILL, "mesh", options)
@@ -75,23 +76,43 @@ def annotate(path: Any) -> Any:
 
 def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.audit`."""
-    options = {name: value for name, value in settings.items() if name not in _EXTRA} | {"machine": machine}
+    settings, drawn = _with_holder(settings), _EXTRA | _DRAWN
+    options = {name: value for name, value in settings.items() if name not in drawn} | {"machine": machine}
     build_settings(AUDIT, os.fspath(nc_path), options)
     with _all_or_nothing(doc) as added:
-        made = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings))
+        made = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings, drawn))
         added.append(made)
         _compute(made)
     return made
 
 
 _OF_MESH = {"linear_deflection", "angular_deflection", "faces"}
-_EXTRA = {"work_zero", "holder_diameter", "holder_length"}
+_EXTRA = {"work_zero"}
+_DRAWN = {"shank", "holder"}
+"""Of an audit, whose task knows nothing of them."""
+_OLD_HOLDER = {"holder_diameter": 40.0, "holder_length": 60.0}
+"""mm; one cylinder, as macros gave the holder before there were stacks, with what the other of them was if one was given."""
 
 
-def _extra(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """The properties that are no settings of the core, mm."""
-    given = {name: settings[name] for name in _EXTRA & set(settings) if settings[name] is not None}
-    return {property_name(name): (_place if name == "work_zero" else parse_length)(value, name) for name, value in given.items()}
+def _with_holder(settings: Mapping[str, Any]) -> dict[str, Any]:
+    """The settings with a holder of one cylinder as a stack. Raises SettingsError where the holder is given twice."""
+    rest = {name: value for name, value in settings.items() if name not in _OLD_HOLDER}
+    given = {name: settings[name] for name in _OLD_HOLDER if settings.get(name) is not None}
+    if given and rest.get("holder") is not None:
+        raise SettingsError(f"holder and {', '.join(given)} say the same; give holder", rest["holder"])
+    row = tuple(parse_length(given.get(name, size), name) for name, size in _OLD_HOLDER.items())
+    return {**rest, "holder": stack_text((row,))} if given else rest  # type: ignore[arg-type]
+
+
+def _extra(settings: Mapping[str, Any], names: Collection[str]) -> dict[str, Any]:
+    """The properties that are no settings of the core's task, mm."""
+    given = {name: settings[name] for name in names if settings.get(name) is not None}
+    readers = {"work_zero": _place}
+    return {property_name(name): readers.get(name, _stack)(value, name) for name, value in given.items()}
+
+
+def _stack(given: Any, name: str) -> str:
+    return stack_text(parse_stack(given, name))
 
 
 def _place(given: Any, name: str) -> tuple[float, float, float]:

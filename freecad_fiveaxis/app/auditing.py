@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.settings import AUDIT
 
 from . import convert, results
-from .properties import HOLDER, QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
+from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, drawn_tool, setting_properties
 from .schema import Proxy
 
 NC_FILE = Property("NCFile", "App::PropertyFile", "Base", QT_TRANSLATE_NOOP("App::Property", "The NC file that is judged"), "")
@@ -31,8 +31,8 @@ class Audit(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The file, the settings of task ``audit``, the work zero (for the drawing only) and the results."""
-        return (NC_FILE, *setting_properties(AUDIT), *HOLDER, WORK_ZERO, *RESULTS)
+        """The file, the settings of task ``audit``, shank, holder and work zero (for the drawing only) and the results."""
+        return (NC_FILE, *setting_properties(AUDIT), *drawn_tool(), WORK_ZERO, *RESULTS)
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.cutter import kind_of
 from freecad_fiveaxis.core.report import Figures
 
 from . import results
@@ -135,7 +136,8 @@ def settings_from_job(job: Any, number: int | None = None) -> tuple[list[Any], d
     """Model and settings for a toolpath, ``(objects, settings)``, from a CAM Job.
 
     The model is the Job's own clone of the part, because the user may have turned or moved it in the Job. The tool is the one
-    of that number, else the first ball end. Settings: cutter (a Cutter), tool, and where the Job gives
+    of that number, else the first ball end, else the first
+    that is of use here. Settings: cutter (a Cutter), tool, and where the Job gives
     them feed and plunge_feed (mm/min) and spindle (1/min). Raises SelectionError for a Job without a model or without a tool
     that is of use here; the message says what is the matter with each.
     """
@@ -149,12 +151,12 @@ def settings_from_job(job: Any, number: int | None = None) -> tuple[list[Any], d
 
 def _tool(job: Any, number: int | None) -> JobTool:
     tools = [tool for tool in cutters_of_job(job) if number in (None, tool.number)]
-    for tool in tools:
-        if tool.cutter is not None:
-            return tool
+    able = [tool for tool in tools if tool.cutter is not None]
+    if able:  # a Job begins with an end mill that nobody has chosen
+        return next((tool for tool in able if kind_of(tool.cutter) == "ball"), able[0])
     if not tools:
         named = "no tool" if number is None else f"no tool {number}"
-        raise SelectionError(f"{job.Label} has {named}; add a ball end to it, or give the cutter by hand", number)
+        raise SelectionError(f"{job.Label} has {named}; add one to it, or give the cutter by hand", number)
     raise SelectionError(f"{job.Label}: " + "; ".join(tool.error for tool in tools), number)
 
 

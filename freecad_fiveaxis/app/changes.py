@@ -9,6 +9,7 @@ from typing import Any
 
 import FreeCAD
 
+from freecad_fiveaxis.core.cutter import cutter_text
 from freecad_fiveaxis.core.quantity import LENGTHS, parse_triple
 from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
 
@@ -53,7 +54,7 @@ def default_options(task: str) -> dict[str, Any]:
 
 def _default(leaf: Any) -> Any:
     if leaf.metadata["kind"] == "cutter":
-        return f"ball:{leaf.default.diameter!r}:{leaf.default.length!r}"
+        return cutter_text(leaf.default)
     if leaf.default is None:
         return None
     return leaf.default if leaf.metadata["kind"] == "feed" else default_value(leaf)

@@ -12,23 +12,35 @@ import math
 import os
 import tempfile
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import FreeCAD
 import numpy as np
 
+from freecad_fiveaxis.core.cutter import Cutter, parse_cutter, sizes_text
 from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.gouge import Body, body_of
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.option_values import read_option
+from freecad_fiveaxis.core.quantity import parse_stack
 from freecad_fiveaxis.core.records import Bools
 from freecad_fiveaxis.core.report import Figures, summary, verdict
 from freecad_fiveaxis.core.settings import Settings, build_settings
 
-from .properties import MACHINES_OWN, RESULTS, default_value, property_name, property_value, shown_options
+from .properties import MACHINES_OWN, RESULTS, cutter_values, default_value, property_name, property_value, shown_options
 from .selection import check_mesh, holder_of
 
 _STL = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
 _HEADER = 84
+
+
+class Tool(NamedTuple):
+    """A cutter, and the body of cutter, shank and holder that must not enter the part."""
+
+    cutter: Cutter
+    body: Body
+
+
 UNKNOWN = 1e9
 """mm or s, shown where the core found no finite number: no property can hold one that is infinite."""
 
@@ -49,13 +61,26 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
     for _, leaf in shown_options(task):
         kind = leaf.metadata["kind"]
         if kind == "cutter":
-            options[leaf.name] = f"ball:{plain(obj.CutterDiameter)!r}:{plain(obj.CutterLength)!r}"
+            options[leaf.name] = cutter_of(obj)
         elif kind == "point":
             if not getattr(obj, property_name(leaf.name) + "FromMachine"):
                 options[leaf.name] = plain(getattr(obj, property_name(leaf.name)))
         elif (value := plain(getattr(obj, property_name(leaf.name)))) != plain(default_value(leaf)):
             options[leaf.name] = plain(value * 60.0) if kind == "feed" else value
     return options
+
+
+def cutter_of(obj: Any) -> str:
+    """The cutter of the object's properties as an option; whether there can be such a one is the core's to say."""
+    sizes = {name: plain(getattr(obj, "Cutter" + name.capitalize())) for name in ("diameter", "corner", "taper", "length")}
+    return sizes_text(obj.CutterKind, sizes)
+
+
+def tool_of(obj: Any) -> Tool:
+    """Cutter, shank and holder of a Toolpath or an Audit, to be drawn: the body that the gouge check looks at. Raises SettingsError."""
+    shank, holder = (parse_stack(text, name) if (text := getattr(obj, name)) else () for name in ("Shank", "Holder"))
+    cutter = parse_cutter(cutter_of(obj))
+    return Tool(cutter, body_of(cutter, shank, holder))
 
 
 def plain(value: Any) -> Any:
@@ -79,16 +104,14 @@ def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
     given = {name: value for name, value in options.items() if value is not None}
     read = {name: read_option(fields[name], value) for name, value in given.items()}
     for name, value in read.items():
-        if fields[name].metadata["kind"] == "cutter" and (value.ring > 0.0 or value.taper > 0.0):
-            raise SettingsError("document objects have ball cutters only; give another shape on the command line", given[name])
-    for name, value in read.items():
         _put(obj, fields[name], value)
 
 
 def _put(obj: Any, leaf: Any, value: Any) -> None:
     name, kind = property_name(leaf.name), leaf.metadata["kind"]
     if kind == "cutter":
-        obj.CutterDiameter, obj.CutterLength = value.diameter, value.length
+        for held_in, size in cutter_values(value).items():
+            setattr(obj, held_in, size)
         return
     if kind == "point":
         setattr(obj, name + "FromMachine", False)

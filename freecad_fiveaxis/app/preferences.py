@@ -2,7 +2,7 @@
 """What the user prefers: defaults, folders and colours, from FreeCAD's own parameters; with and without a window.
 
 key    the name of a parameter in the group GROUP; DEFAULTS lists every key with its default, in FreeCAD's own units.
-unit   FreeCAD keeps a parameter's length in mm and a feed in mm/s; the getters below give mm and mm/min.
+unit   FreeCAD keeps a parameter's length in mm, an angle in degrees and a feed in mm/s; the getters below give mm/min.
 colour red, green and blue, each from 0 to 1; FreeCAD keeps it as the number 0xRRGGBBAA, whose alpha is not used.
 """
 
@@ -18,12 +18,20 @@ Colour = tuple[float, float, float]
 GREEN, ORANGE, PURPLE = 0x009E73FF, 0xD55E00FF, 0xCC79A7FF
 """Okabe and Ito's palette: told apart by colour-blind users too."""
 
+LENGTH = 50.0
+"""mm; the cutting edge of a new path's cutter."""
+
 DEFAULTS: dict[str, str | float | int] = {
     "Machine": "trunnion_ac",
     "Controller": "",
     "MachineFolder": "",
     "OutputFolder": "",
+    "CutterKind": "ball",
     "CutterDiameter": 10.0,
+    "CutterCorner": 1.0,
+    "CutterTaper": 5.0,
+    "Shank": "",
+    "Holder": "",
     "Scallop": 0.01,
     "Tolerance": 0.01,
     "Feed": 1000.0 / 60,
@@ -83,9 +91,24 @@ def output_folder() -> Path | None:
     return _folder("OutputFolder")
 
 
-def cutter_diameter() -> float:
-    """Diameter of a new path's cutter, mm."""
-    return read("CutterDiameter")
+def cutter() -> str:
+    """A new path's cutter as an option; whether there can be such a one is the core's to say."""
+    from freecad_fiveaxis.core.cutter import KINDS, sizes_text  # numpy has no business when the window starts
+
+    kind = read("CutterKind").strip()
+    kind = kind if kind in KINDS else str(DEFAULTS["CutterKind"])
+    sizes = {name: read("Cutter" + name.capitalize()) for name in ("diameter", "corner", "taper")}
+    return sizes_text(kind, sizes | {"length": LENGTH})
+
+
+def shank() -> str:
+    """A new path's shank: cylinders, as ``8x20,12x30``, mm; empty where there is none."""
+    return read("Shank").strip()
+
+
+def holder() -> str:
+    """A new path's holder, likewise."""
+    return read("Holder").strip()
 
 
 def scallop() -> float:

@@ -2,7 +2,8 @@
 """The properties of our document objects, made from the fields of the core's settings.
 
 setting property   option ``least_interval`` is property ``LeastInterval``, in the group of its settings class. Files to write
-                   (OutputSettings) are no properties; files to read are.
+                   (OutputSettings) are no properties; files to read are. The cutter is five properties, CUTTER: its kind and
+                   its sizes, of which those count that the kind has.
 result property    what the last computation found; read-only, and a change of it does not make the object out of date.
 
 FreeCAD keeps lengths in mm, angles in degrees and feeds in **mm/s**, and shows them in the user's units.
@@ -19,8 +20,11 @@ from typing import Any
 
 import FreeCAD
 
+from freecad_fiveaxis.core.cutter import KINDS as CUTTER_KINDS
+from freecad_fiveaxis.core.cutter import Cutter, kind_of
 from freecad_fiveaxis.core.post import DIALECTS
-from freecad_fiveaxis.core.settings import OutputSettings, option_fields
+from freecad_fiveaxis.core.quantity import stack_text
+from freecad_fiveaxis.core.settings import MILL, OutputSettings, option_fields
 from freecad_fiveaxis.core.tool_axis import STRATEGIES
 
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
@@ -53,6 +57,7 @@ KINDS = {
     "choice": "App::PropertyEnumeration", "text": "App::PropertyString", "vector": "App::PropertyVector",
     "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance", "counts": "App::PropertyVector",
     "number": "App::PropertyFloat", "count": "App::PropertyInteger", "path": "App::PropertyFile",
+    "stack": "App::PropertyString",
 }  # fmt: skip
 """FreeCAD's kind of property for each kind of option. A kind that is not here makes no property."""
 _ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRATEGIES)}
@@ -61,20 +66,31 @@ WORK_ZERO = Property(
     "WorkZero", "App::PropertyVectorDistance", "Machine",
     QT_TRANSLATE_NOOP("App::Property", "The place of the work zero in the document"), (0.0, 0.0, 0.0),
 )  # fmt: skip
-HOLDER = (
+CORNER, TAPER = 1.0, 5.0
+"""mm and deg: the sizes of a new object's cutter that its kind has not, so that another kind is a cutter at once."""
+CUTTER = (
     Property(
-        "HolderDiameter", "App::PropertyLength", "Cutter",
-        QT_TRANSLATE_NOOP("App::Property", "Diameter of the holder that is shown above the cutter"), 40.0,
+        "CutterKind", KINDS["choice"], "Cutter",
+        QT_TRANSLATE_NOOP("App::Property", "Shape of the cutter: ball, flat, bull nose, tapered ball, tapered bull nose"),
+        choices=tuple(CUTTER_KINDS),
     ),
     Property(
-        "HolderLength", "App::PropertyLength", "Cutter",
-        QT_TRANSLATE_NOOP("App::Property", "Length of the holder that is shown above the cutter"), 60.0,
+        "CutterDiameter", KINDS["length"], "Cutter",
+        QT_TRANSLATE_NOOP("App::Property", "Diameter of the cutter; of a tapered one that of its rounded end"),
+    ),
+    Property(
+        "CutterCorner", KINDS["length"], "Cutter",
+        QT_TRANSLATE_NOOP("App::Property", "Corner radius of a bull nose, tapered or not; other kinds have none"),
+    ),
+    Property(
+        "CutterTaper", KINDS["angle"], "Cutter",
+        QT_TRANSLATE_NOOP("App::Property", "Angle between the flank of a tapered cutter and its axis; other kinds have none"),
+    ),
+    Property(
+        "CutterLength", KINDS["length"], "Cutter",
+        QT_TRANSLATE_NOOP("App::Property", "Length of the cutter's edge, from the tip upwards"),
     ),
 )  # fmt: skip
-_CUTTER = (
-    ("CutterDiameter", QT_TRANSLATE_NOOP("App::Property", "Diameter of the ball-end cutter")),
-    ("CutterLength", QT_TRANSLATE_NOOP("App::Property", "Length of the cutter's edge, from the tip upwards")),
-)
 _FROM_MACHINE = QT_TRANSLATE_NOOP("App::Property", "Take the work zero's place on the machine from the machine's file")
 
 
@@ -99,14 +115,30 @@ def setting_properties(task: str) -> tuple[Property, ...]:
 def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
     kind, text = leaf.metadata["kind"], leaf.metadata["text"]
     if kind == "cutter":
-        sizes = (leaf.default.diameter, leaf.default.length)
-        return [Property(name, KINDS["length"], group, help_, size) for (name, help_), size in zip(_CUTTER, sizes, strict=True)]
+        values = cutter_values(leaf.default)
+        return [dataclasses.replace(one, default=values.get(one.name, _UNUSED.get(one.name))) for one in CUTTER]
     choices = _ENUMERATED.get(leaf.name, leaf.metadata["choices"])
     name, type_ = property_name(leaf.name), KINDS["choice" if choices else kind]
     made = [Property(name, type_, group, text, default_value(leaf), choices=choices)]
     if kind == "point":
         made.append(Property(name + "FromMachine", "App::PropertyBool", group, _FROM_MACHINE, leaf.default is None))
     return made
+
+
+_UNUSED = {"CutterCorner": CORNER, "CutterTaper": TAPER}
+
+
+def cutter_values(cutter: Cutter) -> dict[str, Any]:
+    """What the properties CUTTER hold of a cutter, but for the sizes that its kind has not (mm, deg)."""
+    kind = kind_of(cutter)
+    has = {"CutterKind": kind, "CutterDiameter": cutter.diameter, "CutterLength": cutter.length}
+    has |= {"CutterCorner": cutter.corner} if "corner" in CUTTER_KINDS[kind] else {}
+    return has | ({"CutterTaper": round(math.degrees(cutter.taper), 12)} if "taper" in CUTTER_KINDS[kind] else {})
+
+
+def drawn_tool() -> tuple[Property, ...]:
+    """Shank and holder where they are no settings of the task, but drawn: those of ``mill``."""
+    return tuple(one for one in setting_properties(MILL) if one.name in ("Shank", "Holder"))
 
 
 def default_value(leaf: dataclasses.Field[Any]) -> Any:
@@ -124,6 +156,8 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
         return round(math.degrees(value), 12)
     if kind == "feed":
         return value / 60.0
+    if kind == "stack":
+        return stack_text(value)
     return int(value) if kind == "count" else value
 
 

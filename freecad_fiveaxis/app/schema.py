@@ -15,9 +15,11 @@ from typing import Any
 
 import FreeCAD
 
-from .properties import HIDDEN, Property, add_missing
+from freecad_fiveaxis.core.quantity import stack_text
 
-SCHEMA = 3
+from .properties import HIDDEN, Property, add_missing, drawn_tool
+
+SCHEMA = 4
 VERSION = Property(
     "SchemaVersion", "App::PropertyInteger", "Base", "The version of this object's properties", 0, HIDDEN
 )  # fmt: skip
@@ -88,5 +90,19 @@ def _from_2(obj: Any) -> None:
     """Version 2 had joint output only, three controllers, and no files to read but the audited one: properties are added."""
 
 
-STEPS: dict[int, Callable[[Any], None]] = {0: _from_0, 1: _from_1, 2: _from_2}
+def _from_3(obj: Any) -> None:
+    """Version 3 had ball cutters only, and a holder of one cylinder that was only drawn: HolderDiameter and HolderLength. It
+    becomes the text of Holder; the two stay where they are, out of sight."""
+    old = [name for name in ("HolderDiameter", "HolderLength") if name in obj.PropertiesList]
+    if len(old) < 2 or "Holder" in obj.PropertiesList:
+        return
+    add_missing(obj, drawn_tool())
+    row = (getattr(obj, old[0]).Value, getattr(obj, old[1]).Value)
+    if min(row) > 0.0:
+        obj.Holder = stack_text((row,))
+    for name in old:
+        obj.setEditorMode(name, ["Hidden"])
+
+
+STEPS: dict[int, Callable[[Any], None]] = {0: _from_0, 1: _from_1, 2: _from_2, 3: _from_3}
 """From each version to the next: what the plain adding of missing properties would lose, as the value of a renamed one."""

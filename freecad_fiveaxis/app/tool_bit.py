@@ -6,12 +6,15 @@ shape           what FreeCAD calls a tool's kind: ``ballend``, ``endmill``, ``bu
                 BitShape or ShapeName.
 corner radius   of a bull nose. Its files give ``CornerRadius``, older ones ``FlatRadius``, the radius of the flat in the
                 middle: corner radius = D/2 - flat radius. A corner radius of D/2 is a ball end.
+taper           of a tapered ball nose. ``TaperAngle`` is the angle that both flanks include: twice the core's; ``Diameter`` is
+                the ball's.
 cutting edge    ``CuttingEdgeHeight``: how far up from the tip the tool cuts; the core's ``Cutter.length``.
 """
 
 from __future__ import annotations
 
 import json
+import math
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,15 +26,16 @@ from freecad_fiveaxis.core.errors import FiveAxisError, SettingsError
 from freecad_fiveaxis.core.files import read_bytes
 
 SUFFIX = ".fctb"
-BALLS = ("ballend", "ballendmill")
-"""The shapes that are ball ends; the second is how the oldest tools spell it."""
-BULLNOSE = "bullnose"
+BALLS, FLATS, BULLS, TAPERED = ("ballend", "ballendmill"), ("endmill",), ("bullnose", "torus"), ("taperedballnose",)
+"""The shapes that are of use here, under all their names; ``ballendmill`` is how the oldest tools spell it."""
 SAME = 1e-3
 """mm; a corner radius this near to the radius makes a ball: files give four decimals."""
-REMEDY = "only ball ends are on offer: choose one, or give the cutter by hand"
+REMEDY = "ball ends, end mills, bull noses and tapered ball noses are of use here: choose one, or give the cutter by hand"
 
-Lengths = Callable[[str], "float | None"]
-"""A length of the tool in mm by its name, None where the tool has none of that name."""
+LENGTH = "length; write it as 6 mm or 0.25 in"
+
+Sizes = Callable[[str], "float | None"]
+"""A size of the tool, mm or deg, by its name; None where the tool has none of that name."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +62,7 @@ def cutter_of_file(path: str | os.PathLike[str]) -> Cutter:
     if not isinstance(sizes, dict):
         raise SettingsError(f"{name} lists no sizes; save the tool once more in FreeCAD's tool editor", path)
     shape = bit.get("shape-type") or bit.get("shape") or bit.get("template") or ""
-    return _cutter(name, str(shape), lambda key: _length(sizes[key], f"{name}: {key}") if key in sizes else None)
+    return _cutter(name, str(shape), lambda key: _size(sizes[key], key, name) if key in sizes else None)
 
 
 def cutter_of_tool(tool: Any) -> Cutter:
@@ -95,15 +99,20 @@ def _parsed(content: bytes, name: str) -> dict[str, Any]:
     return bit
 
 
-def _cutter(name: str, shape: str, length: Lengths) -> Cutter:
+def _cutter(name: str, shape: str, size: Sizes) -> Cutter:
     kind = _kind(shape)
-    diameter = length("Diameter")
-    if kind not in BALLS and not (kind == BULLNOSE and _is_full(name, diameter, length)):
+    if kind not in BALLS + FLATS + BULLS + TAPERED:
         raise SettingsError(f"{name} is a tool of the shape {shape or '(none)'}; {REMEDY}", shape)
-    if diameter is None:
+    if (diameter := size("Diameter")) is None:
         raise SettingsError(f"{name} has no diameter; give it one in FreeCAD's tool editor", name)
-    edge = length("CuttingEdgeHeight")
-    return Cutter(diameter) if edge is None else Cutter(diameter, edge)
+    given = {"length": edge} if (edge := size("CuttingEdgeHeight")) is not None else {}
+    if kind in FLATS:
+        given["corner"] = 0.0
+    elif kind in BULLS:
+        given["corner"] = _corner(name, diameter, size)
+    elif kind in TAPERED:
+        given["taper"] = _taper(name, size)
+    return Cutter(diameter, **given)
 
 
 def _kind(shape: str) -> str:
@@ -112,28 +121,36 @@ def _kind(shape: str) -> str:
     return "".join(letter for letter in name.removesuffix(".fcstd") if letter.isalnum())
 
 
-def _is_full(name: str, diameter: float | None, length: Lengths) -> bool:
-    """Whether a bull nose is a ball end; raises SettingsError that names its corner radius where it is not."""
-    corner, flat = length("CornerRadius"), length("FlatRadius")
-    if diameter is None or (corner is None and flat is None):
-        return False
+def _corner(name: str, diameter: float, size: Sizes) -> float:
+    corner, flat = size("CornerRadius"), size("FlatRadius")
+    if corner is None and flat is None:
+        raise SettingsError(f"{name} has no corner radius; give it one in FreeCAD's tool editor", name)
     corner = diameter / 2 - flat if corner is None and flat is not None else corner
-    if corner is not None and abs(corner - diameter / 2) <= SAME:
-        return True
-    raise SettingsError(f"{name} is a bull nose of {diameter:g} mm with a corner radius of {corner:g} mm; {REMEDY}", corner)
+    return diameter / 2 if abs(corner - diameter / 2) <= SAME else corner
 
 
-def _length(given: Any, what: str) -> float:
-    """mm of a text with a unit, as FreeCAD's own parser reads it (6.0000 mm, 0.25 in, 1/4")."""
+def _taper(name: str, size: Sizes) -> float:
+    """rad, from the axis to the flank."""
+    included = size("TaperAngle")
+    if included is None:
+        raise SettingsError(f"{name} has no taper angle; give it one in FreeCAD's tool editor", name)
+    return math.radians(included / 2)
+
+
+def _size(given: Any, key: str, name: str) -> float:
+    """mm or deg of a text with a unit, as FreeCAD's own parser reads it (6.0000 mm, 0.25 in, 1/4", 10.0000 °)."""
     import FreeCAD
 
+    units = FreeCAD.Units
+    unit, what = (units.Angle, "angle; write it as 10 deg") if key.endswith("Angle") else (units.Length, LENGTH)
+    said = f"{name}: {key} {given!r} is no {what}"
     try:
         text = given.strip() or "?" if isinstance(given, str) else float(given)  # FreeCAD takes no text at all for 2e-308
-        size = FreeCAD.Units.Quantity(text)
+        size = units.Quantity(text)
     except (ValueError, TypeError, OSError, ArithmeticError):
-        raise SettingsError(f"{what} {given!r} is no length; write it as 6 mm or 0.25 in", given) from None
-    if size.Unit not in (FreeCAD.Units.Length, FreeCAD.Units.Unit()):
-        raise SettingsError(f"{what} {given!r} is no length; write it as 6 mm or 0.25 in", given)
+        raise SettingsError(said, given) from None
+    if size.Unit not in (unit, units.Unit()):
+        raise SettingsError(said, given)
     return float(size.Value)
 
 

@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.settings import MILL
 
 from . import convert, results
-from .properties import HOLDER, QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
+from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
 from .schema import Proxy
 from .selection import SelectionError, is_mesh
 
@@ -32,8 +32,8 @@ class Toolpath(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The mesh, the settings of task ``mill``, the holder, the work zero and the results."""
-        return (MESH, *setting_properties(MILL), *HOLDER, WORK_ZERO, *RESULTS)
+        """The mesh, the settings of task ``mill``, the work zero and the results."""
+        return (MESH, *setting_properties(MILL), WORK_ZERO, *RESULTS)
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""

@@ -105,7 +105,7 @@ def write_option(leaf: dataclasses.Field[Any], value: Any) -> Any:
     if leaf.metadata["kind"] == "angle" and value is not None:
         return round(math.degrees(value), 12)
     if leaf.metadata["kind"] == "stack":
-        return ",".join(f"{diameter!r}x{length!r}" for diameter, length in value) or None
+        return quantity.stack_text(value) or None
     if value == "":
         return None  # an option that is left out
     return list(value) if isinstance(value, tuple) else value

@@ -51,6 +51,11 @@ def parse_stack(text: str | list[str] | tuple[tuple[float, float], ...], what: s
     return tuple(rows)
 
 
+def stack_text(stack: tuple[tuple[float, float], ...]) -> str:
+    """The stack as :func:`parse_stack` reads it as the same one, mm; empty where there is none."""
+    return ",".join("x".join(repr(float(size)).removesuffix(".0") for size in row) for row in stack)
+
+
 def parse_angle(text: str | float, what: str = "angle") -> float:
     """Radians; a bare number is in degrees."""
     return parse(text, ANGLES, what)

@@ -218,10 +218,10 @@ class GougeSettings:
         (MILL,), choices=GOUGE,
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
-        (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards, as 8x20,12x30; checked with --gouge", (MILL,)
+        (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge", (MILL,)
     )
     holder: tuple[tuple[float, float], ...] = option(
-        (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50; checked with --gouge", (MILL,)
+        (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge", (MILL,)
     )
     left: Literal["on", "off"] = option(
         "off", "choice", "map of what stays uncut and of what is cut too deep, on the machined facets", (MILL,),

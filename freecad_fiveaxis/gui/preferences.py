@@ -18,7 +18,12 @@ from .qt import QtGui, QtWidgets, resource, translate
 GROUP = "FiveAxis"
 """The page's group; its icon is ``preferences-fiveaxis.svg`` among FreeCAD's icon paths."""
 
-VALUES = {"Gui::PrefUnitSpinBox": "rawValue", "Gui::PrefFileChooser": "fileName", "Gui::PrefColorButton": "color"}
+VALUES = {
+    "QLineEdit": "text",
+    "Gui::PrefUnitSpinBox": "rawValue",
+    "Gui::PrefFileChooser": "fileName",
+    "Gui::PrefColorButton": "color",
+}
 """The property of a widget that holds its value, by its class."""
 
 
@@ -38,7 +43,7 @@ class Page:
 
         self.form = FreeCADGui.PySideUic.loadUi(resource("ui", "preferences.ui"))
         self.loaded: dict[str, Any] = {}
-        self.choices = {"Machine": _machines(), "Controller": _controllers()}
+        self.choices = {"Machine": _machines(), "Controller": _controllers(), "CutterKind": _kinds()}
         for key, choices in self.choices.items():
             self._widget(key).addItems(list(choices))
         suffix, self.feed_factor = feed_unit()
@@ -91,6 +96,14 @@ class Page:
 
     def _property(self, key: str) -> str:
         return VALUES[self._widget(key).metaObject().className()]
+
+
+def _kinds() -> dict[str, str]:
+    from freecad_fiveaxis.core.cutter import KINDS
+
+    from .panels.labels import choice_label
+
+    return {choice_label(kind): kind for kind in KINDS}
 
 
 def _controllers() -> dict[str, str]:

@@ -9,6 +9,7 @@ import pytest
 
 pytest.importorskip("FreeCAD")
 from freecad_fiveaxis.app import preferences
+from freecad_fiveaxis.core.cutter import parse_cutter
 from freecad_fiveaxis.core.job import DEFAULT_SCALLOP
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.settings import option_fields
@@ -32,7 +33,8 @@ def test_the_defaults_are_those_of_the_core():
     core = {leaf.name: leaf.default for _, leaf in option_fields("mill")}
     assert preferences.feed() == core["feed"]
     assert preferences.tolerance() == core["tolerance"]
-    assert preferences.cutter_diameter() == core["cutter"].diameter
+    assert parse_cutter(preferences.cutter()) == core["cutter"]
+    assert preferences.shank() == preferences.holder() == "" and core["shank"] == core["holder"] == ()
     assert preferences.scallop() == DEFAULT_SCALLOP
     assert preferences.controller() is core["controller"]
     assert load_machine(preferences.machine()).axes
@@ -42,14 +44,17 @@ def test_the_defaults_are_those_of_the_core():
 def test_what_is_written_is_read_in_the_units_of_the_core(tmp_path):
     given = {
         "Machine": "mikron_ucp710", "Controller": "fanuc", "MachineFolder": str(tmp_path), "OutputFolder": "~/nc",
-        "CutterDiameter": 6.0, "Scallop": 0.02, "Tolerance": 0.005, "Feed": 20.0, "ColourGood": 0x3366CC00,
+        "CutterKind": "taperbull", "CutterDiameter": 6.0, "CutterCorner": 1.5, "CutterTaper": 3.0, "Shank": "6x20", "Holder": " 40x25 ",
+        "Scallop": 0.02, "Tolerance": 0.005, "Feed": 20.0, "ColourGood": 0x3366CC00,
     }  # fmt: skip
     for key, value in given.items():
         preferences.write(key, value)
     assert (preferences.machine(), preferences.controller()) == ("mikron_ucp710", "fanuc")
     assert preferences.machine_folder() == tmp_path
     assert preferences.output_folder() == Path.home() / "nc"
-    assert (preferences.cutter_diameter(), preferences.scallop(), preferences.tolerance()) == (6.0, 0.02, 0.005)
+    assert (preferences.scallop(), preferences.tolerance()) == (0.02, 0.005)
+    assert parse_cutter(preferences.cutter()) == parse_cutter("taperbull:6:1.5:3deg")
+    assert (preferences.shank(), preferences.holder()) == ("6x20", "40x25")
     assert preferences.feed() == 1200.0  # FreeCAD keeps mm/s
     assert preferences.colour_good() == pytest.approx((0.2, 0.4, 0.8))
 
@@ -63,6 +68,11 @@ def test_colours_are_told_apart():
 def test_an_emptied_machine_is_the_default():
     preferences.write("Machine", "  ")
     assert preferences.machine() == preferences.DEFAULTS["Machine"]
+
+
+def test_a_kind_of_cutter_that_is_not_known_is_the_default():
+    preferences.write("CutterKind", "lollipop")
+    assert preferences.cutter() == "ball:10.0:50.0"
 
 
 def test_reset_forgets_everything():

@@ -2,6 +2,7 @@
 """The setting properties are those of the core, with its defaults, in FreeCAD's units."""
 
 import dataclasses
+from dataclasses import astuple
 
 import FreeCAD
 import pytest
@@ -9,7 +10,10 @@ from conftest import FAST
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import auditing, convert, properties, toolpath
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.cutter import KINDS, Cutter, kind_of, parse_cutter
 from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.gouge import body_of
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings, option_fields
 from freecad_fiveaxis.core.tool_axis import STRATEGIES
@@ -26,11 +30,12 @@ def test_every_option_that_is_no_file_has_a_property_with_its_group_and_help(pat
         if kind in ("path", "paths"):
             assert "Output" not in map(path.getGroupOfProperty, path.PropertiesList)
             continue
-        name = "CutterDiameter" if kind == "cutter" else properties.property_name(leaf.name)
-        assert path.getGroupOfProperty(name) + "Settings" == cls.__name__
-        if kind != "cutter":
-            assert path.getDocumentationOfProperty(name) == leaf.metadata["text"]
-        assert path.getTypeIdOfProperty(name).startswith("App::Property")
+        names = [one.name for one in properties.CUTTER] if kind == "cutter" else [properties.property_name(leaf.name)]
+        for name in names:
+            assert path.getGroupOfProperty(name) + "Settings" == cls.__name__
+            if kind != "cutter":
+                assert path.getDocumentationOfProperty(name) == leaf.metadata["text"]
+            assert path.getTypeIdOfProperty(name).startswith("App::Property")
 
 
 def test_the_defaults_are_the_cores_to_the_last_bit(path):
@@ -47,7 +52,7 @@ GIVEN = {
     "feed": 1234.5, "plunge_feed": "12in/min", "direction": -30, "scallop": 0.003, "max_axis_angle": 70, "lead": 3, "tilt": "-0.1rad",
     "tool": 7, "spindle": 12000, "coolant": "on", "feed_mode": "g94", "work_offset": "G55", "tool_axis": "fixed", "axis": "1,0,2",
     "control_point": "centre", "order": "one_way", "tolerance": "0.0005in", "blend": 0.02, "method": "so2008",
-    "linearize": "on", "singularity": "linearize", "high_speed": "on",
+    "linearize": "on", "singularity": "linearize", "high_speed": "on", "gouge": "lift", "shank": "8x20", "holder": "1inx2in,63x50.5",
 }  # fmt: skip
 
 
@@ -122,6 +127,76 @@ def test_the_core_checks_the_properties(path, name, value, says):
     setattr(path, name, value)
     with pytest.raises(SettingsError, match=says):
         convert.settings_of(path, MILL, "x")
+
+
+SHAPES = ["ball:10", "flat:10:20", "bull:0.5in:2", "taperball:6:5deg:30", "taperbull:10:1.25:0.1rad"]
+
+
+@pytest.mark.parametrize("text", SHAPES)
+def test_every_cutter_comes_back_as_it_was_given_and_survives_the_file(path, text, reopen):
+    convert.put_options(path, MILL, {"cutter": text})
+    got, wanted = convert.settings_of(path, MILL, "x").cutter.cutter, parse_cutter(text)
+    assert path.CutterKind == kind_of(wanted) == text.partition(":")[0]
+    assert astuple(got)[:4] == pytest.approx(astuple(wanted)[:4], rel=1e-11)
+    assert convert.settings_of(reopen(path.Document).Toolpath, MILL, "x").cutter.cutter == got
+
+
+def test_another_kind_is_a_cutter_at_once(path):
+    for kind in KINDS:
+        path.CutterKind = kind
+        assert kind_of(convert.settings_of(path, MILL, "x").cutter.cutter) == kind
+
+
+def test_a_cutters_sizes_have_units(path):
+    path.CutterKind, path.CutterCorner, path.CutterTaper = "taperbull", "0.05 in", "0.1 rad"
+    cutter = convert.settings_of(path, MILL, "x").cutter.cutter
+    assert (cutter.corner, cutter.taper) == pytest.approx((1.27, 0.1))
+
+
+@pytest.mark.parametrize(
+    "values, says",
+    [
+        ({"CutterKind": "bull", "CutterCorner": 6}, "corner radius is 6 mm; give 0 to 5 mm"),
+        ({"CutterKind": "taperball", "CutterTaper": 70}, "taper is 70 deg; give 0 to 60 deg"),
+        ({"CutterKind": "taperball", "CutterLength": 2}, "the taper begins"),
+        ({"Holder": "40"}, "DIAMETERxLENGTH"),
+        ({"Shank": "8x0"}, "above 0"),
+    ],
+)
+def test_what_no_tool_has_is_refused_with_the_remedy(path, values, says):
+    for name, value in values.items():
+        setattr(path, name, value)
+    with pytest.raises(SettingsError, match=says):
+        convert.settings_of(path, MILL, "x")
+    with pytest.raises(SettingsError, match=says):
+        convert.tool_of(path)
+
+
+def test_sizes_that_the_kind_has_not_are_not_looked_at(path):
+    path.CutterCorner, path.CutterTaper = 600, 80
+    assert convert.settings_of(path, MILL, "x").cutter.cutter == Cutter(10.0)
+
+
+@pytest.mark.parametrize("text", SHAPES)
+def test_the_tool_that_is_drawn_is_the_body_that_is_checked(path, text):
+    convert.put_options(path, MILL, {"cutter": text, "shank": "8x20,12x30", "holder": "40x25"})
+    drawn, settings = convert.tool_of(path), convert.settings_of(path, MILL, "x")
+    assert drawn.body == job.tool_body(settings) and drawn.cutter == settings.cutter.cutter
+    assert drawn.body != job.tool_body(build_settings(MILL, "x", {"machine": "trunnion_ac", "cutter": text}))
+
+
+def test_an_audit_draws_shank_and_holder_too(doc, tmp_path):
+    (tmp_path / "x.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z10 A0 C0 F100\nX10 A1\n")
+    made = app.audit(doc, tmp_path / "x.ngc", "trunnion_ac", cutter="bull:10:2", holder="2inx1in", shank="8x20")
+    assert (made.Holder, made.Shank, made.CutterKind) == ("50.8x25.4", "8x20", "bull") and made.State == ["Up-to-date"]
+    assert convert.tool_of(made).body == body_of(Cutter(10.0, corner=2.0), [(8, 20)], [(50.8, 25.4)])
+
+
+def test_macros_may_give_the_holder_as_one_cylinder(doc, ball):
+    path = app.create_toolpath(doc, ball, **FAST, holder_diameter="2in")
+    assert path.Holder == "50.8x60"
+    with pytest.raises(SettingsError, match="holder and holder_length say the same"):
+        app.create_toolpath(doc, ball, **FAST, holder_length=30, holder="40x25")
 
 
 def test_both_spacings_at_once_are_refused(path):

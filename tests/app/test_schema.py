@@ -10,8 +10,8 @@ from freecad_fiveaxis.app import properties, results, schema, toolpath
 LACKED = {
     "Toolpath": [
         "SchemaVersion",
-        "HolderDiameter",
-        "HolderLength",
+        "Holder",
+        "CutterKind",
         "WorkZero",
         "OriginFromMachine",
         "MaxBound",
@@ -40,10 +40,10 @@ def test_a_document_of_version_0_opens_and_nothing_is_lost(old, reopen):
     new = reopen(old)
     for name, lacked in LACKED.items():
         assert set(lacked) <= set(new.getObject(name).PropertiesList)
-        assert new.getObject(name).SchemaVersion == schema.SCHEMA == 3
+        assert new.getObject(name).SchemaVersion == schema.SCHEMA == 4
     path = new.Toolpath
     assert {name: path.getPropertyByName(name) for name in before} == before
-    assert (path.HolderDiameter.Value, path.HolderLength.Value, path.OriginFromMachine) == (40, 60, True)
+    assert (path.CutterKind, path.Holder, path.OriginFromMachine) == ("ball", "", True)
     assert tuple(path.WorkZero) == (0, 0, 0) and new.Tessellation.AngularDeflection.Value == 15
     assert path.getGroupOfProperty("MaxBound") == "Result" and path.getEditorMode("MaxBound") == ["ReadOnly"]
     assert "recompute" in results.out_of_date(path)  # a result without a fingerprint: nobody knows what it is of
@@ -67,7 +67,7 @@ def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen):
     path.Linearize, path.ToolAxis = ["off"], ["facet_mean", "step_weighted", "fixed"]
     path.SchemaVersion = 1
     path = reopen(doc).Toolpath
-    assert (path.SchemaVersion, path.Linearize, path.Singularity, path.ToolAxis) == (3, "off", "report", "facet_mean")
+    assert (path.SchemaVersion, path.Linearize, path.Singularity, path.ToolAxis) == (4, "off", "report", "facet_mean")
     assert (path.MaxTilt.Value, path.MaxAxisChange.Value) == pytest.approx((5, 2))
     path.Document.recompute()
     assert path.Blocks == blocks
@@ -85,12 +85,50 @@ def test_version_2_knew_three_controllers_and_no_guided_tip(doc, ball, reopen):
     path.Controller = "fanuc"
     path.SchemaVersion = 2
     path = reopen(doc).Toolpath
-    assert (path.SchemaVersion, path.Controller, path.Rtcp, path.HighSpeed) == (3, "fanuc", "off", "off")
+    assert (path.SchemaVersion, path.Controller, path.Rtcp, path.HighSpeed) == (4, "fanuc", "off", "off")
     assert (path.GuidedBlocks, path.Verdict) == (0, "")
     assert results.nc_of(path) == nc, "the same settings give the same program"
     path.Controller, path.Rtcp = "heidenhain", "vectors"
     path.Document.recompute()
     assert path.State == ["Up-to-date"] and path.GuidedBlocks > 0 and b"LN X" in results.nc_of(path)
+
+
+VERSION_4 = ("CutterKind", "CutterCorner", "CutterTaper", "Gouge", "Shank", "Holder")
+"""What version 3 had not."""
+
+
+def of_version_3(obj, diameter=40.0, length=60.0):
+    """Make it what version 3 saved: ball cutters, and a holder of one cylinder that was only drawn."""
+    for name in set(VERSION_4) & set(obj.PropertiesList):
+        assert obj.removeProperty(name), name
+    for name, size in (("HolderDiameter", diameter), ("HolderLength", length)):
+        obj.addProperty("App::PropertyLength", name, "Cutter", "")
+        setattr(obj, name, size)
+    obj.SchemaVersion = 3
+
+
+@pytest.mark.parametrize("sizes, text", [((40.0, 60.0), "40x60"), ((31.75, 1 / 3), "31.75x0.333333333333"), ((40.0, 0.0), "")])
+def test_version_3_had_a_holder_of_one_cylinder_and_ball_cutters_only(doc, ball, reopen, sizes, text):
+    path = app.create_toolpath(doc, ball, **FAST, cutter="ball:6:30")
+    nc = results.nc_of(path)
+    of_version_3(path, *sizes)
+    path = reopen(doc).Toolpath
+    assert (path.SchemaVersion, path.CutterKind, path.CutterDiameter.Value, path.CutterLength.Value) == (4, "ball", 6, 30)
+    assert (path.Holder, path.Shank, path.Gouge) == (text, "", "off")
+    assert results.nc_of(path) == nc, "a holder that was only drawn changes no program"
+    assert path.HolderDiameter.Value == sizes[0] and "Hidden" in path.getEditorMode("HolderDiameter")
+    path.Gouge, path.CutterKind = "report", "bull"
+    path.Document.recompute()
+    assert path.State == ["Up-to-date"]
+    again = reopen(path.Document).Toolpath
+    assert (again.Holder, again.CutterKind) == (text, "bull") and "Hidden" in again.getEditorMode("HolderLength")
+
+
+def test_an_audit_of_version_3_keeps_the_holder_that_is_drawn(doc, reopen, tmp_path):
+    (tmp_path / "a.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z10 A0 C0 F100\nX10 A1\n")
+    of_version_3(app.audit(doc, tmp_path / "a.ngc", "trunnion_ac"), 50.0, 25.5)
+    judged = reopen(doc).Audit
+    assert (judged.SchemaVersion, judged.CutterKind, judged.Holder) == (4, "ball", "50x25.5")
 
 
 def test_every_version_has_its_step():
@@ -102,15 +140,15 @@ def test_a_step_runs_before_the_missing_are_added(doc, monkeypatch):
     path.removeProperty("SchemaVersion")
     path.addProperty("App::PropertyLength", "OldHolder")
     path.OldHolder = 33
-    path.removeProperty("HolderDiameter")
+    path.removeProperty("Clearance")
 
     def renamed(obj):
-        obj.addProperty("App::PropertyLength", "HolderDiameter")
-        obj.HolderDiameter = obj.OldHolder
+        obj.addProperty("App::PropertyLength", "Clearance")
+        obj.Clearance = obj.OldHolder
 
     monkeypatch.setitem(schema.STEPS, 0, renamed)
     path.Proxy.onDocumentRestored(path)
-    assert path.HolderDiameter.Value == 33 and path.OldHolder.Value == 33 and path.SchemaVersion == schema.SCHEMA
+    assert path.Clearance.Value == 33 and path.OldHolder.Value == 33 and path.SchemaVersion == schema.SCHEMA
 
 
 def test_an_object_of_a_later_version_is_kept_as_it_is(doc, reopen):

@@ -2,6 +2,8 @@
 """Tool bits' files and the tools of a CAM Job become cutters, or an error that names the remedy."""
 
 import json
+import math
+from pathlib import Path
 from types import SimpleNamespace
 
 import FreeCAD
@@ -44,9 +46,9 @@ def test_a_size_that_no_cutter_has_is_refused(tmp_path, text):
         cutter_of_file(bit_file(tmp_path, Diameter=text))
 
 
-@pytest.mark.parametrize("shape", ["endmill.fcstd", "drill.fcstd", "v-bit.fcstd", "taperedballnose.fcstd", ""])
+@pytest.mark.parametrize("shape", ["drill.fcstd", "v-bit.fcstd", "chamfer.fcstd", ""])
 def test_another_shape_is_named_with_the_remedy(tmp_path, shape):
-    with pytest.raises(SettingsError, match=f"shape {shape or '.none.'}; only ball ends"):
+    with pytest.raises(SettingsError, match=f"shape {shape or '.none.'}; ball ends, end mills"):
         cutter_of_file(bit_file(tmp_path, shape))
 
 
@@ -56,10 +58,45 @@ def test_the_new_key_for_the_shape_wins(tmp_path):
     assert cutter_of_file(path) == Cutter(6.0, 40.0)
 
 
+@pytest.mark.parametrize("shape", ["endmill.fcstd", "Endmill"])
+def test_an_end_mill_is_flat(tmp_path, shape):
+    assert cutter_of_file(bit_file(tmp_path, shape)) == Cutter(6.0, 40.0, corner=0.0)
+
+
 @pytest.mark.parametrize("sizes", [{"CornerRadius": "1.0000 mm"}, {"FlatRadius": "2.0000 mm"}])
-def test_a_bull_nose_is_refused_with_its_corner_radius(tmp_path, sizes):
-    with pytest.raises(SettingsError, match="bull nose of 6 mm with a corner radius of 1 mm"):
-        cutter_of_file(bit_file(tmp_path, "bullnose.fcstd", **sizes))
+@pytest.mark.parametrize("shape", ["bullnose.fcstd", "torus"])
+def test_a_bull_nose_has_its_corner_radius_or_its_flat(tmp_path, shape, sizes):
+    assert cutter_of_file(bit_file(tmp_path, shape, **sizes)) == Cutter(6.0, 40.0, corner=1.0)
+
+
+@pytest.mark.parametrize("text", ["10.0000 °", "10 deg", "10.0000 \u00b0", 10])
+def test_the_angle_of_a_tapered_ball_nose_is_that_of_both_flanks(tmp_path, text):
+    made = cutter_of_file(bit_file(tmp_path, "taperedballnose.fcstd", TaperAngle=text, TaperDiameter="12 mm"))
+    assert (made.diameter, made.length, made.ring) == (6.0, 40.0, 0.0) and math.degrees(made.taper) == pytest.approx(5.0)
+
+
+@pytest.mark.parametrize(
+    "shape, sizes, says",
+    [
+        ("bullnose.fcstd", {}, "no corner radius"),
+        ("bullnose.fcstd", {"CornerRadius": "4 mm"}, "corner radius is 4 mm; give 0 to 3 mm"),
+        ("taperedballnose.fcstd", {}, "no taper angle"),
+        ("taperedballnose.fcstd", {"TaperAngle": "6 mm"}, "TaperAngle '6 mm' is no angle"),
+        ("taperedballnose.fcstd", {"TaperAngle": "150 deg"}, "taper is 75 deg"),
+    ],
+)
+def test_a_size_that_is_missing_or_impossible_is_said(tmp_path, shape, sizes, says):
+    with pytest.raises(SettingsError, match=says):
+        cutter_of_file(bit_file(tmp_path, shape, **sizes))
+
+
+def test_the_bits_that_come_with_freecad_are_cutters_or_said_to_be_none():
+    mods = Path(FreeCAD.getHomePath()) / "Mod"
+    (folder,) = (found for name in ("CAM", "Path") if (found := mods / name / "Tools" / "Bit").is_dir())
+    assert cutter_of_file(folder / "6mm_Bullnose.fctb") == Cutter(6.0, 40.0, corner=1.5)
+    assert cutter_of_file(folder / "5mm_Endmill.fctb") == Cutter(5.0, 30.0, corner=0.0)
+    with pytest.raises(SettingsError, match="shape"):
+        cutter_of_file(folder / "5mm_Drill.fctb")
 
 
 @pytest.mark.parametrize("sizes", [{"CornerRadius": "3.0000 mm"}, {"FlatRadius": "0.0000 mm"}])
@@ -108,5 +145,5 @@ def test_a_tool_of_any_version_is_a_cutter(shape):
 
 def test_the_tools_of_a_real_job(doc):
     default, ball = cutters_of_job(make_job(doc, doc.addObject("Part::Box", "Box")))
-    assert default.cutter is None and "only ball ends" in default.error
+    assert default.cutter == Cutter(5.0, default.cutter.length, corner=0.0) and not default.error
     assert ball == JobTool("Ball", 3, Cutter(6.0, 40.0), "", feed=1000.0, plunge_feed=200.0, spindle=12000.0)

@@ -63,7 +63,9 @@ def test_every_setting_that_is_shown_has_its_help_and_its_name_translated(task):
     for _, leaf in option_fields(task):
         if leaf.metadata["kind"] not in ("path", "paths"):
             name = "".join(part.capitalize() for part in leaf.name.split("_"))
-            shown = [name] if leaf.name != "cutter" else ["CutterDiameter", "CutterLength"]
+            shown = (
+                [name] if leaf.name != "cutter" else [f"Cutter{one}" for one in ("Kind", "Diameter", "Corner", "Taper", "Length")]
+            )
             for text in [leaf.metadata["text"], *map(translations.shown_name, shown)]:
                 assert known.get(("App::Property", text)), text
                 seen += 1

@@ -4,7 +4,7 @@
 from .contact import ring_direction
 from .cutter import LEAST, MOST, MOST_TAPER, Cutter, Profile
 from .shadow import effective_radius, width_at
-from .text import KINDS, apt_numbers, cutter_from_apt, cutter_name, cutter_text, parse_cutter
+from .text import KINDS, apt_numbers, cutter_from_apt, cutter_name, cutter_sizes, cutter_text, kind_of, parse_cutter, sizes_text
 
 __all__ = [
     "KINDS",
@@ -16,9 +16,12 @@ __all__ = [
     "apt_numbers",
     "cutter_from_apt",
     "cutter_name",
+    "cutter_sizes",
     "cutter_text",
     "effective_radius",
+    "kind_of",
     "parse_cutter",
     "ring_direction",
+    "sizes_text",
     "width_at",
 ]  # fmt: skip

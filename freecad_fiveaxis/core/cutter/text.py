@@ -10,7 +10,7 @@ APT       ``CUTTER/d,r,e,f,a,b,h``: d the diameter at which the bottom's and the
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from freecad_fiveaxis.core.errors import SettingsError
@@ -40,18 +40,26 @@ def parse_cutter(text: str) -> Cutter:
 
     Raises SettingsError that names the kinds on offer, or the quantity that cannot be read.
     """
+    kind, sizes = cutter_sizes(text)
+    given: dict[str, Any] = {**sizes, "corner": 0.0} if kind == "flat" else {**sizes}
+    return Cutter(**given)
+
+
+def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
+    """The kind of a cutter's text and the sizes that it gives, by the names of ``Cutter`` (mm, rad); whether a cutter can have
+    them is not looked at. Raises SettingsError as ``parse_cutter``."""
     kind, _, rest = str(text).strip().partition(":")
-    names = KINDS.get(kind.strip().lower())
+    kind = kind.strip().lower()
+    names = KINDS.get(kind)
     if names is None:
         raise SettingsError(f"cutter {text!r}: only {', '.join(KINDS)} cutters are on offer; write it as {FORMS[0]}", text)
     parts = rest.split(":")
     if not rest.strip() or not len(names) <= len(parts) <= len(names) + 1:
-        form, words = FORMS[list(KINDS).index(kind.strip().lower())], ":".join(names).upper()
+        form, words = FORMS[list(KINDS).index(kind)], ":".join(names).upper()
         raise SettingsError(f"cutter {text!r} needs KIND:{words} or KIND:{words}:LENGTH, as {form} or {form}:60", text)
-    sizes: dict[str, Any] = {"corner": 0.0} if kind.strip().lower() == "flat" else {}
-    for name, part in zip((*names, "length"), parts, strict=False):
-        sizes[name] = (parse_angle if name == "taper" else parse_length)(part, f"cutter {name}")
-    return Cutter(**sizes)
+    readers = {"taper": parse_angle}
+    named = zip((*names, "length"), parts, strict=False)
+    return kind, {name: readers.get(name, parse_length)(part, f"cutter {name}") for name, part in named}
 
 
 def kind_of(cutter: Cutter) -> str:
@@ -65,9 +73,14 @@ def kind_of(cutter: Cutter) -> str:
 
 def cutter_text(cutter: Cutter) -> str:
     """The cutter as an option that ``parse_cutter`` reads as the same one (mm, deg); its holder is not in it."""
-    kind = kind_of(cutter)
-    sizes = {"diameter": cutter.diameter, "corner": cutter.corner, "taper": math.degrees(cutter.taper)}
-    return ":".join([kind, *(_digits(name, sizes[name]) for name in KINDS[kind]), repr(cutter.length)])
+    sizes = {"diameter": cutter.diameter, "corner": cutter.corner, "taper": math.degrees(cutter.taper), "length": cutter.length}
+    return sizes_text(kind_of(cutter), sizes)
+
+
+def sizes_text(kind: str, sizes: Mapping[str, float]) -> str:
+    """An option out of its kind and its sizes, mm and **degrees** (diameter, corner, taper, length); those that the kind has not
+    are left out. Whether there can be such a cutter is not looked at."""
+    return ":".join([kind, *(_digits(name, sizes[name]) for name in (*KINDS[kind], "length"))])
 
 
 def _digits(name: str, value: float) -> str:

@@ -21,6 +21,7 @@ from .left_map import (
     scale_marks,
 )
 from .lift import AIM, Lifted, lift_path
+from .outline import Outline, outline
 from .remainder import Remainder, find_remainder, too_deep_finding, uncut_finding
 from .search import Entries, find_entries
 from .tilt import tilt_free
@@ -40,6 +41,7 @@ __all__ = [
     "GougeCheck",
     "HeightScale",
     "Lifted",
+    "Outline",
     "Piece",
     "Remainder",
     "body_of",
@@ -61,6 +63,7 @@ __all__ = [
     "level_colours",
     "lift_path",
     "machined",
+    "outline",
     "program_course",
     "real_course",
     "round_piece",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
@@ -88,13 +89,26 @@ class SpacingField(Field):
                 self.kind.show_value(kind)
 
 
+CUTTER_SIZES = {"diameter": "length", "corner": "length", "taper": "angle", "length": "length"}
+"""The sizes of all kinds of cutters, and what each is."""
+
+
 class CutterField(Field):
-    """A ball cutter: sizes by hand, from a tool bit's file, or from a tool of a CAM Job in the document."""
+    """A cutter: its kind and the sizes that it has, by hand, from a tool bit's file, or from a tool of a CAM Job."""
 
     def __init__(self, name: str, hint: str, doc: Any) -> None:
+        from freecad_fiveaxis.app.properties import CORNER, CUTTER, TAPER
+        from freecad_fiveaxis.core.cutter import KINDS
+
         super().__init__(name, QtWidgets.QWidget(), hint)
-        self.diameter = QuantityField("cutter_diameter", "length", hint)
-        self.length = QuantityField("cutter_length", "length", hint)
+        hints = {one.name: translate("App::Property", one.text) for one in CUTTER}
+        self.kind = ChoiceField("cutter_kind", [(kind, choice_label(kind)) for kind in KINDS], hints["CutterKind"])
+        self.sizes = {
+            size: QuantityField("cutter_" + size, kind, hints["Cutter" + size.capitalize()])
+            for size, kind in CUTTER_SIZES.items()
+        }
+        self.sizes["corner"].show_value(CORNER)
+        self.sizes["taper"].show_value(TAPER)
         self.file = QtWidgets.QPushButton(translate("FiveAxis", "From a tool file…"))
         self.job = QtWidgets.QComboBox()
         self.job.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
@@ -102,18 +116,33 @@ class CutterField(Field):
         self._list_tools(doc)
         self.file.clicked.connect(self._from_file)
         self.job.activated.connect(self._from_job)
-        for part in (self.diameter, self.length):
+        self.kind.edited.connect(self._turn)
+        for part in self.sizes.values():
             part.edited.connect(self._changed)
+        self._turn()
 
     def _lay_out(self) -> None:
         grid = QtWidgets.QGridLayout(self.editor)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setColumnStretch(1, 1)
-        for at, part in enumerate((self.diameter, self.length)):
-            grid.addWidget(QtWidgets.QLabel(option_label(part.name)), at, 0)
+        self.rows = {}
+        for at, part in enumerate((self.kind, *self.sizes.values())):
+            label = QtWidgets.QLabel(option_label(part.name))
+            grid.addWidget(label, at, 0)
             grid.addWidget(part.editor, at, 1)
-        grid.addWidget(self.file, 2, 0, 1, 2)
-        grid.addWidget(self.job, 3, 0, 1, 2)
+            self.rows[part.name] = (label, part.editor)
+        grid.addWidget(self.file, len(self.rows), 0, 1, 2)
+        grid.addWidget(self.job, len(self.rows) + 1, 0, 1, 2)
+
+    def _turn(self) -> None:
+        """Show the sizes that the kind has."""
+        from freecad_fiveaxis.core.cutter import KINDS
+
+        has = ("diameter", *KINDS[self.kind.value()], "length")
+        for size, field in self.sizes.items():
+            for widget in self.rows[field.name]:
+                widget.setVisible(size in has)
+        self._changed()
 
     def _list_tools(self, doc: Any) -> None:
         from freecad_fiveaxis.app import cam, tool_bit
@@ -153,16 +182,20 @@ class CutterField(Field):
         self.edited.emit()
 
     def value(self) -> str:
-        """As job files write it, ``ball:10.0:50.0``, mm."""
-        return f"ball:{self.diameter.value()!r}:{self.length.value()!r}"
+        """As job files write it, ``ball:10.0:50.0``, mm and degrees; whether there can be such a cutter is the core's to say."""
+        from freecad_fiveaxis.core.cutter import sizes_text
+
+        return sizes_text(self.kind.value(), {size: field.value() for size, field in self.sizes.items()})
 
     def show_value(self, value: Any) -> None:
         """As job files write it (a missing length is the core's default), or the core's Cutter."""
-        from freecad_fiveaxis.core.cutter import parse_cutter
+        from freecad_fiveaxis.core.cutter import Cutter, cutter_sizes, cutter_text
 
-        cutter = parse_cutter(value) if isinstance(value, str) else value
-        self.diameter.show_value(cutter.diameter)
-        self.length.show_value(cutter.length)
+        kind, sizes = cutter_sizes(value if isinstance(value, str) else cutter_text(value))
+        given = {"length": Cutter(1.0).length} | sizes
+        for size, number in given.items():
+            self.sizes[size].show_value(round(math.degrees(number), 12) if size == "taper" else number)
+        self.kind.show_value(kind)
 
 
 def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:

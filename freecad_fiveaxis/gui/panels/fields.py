@@ -22,6 +22,9 @@ UNITS = {"length": ("mm", "Length"), "angle": ("deg", "Angle")}
 SHOWN = {"Precision": 6, "NumberFormat": "g", "Denominator": 8}
 """Six digits, so that 0.01 mm in inches does not read 0.00 in."""
 
+STACK = "40x25,63x50"
+"""An example of cylinders upon each other."""
+
 FLAGS, CHOSEN = int(QtCore.Qt.UserRole) - 1, 33
 """The role under which a list's items keep their flags (as QStandardItem.setFlags does), and those of one that can be chosen:
 selectable (1) and enabled (32)."""
@@ -175,10 +178,11 @@ class NumberField(Field):
 
 
 class TextField(Field):
-    """A line of text."""
+    """A line of text. ``example``: stands there in grey while it is empty."""
 
-    def __init__(self, name: str, hint: str = "") -> None:
+    def __init__(self, name: str, hint: str = "", example: str = "") -> None:
         super().__init__(name, QtWidgets.QLineEdit(), hint)
+        self.editor.setPlaceholderText(example)
         self.editor.textChanged.connect(self._changed)
 
     def value(self) -> str:
@@ -280,6 +284,7 @@ def option_field(leaf: Any, choices: Sequence[tuple[Any, str]] = (), none_text: 
         "number": lambda: NumberField(leaf.name, hint, optional=optional),
         "count": lambda: NumberField(leaf.name, hint, whole=True, optional=optional),
         "text": lambda: TextField(leaf.name, hint),
+        "stack": lambda: TextField(leaf.name, hint, STACK),
         "vector": lambda: TripleField(leaf.name, "vector", hint),
         "point": lambda: TripleField(leaf.name, "point", hint, none_text),
         "lengths": lambda: TripleField(leaf.name, "point", hint, none_text, 90),

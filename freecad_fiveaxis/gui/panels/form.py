@@ -44,11 +44,13 @@ def _is_part(against: Any) -> bool:
 DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], ...] = (
     ("tool_axis", _is("fixed"), ("axis",), ()),
     ("tool_axis", _is("minimax"), ("max_tilt",), ("lead", "tilt")),
+    ("gouge", _is("tilt"), ("max_tilt",), ()),
     ("singularity", _is("deform"), ("max_axis_change",), ()),
     ("against", _is_path, ("axis_tolerance",), ()),
     ("against", _is_part, ("cutter",), ()),
 )
-"""A choice and what is asked of it; the options that count only if that holds, and those that do not count then."""
+"""A choice and what is asked of it; the options that count only if that holds (of several such lines: any), and those that do
+not count then."""
 
 READING = ("audit", "recover")
 """Tasks that read a program: its text may say itself which controller it is for."""
@@ -56,14 +58,14 @@ ANY_MACHINE = ("recover",)
 """Tasks that need no machine."""
 
 
-def group_sections(task: str, less: Sequence[str] = ()) -> list[Section]:
+def group_sections(task: str, less: Sequence[str] = (), only: str = "") -> list[Section]:
     """A section for each group of a task's settings, so that options that are added appear by themselves; but for those in
-    ``less``, which are left to MORE."""
+    ``less``, which are left to MORE. ``only``: of this settings class."""
     from freecad_fiveaxis.app.properties import shown_options
 
     groups: dict[str, list[str]] = {}
     for cls, leaf in shown_options(task):
-        if leaf.name not in less:
+        if leaf.name not in less and only in ("", cls.__name__):
             groups.setdefault(cls.__name__, []).append(leaf.name)
     return [(name.removesuffix("Settings").lower(), group_label(name), names) for name, names in groups.items()]
 
@@ -134,7 +136,7 @@ class Form(QtCore.QObject):
     def _add_row(self, grid: Any, field: Field) -> None:
         row = grid.rowCount()
         beside = getattr(field, "browse", None)
-        if field.name == "cutter":  # its sizes bear their own labels
+        if field.name == "cutter":  # kind and sizes bear their own labels
             grid.addWidget(field.editor, row, 0, 1, 3)
             self.rows[field.name] = [field.editor]
         elif isinstance(field, TripleField):  # three numbers need the whole width, or their digits are cut
@@ -214,12 +216,11 @@ class Form(QtCore.QObject):
 
     def _idle(self) -> set[str]:
         """The options that count for nothing as the choices stand: they are not shown, not checked and not given."""
-        return {
-            name
-            for choice, holds, only, never in DEPENDS
-            if choice in self.fields
-            for name in (never if holds(self.fields[choice].value()) else only)
-        }
+        asked = [
+            (holds(self.fields[choice].value()), only, never) for choice, holds, only, never in DEPENDS if choice in self.fields
+        ]
+        wanted = {name for true, only, _ in asked if true for name in only}
+        return {name for true, only, never in asked for name in (never if true else set(only) - wanted)}
 
     def _show_row(self, name: str, shown: bool) -> None:
         for widget in self.rows[name]:

@@ -9,7 +9,7 @@ from typing import Any
 from freecad_fiveaxis.gui.qt import translate
 
 from .fields import QuantityField
-from .form import SPACING, Form
+from .form import SPACING, Form, group_sections
 from .path_panel import PathPanel, show
 from .picking import PointField
 
@@ -62,8 +62,8 @@ def preferred() -> dict[str, Any]:
 
     return {
         "machine": preferences.machine(), "controller": preferences.controller(), "scallop": preferences.scallop(),
-        "cutter": f"ball:{preferences.cutter_diameter()!r}", "tolerance": preferences.tolerance(), "feed": preferences.feed(),
-    }  # fmt: skip
+        "cutter": preferences.cutter(), "tolerance": preferences.tolerance(), "feed": preferences.feed(),
+    } | {name: text for name, text in (("shank", preferences.shank()), ("holder", preferences.holder())) if text}  # fmt: skip
 
 
 def edit(obj: Any) -> ToolpathPanel:
@@ -88,10 +88,11 @@ def _tessellation(obj: Any) -> Any:
 def _sections() -> list[tuple[str, str, list[str]]]:
     return [
         ("machine", translate("FiveAxis", "Machine"), ["machine", "controller", "rtcp", "high_speed", "tool_length"]),
-        ("cutter", translate("FiveAxis", "Ball cutter"), ["cutter"]),
+        ("cutter", translate("FiveAxis", "Cutter"), ["cutter"]),
         ("passes", translate("FiveAxis", "Passes"), [SPACING, "direction", "tolerance"]),
         ("axis", translate("FiveAxis", "Tool axis"), ["tool_axis", "axis", "lead", "tilt", "max_tilt"]),
         ("cure", translate("FiveAxis", "Against deviation"), ["linearize", "singularity", "max_axis_change"]),
+        *group_sections("mill", only="GougeSettings"),
         ("feeds", translate("FiveAxis", "Feeds"), ["feed", "plunge_feed", "feed_mode"]),
         ("zero", translate("FiveAxis", "Work zero"), ["work_zero"]),
     ]

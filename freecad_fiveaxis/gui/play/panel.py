@@ -25,7 +25,7 @@ from .controls import SLIDER, Controls
 from .player import Player
 from .readout import Readout
 from .stage import Stage
-from .tool import size_of
+from .tool import tool_of
 from .watch import Watch
 
 TICK = 30
@@ -124,10 +124,10 @@ class PlayPanel:
     def _new_stage(self) -> Stage:
         figures, settings = self.player.figures, results.result_of(self.obj).made.settings
         low, high = figures.tip.min(axis=0), figures.tip.max(axis=0)
-        size = size_of(self.obj, settings.machine.control_point == "centre")
+        tool = tool_of(self.obj, settings.machine.control_point == "centre")
         reach = max(REACH * float(np.linalg.norm(high - low)), LEAST_REACH)
         letters = figures.program.letters[3:]
-        return Stage(self.view.getSceneGraph(), size, np.array(self.obj.WorkZero), letters, (low + high) / 2.0, reach)
+        return Stage(self.view.getSceneGraph(), tool, np.array(self.obj.WorkZero), letters, (low + high) / 2.0, reach)
 
     # ------------------------------------------------------------------------------------------ changes from outside
 

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.playback import Pose, rotary_lines
 from freecad_fiveaxis.gui.scene import nodes
 from freecad_fiveaxis.gui.scene.overlay import label_node
 
-from .tool import ToolSize, tool_node
+from .tool import DrawnTool, tool_node
 
 CHORD, CURVE, TIP = (1.0, 1.0, 1.0), (0.90, 0.30, 0.0), (0.0, 0.0, 0.0)
 LETTER_COLOURS = {"A": (0.85, 0.15, 0.15), "B": (0.10, 0.60, 0.10), "C": (0.25, 0.55, 1.00)}
@@ -35,13 +35,13 @@ class Stage:
     ``letters``: of the two rotary axes; ``centre`` (3,) and ``reach`` mm: middle of the path and how far the axes are
     drawn. ``tip`` (3,) mm: where the tip is drawn, document coordinates."""
 
-    def __init__(self, graph: Any, size: ToolSize, zero: np.ndarray, letters: str, centre: np.ndarray, reach: float) -> None:
+    def __init__(self, graph: Any, tool: DrawnTool, zero: np.ndarray, letters: str, centre: np.ndarray, reach: float) -> None:
         self.zero, self.centre, self.reach = np.asarray(zero, float), np.asarray(centre, float), reach
         self.tool, self.work, self.turn = (coin.SoMatrixTransform() for _ in range(3))
         self.axes, self.chord, self.curve, self.gap, self.dots = (_vertices() for _ in range(5))
         self.letters = [coin.SoTranslation(), coin.SoTranslation()]
         self.curve_line = coin.SoLineSet()
-        self.root = self._root(size, letters)
+        self.root = self._root(tool, letters)
         self._graph, self.tip = graph, np.zeros(3)
         graph.ref()
         for at, node in enumerate((self.root, self.turn)):
@@ -86,10 +86,10 @@ class Stage:
         for place, end in zip(self.letters, placed[:, 1], strict=True):
             place.translation.setValue(*end)
 
-    def _root(self, size: ToolSize, letters: str) -> Any:
+    def _root(self, tool: DrawnTool, letters: str) -> Any:
         zero = coin.SoTranslation()
         zero.translation.setValue(*self.zero)
-        root = nodes.separate(nodes.unpickable(), zero, nodes.separate(self.tool, tool_node(size)))
+        root = nodes.separate(nodes.unpickable(), zero, nodes.separate(self.tool, tool_node(tool)))
         root.setName("FiveAxisPlay")
         root.addChild(nodes.without_box(self._axis_lines(letters)))
         over = coin.SoAnnotation()

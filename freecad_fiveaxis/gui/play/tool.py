@@ -1,87 +1,80 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool as a picture: ball end, shank and holder, along z, with its driven point at zero."""
+"""The tool as a picture: cutter, shank and holder, along z, with its driven point at zero.
+
+What is drawn is the very body that the gouge check looks at, its outline turned about the axis.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from pivy import coin
 
+from freecad_fiveaxis.core.gouge import CUTTER, HOLDER, SHANK, Body, Outline, outline
 from freecad_fiveaxis.gui.scene import nodes
 
-CUTTER, HOLDER = (0.95, 0.76, 0.20), (0.45, 0.50, 0.58)
-"""Brass against the part's usual greys, and dark steel."""
-HOLDER_TRANSPARENCY = 0.35
-FINENESS = 0.8
-"""Of the round faces: 1 is the finest that Coin draws."""
-SUNK = 2.0
-"""mm; how far the shank reaches into the holder, so that no two faces lie in one plane and flicker."""
-QUARTER = 1.5707963267948966
-DIAMETER, LENGTH = 10.0, 50.0
-"""mm; where an object says no size, unless the preferences do."""
+COLOURS = {CUTTER: (0.95, 0.76, 0.20), SHANK: (0.72, 0.74, 0.76), HOLDER: (0.45, 0.50, 0.58)}
+"""Brass against the part's usual greys, bright steel and dark steel."""
+TRANSPARENCY = {CUTTER: 0.0, SHANK: 0.0, HOLDER: 0.35}
+TURNS = 48
+"""Flat faces around the tool."""
 
 
 @dataclass(frozen=True)
-class ToolSize:
-    """mm. ``driven``: how far the driven point lies above the tip: 0, or the radius where the ball's centre is driven."""
+class DrawnTool:
+    """``driven``, mm: how far the driven point lies above the tip: 0, or the corner radius where the hub is driven."""
 
-    diameter: float
-    length: float
-    holder_diameter: float = 0.0
-    holder_length: float = 0.0
+    body: Body
     driven: float = 0.0
 
 
-def size_of(obj: Any, centre_driven: bool = False) -> ToolSize:
-    """The tool of a Toolpath or an Audit, from its properties."""
-    from freecad_fiveaxis.app import preferences
+def tool_of(obj: Any, centre_driven: bool = False) -> DrawnTool:
+    """The tool of a Toolpath or an Audit, from its properties. Raises SettingsError for one that cannot be."""
+    from freecad_fiveaxis.app import convert
 
-    diameter = _mm(obj, "CutterDiameter") or preferences.cutter_diameter() or DIAMETER
-    length = _mm(obj, "CutterLength") or max(LENGTH, diameter)
-    driven = diameter / 2.0 if centre_driven else 0.0
-    return ToolSize(diameter, length, _mm(obj, "HolderDiameter"), _mm(obj, "HolderLength"), driven)
+    cutter, body = convert.tool_of(obj)
+    return DrawnTool(body, cutter.corner if centre_driven else 0.0)
 
 
-def tool_node(size: ToolSize) -> Any:
+def tool_node(tool: DrawnTool) -> Any:
     """The tool's nodes in the tool frame."""
-    radius = size.diameter / 2.0
-    shift = coin.SoTranslation()
-    shift.translation.setValue(0.0, 0.0, -size.driven)
-    fine = coin.SoComplexity()
-    fine.value = FINENESS
-    sunk = min(SUNK, size.holder_length / 2.0) if size.holder_diameter > 0.0 else 0.0
+    shift, made = coin.SoTranslation(), outline(tool.body)
+    shift.translation.setValue(0.0, 0.0, -tool.driven)
+    parts = [(part, np.flatnonzero(made.part == part)) for part in COLOURS]
     return nodes.separate(
-        shift, fine,
-        nodes.separate(_material(CUTTER), _ball(radius), _cylinder(radius, radius, size.length + sunk)),
-        nodes.separate(
-            _material(HOLDER, HOLDER_TRANSPARENCY),
-            _cylinder(size.holder_diameter / 2.0, size.length, size.length + size.holder_length),
+        shift,
+        *(
+            nodes.separate(_material(COLOURS[part], TRANSPARENCY[part]), _turned(Outline(*(column[rows] for column in made))))
+            for part, rows in parts
+            if len(rows)
         ),
-    )  # fmt: skip
+    )
 
 
-def _mm(obj: Any, name: str) -> float:
-    value = getattr(obj, name, 0.0)
-    return float(getattr(value, "Value", value))
+def _turned(line: Outline) -> Any:
+    """The surface of an outline turned about z: two rings of points for each stretch, so that edges stay sharp."""
+    around = np.linspace(0.0, 2.0 * np.pi, TURNS + 1)
+    mesh, drawn = coin.SoQuadMesh(), coin.SoVertexProperty()
+    points, normals = (
+        _rings(np.stack([first, last], axis=1).reshape(-1, 2), around)
+        for first, last in ((line.start, line.end), (line.start_normal, line.end_normal))
+    )
+    drawn.vertex.setValues(0, len(points), points)
+    drawn.normal.setValues(0, len(normals), normals)
+    drawn.normalBinding = coin.SoVertexProperty.PER_VERTEX
+    mesh.vertexProperty = drawn
+    mesh.verticesPerRow, mesh.verticesPerColumn = len(around), 2 * len(line.part)
+    return mesh
 
 
-def _ball(radius: float) -> Any:
-    place, ball = coin.SoTranslation(), coin.SoSphere()
-    place.translation.setValue(0.0, 0.0, radius)
-    ball.radius = radius
-    return nodes.separate(place, ball)
-
-
-def _cylinder(radius: float, low: float, high: float) -> Any:
-    """A cylinder about z between two heights; nothing where it has no size."""
-    if radius <= 0.0 or high <= low:
-        return coin.SoGroup()
-    place, body = coin.SoTransform(), coin.SoCylinder()
-    place.translation.setValue(0.0, 0.0, (low + high) / 2.0)
-    place.rotation.setValue(coin.SbVec3f(1.0, 0.0, 0.0), QUARTER)  # Coin's cylinder stands along y
-    body.radius, body.height = radius, high - low
-    return nodes.separate(place, body)
+def _rings(rows: np.ndarray, around: np.ndarray) -> np.ndarray:
+    """Pairs (n, 2) of distance from the axis and height, turned: (n * turns, 3), ring by ring."""
+    made = np.empty((len(rows), len(around), 3), np.float32)
+    made[..., 0], made[..., 1] = rows[:, :1] * np.cos(around), rows[:, :1] * np.sin(around)
+    made[..., 2] = rows[:, 1:]
+    return made.reshape(-1, 3)
 
 
 def _material(rgb: nodes.Colour, transparency: float = 0.0) -> Any:

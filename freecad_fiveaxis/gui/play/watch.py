@@ -8,7 +8,9 @@ from typing import Any
 
 import FreeCAD
 
-WATCHED = {"Fingerprint", "WorkZero", "CutterDiameter", "CutterLength", "HolderDiameter", "HolderLength"}
+from freecad_fiveaxis.app.properties import CUTTER
+
+WATCHED = {"Fingerprint", "WorkZero", "Shank", "Holder", *(one.name for one in CUTTER)}
 """A change of these changes the picture; a new result has a new Fingerprint."""
 
 
