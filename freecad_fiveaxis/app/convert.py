@@ -77,7 +77,7 @@ def cutter_of(obj: Any) -> str:
 
 
 def tool_of(obj: Any) -> Tool:
-    """Cutter, shank and holder of a Toolpath or an Audit, to be drawn: the body that the gouge check looks at. Raises SettingsError."""
+    """Cutter, shank and holder of a Toolpath or an Audit, as the gouge check looks at them. Raises SettingsError."""
     shank, holder = (parse_stack(text, name) if (text := getattr(obj, name)) else () for name in ("Shank", "Holder"))
     cutter = parse_cutter(cutter_of(obj))
     return Tool(cutter, body_of(cutter, shank, holder))

@@ -97,9 +97,9 @@ def _from_3(obj: Any) -> None:
     if len(old) < 2 or "Holder" in obj.PropertiesList:
         return
     add_missing(obj, drawn_tool())
-    row = (getattr(obj, old[0]).Value, getattr(obj, old[1]).Value)
-    if min(row) > 0.0:
-        obj.Holder = stack_text((row,))
+    diameter, length = (float(f"{getattr(obj, name).Value:.12g}") for name in old)  # files keep no more digits
+    if min(diameter, length) > 0.0:
+        obj.Holder = stack_text(((diameter, length),))
     for name in old:
         obj.setEditorMode(name, ["Hidden"])
 

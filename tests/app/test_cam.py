@@ -13,6 +13,7 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import cam
 from freecad_fiveaxis.app.results import figures_of
 from freecad_fiveaxis.app.selection import SelectionError
+from freecad_fiveaxis.app.tool_bit import JobTool
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.cutter import Cutter
 
@@ -143,12 +144,25 @@ def test_a_jobs_settings_make_a_toolpath(dome):
     assert cam.preview(toolpath) not in cam.jobs_of(dome.Document)
 
 
-def test_a_job_without_a_ball_end_says_which_tools_it_has(dome):
+def test_a_job_without_a_tool_of_use_says_which_tools_it_has(dome, monkeypatch):
     job = make_job(dome.Document, dome)
     with pytest.raises(SelectionError, match="no tool 7"):
         cam.settings_from_job(job, 7)
-    with pytest.raises(SelectionError, match="only ball ends are on offer"):
-        cam.settings_from_job(job, 1)
+    monkeypatch.setattr(cam, "cutters_of_job", lambda job: [JobTool("Drill", 1, None, "Drill is a tool of the shape drill")])
+    with pytest.raises(SelectionError, match="Job: Drill is a tool of the shape drill"):
+        cam.settings_from_job(job)
+
+
+def test_a_ball_end_is_taken_before_others_and_any_of_use_by_its_number(dome, monkeypatch):
+    job = make_job(dome.Document, dome)
+    assert cam.settings_from_job(job)[1]["cutter"] == Cutter(6.0, 40.0)
+    flat = cam.settings_from_job(job, 1)[1]["cutter"]
+    assert (flat.diameter, flat.corner) == (5.0, 0.0)
+    path = app.create_toolpath(dome.Document, dome, machine="trunnion_ac", cutter=flat, stepover=5, linear_deflection=0.2)
+    assert path.CutterKind == "flat" and path.Blocks > 0
+    tools = [one for one in cam.cutters_of_job(job) if one.number == 1]
+    monkeypatch.setattr(cam, "cutters_of_job", lambda job: tools)
+    assert cam.settings_from_job(job)[1]["cutter"] == flat
 
 
 def test_an_object_in_no_job_has_none(dome):

@@ -52,9 +52,9 @@ def test_it_is_computed_and_shows_the_cores_figures(path):
     [
         {}, {"controller": "fanuc", "feed": "35in/min", "direction": 30, "scallop": 0.05, "stepover": None, "lead": 5},
         {"machine": "fork_head_bc", "tool_length": 150, "cutter": "ball:0.25in", "feed_mode": "g94"},
-        {"machine": "trunnion_ac", "cutter": "bull:10:2", "lead": 8, "gouge": "report", "holder": "40x25,63x50", "shank": "0.25inx20"},
-        {"machine": "trunnion_ac", "cutter": "taperbull:8:1:7.5deg", "gouge": "lift", "holder": "40x25"},
-        {"machine": "trunnion_ac", "cutter": "flat:6", "lead": 5, "gouge": "leave-out"},
+        {"cutter": "taperbull:8:1:7.5deg", "lead": 8, "gouge": "report", "holder": "40x25,63x50", "shank": "0.25inx20"},
+        {"cutter": "flat:6", "lead": 10, "stepover": 8, "tolerance": 0.05, "gouge": "lift", "holder": "40x25"},
+        {"cutter": "ball:10:20", "gouge": "leave-out", "holder": "80x40"},
     ],
 )  # fmt: skip
 def test_the_bytes_are_those_of_the_command_line(doc, ball, tmp_path, settings):

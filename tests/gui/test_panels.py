@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panels, used as a user uses them: fields typed into, buttons clicked, what stands on the screen read."""
 
+import dataclasses
 import gc
 import json
 from pathlib import Path
@@ -191,24 +192,138 @@ def test_the_cutter_comes_from_a_tool_file(panel, tmp_path):
     (tmp_path / "ball.fctb").write_text(json.dumps(bit))
     panel.options.fields["cutter"].read_file(str(tmp_path / "ball.fctb"))
     assert panel.options.options()["cutter"] == "ball:8.0:25.0"
-    (tmp_path / "flat.fctb").write_text(json.dumps({**bit, "shape": "endmill.fcstd"}))
-    panel.options.fields["cutter"].read_file(str(tmp_path / "flat.fctb"))
-    assert "ball ends" in shown("cutter_error").text() and panel.options.options()["cutter"] == "ball:8.0:25.0"
+    (tmp_path / "drill.fctb").write_text(json.dumps({**bit, "shape": "drill.fcstd"}))
+    panel.options.fields["cutter"].read_file(str(tmp_path / "drill.fctb"))
+    assert "bull noses" in shown("cutter_error").text() and panel.options.options()["cutter"] == "ball:8.0:25.0"
+    bit["parameter"] |= {"TaperAngle": "10 deg", "FlatRadius": "3 mm"}
+    for shape, text in (
+        ("endmill", "flat:8.0:25.0"),
+        ("bullnose", "bull:8.0:1.0:25.0"),
+        ("taperedballnose", "taperball:8.0:5deg:25.0"),
+    ):
+        (tmp_path / "bit.fctb").write_text(json.dumps({**bit, "shape": shape + ".fcstd"}))
+        panel.options.fields["cutter"].read_file(str(tmp_path / "bit.fctb"))
+        assert panel.options.options()["cutter"] == text and not shown("cutter_error").isVisible()
+
+
+CUTTER_SIZES = {
+    "ball": (), "flat": (), "bull": ("corner",), "taperball": ("taper",), "taperbull": ("corner", "taper"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", CUTTER_SIZES)
+def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_into, kind, screenshot, pump):
+    from freecad_fiveaxis.gui.panels.labels import choice_label
+
+    cutter = panel.options.fields["cutter"]
+    if kind != "ball":
+        choose(field("cutter_kind"), choice_label(kind))
+    asked = {size for size, part in cutter.sizes.items() if part.editor.isVisible()}
+    assert asked == {"diameter", "length", *CUTTER_SIZES[kind]}
+    labels = {size for size, part in cutter.sizes.items() if cutter.rows[part.name][0].isVisible()}
+    assert labels == asked
+    sizes = {"corner": ("1.25 mm", "1.25"), "taper": ("7.5 deg", "7.5deg")}
+    for size in CUTTER_SIZES[kind]:
+        type_into(field("cutter_" + size), sizes[size][0])
+    text = ":".join([kind, "6.0", *(sizes[size][1] for size in CUTTER_SIZES[kind]), "30.0"])
+    assert panel.options.options()["cutter"] == text and not shown("cutter_error").isVisible()
+    qt_scroll(field("cutter_kind"), pump)
+    screenshot("panel_cutter_" + kind)
+
+
+def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made(
+    panel, doc, field, choose, type_into, screenshot, pump
+):
+    choose(field("cutter_kind"), "bull nose")
+    type_into(field("cutter_corner"), "4 mm")
+    assert "corner radius is 4 mm; give 0 to 3 mm" in shown("cutter_error").text() and shown("cutter_error").isVisible()
+    assert not panel.calculate() and names(doc) == ["Dome"]
+    qt_scroll(field("cutter_kind"), pump)
+    screenshot("panel_cutter_error")
+    choose(field("cutter_kind"), "flat end")  # which has no corner: what was typed does not count
+    assert not shown("cutter_error").isVisible() and panel.options.options()["cutter"] == "flat:6.0:30.0"
+
+
+def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_line(panel, doc, field, choose, type_into, panel_button,
+                                                                                  screenshot, pump, tmp_path):  # fmt: skip
+    from test_clicks import command_line
+
+    choose(field("cutter_kind"), "bull nose")
+    type_into(field("cutter_corner"), "1.5 mm")
+    type_into(field("lead"), "8 deg")
+    choose(field("gouge"), "only report")
+    type_into(field("shank"), "5x10, 0.25inx10mm")
+    type_into(field("holder"), "40x25x3")
+    assert "DIAMETERxLENGTH" in shown("holder_error").text() or "number" in shown("holder_error").text()
+    type_into(field("holder"), "200x25,63x50")
+    assert not shown("holder_error").isVisible()
+    qt_scroll(field("holder"), pump)
+    screenshot("panel_gouge")
+    assert panel.calculate()
+    pump(300)
+    screenshot("panel_gouge_summary")
+    panel_button("OK")
+    path = doc.Toolpath
+    assert (path.CutterKind, path.CutterCorner.Value, path.Gouge) == ("bull", 1.5, "report")
+    assert (path.Shank, path.Holder) == ("5x10,6.35x10", "200x25,63x50")
+    assert any(one.code == "holder-collision" for one in results.figures_of(path).findings)
+    assert results.nc_of(path) == command_line(path, tmp_path)
+    opened = toolpath.edit(path)
+    pump(200)
+    assert opened.options.options()["cutter"] == "bull:6.0:1.5:30.0" and not opened.stale
+    assert opened.options.options()["holder"] == "200x25,63x50"
+    opened.reject()
+
+
+def test_the_gouge_section_has_every_option_of_its_settings(panel):
+    from freecad_fiveaxis.core.settings import GougeSettings
+
+    box = FreeCADGui.getMainWindow().findChild(QtWidgets.QGroupBox, "section_gouge")
+    assert box.title() == "Where the tool enters the part"
+    for leaf in dataclasses.fields(GougeSettings):
+        assert box.isAncestorOf(panel.options.fields[leaf.name].editor), leaf.name
+
+
+def test_largest_tilt_is_asked_for_where_either_choice_needs_it(panel, field):
+    tilt, gouge, axis = (panel.options.fields[name] for name in ("max_tilt", "gouge", "tool_axis"))
+    assert not tilt.editor.isVisible()
+    gouge.show_value("tilt")  # joins the list where the core has no such choice
+    assert tilt.editor.isVisible() and "max_tilt" in panel.options.options()
+    axis.show_value("minimax")
+    gouge.show_value("off")
+    assert tilt.editor.isVisible() and not panel.options.fields["lead"].editor.isVisible()
+    axis.show_value("facet_mean")
+    assert not tilt.editor.isVisible() and "max_tilt" not in panel.options.options()
+
+
+def test_a_new_path_has_the_cutter_and_the_holder_of_the_preferences(dome, parameters, pump):
+    group = parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis")
+    for key, text in (("CutterKind", "bull"), ("Shank", "8x20"), ("Holder", "40x25")):
+        group.SetString(key, text)
+    group.SetFloat("CutterCorner", 6.0)  # more than half the diameter: the field says so
+    panel = toolpath.create(dome)
+    pump(200)
+    options = panel.options.options()
+    assert (options["cutter"], options["shank"], options["holder"]) == ("bull:10.0:6.0:50.0", "8x20", "40x25")
+    assert "give 0 to 5 mm" in shown("cutter_error").text()
+    panel.options.fields["cutter"].sizes["corner"].show_value(2.0)
+    assert not shown("cutter_error").isVisible()
+    panel.reject()
 
 
 def test_the_cutter_comes_from_a_tool_of_a_cam_job(dome, monkeypatch):
     from freecad_fiveaxis.app import cam
     from freecad_fiveaxis.core.cutter import Cutter
 
-    tools = [tool_bit.JobTool("Ball", 3, Cutter(5.0, 20.0)), tool_bit.JobTool("Flat", 4, None, "Flat is no ball end")]
+    tools = [tool_bit.JobTool("Ball", 3, Cutter(5.0, 20.0)), tool_bit.JobTool("Drill", 4, None, "Drill is of no use")]
     monkeypatch.setattr(cam, "jobs_of", lambda doc: [doc])
     monkeypatch.setattr(tool_bit, "cutters_of_job", lambda job: tools)
     field = toolpath.create(dome).options.fields["cutter"]
-    assert [field.job.itemText(at) for at in (1, 2)] == ["T3 Ball", "T4 Flat"]
+    assert [field.job.itemText(at) for at in (1, 2)] == ["T3 Ball", "T4 Drill"]
     field.job.activated.emit(1)
     assert field.value() == "ball:5.0:20.0" and not field.error.text()
     field.job.activated.emit(2)
-    assert field.value() == "ball:5.0:20.0" and field.error.text() == "Flat is no ball end"
+    assert field.value() == "ball:5.0:20.0" and field.error.text() == "Drill is of no use"
 
 
 def test_the_work_zero_is_picked_in_the_view(panel, doc, dome, view_click, pump):
@@ -286,7 +401,7 @@ def test_inches_show_inches_and_lose_nothing(inches, dome, type_into, pump, scre
     fields = panel.options.fields
     assert fields["tolerance"].editor.property("text") == "0.000393701 in" and fields["tolerance"].value() == 0.01
     assert fields["feed"].editor.property("text") == "39.3701 in/min" and fields["feed"].value() == 1000.0
-    type_into(fields["cutter"].diameter.editor, "0.5")
+    type_into(fields["cutter"].sizes["diameter"].editor, "0.5")
     assert fields["cutter"].value() == "ball:12.7:50.0"
     screenshot("panel_inches")
 

@@ -341,15 +341,82 @@ def test_lengths_are_shown_in_the_users_units(doc, tmp_path, opened, click, para
 
 @pytest.mark.parametrize("driven", [0.0, 4.0])
 def test_the_tool_stands_with_its_driven_point_at_zero(driven):
+    low, high = box_of(tool_body("ball:8:40", [(30.0, 50.0)]), driven)
+    assert np.allclose(low, (-15, -15, -driven), atol=1e-4) and np.allclose(high, (15, 15, 90 - driven), atol=1e-4)
+
+
+def tool_body(cutter, holder=()):
+    from freecad_fiveaxis.core.cutter import parse_cutter
+    from freecad_fiveaxis.core.gouge import body_of
+
+    return body_of(parse_cutter(cutter), (), holder)
+
+
+def box_of(body, driven=0.0):
     from pivy import coin
 
-    from freecad_fiveaxis.gui.play.tool import ToolSize, tool_node
+    from freecad_fiveaxis.gui.play.tool import DrawnTool, tool_node
 
     measure = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(100, 100))
-    measure.apply(tool_node(ToolSize(8.0, 40.0, 30.0, 50.0, driven)))
+    measure.apply(tool_node(DrawnTool(body, driven)))
     box = measure.getBoundingBox()
-    low, high = box.getMin().getValue(), box.getMax().getValue()
-    assert np.allclose(low, (-15, -15, -driven), atol=1e-4) and np.allclose(high, (15, 15, 90 - driven), atol=1e-4)
+    return box.getMin().getValue(), box.getMax().getValue()
+
+
+@pytest.mark.parametrize("cutter", ["ball:10:30", "flat:10:30", "bull:10:2:30", "taperball:6:5deg:30", "taperbull:10:2:15deg:30"])
+def test_every_point_that_is_drawn_lies_on_the_body_that_is_checked(cutter):
+    from pivy import coin
+
+    from freecad_fiveaxis.core.gouge import depth_of
+    from freecad_fiveaxis.gui.play.tool import TURNS, DrawnTool, tool_node
+
+    body, drawn = tool_body(cutter, [(40.0, 25.0), (63.0, 50.0)]), []
+    act = coin.SoCallbackAction()
+    act.addTriangleCallback(coin.SoShape.getClassTypeId(), lambda _, __, *corners: drawn.extend(corners), None)
+    act.apply(tool_node(DrawnTool(body)))
+    points = np.array([corner.getPoint().getValue() for corner in drawn], float)
+    normals = np.array([corner.getNormal().getValue() for corner in drawn], float)
+    assert len(points) > 50 * TURNS
+    up = np.array([0.0, 0.0, 1.0])
+    assert np.abs(depth_of(body, np.zeros(3), up, points)).max() < 1e-4
+    middles = points.reshape(-1, 3, 3).mean(axis=1)
+    area = np.cross(*(points.reshape(-1, 3, 3)[:, k] - points.reshape(-1, 3, 3)[:, 0] for k in (1, 2)))
+    thick = np.linalg.norm(area, axis=1) > 1e-3
+    assert np.all(depth_of(body, np.zeros(3), up, middles + 0.5 * normals.reshape(-1, 3, 3).mean(axis=1))[thick] < 0.0)
+
+
+@pytest.mark.parametrize("kind", ["bull:12:3:25", "taperball:6:8deg:30", "flat:12:25"])
+def test_play_shows_cutter_shank_and_holder_in_their_true_shape(doc, opened, screenshot, pixels, kind, pump):
+    made = toolpath(doc, cutter=kind, lead=10, shank="8x12", holder="30x15,44x25", stepover=6.0)
+    shown = opened(made)
+    low, high = box_of(shown_body(made))
+    assert np.allclose((low[0], high[2]), (-22, float(made.CutterLength.Value) + 12 + 40), atol=1e-3)
+    for _ in range(40):
+        shown.step(shown.player.forward)
+    view_of(doc).fitAll()
+    pump(300)
+    picture = screenshot("play-" + kind.partition(":")[0])
+    assert pixels(picture, BRASS, 60) > 200
+
+
+def shown_body(obj):
+    from freecad_fiveaxis.app import convert
+
+    return convert.tool_of(obj).body
+
+
+def test_another_holder_is_drawn_while_it_plays(doc, opened, pump):
+    made = toolpath(doc, stepover=8.0)
+    shown = opened(made)
+    before = shown.stage
+    made.Holder = "60x20"
+    pump(300)
+    assert shown.stage is not before
+    made.Holder = "60"
+    pump(300)
+    from freecad_fiveaxis.gui.play import panel
+
+    assert panel.current() is None, "a tool that cannot be is not drawn"
 
 
 def test_a_path_without_blocks_and_a_thing_that_is_no_path_are_refused_in_words(doc, tmp_path):

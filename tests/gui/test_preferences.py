@@ -64,7 +64,10 @@ def test_a_default_changed_by_hand_is_kept_and_the_others_are_not_touched(ours, 
     def work(widgets, dialog):
         type_into(widgets["Machine"], "trunnion_bc")
         choose(widgets["Controller"], "Fanuc")
+        choose(widgets["CutterKind"], "tapered ball")
         type_into(widgets["CutterDiameter"], "6 mm")
+        type_into(widgets["CutterTaper"], "3 deg")
+        type_into(widgets["Holder"], "40x25,63x50")
         type_into(widgets["Feed"], "1200")
         screenshot("preferences-" + ".".join(FreeCAD.Version()[:2]))
         press_button(dialog, QtWidgets.QDialogButtonBox.Ok)
@@ -72,9 +75,11 @@ def test_a_default_changed_by_hand_is_kept_and_the_others_are_not_touched(ours, 
 
     in_dialog(work)
     assert (preferences.machine(), preferences.controller()) == ("trunnion_bc", "fanuc")
-    assert preferences.cutter_diameter() == pytest.approx(6.0)
+    assert (preferences.cutter(), preferences.holder()) == ("taperball:6.0:3deg:50.0", "40x25,63x50")
     assert preferences.feed() == pytest.approx(1200.0)
-    assert sorted(name for _, name, _ in ours.GetContents()) == ["Controller", "CutterDiameter", "Feed", "Machine"]
+    assert sorted(name for _, name, _ in ours.GetContents()) == [
+        "Controller", "CutterDiameter", "CutterKind", "CutterTaper", "Feed", "Holder", "Machine",
+    ]  # fmt: skip
 
 
 def test_ok_without_a_change_keeps_numbers_that_the_boxes_show_rounded(ours, in_dialog):
@@ -117,7 +122,8 @@ def test_cancel_keeps_nothing(ours, in_dialog, choose):
 
 def test_the_page_shows_and_keeps_every_parameter(ours, window):
     given = {
-        "Machine": "/my/own.fcm", "Controller": "fanuc", "MachineFolder": "/my", "OutputFolder": "/nc", "CutterDiameter": 6.0,
+        "Machine": "/my/own.fcm", "Controller": "fanuc", "MachineFolder": "/my", "OutputFolder": "/nc", "CutterKind": "taperbull",
+        "CutterDiameter": 6.0, "CutterCorner": 1.5, "CutterTaper": 2.5, "Shank": "6x20", "Holder": "40x25",
         "Scallop": 0.02, "Tolerance": 0.05, "Feed": 20.0, "ColourGood": 0x102030FF, "ColourBad": 0x405060FF,
         "ColourSingular": 0x708090FF,
     }  # fmt: skip
