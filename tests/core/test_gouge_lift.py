@@ -194,7 +194,7 @@ def test_the_command_line_tells_an_overcut_and_lifts_it(tmp_path, parts, capsys)
     common += ["--linearize", "on", "--holder", "63x40", "-o", str(tmp_path / "a.ngc"), "--report", str(tmp_path / "a.json")]
     assert main([*common, "--gouge", "report"]) == 1
     told = json.loads((tmp_path / "a.json").read_text())
-    assert "overcut" in {finding["code"] for finding in told["findings"]} and told["inputs"]["holder"] == "63.0x40.0"
+    assert "overcut" in {finding["code"] for finding in told["findings"]} and told["inputs"]["holder"] == "63x40"
     assert main([*common, "--gouge", "lift", "--quiet"]) == 0
     assert "too deep into the part" in capsys.readouterr().out
 
