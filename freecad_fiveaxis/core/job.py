@@ -361,7 +361,9 @@ def prove(made: Made, progress: Progress = silent) -> Result:
 def _audited(made: Made, deviation: Deviation, progress: Progress) -> Audit:
     """Limits and rates (of a program made here they hold by its making), and the comparison that the settings ask for."""
     settings, proof = made.settings, made.settings.proof
-    options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter.radius)
+    gouge = settings.gouge
+    body = tool_body(settings) if gouge.gouge != "off" or gouge.shank or gouge.holder else None
+    options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body)
     return audit_program(made.links, made.program, deviation, _compared(settings, progress), options, progress)
 
 

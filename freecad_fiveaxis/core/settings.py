@@ -215,13 +215,13 @@ class GougeSettings:
         "off", "choice",
         "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within --max-tilt and "
         "lift where the cutter still enters; off: no check",
-        (MILL,), choices=GOUGE,
+        (MILL, AUDIT), choices=GOUGE,
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
-        (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge", (MILL,)
+        (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge", (MILL, AUDIT)
     )
     holder: tuple[tuple[float, float], ...] = option(
-        (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge", (MILL,)
+        (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge", (MILL, AUDIT)
     )
     left: Literal["on", "off"] = option(
         "off", "choice", "map of what stays uncut and of what is cut too deep, on the machined facets", (MILL,),
@@ -401,6 +401,7 @@ def _check_together(settings: Settings) -> None:
         raise SettingsError(
             "rtcp lets the controller guide the tip, linearize divides blocks where it does not; give one", "rtcp"
         )
+    _check_gouge(settings)
     tool = settings.tool_axis
     if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
         given = ",".join(f"{number:g}" for number in tool.axis)
@@ -409,6 +410,17 @@ def _check_together(settings: Settings) -> None:
         lean = math.degrees(getattr(tool, name))
         if tool.tool_axis == "minimax" and lean != 0.0:
             raise SettingsError(f"{name} {lean:g} deg leaves minimax no choice; leave it out, or choose facet_mean", lean)
+
+
+def _check_gouge(settings: Settings) -> None:
+    """An audit changes nothing, and knows no part but the one that it is given."""
+    gouge, against = settings.gouge, settings.audit.against
+    if settings.task != AUDIT or (gouge.gouge == "off" and not gouge.shank and not gouge.holder):
+        return
+    if gouge.gouge not in ("off", "report"):
+        raise SettingsError(f"gouge {gouge.gouge} changes the passes: use it with `mill`; for an audit give report", gouge.gouge)
+    if against is None or not is_part(against):
+        raise SettingsError("gouge, shank and holder need the part: give its STL with --against", against)
 
 
 def flat_options(settings: Settings) -> dict[str, Any]:

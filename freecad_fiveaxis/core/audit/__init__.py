@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The audit of a finished program: limits, axis rates, feed over the part, and where it leaves a CL path or enters a part.
 
-The distance from the part is a small module for audits; it looks at the ball alone, and only judges.
+A ball's distance from the part is a small module for audits; any other cutter, shank and holder are the gouge check's.
 """
 
 from .against_cl import AgainstPath, against_path
@@ -9,8 +9,9 @@ from .against_part import AgainstPart, against_part
 from .audit import Audit, AuditOptions, audit_program
 from .limits import Limits, check_limits
 from .rates import Rates, asked_rates, feed_findings, rate_findings, timed_feeds
+from .tool_in_part import tool_in_part
 
 __all__ = [
     "AgainstPart", "AgainstPath", "Audit", "AuditOptions", "Limits", "Rates", "against_part", "against_path", "asked_rates",
-    "audit_program", "check_limits", "feed_findings", "rate_findings", "timed_feeds",
+    "audit_program", "check_limits", "feed_findings", "rate_findings", "timed_feeds", "tool_in_part",
 ]  # fmt: skip

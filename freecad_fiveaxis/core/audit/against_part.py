@@ -10,7 +10,8 @@ length c between two places d0, d1 from the part, outside it, the centre is ther
 ``sqrt(min(d0, d1)^2 - c^2 / 4)``, and the real centre is within ``bend / 8`` of the chord. Elsewhere the distance
 changes by no more than the way.
 
-Only the ball is looked at: neither the shank nor the holder. Stock is not known: whether the part is cut at all is not said.
+Only the ball is looked at, neither shank nor holder: :mod:`.tool_in_part` does that. Stock is not known: whether the part is cut
+at all is not said.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ NEAR = 0.05
 class AgainstPart:
     """``block`` (n,) the feed blocks, rows of the Program; ``depth`` (n,) mm of the deepest overcut found (below 0: clear, by so
     much or more) at ``u`` (n,), the ball's centre then at ``place`` (n, 3); ``bound`` (n,) proven; ``clearance`` mm the largest
-    at a block's end."""
+    at a block's end, NaN where it is not known."""
 
     block: Ints
     depth: Floats

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.cl_path import CLPath
+from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.deviation import Deviation
 from freecad_fiveaxis.core.findings import Finding
+from freecad_fiveaxis.core.gouge import Body, body_of
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.program import Program
@@ -20,15 +22,18 @@ from .against_cl import AgainstPath, against_path
 from .against_part import AgainstPart, against_part
 from .limits import Limits, check_limits
 from .rates import Rates, asked_rates, feed_findings, rate_findings
+from .tool_in_part import is_ball, tool_in_part
 
 
 @dataclass(frozen=True)
 class AuditOptions:
-    """``tolerance`` mm, of overcuts too, and ``axis_tolerance`` rad against the CL path; ``radius`` mm of the ball."""
+    """``tolerance`` mm, of overcuts too, and ``axis_tolerance`` rad against the CL path; the ``cutter``; ``body``: cutter, shank
+    and holder where all of them, and rapids, are held against the part, None: a ball cutter's ball alone."""
 
     tolerance: float
     axis_tolerance: float
-    radius: float
+    cutter: Cutter
+    body: Body | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +68,13 @@ def audit_program(
         path = against_path(links, program, deviation, against, options.tolerance, options.axis_tolerance, progress)
         found += path.findings
     elif against is not None:
-        part = against_part(links, program, against, options.radius, options.tolerance, progress)
+        part = _in_part(links, program, against, options, progress)
         found += part.findings
     return Audit(rates, limits, path, part, found)
+
+
+def _in_part(links: Chain, program: Program, mesh: Mesh, options: AuditOptions, progress: Progress) -> AgainstPart:
+    cutter, body, tolerance = options.cutter, options.body, options.tolerance
+    if body is None and is_ball(cutter):
+        return against_part(links, program, mesh, cutter.radius, tolerance, progress)
+    return tool_in_part(links, program, mesh, cutter, body or body_of(cutter), tolerance, progress)

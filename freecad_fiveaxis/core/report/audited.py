@@ -63,7 +63,7 @@ def _against(program: Program, audit: Audit) -> dict[str, Any]:
             "max_overcut": _largest(part.depth),
             "overcut_bound": _largest(part.bound),
             "overcut_line": None if worst is None else int(program.line[worst]),
-            "largest_clearance": part.clearance,
+            "largest_clearance": None if math.isnan(part.clearance) else part.clearance,
         }
     return {}
 
@@ -143,9 +143,10 @@ def _against_facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
         ]
     if "max_overcut" in numbers:
         line = "" if numbers["overcut_line"] is None else f" (NC line {numbers['overcut_line']})"
+        clear = numbers["largest_clearance"]
         return [
-            ("deepest overcut of the ball", f"{numbers['max_overcut']:.6f} mm{line}"),
+            ("deepest overcut of the cutter", f"{numbers['max_overcut']:.6f} mm{line}"),
             ("its proven upper bound", f"{numbers['overcut_bound']:.6f} mm"),
-            ("largest clearance", f"{numbers['largest_clearance']:.4f} mm"),
+            *([] if clear is None else [("largest clearance", f"{clear:.4f} mm")]),
         ]
     return []

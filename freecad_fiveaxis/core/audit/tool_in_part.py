@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How deep the whole tool enters the part (STL) along a program: any cutter, shank and holder, rapids too, by the gouge check.
+
+A ball cutter alone is measured by :mod:`.against_part`, which knows how far it stays clear as well; where the check is made for
+a ball, that gives the numbers of each block and the check the findings.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from freecad_fiveaxis.core.cutter import Cutter
+from freecad_fiveaxis.core.findings import Finding
+from freecad_fiveaxis.core.gouge import Body, check_program
+from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.program import Program, feed_blocks
+from freecad_fiveaxis.core.progress import Progress, silent
+
+from .against_part import AgainstPart, against_part
+
+ASKED = "If not: are --cutter, --origin and the machine those of the program, and does the STL stand at the work zero?"
+
+
+def tool_in_part(
+    links: Chain, program: Program, mesh: Mesh, cutter: Cutter, body: Body, tolerance: float, progress: Progress = silent
+) -> AgainstPart:
+    """Every block of the program, rapids too, against the part, in the work frame; the rows are those of its feed blocks.
+
+    ``body``: cutter, shank and holder. Of a cutter that is no ball the depth is never below 0, ``clearance`` not known (NaN) and
+    ``place`` that of the part's deepest point.
+    """
+    check = check_program(mesh, body, links, program, tolerance, progress=progress)
+    findings = _asked(check.findings)
+    if is_ball(cutter):
+        return replace(against_part(links, program, mesh, cutter.radius, tolerance, progress), findings=findings)
+    rows, entries = feed_blocks(program), check.cutter
+    depth, u, place, bound = (column[rows - 1] for column in (entries.depth, entries.u, entries.place, entries.bound))
+    return AgainstPart(rows, depth, u, place, bound, float("nan"), findings)
+
+
+def is_ball(cutter: Cutter) -> bool:
+    """Whether its end is a ball with a cylinder above."""
+    return cutter.ring == 0.0 and cutter.taper == 0.0
+
+
+def _asked(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
+    """The first of them asks whether part and program belong together."""
+    return tuple(replace(one, text=f"{one.text} {ASKED}") if k == 0 else one for k, one in enumerate(findings))
