@@ -2,8 +2,8 @@
 """The properties of our document objects, made from the fields of the core's settings.
 
 setting property   option ``least_interval`` is property ``LeastInterval``, in the group of its settings class. Files to write
-                   (OutputSettings) are no properties; files to read are. The cutter is five properties, CUTTER: its kind and
-                   its sizes, of which those count that the kind has.
+                   (OutputSettings) and the file of faces (FacesSettings) are no properties; other files to read are. The cutter
+                   is five properties, CUTTER: its kind and its sizes, of which those count that the kind has.
 result property    what the last computation found; read-only, and a change of it does not make the object out of date.
 
 FreeCAD keeps lengths in mm, angles in degrees and feeds in **mm/s**, and shows them in the user's units.
@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.cutter import KINDS as CUTTER_KINDS
 from freecad_fiveaxis.core.cutter import Cutter, kind_of
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.quantity import stack_text
-from freecad_fiveaxis.core.settings import MILL, OutputSettings, option_fields
+from freecad_fiveaxis.core.settings import MILL, FacesSettings, OutputSettings, option_fields
 from freecad_fiveaxis.core.tool_axis import STRATEGIES
 
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
@@ -100,9 +100,10 @@ def property_name(option: str) -> str:
 
 
 def shown_options(task: str) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
-    """Group and field of every option of the task that has properties and fields of its own: all but the files to write."""
+    """Group and field of every option of the task that has properties and fields of its own: all but the files to
+    write and the file of faces, which are selected instead."""
     for cls, leaf in option_fields(task):
-        if cls is not OutputSettings and leaf.metadata["kind"] in (*KINDS, "cutter"):
+        if cls not in (FacesSettings, OutputSettings) and leaf.metadata["kind"] in (*KINDS, "cutter"):
             yield cls, leaf
 
 

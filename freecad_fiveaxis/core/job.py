@@ -49,6 +49,7 @@ from freecad_fiveaxis.core.report import Figures, as_html, as_json, as_text, blo
 from .apt import ClHead, cutter_note, read_cl_file, write_apt
 from .cutter import cutter_name
 from .errors import SettingsError
+from .faces import facets_on
 from .feasible import feasible_rows
 from .files import check_writable, read_bytes, write_whole
 from .findings import Finding
@@ -131,13 +132,23 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
     if settings.task == MILL:
         find_strategy(settings.tool_axis.tool_axis)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
-        return mill(settings, mesh, machine, links, dialect, progress, faces)
+        faces, said = _faces(settings, mesh, faces, progress)
+        milled = mill(settings, mesh, machine, links, dialect, progress, faces)
+        return replace(milled, findings=said + milled.findings) if said else milled
     if settings.task == POST:
         return post(settings, machine, links, dialect, progress)
     text = read_bytes(settings.source, "NC file")
     dialect, found = (dialect, ()) if settings.machine.controller else dialect_of_text(text, dialect)
     program = read_nc(text, links, dialect, progress)
     return Made(settings, machine, links, dialect, program, found + program.findings)
+
+
+def _faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> tuple[Bools | None, tuple[Finding, ...]]:
+    """The facets to cut: those chosen already, else those on the faces that the settings name. Raises FiveAxisError."""
+    name = settings.faces.faces
+    if faces is not None or name is None:
+        return faces, ()
+    return facets_on(mesh, read_stl(name, progress), settings.proof.tolerance, Path(name).name, progress)
 
 
 def _told(settings: Settings, dialect: Dialect) -> Dialect:
@@ -424,7 +435,8 @@ def check_outputs(settings: Settings) -> None:
     output = settings.output
     named = (output.output, output.cl, output.blocks, settings.recover.machine_file, output.rates, *output.report)
     targets = [path for path in named if path]
-    reads = [read for read in (settings.source, settings.recover.program, settings.audit.against) if read]
+    given = (settings.source, settings.recover.program, settings.audit.against, settings.faces.faces)
+    reads = [read for read in given if read]
     for path in targets:
         check_writable(path)
         if os.path.realpath(path) in map(os.path.realpath, reads):

@@ -86,6 +86,15 @@ class PassSettings:
 
 
 @dataclass(frozen=True)
+class FacesSettings:
+    """Which faces are machined. The workbench selects them instead."""
+
+    faces: str | None = option(
+        None, "path", "an STL file of faces: only the facets of the part that lie on them are machined [all]", FROM_SOLID
+    )
+
+
+@dataclass(frozen=True)
 class CutterSettings:
     """The cutter and how co-edges are closed."""
 
@@ -337,6 +346,7 @@ class Settings:
     source: str = ""
     machine: MachineSettings = group(MachineSettings)
     cutter: CutterSettings = group(CutterSettings)
+    faces: FacesSettings = group(FacesSettings)
     passes: PassSettings = group(PassSettings)
     tool_axis: ToolAxisSettings = group(ToolAxisSettings)
     links: LinkSettings = group(LinkSettings)
@@ -402,6 +412,8 @@ def _check_together(settings: Settings) -> None:
             "rtcp lets the controller guide the tip, linearize divides blocks where it does not; give one", "rtcp"
         )
     _check_gouge(settings)
+    if settings.faces.faces and settings.task != MILL and not is_part(settings.source):
+        raise SettingsError(f"faces need the part (.stl), {settings.source} is none; leave faces out", settings.faces.faces)
     tool = settings.tool_axis
     if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
         given = ",".join(f"{number:g}" for number in tool.axis)

@@ -16,7 +16,7 @@ MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path
 STREET = [  # rooms and single modules of the core; imports only point up this list
     "errors", "findings", "records", "progress", "quantity", "files", "number_text", "machine", "kinematics", "mesh",
     "passes", "cutter", "coedge", "tool_axis", "feasible", "seating", "cl_path", "apt", "trajectory", "deviation",
-    "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "nc_reader", "audit",
+    "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces", "nc_reader", "audit",
     "report", "setup_map", "compare",
     "recover", "prove_signs", "playback", "option_values", "settings", "job", "cures", "trials", "workshop", "memory", "terminal", "cli",
 ]  # fmt: skip

@@ -3,7 +3,7 @@
 
 from .body import CUTTER, HOLDER, PARTS, SHANK, Body, Piece, body_of, depth_of, frustum_piece, round_piece
 from .check import GOUGES, GougeCheck, check_course, check_program, program_course, spots
-from .course import Course, real_course, straight_course
+from .course import Course, real_course, still_course, straight_course
 from .facet_tree import FacetTree, facet_tree
 from .inside import inside, is_closed
 from .leave_out import leave_out
@@ -70,6 +70,7 @@ __all__ = [
     "round_values",
     "scale_marks",
     "spots",
+    "still_course",
     "straight_course",
     "tilt_free",
     "too_deep_finding",
