@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
 
 from . import auditing, markers, selection, tessellation, toolpath
 from .convert import stl_bytes
-from .properties import property_name
+from .properties import drawn_tool, property_name
 from .results import result_of
 from .tessellation import Tessellation
 
@@ -76,9 +76,10 @@ def annotate(path: Any) -> Any:
 
 def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.audit`."""
-    settings, drawn = _with_holder(settings), _EXTRA | _DRAWN
+    settings = _with_holder(settings)
+    drawn = _EXTRA | {one.name.lower() for one in drawn_tool(AUDIT)}
     options = {name: value for name, value in settings.items() if name not in drawn} | {"machine": machine}
-    build_settings(AUDIT, os.fspath(nc_path), options)
+    build_settings(AUDIT, os.fspath(nc_path), auditing.asked(options))
     with _all_or_nothing(doc) as added:
         made = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings, drawn))
         added.append(made)
@@ -88,8 +89,6 @@ def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> 
 
 _OF_MESH = {"linear_deflection", "angular_deflection", "faces"}
 _EXTRA = {"work_zero"}
-_DRAWN = {"shank", "holder"}
-"""Of an audit, whose task knows nothing of them."""
 _OLD_HOLDER = {"holder_diameter": 40.0, "holder_length": 60.0}
 """mm; one cylinder, as macros gave the holder before there were stacks, with what the other of them was if one was given."""
 

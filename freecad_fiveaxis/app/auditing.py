@@ -12,7 +12,7 @@ from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.errors import FileError
 from freecad_fiveaxis.core.files import check_readable, read_bytes
 from freecad_fiveaxis.core.progress import Progress
-from freecad_fiveaxis.core.settings import AUDIT
+from freecad_fiveaxis.core.settings import AUDIT, build_settings
 
 from . import convert, results
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, drawn_tool, setting_properties
@@ -32,14 +32,15 @@ class Audit(Proxy):
     @classmethod
     def properties(cls) -> Sequence[Property]:
         """The file, the settings of task ``audit``, shank, holder and work zero (for the drawing only) and the results."""
-        return (NC_FILE, *setting_properties(AUDIT), *drawn_tool(), WORK_ZERO, *RESULTS)
+        return (NC_FILE, *setting_properties(AUDIT), *drawn_tool(AUDIT), WORK_ZERO, *RESULTS)
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
         if not obj.NCFile:
             raise FileError(f"{obj.Label} names no NC file: choose one in its property NCFile", "")
         check_readable(obj.NCFile)
-        return results.Task(convert.settings_of(obj, AUDIT, obj.NCFile), read_bytes(obj.NCFile, "NC file"))
+        settings = build_settings(AUDIT, obj.NCFile, asked(convert.options_of(obj, AUDIT)))
+        return results.Task(settings, read_bytes(obj.NCFile, "NC file"))
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The file's program."""
@@ -48,6 +49,12 @@ class Audit(Proxy):
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         results.execute(obj)
+
+
+def asked(options: Mapping[str, Any]) -> dict[str, Any]:
+    """What the core is asked: shank and holder are always drawn, but looked at only where ``gouge`` is not off."""
+    checked = options.get("gouge", "off") != "off"
+    return {name: value for name, value in options.items() if checked or name not in ("shank", "holder")}
 
 
 def make(doc: Any, nc_path: str, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:

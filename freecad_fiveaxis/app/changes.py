@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.quantity import LENGTHS, parse_triple
 from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
 
 from . import convert, properties
+from .auditing import asked
 from .properties import default_value, property_name
 from .results import result_of
 
@@ -36,7 +37,7 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
 def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
     """The same for an Audit: its NC file and its settings. Raises FiveAxisError."""
     options = {name: value for name, value in settings.items() if name != "work_zero"}
-    build_settings(AUDIT, nc_path, options)
+    build_settings(AUDIT, nc_path, asked(options))
     obj.NCFile = os.path.abspath(nc_path)
     _put(obj, AUDIT, options, settings.get("work_zero"))
     return compute(obj)

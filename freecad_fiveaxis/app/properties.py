@@ -137,9 +137,10 @@ def cutter_values(cutter: Cutter) -> dict[str, Any]:
     return has | ({"CutterTaper": round(math.degrees(cutter.taper), 12)} if "taper" in CUTTER_KINDS[kind] else {})
 
 
-def drawn_tool() -> tuple[Property, ...]:
-    """Shank and holder where they are no settings of the task, but drawn: those of ``mill``."""
-    return tuple(one for one in setting_properties(MILL) if one.name in ("Shank", "Holder"))
+def drawn_tool(task: str = "") -> tuple[Property, ...]:
+    """Shank and holder, as those of ``mill``, as far as they are no settings of the task but only drawn."""
+    own = {one.name for one in setting_properties(task)} if task else set()
+    return tuple(one for one in setting_properties(MILL) if one.name in {"Shank", "Holder"} - own)
 
 
 def default_value(leaf: dataclasses.Field[Any]) -> Any:

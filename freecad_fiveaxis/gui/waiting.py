@@ -78,6 +78,7 @@ def stage_words() -> dict[str, str]:
         "trade of axis change": translate("FiveAxis", "comparing axis changes"),
         "gouge": translate("FiveAxis", "looking where the tool enters the part"),
         "lift": translate("FiveAxis", "lifting the tool out of the part"),
+        "tilt": translate("FiveAxis", "tilting the tool out of the part"),
         "what is left": translate("FiveAxis", "measuring what is left"),
         "setup map": translate("FiveAxis", "trying setups"),
         "compare": translate("FiveAxis", "comparing machines"),

@@ -250,9 +250,10 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
 
     choose(field("cutter_kind"), "bull nose")
     type_into(field("cutter_corner"), "1.5 mm")
-    type_into(field("lead"), "8 deg")
+    type_into(field("lead"), "60 deg")
     choose(field("gouge"), "only report")
-    type_into(field("shank"), "5x10, 0.25inx10mm")
+    type_into(field("cutter_length"), "6 mm")
+    type_into(field("shank"), "5x1, 0.25inx1mm")
     type_into(field("holder"), "40x25x3")
     assert "DIAMETERxLENGTH" in shown("holder_error").text() or "number" in shown("holder_error").text()
     type_into(field("holder"), "200x25,63x50")
@@ -265,14 +266,23 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
     panel_button("OK")
     path = doc.Toolpath
     assert (path.CutterKind, path.CutterCorner.Value, path.Gouge) == ("bull", 1.5, "report")
-    assert (path.Shank, path.Holder) == ("5x10,6.35x10", "200x25,63x50")
+    assert (path.Shank, path.Holder) == ("5x1,6.35x1", "200x25,63x50")
     assert any(one.code == "holder-collision" for one in results.figures_of(path).findings)
     assert results.nc_of(path) == command_line(path, tmp_path)
     opened = toolpath.edit(path)
     pump(200)
-    assert opened.options.options()["cutter"] == "bull:6.0:1.5:30.0" and not opened.stale
+    assert opened.options.options()["cutter"] == "bull:6.0:1.5:6.0" and not opened.stale
     assert opened.options.options()["holder"] == "200x25,63x50"
     opened.reject()
+
+
+def test_what_a_cure_of_gouges_did_is_in_the_summary(panel, field, choose, type_into, pump):
+    type_into(field("cutter_length"), "6 mm")
+    type_into(field("holder"), "200x25")
+    type_into(field("lead"), "60 deg")
+    choose(field("gouge"), "leave out")
+    assert panel.calculate()
+    assert "left out" in shown("summary").text().lower(), shown("summary").text()
 
 
 def test_the_gouge_section_has_every_option_of_its_settings(panel):

@@ -47,10 +47,13 @@ DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], 
     ("gouge", _is("tilt"), ("max_tilt",), ()),
     ("singularity", _is("deform"), ("max_axis_change",), ()),
     ("against", _is_path, ("axis_tolerance",), ()),
-    ("against", _is_part, ("cutter",), ()),
+    ("against", _is_part, ("cutter", "gouge"), ()),
 )
 """A choice and what is asked of it; the options that count only if that holds (of several such lines: any), and those that do
 not count then."""
+
+CHECKS = ("off", "report")
+"""The choices of ``gouge`` that change no pass."""
 
 READING = ("audit", "recover")
 """Tasks that read a program: its text may say itself which controller it is for."""
@@ -94,6 +97,8 @@ class Form(QtCore.QObject):
         self._lay_out(sections)
         for field in self.fields.values():
             field.edited.connect(self._changed)
+        if self.task == "audit" and "gouge" in self.fields:  # which changes no pass
+            self.fields["gouge"].offer({choice for choice in self.leaves["gouge"].metadata["choices"] if choice not in CHECKS})
         self._depend()
 
     def _option_fields(self, doc: Any) -> dict[str, Field]:
@@ -266,9 +271,11 @@ class Form(QtCore.QObject):
 
     def check_together(self, options: Mapping[str, Any]) -> None:
         """Raises FiveAxisError where values contradict each other."""
+        from freecad_fiveaxis.app.auditing import asked
         from freecad_fiveaxis.core.settings import build_settings
 
-        build_settings(self.task, "part", self.given | options)
+        options = asked(options) if self.task == "audit" else options
+        build_settings(self.task, "part", self.given | dict(options))
 
     def _check_field(self, name: str, field: Field, options: Mapping[str, Any]) -> bool:
         from freecad_fiveaxis.core.errors import FiveAxisError

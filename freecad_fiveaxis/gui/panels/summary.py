@@ -34,12 +34,14 @@ def summary_lines(obj: Any) -> list[tuple[str, str]]:
     ]
 
 
-CURES = ("linearized", "rotary-words-even", "axis-led-past-pole", "axis-left-near-pole")
-"""Codes of what linearize and deform say of their work."""
+CURES = (
+    "linearized", "rotary-words-even", "axis-led-past-pole", "axis-left-near-pole", "tilted", "lifted", "left-out", "uncut",
+)  # fmt: skip
+"""Codes of what linearize, deform and the cures of gouges say of their work."""
 
 
 def cured(obj: Any) -> list[str]:
-    """What was done against deviation, in the core's sentences; after opening a document only once it is computed again."""
+    """What was done against deviation and gouges, in sentences; after opening a document only once it is computed again."""
     last = getattr(obj.Proxy, "last", None)
     return [] if last is None else [one.text for one in last.figures.findings if one.code in CURES]
 
