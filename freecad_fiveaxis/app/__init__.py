@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import Any
 
 __all__ = [
-    "annotate", "apply_setup", "audit", "compare", "create_toolpath", "import_machine", "post_process", "prove_signs", "recover",
-    "setup_map", "tessellate",
+    "annotate", "apply_setup", "audit", "compare", "create_toolpath", "import_machine", "left_map", "post_process", "prove_signs",
+    "recover", "setup_map", "tessellate",
 ]  # fmt: skip
 
 
@@ -55,6 +55,18 @@ def post_process(toolpath: Any, nc_path: Any, overwrite: bool = False) -> Any:
 def annotate(toolpath: Any) -> Any:
     """Markers at the places worth a look; returns the Markers object, one a path. Raises FiveAxisError."""
     from .actions import annotate as act
+
+    return act(toolpath)
+
+
+def left_map(toolpath: Any) -> Any:
+    """What the cutter leaves on the machined surface, and where it takes too much; returns the LeftMap object, one a toolpath.
+
+    ``LargestUndercut`` and ``LargestOvercut`` mm, ``UncutArea``, ``OvercutArea`` and ``MachinedArea`` mm2, ``UncutVolume`` mm3,
+    ``Verdict`` a sentence. :func:`freecad_fiveaxis.app.left.heights_of` gives the heights themselves, as the core's Remainder.
+    Raises FiveAxisError, as SelectionError for what is no toolpath; then the document is as it was.
+    """
+    from .left import left_map as act
 
     return act(toolpath)
 

@@ -9,6 +9,7 @@ from typing import Any
 import FreeCAD
 
 from freecad_fiveaxis.core import report
+from freecad_fiveaxis.core.gouge import GOUGES
 
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property
 from .results import figures_of
@@ -30,6 +31,10 @@ PROPERTIES = (
         "Labels", "App::PropertyStringList", "Markers", QT_TRANSLATE_NOOP("App::Property", "A few words to each marker"), [],
         READ_ONLY,
     ),
+    Property(
+        "Depths", "App::PropertyFloatList", "Markers",
+        QT_TRANSLATE_NOOP("App::Property", "How deep the tool enters the part at each marker, mm; 0: not at all"), [], READ_ONLY,
+    ),
 )  # fmt: skip
 
 
@@ -38,7 +43,7 @@ class Markers(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The path, and place, kind and label of each marker."""
+        """The path, and place, kind, label and depth of each marker."""
         return PROPERTIES
 
     def execute(self, obj: Any) -> None:
@@ -49,6 +54,12 @@ class Markers(Proxy):
         obj.Places = [FreeCAD.Vector(*mark.place) + zero for mark in marks]
         obj.Kinds = [mark.kind for mark in marks]
         obj.Labels = [mark.label for mark in marks]
+        obj.Depths = [_depth(mark) for mark in marks]
+
+
+def _depth(mark: report.Marker) -> float:
+    """mm; known of the deepest places of each kind, which have a finding."""
+    return mark.finding.value or 0.0 if mark.kind in GOUGES and mark.finding else 0.0
 
 
 def of(path: Any) -> Any:

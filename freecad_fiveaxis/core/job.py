@@ -397,9 +397,12 @@ def _entered(made: Made, progress: Progress) -> GougeCheck | None:
 
 
 def _left(made: Made, progress: Progress) -> Remainder | None:
-    """What the cutter leaves on the machined facets on its real way, where they are known and the settings ask for it."""
-    if not isinstance(made, Milled) or made.settings.gouge.left == "off":
-        return None
+    """What the cutter leaves, where the part is known and the settings ask for it."""
+    return what_is_left(made, progress) if isinstance(made, Milled) and made.settings.gouge.left == "on" else None
+
+
+def what_is_left(made: Milled, progress: Progress = silent) -> Remainder:
+    """What the cutter leaves on the machined facets on its real way. Raises SettingsError where no block cuts."""
     cutter, course = made.settings.cutter.cutter, program_course(made.links, made.program, _back(made.settings))
     cuts = np.flatnonzero(np.isin(made.program.motion[1:], (Motion.CUT, Motion.FILL)))
     return find_remainder(made.mesh, body_of(cutter), course, cuts, LEFT_SPACING * cutter.diameter, made.keep, progress)

@@ -17,6 +17,7 @@ VIEWS = {
     "freecad_fiveaxis.app.markers": "MarkersView",
     "freecad_fiveaxis.app.nc_output": "NCOutputView",
     "freecad_fiveaxis.app.setups": "SetupMapView",
+    "freecad_fiveaxis.app.left": "LeftMapView",
 }
 """The module of a document object's proxy, and the class in ``view_providers`` that shows it."""
 
@@ -101,10 +102,10 @@ def _forget(gone: Any) -> None:
 
 
 def _look_again(doc: Any, changed: Any = None, only_old: bool = False) -> None:
-    """The paths that depend on ``changed`` (None: all), or only those that say so already, see whether they are out of date."""
+    """The paths and maps that depend on ``changed`` (None: all), or only those that say so already, see whether they are old."""
     for obj in doc.Objects:
         view = _view_of(obj)
-        if type(view).__name__ != "PathView" or (changed is not None and not view.depends_on(changed)):
+        if not hasattr(view, "look_again") or (changed is not None and not view.depends_on(changed)):
             continue
         if not only_old or view.says_old():
             view.look_again()

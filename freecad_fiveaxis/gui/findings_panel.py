@@ -184,17 +184,19 @@ class Panel:
         if not finding.block:
             return 20.0
         there = spot(self.figures, finding.block)
-        return 4.0 * max(there.step, 2.0 * there.deviation, 0.25)
+        depth = finding.value or 0.0 if finding.unit == "mm" else 0.0
+        return 4.0 * max(there.step, 2.0 * there.deviation, 2.0 * depth, 0.25)
 
     def _page(self, at: int) -> str:
         """What happens, why, and what helps."""
         from freecad_fiveaxis.core.report import spot, summary
 
-        from .scene import words
+        from .scene import gouge_words, words
 
         row = self.rows[at]
         finding, title = row.finding, words.name_of(row.kind)
         told = words.told(row.kind, spot(self.figures, finding.block)) if finding.block else None
+        told = told or gouge_words.told(finding)
         if finding.line is not None:
             title = translate("FiveAxis", "{what}, NC line {line}").format(what=title, line=finding.line)
         if told is None:

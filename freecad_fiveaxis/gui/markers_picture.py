@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .scene import nodes, overlay, words
+from .scene import gouge_words, nodes, overlay, words
 from .scene.marks import LARGEST, Marks
 from .view_properties import rgb
 
@@ -27,6 +27,10 @@ class MarkersPicture:
         self.marks.show(places, kinds, rgb(view.ColourBad), rgb(view.ColourSingular), view.MarkerSize)
         self.label.removeAllChildren()
         path = self.obj.Path
-        if view.ShowLabel and path is not None and LARGEST in kinds:
-            text = words.label_text(path.MaxSegmentDeviation.Value, path.WorstLine)
-            self.label.addChild(overlay.label_node(places[kinds.index(LARGEST)].tolist(), text))
+        if not view.ShowLabel or path is None:
+            return
+        texts = gouge_words.labels(places.tolist(), kinds, list(self.obj.Depths))
+        if LARGEST in kinds:
+            said = words.label_text(path.MaxSegmentDeviation.Value, path.WorstLine)
+            texts.append((places[kinds.index(LARGEST)].tolist(), said))
+        self.label.addChild(overlay.label_nodes(texts))

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from itertools import takewhile
 from typing import Any
 
 import FreeCAD
@@ -14,10 +13,10 @@ from freecad_fiveaxis.core.report import Drawing, Figures, draw
 
 from . import findings_panel
 from .qt import translate
-from .scene import overlay, words
+from .scene import gouge_words, overlay, words
 from .scene.path_nodes import Look, PathNodes
 from .view_properties import rgb
-from .view_providers import kind_of, markers_of
+from .view_providers import PATHS, legend_slot, markers_of
 from .waiting import waiting
 
 SWITCHES = {"axes": "ShowAxes", "curves": "ShowCurves", "rapids": "ShowRapids", "legend": "ShowLegend"}
@@ -98,20 +97,22 @@ class Picture:
         if self.figures is None:
             legend = words.empty_legend(self.obj.Label, warning) if warning else None
         else:
-            legend = words.legend_of(self.obj.Label, self.figures, self._look(), warning)
+            kinds = [mark.kind for mark in self.drawing.markers] if self.drawing is not None else []
+            legend = words.legend_of(self.obj.Label, self.figures, self._look(), warning, kinds)
             label = self._label()
-        self.nodes.show_overlay("legend", legend and overlay.legend_node(legend, self._slot()))
+        self.nodes.show_overlay("legend", legend and overlay.legend_node(legend, legend_slot(self.obj, PATHS)))
         self.nodes.show_overlay("label", label)
 
     def _label(self) -> Any:
-        if self.figures is None or not len(self.figures.worst):
+        """The largest deviation's value, and the depth where the tool enters the part deepest."""
+        if self.figures is None or self.drawing is None:
             return None
-        row = self.figures.worst[0]
-        text = words.label_text(self.figures.deviation.segment[row], int(self.figures.program.line[row]))
-        return overlay.label_node(self.figures.deviation.place[row].tolist(), text)
-
-    def _slot(self) -> int:
-        """How many other paths of the document show their legend before this one."""
-        paths = (one for one in self.obj.Document.Objects if kind_of(one) in ("toolpath", "audit"))
-        before = takewhile(lambda one: one != self.obj, paths)  # a path that is being deleted is not among them
-        return sum(one.ViewObject.Visibility and getattr(one.ViewObject, "ShowLegend", False) for one in before)
+        texts = []
+        if len(self.figures.worst):
+            row = self.figures.worst[0]
+            said = words.label_text(self.figures.deviation.segment[row], int(self.figures.program.line[row]))
+            texts.append((self.figures.deviation.place[row].tolist(), said))
+        marks = self.drawing.markers
+        values = [mark.finding.value if mark.finding else None for mark in marks]
+        texts += gouge_words.labels([mark.place for mark in marks], [mark.kind for mark in marks], values)
+        return overlay.label_nodes(texts)

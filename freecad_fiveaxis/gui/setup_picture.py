@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from itertools import takewhile
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from .scene import colours, nodes, overlay
 from .scene.setup_nodes import BEYOND_COLOUR, PRESENT_COLOUR, setup_points
 from .scene.units import length_text
 from .view_properties import rgb
-from .view_providers import kind_of
+from .view_providers import MAPS, legend_slot
 
 
 class SetupPicture:
@@ -39,7 +38,7 @@ class SetupPicture:
         if view.ShowLabel and setups.BEST in self.obj.Kinds:
             self.label.addChild(overlay.label_node(places[self.obj.Kinds.index(setups.BEST)].tolist(), self._best()))
         if view.ShowLegend:
-            self.legend.addChild(overlay.legend_node(self._legend(scale, good, bad), self._slot(), right=True))
+            self.legend.addChild(overlay.legend_node(self._legend(scale, good, bad), legend_slot(self.obj, MAPS), right=True))
 
     def _best(self) -> str:
         return translate("FiveAxis", "recommended: {deviation}").format(deviation=length_text(self.obj.DeviationAfter.Value))
@@ -62,9 +61,3 @@ class SetupPicture:
         return overlay.Legend(
             self.obj.Label, colours.heat(bad), marks, ("", ""), keys, notes, "" if self.obj.UpToDate else old
         )  # fmt: skip
-
-    def _slot(self) -> int:
-        """How many other maps of the document show their legend before this one. Those of paths stand at the other edge."""
-        maps = (one for one in self.obj.Document.Objects if kind_of(one) == "setups")
-        before = takewhile(lambda one: one != self.obj, maps)
-        return sum(one.ViewObject.Visibility and getattr(one.ViewObject, "ShowLegend", False) for one in before)

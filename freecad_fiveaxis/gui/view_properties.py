@@ -57,6 +57,11 @@ SETUPS: tuple[Row, ...] = (
     ("App::PropertyColor", "ColourBad", preferences.colour_bad,
      QT_TRANSLATE_NOOP("App::Property", "Colour between the least and the largest deviation")),
 )  # fmt: skip
+LEFT: tuple[Row, ...] = (
+    ("App::PropertyBool", "ShowLabel", True,
+     QT_TRANSLATE_NOOP("App::Property", "Show the values where most is left and where the cut is deepest")),
+    ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours mean")),
+)  # fmt: skip
 
 
 def add_missing(vobj: Any, rows: tuple[Row, ...]) -> None:

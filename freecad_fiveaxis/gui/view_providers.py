@@ -8,6 +8,7 @@ pivy before something is drawn.
 
 from __future__ import annotations
 
+from itertools import takewhile
 from typing import Any
 
 import FreeCAD
@@ -21,16 +22,19 @@ APP = "freecad_fiveaxis.app."
 
 ICONS = {
     "tessellation": "Tessellation", "toolpath": "Toolpath", "audit": "Audit", "markers": "Markers", "nc_output": "NCOutput",
-    "setups": "SetupMap",
+    "setups": "SetupMap", "left": "LeftMap",
 }  # fmt: skip
 
 
-CHILDREN = ("markers", "nc_output", "setups")
+CHILDREN = ("markers", "nc_output", "setups", "left")
 """What stands below its path."""
+PATHS, MAPS = ("toolpath", "audit"), ("setups", "left")
+"""What has a legend at the left edge of the view, and at the right one."""
 
 
 def kind_of(obj: Any) -> str:
-    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``, ``setups``; empty for objects that are not ours."""
+    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``, ``setups``, ``left``; empty for
+    objects that are not ours."""
     module = type(getattr(obj, "Proxy", None)).__module__
     return module[len(APP) :].replace("auditing", "audit") if module.startswith(APP) else ""
 
@@ -38,6 +42,13 @@ def kind_of(obj: Any) -> str:
 def markers_of(path: Any) -> Any:
     """The Markers object of a path, or None."""
     return next((one for one in path.InList if kind_of(one) == "markers" and one.Path is path), None)
+
+
+def legend_slot(obj: Any, kinds: tuple[str, ...]) -> int:
+    """How many other objects of these kinds show their legend before this one, at the same edge of the view."""
+    others = (one for one in obj.Document.Objects if kind_of(one) in kinds)
+    before = takewhile(lambda one: one != obj, others)  # an object that is being deleted is not among them
+    return sum(one.ViewObject.Visibility and getattr(one.ViewObject, "ShowLegend", False) for one in before)
 
 
 class View:
@@ -164,7 +175,7 @@ class PathView(DrawnView):
         super().attach(vobj)
 
     def claimChildren(self) -> list[Any]:
-        """The tessellation, markers, NC files and the map of setups stand below the path in the tree."""
+        """The tessellation, markers, NC files and the maps stand below the path in the tree."""
         if not hasattr(self, "obj"):  # FreeCAD asks this before it attaches the view
             return []
         mesh = [one for one in (getattr(self.obj, "Mesh", None),) if kind_of(one) == "tessellation"]
@@ -326,6 +337,50 @@ class SetupMapView(PictureView):
         from .panels import setup
 
         setup.edit(self.obj)
+        return True
+
+
+class LeftMapView(PictureView):
+    """A map of what is left: the machined surface, each part of it coloured by its height."""
+
+    ROWS = view_properties.LEFT
+
+    def make_picture(self) -> Any:
+        """The map."""
+        from .left_picture import LeftPicture
+
+        return LeftPicture(self.vobj)
+
+    def updateData(self, obj: Any, prop: str) -> None:
+        """A map that is new hides its path, which would cover it."""
+        super().updateData(obj, prop)
+        if prop == "Path" and obj.Path is not None and not FreeCAD.isRestoring():
+            obj.Path.ViewObject.Visibility = False
+
+    def depends_on(self, obj: Any) -> bool:
+        """Whether a change of that object may put this map out of date."""
+        path = getattr(getattr(self, "obj", None), "Path", None)
+        return path is not None and (obj is path or (path.ViewObject.Proxy is not None and path.ViewObject.Proxy.depends_on(obj)))
+
+    def says_old(self) -> bool:
+        """Whether the picture says that it is out of date."""
+        return self.picture is not None and bool(self.picture.warned)
+
+    def look_again(self) -> None:
+        """Something that the map depends on has changed."""
+        redraw.soon(self)
+
+    def getElementPicked(self, point: Any) -> str:
+        """The parts of the surface have no names."""
+        return ""
+
+    def path_object(self) -> Any:
+        """The path whose cutter leaves it."""
+        return self.obj.Path
+
+    def doubleClicked(self, vobj: Any) -> bool:
+        """Open the list of findings."""
+        self.show_findings()
         return True
 
 

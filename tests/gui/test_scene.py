@@ -13,8 +13,10 @@ from PySide import QtCore
 
 pytest.importorskip("pivy")
 
+from freecad_fiveaxis.core.gouge import Remainder, height_scale
+from freecad_fiveaxis.core.mesh import from_triangles
 from freecad_fiveaxis.core.report import draw
-from freecad_fiveaxis.gui.scene import camera, colours, marks, nodes, overlay, path_nodes, units, words
+from freecad_fiveaxis.gui.scene import camera, colours, left_nodes, marks, nodes, overlay, path_nodes, units, words
 
 CORE_TESTS = Path(__file__).parents[1] / "core"
 GOOD, BAD, SINGULAR = (0.0, 0.62, 0.45), (0.835, 0.369, 0.0), (0.8, 0.475, 0.655)
@@ -262,3 +264,43 @@ def test_a_long_path_stays_navigable(count, dome, scene, capsys):
     with capsys.disabled():
         print(f"\n{count} blocks, {len(level)} strokes: nodes in {made:.2f} s, {seconds:.3f} s a frame")
     assert seconds < FRAME
+
+
+def surface(side):
+    """A bumpy surface of 2 x side x side facets, and heights over it."""
+    x, y = np.meshgrid(np.linspace(0.0, 100.0, side + 1), np.linspace(0.0, 100.0, side + 1), indexing="ij")
+    vertex = np.stack([x, y, 5.0 * np.sin(x / 14.0) * np.cos(y / 20.0)], axis=-1).reshape(-1, 3)
+    corner = (np.arange(side)[:, None] * (side + 1) + np.arange(side)).ravel()
+    face = np.concatenate([corner[:, None] + [0, side + 1, side + 2], corner[:, None] + [0, side + 2, 1]])
+    mesh = from_triangles(vertex[face])
+    middle = vertex[face].mean(axis=1)
+    height = 0.2 * np.sin(middle[:, 0] / 5.0)
+    remainder = Remainder(middle, np.arange(len(face)), np.ones(len(face)), height, np.zeros(len(face), np.int64), 1e3)
+    return mesh, remainder
+
+
+@pytest.mark.parametrize("side, most", [(316, None), (223, 1000)])
+def test_a_map_of_many_facets_stays_navigable(side, most, scene, capsys, monkeypatch):
+    """200 000 facets, each its own sample; and 100 000 where the facets' worst samples are drawn."""
+    if most:
+        monkeypatch.setattr(left_nodes, "MOST_PATCHES", most)
+    mesh, remainder = surface(side)
+    began = time.perf_counter()
+    node = left_nodes.left_surface(mesh, remainder, height_scale(remainder, 0.01, 0.03))
+    made, frames = time.perf_counter() - began, Frames()
+    view = scene(nodes.separate(frames.node, node))
+    frames.seconds(view)  # the first ones fill the caches
+    seconds = frames.seconds(view)
+    with capsys.disabled():
+        print(f"\n{len(mesh.face)} facets: nodes in {made:.2f} s, {seconds:.3f} s a frame")
+    assert seconds < FRAME
+
+
+def test_a_map_shows_each_height_where_it_is_in_the_core_s_colour(scene, screenshot, pixels, view_box):
+    """Half of the surface is left, half is cut too deep: so are the pixels, but for light and shade."""
+    mesh, remainder = surface(40)
+    node = left_nodes.left_surface(mesh, remainder, height_scale(remainder, 0.01, 0.03))
+    scene(nodes.separate(nodes.flat(), node))
+    shot, ramp = screenshot("scene-left"), left_nodes.scale_ramp() * 255.0
+    most, deepest = (pixels(shot, row.round(), 60, view_box()) for row in (ramp[-40], ramp[40]))
+    assert most > 3000 and deepest > 3000

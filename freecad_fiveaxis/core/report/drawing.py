@@ -163,10 +163,11 @@ def listed(figures: Figures) -> tuple[tuple[Row, ...], tuple[int, ...]]:
     codes = [one.code for one in figures.findings]
     whole = {codes.index(code) for code in (OVER, UNPROVEN, SINGULAR) if codes.count(code) > 1}
     rows = [Row(one.code, one, at in whole) for at, one in enumerate(figures.findings)]
-    told = {(one.kind, one.finding.block): one for one in rows if not one.whole}
+    told: dict[object, Row] = {(one.kind, one.finding.block): one for one in rows if not one.whole}
+    told |= {id(one.finding): one for one in rows if one.finding.block is None}
     marked = []
     for mark in markers(figures):
-        row = told.get((mark.kind, mark.block)) if mark.block is not None else None
+        row = told.get((mark.kind, mark.block) if mark.block is not None else id(mark.finding))
         if row is None:
             row = Row(mark.kind, _told(figures, mark))
             rows.append(row)

@@ -9,6 +9,7 @@ from .annotate import Annotate
 from .audit import Audit
 from .compare import Compare
 from .import_machine import ImportMachine
+from .left import Left
 from .play import Play
 from .post_process import PostProcess
 from .prove_signs import ProveSigns
@@ -18,7 +19,7 @@ from .tessellate import Tessellate
 from .toolpath import Toolpath
 
 COMMANDS = (
-    Tessellate, Toolpath, Setup, Compare, PostProcess, Annotate, Audit, Play, ProveSigns, Recover, ImportMachine,
+    Tessellate, Toolpath, Setup, Compare, PostProcess, Annotate, Left, Audit, Play, ProveSigns, Recover, ImportMachine,
 )  # fmt: skip
 NAMES = [command.NAME for command in COMMANDS]
 

@@ -47,8 +47,7 @@ def ramp(good: Colour, bad: Colour) -> Floats:
 
 def packed(levels: Floats, good: Colour, bad: Colour) -> np.ndarray:
     """0xRRGGBBAA (k,) for levels (k,): at most 0.5 is calm."""
-    shades = np.round(ramp(good, bad) * 255.0).astype(np.uint32)
-    table = shades[:, 0] << 24 | shades[:, 1] << 16 | shades[:, 2] << 8 | np.uint32(255)
+    table = packed_rows(ramp(good, bad))
     half = SHADES // 2
     calm = np.minimum(levels * 2.0 * half, half - 1)
     loud = half + np.minimum((levels - 0.5) * 2.0 * half, half - 1)
@@ -63,8 +62,7 @@ def heat(bad: Colour) -> Floats:
 
 def heated(levels: Floats, bad: Colour) -> np.ndarray:
     """0xRRGGBBAA (k,) for levels (k,) on the ramp :func:`heat`."""
-    shades = np.round(heat(bad) * 255.0).astype(np.uint32)
-    table = shades[:, 0] << 24 | shades[:, 1] << 16 | shades[:, 2] << 8 | np.uint32(255)
+    table = packed_rows(heat(bad))
     return table[np.minimum(levels * SHADES, SHADES - 1).astype(np.int64)].astype(np.uint32)
 
 
@@ -72,6 +70,12 @@ def pack(colour: Colour) -> int:
     """One colour as 0xRRGGBBAA."""
     red, green, blue = (round(255 * part) for part in colour)
     return red << 24 | green << 16 | blue << 8 | 255
+
+
+def packed_rows(rgb: Floats) -> np.ndarray:
+    """0xRRGGBBAA (k,) of colours (k, 3), 0 to 1."""
+    part = np.round(rgb * 255.0).astype(np.uint32)
+    return (part[:, 0] << 24 | part[:, 1] << 16 | part[:, 2] << 8 | np.uint32(255)).astype(np.uint32)
 
 
 def _mixed(first: Colour | Floats, second: Colour | Floats, share: float | Floats) -> Floats:

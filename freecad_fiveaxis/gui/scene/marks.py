@@ -2,7 +2,8 @@
 """Markers as points that can be picked: one set of points for each kind.
 
 Each point has a rim in the opposite lightness, so that it shows on any ground. Kinds differ in size as well as in colour: where
-a block is over the tolerance and near the pole, one stands within the other.
+a block is over the tolerance and near the pole, one stands within the other. Where the tool enters the part stands a target: a
+point with a spot of another colour in its middle.
 """
 
 from __future__ import annotations
@@ -20,20 +21,28 @@ from . import nodes
 
 LARGEST, OVER, SINGULAR = "largest-deviation", "deviation-over-tolerance", "singular-block"
 """The kinds of the core that have a look of their own; all others look alike."""
+OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collision", "holder-collision"
+"""Those of a tool that enters the part."""
 OTHER_COLOUR = (0.35, 0.71, 0.91)
 RIM, DARK, WHITE = 4.0, (0.05, 0.05, 0.05), (1.0, 1.0, 1.0)
+YELLOW, BLUE = (0.94, 0.89, 0.26), (0.0, 0.45, 0.70)
+GOUGE_COLOURS = {OVERCUT: YELLOW, RAPID_COLLISION: DARK, HOLDER_COLLISION: BLUE}
+SPOT = 0.4
+"""Size of a target's middle, as a share of it."""
 _NAME = re.compile(r"FiveAxisMarks_(\d+)_(\d+)")
 _serial = itertools.count()
 
 
 @dataclass(frozen=True)
 class _Look:
-    """Colours of a point and its rim, size in pixels; ``depth``: how much nearer it is drawn (``nodes.nearer``)."""
+    """Colours of a point and its rim, size in pixels; ``depth``: how much nearer it is drawn (``nodes.nearer``); ``spot``: the
+    colour of its middle, where that has another."""
 
     fill: nodes.Colour
     rim: nodes.Colour
     size: float
     depth: float
+    spot: nodes.Colour | None = None
 
 
 class Marks:
@@ -52,9 +61,12 @@ class Marks:
             return
         self.root.addChild(nodes.flat())
         kind = np.asarray(kinds)
-        known = (kind == OVER) | (kind == SINGULAR) | (kind == LARGEST)
+        known = np.isin(kind, (OVER, SINGULAR, LARGEST, *GOUGE_COLOURS))
         looks = (  # the mouse takes the first where several stand at one place, and that one is drawn over the others
             (kind == LARGEST, _Look(bad, DARK, size + 5.0, 1.0)),
+            (kind == OVERCUT, _Look(YELLOW, DARK, size + 4.0, 0.035, DARK)),
+            (kind == HOLDER_COLLISION, _Look(BLUE, WHITE, size + 4.0, 0.034, WHITE)),
+            (kind == RAPID_COLLISION, _Look(DARK, WHITE, size + 4.0, 0.033, YELLOW)),
             (kind == OVER, _Look(bad, WHITE, size, 0.032)),
             (kind == SINGULAR, _Look(singular, DARK, size + 7.0, 0.031)),
             (~known, _Look(OTHER_COLOUR, DARK, size, 0.03)),
@@ -72,6 +84,14 @@ class Marks:
         fill = (nodes.on_top_for_picking(), nodes.colour(look.fill), nodes.style(point=look.size), inner)
         self.root.addChild(nodes.separate(nodes.nearer(look.depth, covers=False), *rim))
         self.root.addChild(nodes.separate(nodes.nearer(look.depth), *fill))
+        if look.spot is not None:
+            middle = (
+                nodes.unpickable(),
+                nodes.colour(look.spot),
+                nodes.style(point=SPOT * look.size),
+                nodes.points(places[rows]),
+            )
+            self.root.addChild(nodes.separate(nodes.nearer(look.depth + 0.0005), *middle))
 
     def picked(self, point: Any) -> int | None:
         """The row of the marker that a picked point (SoPickedPoint) lies on."""

@@ -50,6 +50,11 @@ def label_node(place: Sequence[float], text: str) -> Any:
     return _over_all(place_node, image)
 
 
+def label_nodes(labels: Sequence[tuple[Sequence[float], str]]) -> Any:
+    """Several texts, each at its place."""
+    return nodes.separate(*(nodes.separate(label_node(place, text)) for place, text in labels))
+
+
 def legend_node(legend: Legend, slot: int = 0, right: bool = False) -> Any:
     """The legend at the left or the ``right`` edge; ``slot``: how many other legends stand before it."""
     camera = coin.SoOrthographicCamera()
@@ -62,7 +67,24 @@ def legend_node(legend: Legend, slot: int = 0, right: bool = False) -> Any:
     place_node.translation.setValue(-place if right else place, SLOT, 0.0)
     image = _image(picture)
     image.horAlignment, image.vertAlignment = coin.SoImage.RIGHT if right else coin.SoImage.LEFT, coin.SoImage.HALF
-    return _over_all(camera, place_node, image)
+    made = coin.SoGroup()
+    for child in (_over_all(camera, place_node, image), _view_s_own_ray()):
+        made.addChild(child)
+    return made
+
+
+def _view_s_own_ray() -> Any:
+    """The legend has a camera of its own, and Coin aims the mouse's ray anew at every camera it meets. Aimed with that one, it
+    would miss all that comes later in the scene: here it is aimed once more, with the view's camera."""
+    made = coin.SoCallback()
+    made.setCallback(_aim)
+    return made
+
+
+def _aim(_data: Any, action: Any) -> None:
+    if action.isOfType(coin.SoRayPickAction.getClassTypeId()):
+        picking = action if hasattr(action, "computeWorldSpaceRay") else coin.cast(action, "SoRayPickAction")
+        picking.computeWorldSpaceRay()
 
 
 def _over_all(*children: Any) -> Any:

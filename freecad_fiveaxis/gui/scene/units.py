@@ -10,10 +10,19 @@ DIGITS = 4
 
 def length_text(mm: float, digits: int = DIGITS) -> str:
     """A length in the unit of the user's schema, as "2.126 mm", "12.3 µm" or "0.0837 in"."""
-    _, factor, unit = FreeCAD.Units.Quantity(mm, FreeCAD.Units.Length).getUserPreferred()
+    return _text(mm, FreeCAD.Units.Length, "mm", digits)
+
+
+def area_text(square_mm: float, digits: int = DIGITS) -> str:
+    """An area in the unit of the user's schema, as "12.3 mm²"."""
+    return _text(square_mm, FreeCAD.Units.Area, "mm^2", digits)
+
+
+def _text(value: float, kind: object, usual: str, digits: int) -> str:
+    _, factor, unit = FreeCAD.Units.Quantity(value, kind).getUserPreferred()
     if not factor or not unit:
-        factor, unit = 1.0, "mm"
-    return f"{mm / factor:.{digits}g} {unit}"
+        factor, unit = 1.0, usual
+    return f"{value / factor:.{digits}g} {unit.replace('^2', '²')}"
 
 
 def angle_text(degrees: float, digits: int = DIGITS) -> str:

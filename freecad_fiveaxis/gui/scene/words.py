@@ -6,12 +6,13 @@ told    three plain texts of one block: what happens there, why, and what helps.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from freecad_fiveaxis.gui.qt import translate
 
-from .units import angle_text, length_text
+from . import gouge_words
+from .units import angle_text, area_text, length_text
 
 if TYPE_CHECKING:
     from freecad_fiveaxis.core.findings import Finding
@@ -31,7 +32,7 @@ def name_of(code: str) -> str:
         SINGULAR: translate("FiveAxis", "Near the pole"),
         UNPROVEN: translate("FiveAxis", "Not proven"),
     }
-    return names.get(code, code.replace("-", " ").capitalize())
+    return (names | gouge_words.names()).get(code, code.replace("-", " ").capitalize())
 
 
 def severity_name(severity: int) -> str:
@@ -43,8 +44,8 @@ def value_text(finding: Finding) -> str:
     """A finding's value in the user's units; empty where it has none."""
     if finding.value is None:
         return ""
-    if finding.unit == "mm":
-        return length_text(finding.value)
+    if finding.unit in ("mm", "mm2"):
+        return (length_text if finding.unit == "mm" else area_text)(finding.value)
     return angle_text(finding.value) if finding.unit == "deg" else f"{finding.value:.5g} {finding.unit.replace('1', '')}".strip()
 
 
@@ -145,8 +146,8 @@ def label_text(deviation: float, line: int) -> str:
     return translate("FiveAxis", "{deviation}, NC line {line}").format(deviation=length_text(deviation), line=line)
 
 
-def legend_of(label: str, figures: Figures, look: Any, warning: str) -> Any:
-    """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look)."""
+def legend_of(label: str, figures: Figures, look: Any, warning: str, kinds: Sequence[str] = ()) -> Any:
+    """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its markers."""
     from freecad_fiveaxis.core.report import scale_values, summary
 
     from .colours import ramp
@@ -159,11 +160,14 @@ def legend_of(label: str, figures: Figures, look: Any, warning: str) -> Any:
         (look.bad, translate("FiveAxis", "over the tolerance: {count} blocks").format(count=said["over_tolerance"])),
         (look.singular, translate("FiveAxis", "near the pole: {count} blocks").format(count=said["singular_blocks"])),
         ((1.0, 1.0, 1.0), translate("FiveAxis", "commanded line beside the real curve")),
+        *gouge_words.legend_keys(kinds),
     ]
     notes = [translate("FiveAxis", "Distance of the tip from the commanded line")]
     if said["worst_line"] is not None:
         largest = label_text(said["max_segment_deviation"], said["worst_line"])
         notes.append(translate("FiveAxis", "Largest: {largest}").format(largest=largest))
+    if figures.gouge is not None and not figures.gouge.findings:
+        notes.append(translate("FiveAxis", "Nothing enters the part"))
     if said["guided_blocks"]:
         notes.append(translate("FiveAxis", "Tip guided (RTCP): {count} blocks,").format(count=said["guided_blocks"]))
         notes.append(translate("FiveAxis", "not proven between their ends"))

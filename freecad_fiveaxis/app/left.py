@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The LeftMap object: what a toolpath's cutter leaves on the machined surface, and where it takes too much.
+
+height     of a place of the surface: how far the cutter stays away from it all along its real way, mm; below 0 it cuts too deep.
+uncut      more is left there than the passes are meant to leave: ``Allowed``, which is twice the scallop and the tolerance.
+
+Where the toolpath itself is asked for the map (its property ``Left``), the map is the toolpath's; else it is looked for here, and
+the toolpath stays as it is. The heights are arrays and not saved: after a document was opened they are found again when drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.gouge import Remainder
+from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.progress import Progress
+
+from . import results
+from .long_work import listening
+from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
+from .schema import Proxy
+from .selection import SelectionError
+from .toolpath import Toolpath
+
+PROPERTIES = (
+    Property(
+        "Path", "App::PropertyLinkGlobal", "Base",
+        QT_TRANSLATE_NOOP("App::Property", "The toolpath whose cutter leaves what the map shows"), None, READ_ONLY,
+    ),
+    Property(
+        "LargestUndercut", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Most that is left on the machined surface"), 0.0, RESULT,
+    ),
+    Property(
+        "LargestOvercut", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Deepest that the cutter goes below the machined surface"), 0.0, RESULT,
+    ),
+    Property(
+        "UncutArea", "App::PropertyArea", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Machined surface on which more is left than is allowed"), 0.0, RESULT,
+    ),
+    Property(
+        "OvercutArea", "App::PropertyArea", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Machined surface that is cut too deep by more than the tolerance"), 0.0, RESULT,
+    ),
+    Property(
+        "MachinedArea", "App::PropertyArea", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "The machined surface: what the map covers"), 0.0, RESULT,
+    ),
+    Property(
+        "UncutVolume", "App::PropertyVolume", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "What is left beyond what is allowed"), 0.0, RESULT,
+    ),
+    Property(
+        "Allowed", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "So much may be left: twice the scallop, and the tolerance"), 0.0, RESULT,
+    ),
+    Property(
+        "Verdict", "App::PropertyString", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "What is left, in a plain sentence"), "", RESULT,
+    ),
+    Property(
+        "UpToDate", "App::PropertyBool", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "The map is of the toolpath as it is now"), False, RESULT,
+    ),
+    Property(
+        "Fingerprint", "App::PropertyString", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Of the mesh and the settings that the result is of"), "", RESULT | HIDDEN,
+    ),
+)  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Heights:
+    """What a map is drawn from, work frame: the heights ``left`` over the facets of ``mesh``; mm that are ``allowed`` to be left,
+    and the ``tolerance`` of the other side. ``fingerprint``: that of the toolpath they are of."""
+
+    fingerprint: str
+    mesh: Mesh
+    left: Remainder
+    tolerance: float
+    allowed: float
+
+
+class LeftMap(Proxy):
+    """Proxy of a map of what is left."""
+
+    last: Heights | None
+
+    def _begin(self) -> None:
+        self.last = None
+
+    @classmethod
+    def properties(cls) -> Sequence[Property]:
+        """The toolpath and the results."""
+        return PROPERTIES
+
+    def execute(self, obj: Any) -> None:
+        """FreeCAD recomputes the object."""
+        obj.UpToDate = False
+        _show(obj, heights_of(obj))
+
+
+def of(path: Any) -> Any:
+    """The map of a toolpath, or None."""
+    return next((one for one in path.InList if isinstance(getattr(one, "Proxy", None), LeftMap)), None)
+
+
+def left_map(path: Any) -> Any:
+    """See :func:`freecad_fiveaxis.app.left_map`."""
+    _check(path)
+    obj = of(path)
+    new = obj is None
+    if new:
+        obj = path.Document.addObject("App::FeaturePython", "LeftMap")
+        LeftMap(obj)
+        obj.Label = "What is left"
+    try:
+        obj.Path = path
+        heights_of(obj)  # errors reach the caller; the recompute then finds the work done
+        obj.touch()
+        path.Document.recompute([obj])
+    except BaseException:
+        if new:
+            path.Document.removeObject(obj.Name)
+        raise
+    return obj
+
+
+def _check(path: Any) -> None:
+    if not isinstance(getattr(path, "Proxy", None), Toolpath):
+        raise SelectionError("what is left is known of a toolpath only: select a toolpath", path)
+
+
+def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
+    """The heights of a map, found anew only where its toolpath has changed.
+
+    Raises FiveAxisError, as SelectionError where the toolpath was deleted; Cancelled where the listener stops the work.
+    """
+    if obj.Path is None:
+        raise SelectionError(f"The toolpath of {obj.Label} was deleted: make the map of another one.", obj.Label)
+    with listening(progress) as listener:
+        figures, known = results.figures_of(obj.Path, listener), obj.Path.Proxy.last
+        if obj.Proxy.last is None or obj.Proxy.last.fingerprint != known.fingerprint:
+            made = known.result.made
+            left = figures.left or job.what_is_left(made, listener)
+            obj.Proxy.last = Heights(known.fingerprint, made.mesh, left, figures.tolerance, figures.allowed)
+    return obj.Proxy.last
+
+
+def out_of_date(obj: Any) -> str:
+    """Why the map does not show what its toolpath leaves now; an empty text where it does."""
+    if obj.Path is None:
+        return f"The toolpath of {obj.Label} was deleted"
+    if said := results.out_of_date(obj.Path):
+        return said
+    return "" if obj.UpToDate and obj.Fingerprint == obj.Path.Fingerprint else f"{obj.Label} is old: recompute the document"
+
+
+def _show(obj: Any, found: Heights) -> None:
+    """Show the heights in the object's properties."""
+    left, height = found.left, found.left.height
+    uncut, volume = left.left(found.allowed)
+    values = {
+        "LargestUndercut": max(float(height.max(initial=0.0)), 0.0), "LargestOvercut": max(float(-height.min(initial=0.0)), 0.0),
+        "UncutArea": uncut, "OvercutArea": left.taken(found.tolerance)[0], "MachinedArea": float(left.area.sum()),
+        "UncutVolume": volume, "Allowed": found.allowed, "Verdict": verdict(found), "Fingerprint": found.fingerprint,
+        "UpToDate": True,
+    }  # fmt: skip
+    for name, value in values.items():
+        setattr(obj, name, value)
+
+
+def verdict(found: Heights) -> str:
+    """What is left, in a plain sentence."""
+    left = found.left
+    whole, (uncut, _), (deep, _) = float(left.area.sum()), left.left(found.allowed), left.taken(found.tolerance)
+    said = f"Of {whole:.4g} mm2 that are machined, "
+    if not uncut and not deep:
+        return said + f"all are cut: no more than {found.allowed:.3g} mm is left, nothing is cut too deep."
+    parts = []
+    if uncut:
+        parts.append(f"on {uncut:.3g} mm2 more than {found.allowed:.3g} mm is left, at most {left.height.max():.4g} mm")
+    if deep:
+        parts.append(f"{deep:.3g} mm2 are cut too deep, at most by {-left.height.min():.4g} mm")
+    return said + "; ".join(parts) + "."

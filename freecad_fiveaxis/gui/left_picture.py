@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The picture of a map of what is left. Its heights are found again where the document was just opened and shows the map."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import numpy as np
+from pivy import coin
+
+from freecad_fiveaxis.app import left
+from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.core.gouge import HeightScale, height_scale
+
+from .qt import translate
+from .scene import gouge_words, nodes, overlay
+from .scene.left_nodes import bar_marks, left_surface, scale_ramp
+from .scene.marks import OVERCUT
+from .scene.units import area_text, length_text
+from .view_providers import MAPS, legend_slot
+from .waiting import waiting
+
+
+class LeftPicture:
+    """Nodes of a map; ``root`` goes into the view provider.
+
+    ``heights`` those that are drawn; ``failed``: why none could be found; ``warned``: what the legend warns of.
+    """
+
+    def __init__(self, vobj: Any) -> None:
+        self.vobj, self.obj = vobj, vobj.Object
+        self.origin, self.surface, self.label, self.legend = coin.SoTranslation(), *(nodes.separate() for _ in range(3))
+        self.root = nodes.separate(self.origin, self.surface, self.label, self.legend)
+        self.heights: left.Heights | None = None
+        self.scale: HeightScale | None = None
+        self.failed = self.warned = ""
+
+    def refresh(self) -> None:
+        """Draw what is new."""
+        if self.obj.Path is not None:
+            self.origin.translation.setValue(*self.obj.Path.WorkZero)
+        found = self._find() if self.obj.Fingerprint else None
+        if found is not self.heights:
+            self.heights = found
+            self.surface.removeAllChildren()
+            if found is not None:
+                self.scale = height_scale(found.left, found.tolerance, found.allowed)
+                self.surface.addChild(left_surface(found.mesh, found.left, self.scale))
+        self.warned = self.failed or left.out_of_date(self.obj)
+        self._write()
+
+    def _find(self) -> left.Heights | None:
+        """The heights that the object's properties tell of. Where that fails, the legend and the object say why."""
+        known = self.obj.Proxy.last
+        if known is not None:
+            self.failed = ""
+        elif self.vobj.Visibility and not self.failed:
+            try:
+                with waiting(translate("FiveAxis", "Draw {label}").format(label=self.obj.Label)) as listener:
+                    known = left.heights_of(self.obj, listener)
+            except Cancelled:
+                self.failed = translate("FiveAxis", "Not drawn, as you stopped it: recompute to draw it")
+            except FiveAxisError as error:
+                self.failed = str(error)
+                self.obj.touch()
+                FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
+        return known
+
+    def _write(self) -> None:
+        """Labels and legend."""
+        self.label.removeAllChildren()
+        self.legend.removeAllChildren()
+        if self.vobj.ShowLabel and self.heights is not None:
+            self.label.addChild(overlay.label_nodes(self._extremes(self.heights)))
+        if self.vobj.ShowLegend and (self.heights is not None or self.warned):
+            self.legend.addChild(overlay.legend_node(self._legend(), legend_slot(self.obj, MAPS), right=True))
+
+    def _extremes(self, found: left.Heights) -> list[tuple[list[float], str]]:
+        """Places and texts of the labels: where most is left, and where the cut is deepest, if that is more than may be."""
+        height, point, made = found.left.height, found.left.point, []
+        if (most := float(height.max())) > found.allowed:
+            made.append((point[height.argmax()].tolist(), _left_text(most)))
+        if (least := float(height.min())) < -found.tolerance:
+            made.append((point[height.argmin()].tolist(), _deep_text(-least)))
+        return made
+
+    def _legend(self) -> overlay.Legend:
+        if self.heights is None or self.scale is None:
+            return overlay.Legend(self.obj.Label, np.zeros((0, 3)), (), ("", ""), (), (), self.warned)
+        marks = [(at, length_text(height)) for at, height in bar_marks(self.scale)]
+        halves = (translate("FiveAxis", "cut too deep"), translate("FiveAxis", "is left"))
+        uncut = translate("FiveAxis", "Uncut: {area} of {whole}")
+        notes = (
+            translate("FiveAxis", "Height of the machined surface over the part"),
+            translate("FiveAxis", "Most: {height}").format(height=_left_text(self.obj.LargestUndercut.Value)),
+            translate("FiveAxis", "Deepest: {height}").format(height=_deep_text(self.obj.LargestOvercut.Value)),
+            uncut.format(area=area_text(self.obj.UncutArea.Value), whole=area_text(self.obj.MachinedArea.Value)),
+        )
+        return overlay.Legend(self.obj.Label, scale_ramp(), marks, halves, (), notes, self.warned)
+
+
+def _left_text(height: float) -> str:
+    return translate("FiveAxis", "{height} left").format(height=length_text(height))
+
+
+def _deep_text(depth: float) -> str:
+    return gouge_words.label_text(OVERCUT, depth)
