@@ -43,3 +43,19 @@ def freeze(record: object, rows: int | None, **columns: str) -> None:
 def picked(table: Floats, rows: Ints) -> Floats:
     """Rows (k,) of a long ``table`` (n, w), in Fortran order: column by column, at memory speed."""
     return np.ascontiguousarray(table.T).take(rows, axis=1).T
+
+
+class Insertion:
+    """Rows put in before the rows ``at`` (m,), ascending, of tables of ``count`` rows, at least one; ``count`` is their end."""
+
+    def __init__(self, count: int, at: Ints) -> None:
+        times = np.bincount(at, minlength=count + 1) + 1
+        times[count] -= 1  # nothing stands there
+        self.source = np.minimum(np.repeat(np.arange(count + 1), times), count - 1)
+        self.place = at + np.arange(len(at))
+
+    def woven(self, own: NDArray[Any], rows: NDArray[Any] | int) -> Any:
+        """The table ``own`` (count, ...) with ``rows`` (m, ...) put in, in Fortran order."""
+        columns = own.T.take(self.source, axis=-1)
+        columns[..., self.place] = rows if isinstance(rows, int) else rows.T
+        return columns.T

@@ -19,8 +19,9 @@ from freecad_fiveaxis.core.coedge import OffsetPath
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.portions import on_all
 from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Insertion, Ints, freeze
 
 from .linking import SAME, WayOut, keepout, way_out
 
@@ -105,7 +106,7 @@ def order_passes(path: OffsetPath, order: str) -> OffsetPath:
             column[..., first:end] = other[..., first:end][..., ::-1]
         return column.T
 
-    columns = {name: turned(name) for name in BACKWARDS}
+    columns = dict(zip(BACKWARDS, on_all(turned, list(BACKWARDS)), strict=True))
     fill = path.fill.copy()
     for first, end in backwards:  # the move between two rows, gone the other way
         fill[first + 1 : end] = path.fill[first + 1 : end][::-1]
@@ -164,35 +165,22 @@ def _links(leave: WayOut, enter: WayOut, leave_axis: Floats, enter_axis: Floats,
 
 def _merged(path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: Cutter, options: LinkOptions) -> CLPath:
     """The rows of the path and the rows between its polylines, which begin at ``start``, each at its place."""
-    n, m = len(path.point), len(links.before)
+    put = Insertion(len(path.point), np.append(start, len(path.point))[links.before])
     shift = np.cumsum(np.bincount(links.before, minlength=len(start) + 1))
-    on_path = np.arange(n) + np.repeat(shift[:-1], np.diff(start, append=n))
-    between = np.arange(m) + np.append(start, n)[links.before]
-
-    def woven(own: Floats, link: Floats) -> Floats:
-        rows = np.empty((3, n + m))
-        for k in range(3):
-            rows[k, on_path], rows[k, between] = own[:, k], link[:, k]
-        return rows.T
-
-    def column(own: Ints | Bytes, link: Bytes | int) -> Ints:
-        values = np.empty(n + m, np.int64)
-        values[on_path], values[between] = own, link
-        return values
-
-    motion = np.where(path.fill, Motion.FILL, Motion.CUT)
+    motion = np.where(path.fill, np.int8(Motion.FILL), np.int8(Motion.CUT))
     motion[start] = Motion.LINK
-    motion = column(motion, links.motion)
+    motion = put.woven(motion, links.motion)
     feed = np.where(motion == Motion.RAPID, 0.0, options.feed)
-    feed[on_path[start[~links.goes_on]]] = options.plunge_feed
+    feed[(start + shift[:-1])[~links.goes_on]] = options.plunge_feed
     tip, link_tip = path.centre, links.centre
     if options.control_point == "tip":
         tip, link_tip = cutter.tip_at(tip, axis), cutter.tip_at(link_tip, links.axis)
-    face, coedge, pass_ = (column(own, -1) for own in (path.face, path.coedge, path.pass_))
-    return CLPath(
-        tip=woven(tip, link_tip), axis=woven(axis, links.axis), motion=motion.astype(np.int8), feed=feed,
-        contact=woven(path.point, link_tip), normal=woven(path.normal, links.axis), face=face, coedge=coedge, pass_=pass_,
-    )  # fmt: skip
+    pairs: dict[str, tuple[Any, Any]] = {
+        "tip": (tip, link_tip), "axis": (axis, links.axis), "contact": (path.point, link_tip),
+        "normal": (path.normal, links.axis), "face": (path.face, -1), "coedge": (path.coedge, -1), "pass_": (path.pass_, -1),
+    }  # fmt: skip
+    columns = on_all(lambda name: put.woven(*pairs[name]), list(pairs))
+    return CLPath(motion=motion, feed=feed, **dict(zip(pairs, columns, strict=True)))
 
 
 def _goes_on(centre: Floats, first: Ints, last: Ints) -> Bools:

@@ -17,11 +17,12 @@ from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.passes import ContactPath
+from freecad_fiveaxis.core.portions import on_all
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze, picked
 
 from .columns import Columns
-from .junction import find_segments, groups
+from .junction import Segments, find_segments, groups
 from .rows import Closed, closed_rows, row_begins
 
 NOTABLE = 0.01
@@ -97,14 +98,13 @@ def close_gaps(
     progress("closing co-edges", 0.0)
     cut = None if keep is None else keep[contact.face[::2]]  # which segments lie in facets that are kept
     segments = find_segments(contact)
-    parts, together = [], groups(segments)
-    for number, group in enumerate(together):
-        progress("closing co-edges", 0.5 * number / len(together))
-        parts.append(closed_rows(group, radius, tolerance, cut))
+
+    def close(group: Segments) -> Closed:
+        return closed_rows(group, radius, tolerance, cut)
+
+    parts = on_all(close, groups(segments), lambda done: progress("closing co-edges", 0.5 * done))
     columns = Columns(contact, segments, parts)
-    for number in range(len(parts)):
-        progress("closing co-edges", 0.5 + 0.5 * number / len(parts))
-        columns.write(number)
+    on_all(columns.write, range(len(parts)), lambda done: progress("closing co-edges", 0.5 + 0.5 * done))
     progress("closing co-edges", 1.0)
     return OffsetPath(**columns.values, findings=_findings(contact, parts, cut))
 

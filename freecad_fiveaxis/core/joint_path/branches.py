@@ -31,6 +31,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.kinematics import chunks
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 
@@ -47,6 +48,8 @@ SMALL_TURN = math.radians(0.1)
 STATES = 24
 """Most states that are searched: the work grows with their cube. A word that fits into its limits on the nearest windings alone
 never needs them; of one that does not, on an axis of more turns, only the turns around zero are used, at the price of rewinds."""
+LONGEST = 16384
+"""Steps of a stretch at most, which is as many as whole portions have several times: a short sum rounds little."""
 SLAB = 1 << 20
 """Costs (states x states x steps) that are held at once: 8 MB."""
 
@@ -90,11 +93,14 @@ def choose(
 def within_limits(angles: Floats, low: Floats, high: Floats) -> Bools:
     """Whether some winding of both words lies within the limits, (2, n) for each branch; False where NaN."""
     fits = np.empty((2, angles.shape[1]), bool)
-    for rows in chunks(angles.shape[1]):
+
+    def fill(rows: slice) -> None:
         fits[:, rows] = ~np.isnan(angles[:, rows, 0] + angles[:, rows, 1])
         for axis in range(2):
             if high[axis] - low[axis] < TURN:
                 fits[:, rows] &= _least_word(angles[:, rows, axis], low[axis]) <= high[axis] + SLACK
+
+    on_all(fill, portions(angles.shape[1]))
     return fits
 
 
@@ -236,13 +242,15 @@ def _by_stretches(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools
     """The best states (n,) where both words wrap; None where changing branch at gates only is not proven to be the best."""
     if len(layers.branch) == 1:
         return np.zeros(len(cutting) + 1, np.int64)
-    starts, costs, least = [np.empty(0, np.int64)], [np.empty((2, 2, 0))], 0.0
-    for count, rows in enumerate(chunks(len(cutting))):
-        if count % 32 == 0:
-            progress("joint path", rows.start / len(cutting))
-        start, cost, step_least = _stretches(layers, cutting, crossing, rows)
-        starts, costs, least = [*starts, start], [*costs, cost], least + step_least
-    cost, start = np.concatenate(costs, 2), np.concatenate([*starts, [len(cutting)]])
+    if not len(cutting):
+        return np.array([entry.argmin()])
+
+    def cut(rows: slice) -> tuple[Ints, Floats, float]:
+        return _stretches(layers, cutting, crossing, rows)
+
+    parts = on_all(cut, portions(len(cutting)), lambda done: progress("joint path", done))
+    starts, costs, bounds = zip(*parts, strict=True)
+    cost, start, least = np.concatenate(costs, 2), np.concatenate([*starts, [len(cutting)]]), sum(bounds)
     state = least_path(entry, lambda first, last: cost[:, :, first:last], cost.shape[2])
     total = entry[state[0]] + cost[state[:-1], state[1:], np.arange(len(state) - 1)].sum()
     if not total <= least + BREAK - TURN:  # a step on the nearest windings is half a turn of each word at most
@@ -251,7 +259,8 @@ def _by_stretches(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools
 
 
 def _stretches(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -> tuple[Ints, Floats, float]:
-    """The steps ``rows`` cut into gates and stretches: the first step of each, their costs (2, 2, m), and the sum of all steps'
+    """The steps ``rows`` cut into gates and stretches of at most LONGEST steps: the first step of each, their costs (2, 2, m), and the
+    sum of all steps'
     least costs. On a gate's step both branches may follow, on a stretch's only the same one."""
     ends, after = slice(rows.start, rows.stop + 1), slice(rows.start + 1, rows.stop + 1)
     first, second = layers.word[:, :, ends]
@@ -263,7 +272,7 @@ def _stretches(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -> 
     free = _step_cost(layers, cutting, crossing, rows.start + gate, rows.start + gate + 1)
     least = np.minimum(stay[0], stay[1])
     least[gate] = free.min((0, 1))
-    begin = np.unique(np.concatenate([[0], gate, gate + 1]))
+    begin = np.unique(np.concatenate([np.arange(0, stay.shape[1], LONGEST), gate, gate + 1]))
     begin = begin[begin < stay.shape[1]]
     cost = np.full((2, 2, len(begin)), math.inf)
     cost[0, 0], cost[1, 1] = np.add.reduceat(stay, begin, axis=1)

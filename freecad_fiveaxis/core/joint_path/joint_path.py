@@ -20,7 +20,8 @@ import numpy as np
 from freecad_fiveaxis.core.cl_path import SAFE_MARGIN, CLPath, Motion
 from freecad_fiveaxis.core.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.kinematics import Chain, Matrix, RotaryPair, chunks, cos_sin, inverse_axis, joint_words, mapped, split
+from freecad_fiveaxis.core.kinematics import Chain, Matrix, RotaryPair, cos_sin, inverse_axis, joint_words, mapped, split
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
 
@@ -110,7 +111,8 @@ def _near_pole(axis: Floats, first: Floats) -> tuple[Bools, Bools]:
     """
     frame: Matrix = [*np.linalg.svd(first[None])[2][1:].tolist(), first.tolist()]
     pole, crossing = np.empty(len(axis), bool), np.empty(len(axis) - 1, bool)
-    for rows in chunks(len(axis)):
+
+    def fill(rows: slice) -> None:
         x, y, z = (np.asarray(column) for column in mapped(frame, split(axis[rows.start : rows.stop + 1])))
         square = x * x + y * y
         pole[rows] = square[: rows.stop - rows.start] <= POLE_ANGLE**2
@@ -119,6 +121,8 @@ def _near_pole(axis: Floats, first: Floats) -> tuple[Bools, Bools]:
         passed = np.zeros(len(x) - 1, bool)
         passed[at] = _passes_origin(*(column[at + end] for column in (x, y, z) for end in (0, 1)))
         crossing[rows] = passed | near[1:] | near[:-1]
+
+    on_all(fill, portions(len(axis)))
     return pole, crossing
 
 
@@ -207,10 +211,8 @@ def _finish(drive: Drive, links: Chain, findings: tuple[Finding, ...]) -> JointP
         )
     findings += _limit_findings(drive.path, links, q)
     pair = RotaryPair.of(links.direction[3], links.direction[4])
-    sine = np.empty(len(q))
-    for rows in chunks(len(q)):
-        sine[rows] = pair.reach * np.abs(cos_sin(q[rows, 4] - pair.best)[1])
-    return JointPath(drive.path, drive.row, q, drive.branch, sine, findings)
+    sines = on_all(lambda rows: pair.reach * np.abs(cos_sin(q[rows, 4] - pair.best)[1]), portions(len(q)))
+    return JointPath(drive.path, drive.row, q, drive.branch, np.concatenate(sines), findings)
 
 
 def _limit_findings(path: CLPath, links: Chain, q: Floats) -> tuple[Finding, ...]:

@@ -15,13 +15,13 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.cl_path import CLPath, Motion, keepout, way_out
 from freecad_fiveaxis.core.deviation import quick_bound
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, branch_of, forward, inverse_axis, joint_words, q_to_words
-from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.portions import on_all
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Insertion, Ints
 
 from .branches import POLE_ANGLE, SLACK, TURN
 
@@ -183,17 +183,11 @@ def _insert(
         "normal": np.where(cuts[:, None], path.normal[at], axis),
     }
     new |= {name: np.where(cuts, getattr(path, name)[at], -1) for name in ("face", "coedge", "pass_")}
-    source = np.repeat(np.arange(len(drive.row)), np.bincount(at, minlength=len(drive.row)) + 1)
-    place = at + np.arange(len(at))
-
-    def woven(own: NDArray[Any], rows: NDArray[Any]) -> Any:  # as np.insert, without working out the places every time
-        columns = own.T.take(source, axis=-1)
-        columns[..., place] = rows.T
-        return columns.T
-
-    longer = replace(path, **{name: woven(getattr(path, name), rows) for name, rows in new.items()})
-    branch = woven(drive.branch, branch_of(links, angles[:, 1]))
-    return Drive(longer, drive.row.take(source), woven(drive.angles, angles), branch)
+    put = Insertion(len(drive.row), at)
+    columns = on_all(lambda name: put.woven(getattr(path, name), new[name]), list(new))
+    longer = replace(path, **dict(zip(new, columns, strict=True)))
+    branch = put.woven(drive.branch, branch_of(links, angles[:, 1]))
+    return Drive(longer, drive.row.take(put.source), put.woven(drive.angles, angles), branch)
 
 
 def subdivide_rapids(drive: Drive, links: Chain, tolerance: float) -> Drive:

@@ -20,9 +20,10 @@ import numpy as np
 
 from freecad_fiveaxis.core.errors import MachineError
 from freecad_fiveaxis.core.machine import Axis, Machine, Vector
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Bytes, Floats
 
-from .columns import Column, Columns, Matrix, added, chunks, clean, cos_sin, crossed, empty_rows, less, mapped, put, scalar, split
+from .columns import Column, Columns, Matrix, added, clean, cos_sin, crossed, empty_rows, less, mapped, put, scalar, split
 from .rotary_pair import RotaryPair, Turns, poses
 
 PARALLEL = 1e-9
@@ -101,11 +102,14 @@ def forward(links: Chain, q: Floats) -> tuple[Floats, Floats]:
     """Tip (n, 3) mm and unit tool axis (n, 3) in the work frame, for words ``q`` (n, 5) mm and rad. NaN stays NaN."""
     q = np.asarray(q, float)
     k, tip, axis = _constants(links), empty_rows(len(q), 3), empty_rows(len(q), 3)
-    for rows in chunks(len(q)):
+
+    def fill(rows: slice) -> None:
         *words, q1, q2 = split(q[rows])
         turns = _turns(q1, q2)
         put(tip[rows], _tip(k, [mapped(matrix, words) for matrix in k.sums], turns))
         put(axis[rows], k.pair.turn1.of(k.pair.turn2.of_ez(turns[2], turns[3]), turns[0], turns[1]))
+
+    on_all(fill, portions(len(q)))
     return tip, axis
 
 
@@ -113,9 +117,12 @@ def forward_tip(links: Chain, q: Floats) -> Floats:
     """The tip (n, 3) mm alone, as forward."""
     q = np.asarray(q, float)
     k, tip = _constants(links), empty_rows(len(q), 3)
-    for rows in chunks(len(q)):
+
+    def fill(rows: slice) -> None:
         *words, q1, q2 = split(q[rows])
         put(tip[rows], _tip(k, [mapped(matrix, words) for matrix in k.sums], _turns(q1, q2)))
+
+    on_all(fill, portions(len(q)))
     return tip
 
 
@@ -127,11 +134,14 @@ def inverse(links: Chain, tip: Floats, axis: Floats) -> tuple[Floats, Floats]:
     """
     tip, axis = np.asarray(tip, float), np.asarray(axis, float)
     k, words, sine = _constants(links), empty_rows(2, len(axis), 5), np.empty(len(axis))
-    for rows in chunks(len(axis)):
+
+    def fill(rows: slice) -> None:
         place = split(tip[rows])
         sine[rows], branches = poses(k.pair, axis[rows])
         for branch, (angles, turns) in enumerate(branches):
             put(words[branch, rows], [*_linear(links, k, place, turns), *angles])
+
+    on_all(fill, portions(len(axis)))
     return words, sine
 
 
@@ -139,10 +149,13 @@ def inverse_axis(links: Chain, axis: Floats) -> tuple[Floats, Floats]:
     """Both rotary words (2, n, 2) rad in (-pi, pi] for unit ``axis`` (n, 3), and the singularity measure (n,), as inverse."""
     axis = np.asarray(axis, float)
     k, words, sine = _constants(links), empty_rows(2, len(axis), 2), np.empty(len(axis))
-    for rows in chunks(len(axis)):
+
+    def fill(rows: slice) -> None:
         sine[rows], branches = poses(k.pair, axis[rows])
         for branch, (angles, _) in enumerate(branches):
             put(words[branch, rows], angles)
+
+    on_all(fill, portions(len(axis)))
     return words, sine
 
 
@@ -158,9 +171,12 @@ def joint_words(links: Chain, tip: Floats, angles: Floats) -> Floats:
     """
     tip, angles = np.asarray(tip, float), np.asarray(angles, float)
     k, words = _constants(links), empty_rows(len(tip), 5)
-    for rows in chunks(len(tip)):
+
+    def fill(rows: slice) -> None:
         rotary = split(angles[rows])
         put(words[rows], [*_linear(links, k, split(tip[rows]), _turns(*rotary)), *rotary])
+
+    on_all(fill, portions(len(tip)))
     return words
 
 

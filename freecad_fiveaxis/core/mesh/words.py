@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+from freecad_fiveaxis.core.portions import meanwhile
 
 Words = NDArray[np.uint64]
 T = TypeVar("T")
@@ -20,8 +21,4 @@ def sort_during(word: Words, work: Callable[[], T]) -> T:
     numpy sorts without holding up Python, so a second thread does it beside any other work, even beside short steps of
     numpy. Two threads that both take short steps only wait for one another.
     """
-    with ThreadPoolExecutor(1) as second:
-        sorting = second.submit(word.sort)
-        done = work()
-        sorting.result()
-    return done
+    return meanwhile(word.sort, work)

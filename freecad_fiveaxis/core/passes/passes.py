@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding
-from freecad_fiveaxis.core.kinematics import chunks
 from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 
@@ -115,7 +115,8 @@ def _contact_path(
     point, normal = np.empty((2, 3, 2 * len(end)))
     polyline[:] = np.repeat(np.arange(len(used)), number)
     pass_[:] = np.repeat(plane, number)
-    for part in chunks(len(end)):
+
+    def fill(part: slice) -> None:
         rows = slice(2 * part.start, 2 * part.stop)
         exits = end[part]
         at = np.empty(2 * len(exits), dtype=np.int64)
@@ -127,6 +128,8 @@ def _contact_path(
         for values, both in ((cut, face[rows]), *zip((n.take(cut) for n in mesh.normal.T), normal[:, rows], strict=True)):
             both[0::2] = both[1::2] = values
         segment[rows] = np.arange(rows.start, rows.stop) >> 1
+
+    on_all(fill, portions(len(end)))
     return ContactPath(point.T, normal.T, *label)
 
 

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.kinematics import chunks
 from freecad_fiveaxis.core.number_text import EXACT, Choice, Column, Part, Units, nearest_whole, rounded, table_parts
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
@@ -135,11 +135,15 @@ def _spelt(word: Column | Units, said: _Said, signed: bool) -> list[Part]:
 def _word(said: _Said, rows: int) -> Column | Units:
     """One word: counted in steps where a whole number can hold that, so that it is rounded only once."""
     prefix, steps = said.prefix.encode(), np.empty(rows)
-    for part in chunks(rows):
+
+    def count(part: slice) -> bool:
         step = np.multiply(said.values[part], 10.0**said.decimals, out=steps[part])
-        if not np.maximum(-step.min(), step.max()) < EXACT:  # NaN comes out of max
-            return Column(prefix, rounded(said.values, said.decimals), said.decimals)
+        exact = bool(np.maximum(-step.min(), step.max()) < EXACT)  # NaN comes out of max
         nearest_whole(step)
+        return exact
+
+    if not all(on_all(count, portions(rows))):
+        return Column(prefix, rounded(said.values, said.decimals), said.decimals)
     counted = steps.view(np.int64)
     return Units(prefix, counted % (360 * 10**said.decimals) if said.fold else counted, said.decimals)
 

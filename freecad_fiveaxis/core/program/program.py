@@ -19,8 +19,9 @@ from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.joint_path import JointPath
-from freecad_fiveaxis.core.kinematics import Chain, chunks, empty_rows, words_to_q
+from freecad_fiveaxis.core.kinematics import Chain, empty_rows, words_to_q
 from freecad_fiveaxis.core.number_text import rounded
+from freecad_fiveaxis.core.portions import PORTION, on_all, portions
 from freecad_fiveaxis.core.post.dialect import Dialect, Guide, feed_distance
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze, picked
@@ -29,8 +30,6 @@ from .feeds import feed_minutes, rapid_minutes, tip_travel
 from .guided import Guided, rounding_finding, standing, turned_to
 from .wrapping import by_the_shorter_way, wraps_of
 
-PORTION = 65536
-"""Blocks timed at a time: few enough to stay in the cache, enough to sample the curved ones of each kind in long columns."""
 FEED_SLACK = 1e-9
 """F is rounded down, but a relative rounding error of this size must not cost a whole step (999.9999 for 1000)."""
 
@@ -129,11 +128,18 @@ def _round_words(q: Floats, dialect: Dialect) -> tuple[Floats, Ints]:
     """Words (m, 5) mm and degrees, the doubles nearest to what is printed, of the rows that move; and these rows (m,)."""
     words, moves = empty_rows(len(q), 5), np.zeros(len(q), np.bool_)
     moves[:1] = True
-    for rows in chunks(len(q)):
-        since = slice(max(rows.start, 1), rows.stop)
+
+    def fill(rows: slice) -> None:
         for k in range(5):
             words[rows, k] = rounded(q[rows, k] if k < 3 else np.degrees(q[rows, k]), dialect.decimals(k))
+
+    def compare(rows: slice) -> None:
+        since = slice(max(rows.start, 1), rows.stop)
+        for k in range(5):
             moves[since] |= words[since, k] != words[since.start - 1 : since.stop - 1, k]
+
+    on_all(fill, portions(len(q)))
+    on_all(compare, portions(len(q)))
     row = np.flatnonzero(moves)
     return (words if len(row) == len(q) else picked(words, row)), row
 
@@ -194,8 +200,8 @@ def _time_blocks(
     """``words`` (m, 5): where the axes stand; ``said`` (m, 5): the same, or the tip and the rotary words where it is guided."""
     count, guided = len(words), said is not words
     times = _Times(np.zeros(count), np.zeros(count, np.bool_), np.zeros(count), np.zeros(count))
-    for first in range(1, count, PORTION):
-        progress("feeds", first / count)
+
+    def fill(first: int) -> None:
         rows = slice(first, min(first + PORTION, count))
         ends = words[first - 1 : rows.stop]
         q, rapid = words_to_q(ends), np.flatnonzero(motion[rows] == Motion.RAPID)
@@ -214,6 +220,8 @@ def _time_blocks(
         feed[rapid] = 0.0
         for whole, part in zip(times, (asked, held, feed, seconds), strict=True):
             whole[rows] = part
+
+    on_all(fill, range(1, count, PORTION), lambda done: progress("feeds", done))
     progress("feeds", 1.0)
     return times
 
