@@ -16,6 +16,7 @@ import numpy as np
 from freecad_fiveaxis.core.coedge import OffsetPath, lasting_rows, take_rows
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.passes import axes_within_limits
+from freecad_fiveaxis.core.portions import on_all, portions
 
 from .findings import Finding, Severity
 from .records import Bools, Floats, picked
@@ -41,7 +42,8 @@ _BEYOND = (
 def feasible_rows(path: OffsetPath, axis: Floats, links: Chain, taper: float = 0.0) -> tuple[OffsetPath, Floats]:
     """The rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is left out. ``taper`` rad of
     the cutter's flank."""
-    rise = (path.normal * axis).sum(axis=1)
+    rise = np.empty(len(axis))
+    on_all(lambda rows: (path.normal[rows] * axis[rows]).sum(axis=1, out=rise[rows]), portions(len(axis)))
     leaning = rise < -LEAN
     flank = ~leaning & (rise < np.sin(taper) - LEAN)
     beyond = ~(leaning | flank) & ~axes_within_limits(links, axis)

@@ -32,9 +32,9 @@ ALONE = (os.cpu_count() or 1) < 2
 _inside = threading.local()
 
 
-def portions(count: int, size: int = PORTION) -> list[slice]:
-    """Slices of ``size`` rows, the last one maybe shorter, that make up ``count`` rows."""
-    return [slice(low, min(low + size, count)) for low in range(0, count, size)]
+def portions(count: int) -> list[slice]:
+    """Slices of PORTION rows, the last one maybe shorter, that make up ``count`` rows."""
+    return [slice(low, min(low + PORTION, count)) for low in range(0, count, PORTION)]
 
 
 def on_all(work: Callable[[P], R], parts: Sequence[P], progress: Callable[[float], None] | None = None) -> list[R]:

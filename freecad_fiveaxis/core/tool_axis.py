@@ -19,6 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.coedge import OffsetPath
+from freecad_fiveaxis.core.portions import on_all, portions
 
 from .errors import SettingsError
 from .records import Bools, Floats, Ints
@@ -62,7 +63,13 @@ def facet_mean(path: OffsetPath, options: AxisOptions) -> Floats:
 
     Lin & Ye, Fig. 15 (a). Where the two are opposed the row's own normal is taken.
     """
-    return _unit(path.before + path.after, path.normal)
+    axis = np.empty((3, len(path.point))).T
+
+    def fill(rows: slice) -> None:
+        axis[rows] = _unit(path.before[rows] + path.after[rows], path.normal[rows])
+
+    on_all(fill, portions(len(axis)))
+    return axis
 
 
 def step_weighted(path: OffsetPath, options: AxisOptions) -> Floats:

@@ -191,7 +191,7 @@ def _goes_on(centre: Floats, first: Ints, last: Ints) -> Bools:
 
 def _starts(label: Ints) -> Ints:
     """Rows where a new label begins."""
-    return np.flatnonzero(np.diff(label, prepend=label[:1] - 1))
+    return np.concatenate([np.arange(min(len(label), 1)), 1 + np.flatnonzero(label[1:] != label[:-1])])
 
 
 def _below(leave: WayOut, enter: WayOut) -> tuple[Finding, ...]:

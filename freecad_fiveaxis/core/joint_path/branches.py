@@ -185,11 +185,14 @@ def _solve(layers: Layers, cutting: Bools, crossing: Bools, progress: Progress) 
 
 def _words_of(layers: Layers, state: Ints) -> Floats:
     words = np.empty((2, len(state))).T
-    for rows in chunks(len(state)):
+
+    def fill(rows: slice) -> None:
         first, several = int(state[rows.start]), np.ptp(state[rows]) > 0
         at = (state[rows], np.arange(rows.start, rows.stop)) if several else (first, rows)
         for axis in range(2):
             words[rows, axis] = layers.word[axis][at]
+
+    on_all(fill, portions(len(state)))
     for axis in range(2):
         if layers.wraps[axis]:
             _unwind(words[:, axis])
@@ -259,9 +262,8 @@ def _by_stretches(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools
 
 
 def _stretches(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -> tuple[Ints, Floats, float]:
-    """The steps ``rows`` cut into gates and stretches of at most LONGEST steps: the first step of each, their costs (2, 2, m), and the
-    sum of all steps'
-    least costs. On a gate's step both branches may follow, on a stretch's only the same one."""
+    """The steps ``rows`` cut into gates and stretches of at most LONGEST steps: the first step of each, their costs
+    (2, 2, m), and the sum of all steps' least costs. On a gate's step both branches may follow, on a stretch's only one."""
     ends, after = slice(rows.start, rows.stop + 1), slice(rows.start + 1, rows.stop + 1)
     first, second = layers.word[:, :, ends]
     stay = _nearest(np.diff(first)) + _nearest(np.diff(second))

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.kinematics import chunks
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Ints
 
 from .words import T, Words, sort_during
@@ -78,7 +79,8 @@ def _words(face: Ints, width: int, low: int | None) -> Words:
     start, end, sense = np.uint64(shift + 1 + width), np.uint64(shift + 1), np.uint64(1 << shift)
     column = face.T.view(np.uint64)
     word = np.empty(column.shape, dtype=np.uint64)
-    for part in chunks(len(face)):
+
+    def fill(part: slice) -> None:
         first = column[:, part] << start
         second = column[:, part] << end
         if low is not None:
@@ -89,6 +91,8 @@ def _words(face: Ints, width: int, low: int | None) -> Words:
             back |= sense
             np.minimum(there, back, out=there)
             there |= np.uint64(0 if low is None else k << low)
+
+    on_all(fill, portions(len(face)))
     return word.reshape(-1)
 
 

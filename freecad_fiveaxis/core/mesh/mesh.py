@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from freecad_fiveaxis.core.errors import MeshError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import chunks
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 
 from .half_edges import HalfEdges, partners, sorted_half_edges
@@ -263,21 +264,24 @@ def _coedges(vertex: Floats, face: Ints, halves: HalfEdges) -> _Coedges:
     number, alone, closed = len(halves.word) // 2, np.empty(0, dtype=np.int64), True
     pairs: Iterator[tuple[slice | Ints, slice | Ints]]
     if halves.paired():
-        pairs = ((slice(2 * at.start, 2 * at.stop, 2), slice(2 * at.start + 1, 2 * at.stop, 2)) for at in chunks(number))
+        pairs = ((slice(2 * at.start, 2 * at.stop, 2), slice(2 * at.start + 1, 2 * at.stop, 2)) for at in portions(number))
     else:
         first, alone = partners(halves.keys(slice(None)))
         number = len(first)
-        pairs = ((first[at], first[at] + 1) for at in chunks(number))
+        pairs = ((first[at], first[at] + 1) for at in portions(number))
         findings, closed = _edge_findings(halves.keys(alone), halves.numbers(alone), halves.low, vertex, face)
     width, facet = int(len(vertex) - 1).bit_length(), (1 << halves.low) - 1
     ends, sides = np.empty((2, 2, number + len(alone)), dtype=np.int64)
     of_face = np.empty(3 << halves.low, dtype=np.int64)  # as wide as half-edge numbers are, so that they address it
-    for at, (there, back) in zip(chunks(number), pairs, strict=True):
+
+    def fill(at: slice, there: slice | Ints, back: slice | Ints) -> None:
         _put_ends(halves.keys(there), width, ends[:, at])
         one, two = halves.numbers(there), halves.numbers(back)
         np.bitwise_and(one, facet, out=sides[0, at])
         np.bitwise_and(two, facet, out=sides[1, at])
         of_face[one] = of_face[two] = np.arange(at.start, at.stop)
+
+    on_all(lambda rows: fill(*rows), [(at, *pair) for at, pair in zip(portions(number), pairs, strict=True)])
     edge, one = halves.keys(alone), halves.numbers(alone)
     _put_ends(edge, width, ends[:, number:])
     against = number + np.flatnonzero(edge & np.uint64(1))

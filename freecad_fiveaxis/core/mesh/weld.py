@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.kinematics import chunks
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Ints
 
 from .words import T, Words, sort_during
@@ -47,7 +48,8 @@ def _corner_keys(column: Reals, low: Reals, high: Reals, bits: int) -> Words:
     raw = column.view(np.uint32 if column.dtype == np.float32 else np.uint64)
     hash_bits = np.uint64((1 << 48) - (1 << bits))
     key = np.empty(column.shape[1], dtype=np.uint64)
-    for part in chunks(len(key)):
+
+    def fill(part: slice) -> None:
         corner = column[:, part]
         corner += 0.0  # turns -0.0 into 0.0, so that equal coordinates have equal bits
         word = np.multiply(raw[0, part], _FACTORS[0], out=key[part], dtype=np.uint64)
@@ -59,6 +61,8 @@ def _corner_keys(column: Reals, low: Reals, high: Reals, bits: int) -> Words:
         cell |= ((corner[j] - low[j]) * scale[j]).astype(np.int32)
         word |= cell.astype(np.uint64) << np.uint64(48)
         word |= np.arange(part.start, part.stop, dtype=np.uint64)
+
+    on_all(fill, portions(len(key)))
     return key
 
 

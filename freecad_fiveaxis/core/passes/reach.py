@@ -16,6 +16,7 @@ from freecad_fiveaxis.core.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import BEYOND, Chain, chunks, dot, inverse_axis
 from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Bools, Floats
 
 LEVEL = 1e-4
@@ -50,9 +51,12 @@ def reachable_facets(
     steep = (up < math.cos(min(max_axis_angle + LEVEL, math.pi))) & wanted & ~down
     rest = np.flatnonzero(wanted & ~(down | steep))
     beyond = np.zeros(len(up), dtype=np.bool_)
-    for part in chunks(len(rest)):
+
+    def check(part: slice) -> None:
         rows = rest[part]
         beyond[rows] = ~axes_within_limits(links, mesh.normal.T.take(rows, axis=1).T)
+
+    on_all(check, portions(len(rest)))
     keep: Bools = wanted & ~(down | steep | beyond)
     if np.array_equal(keep, wanted) and keep.any():
         return keep, ()

@@ -15,7 +15,6 @@ nothing is searched for or sorted.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,6 +23,7 @@ from scipy.sparse.csgraph import depth_first_order
 
 from freecad_fiveaxis.core.kinematics import chunks
 from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 NOWHERE = -(1 << 40)  # base of a facet that is not there; stays negative whatever plane is added
@@ -114,12 +114,13 @@ def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]
     return base, nodes
 
 
-def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> Iterator[_Piece]:
-    """The crossings of the facets that are kept, a piece at a time."""
+def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> list[_Piece]:
+    """The crossings of the facets that are kept, in pieces."""
     number = len(mesh.coedge_face)
     ends, sides = mesh.coedge_vertex.T.reshape(-1), mesh.coedge_face.T.reshape(-1)
     used = None if keep is None else np.append(keep, False)
-    for part in chunks(number):
+
+    def of(part: slice) -> list[_Piece]:
         one, two = (level.take(v) for v in mesh.coedge_vertex[part].T)
         crossed = one != two
         if used is not None:
@@ -135,10 +136,14 @@ def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> Iterator[_Piece]:
         count = np.maximum(one, two) - low
         row = np.repeat(np.arange(len(cut)), count)
         plane = np.arange(len(row)) + (low + count - np.cumsum(count)).take(row)
-        for piece in chunks(len(row)):
+        made = []
+        for piece in portions(len(row)):
             at = row[piece]
             up, down = upper.take(at), lower.take(at)
-            yield _Piece(cut.take(at), ends.take(up), ends.take(down), sides.take(down), sides.take(up), plane[piece])
+            made.append(_Piece(cut.take(at), ends.take(up), ends.take(down), sides.take(down), sides.take(up), plane[piece]))
+        return made
+
+    return [piece for pieces in on_all(of, portions(number)) for piece in pieces]
 
 
 def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats, keep: Bools | None) -> Crossings:
@@ -155,21 +160,24 @@ def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats,
     # every node has two crossings, so there are at most 2 n; memory that stays unused costs nothing
     label, place = np.empty((2, 2 * nodes), dtype=np.int64), np.empty((2, 2 * nodes))
     next_node, exit_ = np.empty((2, nodes + 1), dtype=np.int64)
-    opening, turning = [Starts.none()], [Starts.none()]
-    total = 0
-    for piece in _pieces(mesh, level, keep):
-        here = slice(total, total + len(piece.plane))
-        total = here.stop
+
+    def fill(piece: _Piece, here: slice) -> tuple[Starts, Starts]:
         label[0, here], label[1, here] = piece.coedge, piece.left
         _interpolate(piece, offsets, distance, (along, mesh.vertex[:, 2]), place[:, here])
         leave, enter = (base.take(facet) + piece.plane for facet in (piece.left, piece.entered))
         both = Starts(np.arange(here.start, here.stop), enter, place[0, here])
         outside = np.flatnonzero(leave < 0)
-        opening.append(both.take(outside.take(np.flatnonzero(enter.take(outside) >= 0))))
-        turning.append(both.take(np.flatnonzero(upward.take(piece.entered) & downward.take(piece.left))))
+        opening = both.take(outside.take(np.flatnonzero(enter.take(outside) >= 0)))
         leave[outside] = nodes
         next_node[leave] = np.where(enter < 0, nodes, enter)
         exit_[leave] = both.crossing
+        return opening, both.take(np.flatnonzero(upward.take(piece.entered) & downward.take(piece.left)))
+
+    pieces = _pieces(mesh, level, keep)
+    bounds = np.cumsum([0, *(len(piece.plane) for piece in pieces)]).tolist()
+    total, none = bounds[-1], Starts.none()
+    starts = on_all(lambda at: fill(pieces[at], slice(bounds[at], bounds[at + 1])), range(len(pieces)))
+    opening, turning = ([none, *(pair[end] for pair in starts)] for end in (0, 1))
     coedge, left, at, height = label[0, :total], label[1, :total], place[0, :total], place[1, :total]
     return Crossings(coedge, left, at, height, next_node, exit_, base, Starts.joined(opening), Starts.joined(turning))
 
