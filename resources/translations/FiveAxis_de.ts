@@ -12,8 +12,16 @@
         <translation>Vergleich</translation>
     </message>
     <message>
+        <source>Allowed</source>
+        <translation>Erlaubt</translation>
+    </message>
+    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Angle between the flank of a tapered cutter and its axis; other kinds have none</source>
+        <translation>Winkel zwischen der Flanke eines konischen Fräsers und seiner Achse; andere Formen haben keinen</translation>
     </message>
     <message>
         <source>Angular Deflection</source>
@@ -140,6 +148,10 @@
         <translation>Kühlmittel</translation>
     </message>
     <message>
+        <source>Corner radius of a bull nose, tapered or not; other kinds have none</source>
+        <translation>Eckenradius eines Torusfräsers, konisch oder nicht; andere Formen haben keinen</translation>
+    </message>
+    <message>
         <source>Cure</source>
         <translation>Abhilfe</translation>
     </message>
@@ -156,12 +168,32 @@
         <translation>Fräser</translation>
     </message>
     <message>
+        <source>Cutter Corner</source>
+        <translation>Fräser Eckenradius</translation>
+    </message>
+    <message>
         <source>Cutter Diameter</source>
         <translation>Fräserdurchmesser</translation>
     </message>
     <message>
+        <source>Cutter Kind</source>
+        <translation>Fräser Form</translation>
+    </message>
+    <message>
         <source>Cutter Length</source>
         <translation>Schneidenlänge</translation>
+    </message>
+    <message>
+        <source>Cutter Taper</source>
+        <translation>Fräser Konus</translation>
+    </message>
+    <message>
+        <source>Deepest that the cutter goes below the machined surface</source>
+        <translation>So tief geht der Fräser höchstens unter die bearbeitete Fläche</translation>
+    </message>
+    <message>
+        <source>Depths</source>
+        <translation>Tiefen</translation>
     </message>
     <message>
         <source>Deviation After</source>
@@ -176,16 +208,16 @@
         <translation>Abweichungen</translation>
     </message>
     <message>
-        <source>Diameter of the ball-end cutter</source>
-        <translation>Durchmesser des Kugelfräsers</translation>
-    </message>
-    <message>
-        <source>Diameter of the holder that is shown above the cutter</source>
-        <translation>Durchmesser des Werkzeughalters, der über dem Fräser gezeigt wird</translation>
+        <source>Diameter of the cutter; of a tapered one that of its rounded end</source>
+        <translation>Durchmesser des Fräsers; bei einem konischen der des runden Endes</translation>
     </message>
     <message>
         <source>Direction</source>
         <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
     </message>
     <message>
         <source>Facet Runs</source>
@@ -248,12 +280,8 @@
         <translation>Halter</translation>
     </message>
     <message>
-        <source>Holder Diameter</source>
-        <translation>Halterdurchmesser</translation>
-    </message>
-    <message>
-        <source>Holder Length</source>
-        <translation>Halterlänge</translation>
+        <source>How deep the tool enters the part at each marker, mm; 0: not at all</source>
+        <translation>Wie tief das Werkzeug bei jeder Markierung ins Teil eindringt, mm; 0: gar nicht</translation>
     </message>
     <message>
         <source>How far the part should be turned about Z, counter-clockwise</source>
@@ -274,6 +302,14 @@
     <message>
         <source>Labels</source>
         <translation>Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Largest Overcut</source>
+        <translation>Größter Einschnitt</translation>
+    </message>
+    <message>
+        <source>Largest Undercut</source>
+        <translation>Größter Rest</translation>
     </message>
     <message>
         <source>Largest angle between neighbouring facets</source>
@@ -308,12 +344,12 @@
         <translation>Kleinster Zeilensprung</translation>
     </message>
     <message>
-        <source>Length of the cutter's edge, from the tip upwards</source>
-        <translation>Länge der Schneide, von der Spitze aufwärts</translation>
+        <source>Left</source>
+        <translation>Rest</translation>
     </message>
     <message>
-        <source>Length of the holder that is shown above the cutter</source>
-        <translation>Länge des Werkzeughalters, der über dem Fräser gezeigt wird</translation>
+        <source>Length of the cutter's edge, from the tip upwards</source>
+        <translation>Länge der Schneide, von der Spitze aufwärts</translation>
     </message>
     <message>
         <source>Length of the tool axes; 0: as the part needs it</source>
@@ -342,6 +378,18 @@
     <message>
         <source>Machine File</source>
         <translation>Maschinendatei</translation>
+    </message>
+    <message>
+        <source>Machined Area</source>
+        <translation>Bearbeitete Fläche</translation>
+    </message>
+    <message>
+        <source>Machined surface on which more is left than is allowed</source>
+        <translation>Bearbeitete Fläche, auf der mehr stehen bleibt, als erlaubt ist</translation>
+    </message>
+    <message>
+        <source>Machined surface that is cut too deep by more than the tolerance</source>
+        <translation>Bearbeitete Fläche, die um mehr als die Toleranz zu tief geschnitten wird</translation>
     </message>
     <message>
         <source>Machines</source>
@@ -400,6 +448,10 @@
         <translation>Verfahren</translation>
     </message>
     <message>
+        <source>Most that is left on the machined surface</source>
+        <translation>Das meiste, was auf der bearbeiteten Fläche stehen bleibt</translation>
+    </message>
+    <message>
         <source>NC file</source>
         <translation>NC-Datei</translation>
     </message>
@@ -430,6 +482,10 @@
     <message>
         <source>Over Tolerance</source>
         <translation>Über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Overcut Area</source>
+        <translation>Zu tief geschnittene Fläche</translation>
     </message>
     <message>
         <source>Pass</source>
@@ -516,6 +572,10 @@
         <translation>Schaft</translation>
     </message>
     <message>
+        <source>Shape of the cutter: ball, flat, bull nose, tapered ball, tapered bull nose</source>
+        <translation>Form des Fräsers: Kugel, flach, Torus, konische Kugel, konischer Torus</translation>
+    </message>
+    <message>
         <source>Show Axes</source>
         <translation>Werkzeugachsen zeigen</translation>
     </message>
@@ -564,6 +624,10 @@
         <translation>Den Wert am empfohlenen Ort zeigen</translation>
     </message>
     <message>
+        <source>Show the values where most is left and where the cut is deepest</source>
+        <translation>Die Werte zeigen, wo am meisten stehen bleibt und wo am tiefsten geschnitten wird</translation>
+    </message>
+    <message>
         <source>Show what the colours mean</source>
         <translation>Zeigen, was die Farben bedeuten</translation>
     </message>
@@ -582,6 +646,10 @@
     <message>
         <source>Slow Feed</source>
         <translation>Langsamer Vorschub</translation>
+    </message>
+    <message>
+        <source>So much may be left: twice the scallop, and the tolerance</source>
+        <translation>So viel darf stehen bleiben: die doppelte Rillenhöhe und die Toleranz</translation>
     </message>
     <message>
         <source>Spindle</source>
@@ -620,6 +688,14 @@
         <translation>Die größte Abweichung an jedem Ort, mm</translation>
     </message>
     <message>
+        <source>The machined surface: what the map covers</source>
+        <translation>Die bearbeitete Fläche: was die Karte zeigt</translation>
+    </message>
+    <message>
+        <source>The map is of the toolpath as it is now</source>
+        <translation>Die Karte gilt für den Werkzeugweg, wie er jetzt ist</translation>
+    </message>
+    <message>
         <source>The map is of the toolpath as it is now; if it is not, try the setups again</source>
         <translation>Die Karte gehört zum Werkzeugweg, wie er jetzt ist; sonst die Aufspannungen neu erproben</translation>
     </message>
@@ -650,6 +726,10 @@
     <message>
         <source>The toolpath that the file is made from</source>
         <translation>Der Werkzeugweg, aus dem die Datei entsteht</translation>
+    </message>
+    <message>
+        <source>The toolpath whose cutter leaves what the map shows</source>
+        <translation>Der Werkzeugweg, dessen Fräser stehen lässt, was die Karte zeigt</translation>
     </message>
     <message>
         <source>The toolpath whose part is to be clamped</source>
@@ -716,6 +796,14 @@
         <translation>Drehungen</translation>
     </message>
     <message>
+        <source>Uncut Area</source>
+        <translation>Nicht geschnittene Fläche</translation>
+    </message>
+    <message>
+        <source>Uncut Volume</source>
+        <translation>Nicht geschnittenes Volumen</translation>
+    </message>
+    <message>
         <source>Up To Date</source>
         <translation>Auf dem neuesten Stand</translation>
     </message>
@@ -734,6 +822,14 @@
     <message>
         <source>What each place is</source>
         <translation>Was jeder Ort ist</translation>
+    </message>
+    <message>
+        <source>What is left beyond what is allowed</source>
+        <translation>Was über das Erlaubte hinaus stehen bleibt</translation>
+    </message>
+    <message>
+        <source>What is left, in a plain sentence</source>
+        <translation>Was stehen bleibt, in einem einfachen Satz</translation>
     </message>
     <message>
         <source>What is proven, in a plain sentence</source>
@@ -796,6 +892,10 @@
         <translation>Name einer mitgelieferten Maschine oder Pfad einer .fcm-Datei</translation>
     </message>
     <message>
+        <source>an STL file of faces: only the facets of the part that lie on them are machined [all]</source>
+        <translation>eine STL-Datei mit Flächen: nur die Facetten des Teils, die auf ihnen liegen, werden bearbeitet [alle]</translation>
+    </message>
+    <message>
         <source>constant distance of the planes, instead of a scallop</source>
         <translation>fester Abstand der Ebenen, statt einer Kuppenhöhe</translation>
     </message>
@@ -808,12 +908,12 @@
         <translation>Abhilfen zum Vergleich, mit Komma dazwischen [alle, die es gibt]</translation>
     </message>
     <message>
-        <source>cylinders above the cutter, DIAMETERxLENGTH upwards, as 8x20,12x30; checked with --gouge</source>
-        <translation>Zylinder über der Schneide, DURCHMESSERxLÄNGE nach oben, etwa 8x20,12x30; geprüft mit --gouge</translation>
+        <source>cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge</source>
+        <translation>Zylinder über der Schneide, DURCHMESSERxLÄNGE nach oben in mm, etwa 8x20,12x30; siehe Eindringen</translation>
     </message>
     <message>
-        <source>cylinders of the holder above cutter and shank, as 40x25,63x50; checked with --gouge</source>
-        <translation>Zylinder des Halters über Schneide und Schaft, etwa 40x25,63x50; geprüft mit --gouge</translation>
+        <source>cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge</source>
+        <translation>Zylinder des Halters über Schneide und Schaft, etwa 40x25,63x50 in mm; siehe Eindringen</translation>
     </message>
     <message>
         <source>divide feed blocks over tolerance into the fewest that hold it</source>
@@ -844,8 +944,8 @@
         <translation>wie weit die Steuerung Ecken verschleifen darf, wo sie es kann; 0: genaue Bahn</translation>
     </message>
     <message>
-        <source>how far the strategy `minimax` may leave the facet normals</source>
-        <translation>wie weit die Strategie `minimax` die Facettennormalen verlassen darf</translation>
+        <source>how far the strategy `minimax` may leave the facet normals, and --gouge tilt the axes of any strategy</source>
+        <translation>wie weit die Strategie `minimax` von den Facettennormalen abweichen darf, und --gouge tilt von den Achsen jeder Strategie</translation>
     </message>
     <message>
         <source>inverse time, or units a minute</source>
@@ -886,6 +986,10 @@
     <message>
         <source>machines to compare, as for `mill`, with commas between; or --machine again for each</source>
         <translation>Maschinen zum Vergleich, wie bei `mill`, mit Komma dazwischen; oder --machine für jede</translation>
+    </message>
+    <message>
+        <source>map of what stays uncut and of what is cut too deep, on the machined facets</source>
+        <translation>Karte dessen, was auf den bearbeiteten Facetten stehen bleibt und was zu tief geschnitten wird</translation>
     </message>
     <message>
         <source>near the pole: only report, divide blocks over tolerance, or lead the tool axis past it (deform)</source>
@@ -972,8 +1076,8 @@
         <translation>Weg jeder Linearachse</translation>
     </message>
     <message>
-        <source>where the tool enters the part: only report, lift it along its axis, or leave out; off: no check</source>
-        <translation>wo das Werkzeug ins Teil eindringt: nur melden, entlang seiner Achse abheben oder auslassen; off: keine Prüfung</translation>
+        <source>where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within --max-tilt and lift where the cutter still enters; off: no check</source>
+        <translation>wo das Werkzeug ins Teil eindringt: nur melden, entlang seiner Achse abheben, auslassen oder innerhalb von --max-tilt freikippen und abheben, wo die Schneide noch eindringt; off: keine Prüfung</translation>
     </message>
     <message>
         <source>work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300</source>
@@ -985,6 +1089,14 @@
     <message>
         <source>A controller with tool tip control (RTCP) guides the tip along the line itself.</source>
         <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Spitze von sich aus auf der Geraden.</translation>
+    </message>
+    <message>
+        <source>A larger clearance, in the tool path's panel.</source>
+        <translation>Ein größerer Abstand, im Fenster des Werkzeugwegs.</translation>
+    </message>
+    <message>
+        <source>A longer tool, a slimmer holder, lead or tilt away from the wall; or leave such places out.</source>
+        <translation>Ein längeres Werkzeug, ein schlankerer Halter, Voreilung oder Neigung von der Wand weg; oder solche Stellen auslassen.</translation>
     </message>
     <message>
         <source>Against deviation</source>
@@ -1027,12 +1139,12 @@
         <translation>Zurück zur ersten Stellung</translation>
     </message>
     <message>
-        <source>Ball cutter</source>
-        <translation>Kugelfräser</translation>
-    </message>
-    <message>
         <source>Before you start</source>
         <translation>Vor dem Start</translation>
+    </message>
+    <message>
+        <source>Below the surface</source>
+        <translation>Unter der Fläche</translation>
     </message>
     <message>
         <source>Between passes</source>
@@ -1123,6 +1235,10 @@
         <translation>Einen Punkt anklicken, oder Esc drücken</translation>
     </message>
     <message>
+        <source>Collision between passes</source>
+        <translation>Kollision zwischen den Bahnen</translation>
+    </message>
+    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
@@ -1151,6 +1267,10 @@
         <translation>Kühlmittel</translation>
     </message>
     <message>
+        <source>Corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
         <source>Corner rounding</source>
         <translation>Verschleifen</translation>
     </message>
@@ -1163,12 +1283,24 @@
         <translation>Abhilfen</translation>
     </message>
     <message>
+        <source>Cut too deep</source>
+        <translation>Zu tief geschnitten</translation>
+    </message>
+    <message>
         <source>Cutter</source>
         <translation>Fräser</translation>
     </message>
     <message>
+        <source>Cutter inside the part</source>
+        <translation>Fräser im Teil</translation>
+    </message>
+    <message>
         <source>Cutting length</source>
         <translation>Schneidenlänge</translation>
+    </message>
+    <message>
+        <source>Deepest: {height}</source>
+        <translation>Am tiefsten: {height}</translation>
     </message>
     <message>
         <source>Diameter</source>
@@ -1263,8 +1395,16 @@
         <translation>Kopf der NC-Datei</translation>
     </message>
     <message>
+        <source>Height of the machined surface over the part</source>
+        <translation>Höhe der bearbeiteten Fläche über dem Teil</translation>
+    </message>
+    <message>
         <source>High-speed mode</source>
         <translation>Hochgeschwindigkeitsmodus</translation>
+    </message>
+    <message>
+        <source>Holder, Ø x length</source>
+        <translation>Halter, Ø x Länge</translation>
     </message>
     <message>
         <source>How far the mesh may leave the solid</source>
@@ -1289,6 +1429,10 @@
     <message>
         <source>In the folder that is proposed it stands in every list of machines from then on.</source>
         <translation>Im vorgeschlagenen Ordner steht sie von da an in jeder Maschinenliste.</translation>
+    </message>
+    <message>
+        <source>In the tool path's panel let the tool be lifted there, or leave such places out; or take a smaller cutter. The command What is left shows what then stays uncut.</source>
+        <translation>Im Fenster des Werkzeugwegs das Werkzeug dort abheben lassen oder solche Stellen auslassen; oder einen kleineren Fräser nehmen. Der Befehl Was stehen bleibt zeigt, was dann nicht geschnitten wird.</translation>
     </message>
     <message>
         <source>Its name must end in {endings}.</source>
@@ -1333,6 +1477,10 @@
     <message>
         <source>Least interval</source>
         <translation>Kleinster Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Ausgelassen</translation>
     </message>
     <message>
         <source>Let the tool path's panel lead the axis past the pole, lead or tilt the tool by a few degrees, or clamp the part in another position.</source>
@@ -1399,6 +1547,10 @@
         <translation>Größte im Satz</translation>
     </message>
     <message>
+        <source>Most: {height}</source>
+        <translation>Am meisten: {height}</translation>
+    </message>
+    <message>
         <source>Moves</source>
         <translation>Bewegungen</translation>
     </message>
@@ -1447,6 +1599,10 @@
         <translation>Hinweis</translation>
     </message>
     <message>
+        <source>Nothing enters the part</source>
+        <translation>Nichts dringt ins Teil ein</translation>
+    </message>
+    <message>
         <source>Nothing to report: all blocks are as they should be.</source>
         <translation>Nichts zu melden: alle NC-Sätze sind, wie sie sein sollen.</translation>
     </message>
@@ -1459,8 +1615,16 @@
         <translation>Auf jeder Maschine steht der Werkstücknullpunkt dort, wo ihre Datei es sagt. Das Dokument bleibt, wie es ist.</translation>
     </message>
     <message>
+        <source>On its way between passes the cutter goes {depth} into the part.</source>
+        <translation>Auf seinem Weg zwischen den Bahnen dringt der Fräser {depth} ins Teil ein.</translation>
+    </message>
+    <message>
         <source>On the machine</source>
         <translation>Auf der Maschine</translation>
+    </message>
+    <message>
+        <source>On {area} of the machined surface more is left than the passes are meant to leave.</source>
+        <translation>Auf {area} der bearbeiteten Fläche bleibt mehr stehen, als die Bahnen stehen lassen sollen.</translation>
     </message>
     <message>
         <source>One block back</source>
@@ -1623,6 +1787,14 @@
         <translation>Aufspannung</translation>
     </message>
     <message>
+        <source>Shank or holder collides</source>
+        <translation>Schaft oder Halter kollidiert</translation>
+    </message>
+    <message>
+        <source>Shank, Ø x length</source>
+        <translation>Schaft, Ø x Länge</translation>
+    </message>
+    <message>
         <source>Sheet to print</source>
         <translation>Blatt zum Drucken</translation>
     </message>
@@ -1687,6 +1859,10 @@
         <translation>Tisch und Kopf bewegen sich, wie sie es wirklich tun werden; sonst steht das Werkstück still</translation>
     </message>
     <message>
+        <source>Taper, each side</source>
+        <translation>Konus, je Seite</translation>
+    </message>
+    <message>
         <source>Tessellate</source>
         <translation>Tessellieren</translation>
     </message>
@@ -1707,8 +1883,20 @@
         <translation>Der NC-Satz liegt nahe am Pol: das Werkzeug steht fast in Richtung der Achse {first}, und dort muss {first} weit drehen, um das Werkzeug ein wenig zu neigen.</translation>
     </message>
     <message>
+        <source>The command What is left shows where. Cut these places with a smaller cutter, or with another tool axis.</source>
+        <translation>Der Befehl Was stehen bleibt zeigt, wo. Diese Stellen mit einem kleineren Fräser oder einer anderen Werkzeugachse bearbeiten.</translation>
+    </message>
+    <message>
         <source>The controller guides the tip (RTCP); shown are evenly moving axes.</source>
         <translation>Die Steuerung führt die Spitze (RTCP); gezeigt sind gleichmäßig bewegte Achsen.</translation>
+    </message>
+    <message>
+        <source>The cutter does not fit there, or it was lifted or kept away so that nothing enters the part.</source>
+        <translation>Der Fräser passt dort nicht hinein, oder er wurde abgehoben oder ferngehalten, damit nichts ins Teil eindringt.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {depth} too deep into the part.</source>
+        <translation>Der Fräser schneidet {depth} zu tief ins Teil.</translation>
     </message>
     <message>
         <source>The head of a machine that is ticked turns: give the tool length.</source>
@@ -1743,8 +1931,16 @@
         <translation>Das Programm: langsame Vorschubbewegungen, nach jeder ein Halt</translation>
     </message>
     <message>
+        <source>The shank or the holder goes {depth} into the part.</source>
+        <translation>Der Schaft oder der Halter dringt {depth} ins Teil ein.</translation>
+    </message>
+    <message>
         <source>The sheet to write</source>
         <translation>Das zu schreibende Blatt</translation>
+    </message>
+    <message>
+        <source>The surface curls tighter than the cutter there, or another wall stands nearer than it is wide.</source>
+        <translation>Die Fläche ist dort enger gekrümmt als der Fräser, oder eine andere Wand steht näher, als er breit ist.</translation>
     </message>
     <message>
         <source>The tip leaves its segment by more than the {tolerance} that are allowed.</source>
@@ -1761,6 +1957,10 @@
     <message>
         <source>The tip was seen to leave the line by {deviation}; proven is only that it is no more than {bound}.</source>
         <translation>Gesehen wurde, dass die Werkzeugspitze um {deviation} von der Strecke abweicht; bewiesen ist nur, dass es nicht mehr als {bound} ist.</translation>
+    </message>
+    <message>
+        <source>The tool is short, or leans towards a wall beside what is cut. Walls that are not selected count too.</source>
+        <translation>Das Werkzeug ist kurz oder neigt sich zu einer Wand neben der bearbeiteten Stelle. Auch Wände, die nicht gewählt sind, zählen.</translation>
     </message>
     <message>
         <source>The tool path was changed since: double-click the map to try again</source>
@@ -1781,6 +1981,10 @@
     <message>
         <source>There are several tool paths: select the one to compare machines on.</source>
         <translation>Es gibt mehrere Werkzeugwege: den auswählen, an dem Maschinen verglichen werden sollen.</translation>
+    </message>
+    <message>
+        <source>There are several tool paths: select the one to map.</source>
+        <translation>Es gibt mehrere Werkzeugwege: den auswählen, von dem die Karte sein soll.</translation>
     </message>
     <message>
         <source>There are several tool paths: select the one to write.</source>
@@ -1835,6 +2039,10 @@
         <translation>Werkzeuglänge</translation>
     </message>
     <message>
+        <source>Tool lifted</source>
+        <translation>Werkzeug abgehoben</translation>
+    </message>
+    <message>
         <source>Tool number</source>
         <translation>Werkzeugnummer</translation>
     </message>
@@ -1857,6 +2065,14 @@
     <message>
         <source>Turns of the part</source>
         <translation>Drehungen des Werkstücks</translation>
+    </message>
+    <message>
+        <source>Uncut</source>
+        <translation>Nicht geschnitten</translation>
+    </message>
+    <message>
+        <source>Uncut: {area} of {whole}</source>
+        <translation>Nicht geschnitten: {area} von {whole}</translation>
     </message>
     <message>
         <source>Value</source>
@@ -1891,12 +2107,20 @@
         <translation>Was hilft</translation>
     </message>
     <message>
+        <source>What is left</source>
+        <translation>Was stehen bleibt</translation>
+    </message>
+    <message>
         <source>What must be seen at each stop, to print; empty: no sheet</source>
         <translation>Was an jedem Halt zu sehen sein muss, zum Drucken; leer: kein Blatt</translation>
     </message>
     <message>
         <source>What the distance is proven to stay below, all through this block</source>
         <translation>Worunter der Abstand im ganzen NC-Satz bewiesenermaßen bleibt</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was tun</translation>
     </message>
     <message>
         <source>Where the program's zero is drawn in the document</source>
@@ -1907,12 +2131,20 @@
         <translation>Wo die Werkzeugspitze am weitesten von ihrer Sollstrecke entfernt ist</translation>
     </message>
     <message>
+        <source>Where the tool enters the part</source>
+        <translation>Wo das Werkzeug ins Teil eindringt</translation>
+    </message>
+    <message>
         <source>Where the work zero lies in the document</source>
         <translation>Wo der Werkstücknullpunkt im Dokument liegt</translation>
     </message>
     <message>
         <source>Where to clamp</source>
         <translation>Wohin spannen</translation>
+    </message>
+    <message>
+        <source>While the rotary axes turn, the tip leaves the straight way over the part.</source>
+        <translation>Während die Drehachsen drehen, verlässt die Spitze den geraden Weg über das Teil.</translation>
     </message>
     <message>
         <source>Why</source>
@@ -1975,6 +2207,14 @@
         <translation>Achse</translation>
     </message>
     <message>
+        <source>ball end</source>
+        <translation>Kugelfräser</translation>
+    </message>
+    <message>
+        <source>bull nose</source>
+        <translation>Torusfräser</translation>
+    </message>
+    <message>
         <source>by rotary words</source>
         <translation>durch Drehachsworte</translation>
     </message>
@@ -1991,8 +2231,8 @@
         <translation>trägt</translation>
     </message>
     <message>
-        <source>centre of the ball</source>
-        <translation>Kugelmittelpunkt</translation>
+        <source>centre of the rounding</source>
+        <translation>Mitte der Rundung</translation>
     </message>
     <message>
         <source>certain within</source>
@@ -2001,6 +2241,10 @@
     <message>
         <source>closing gaps at edges</source>
         <translation>Lücken an Kanten schließen</translation>
+    </message>
+    <message>
+        <source>collision between passes: {count} places</source>
+        <translation>Kollision zwischen den Bahnen: {count} Stellen</translation>
     </message>
     <message>
         <source>commanded line beside the real curve</source>
@@ -2017,6 +2261,18 @@
     <message>
         <source>cut</source>
         <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>cut too deep</source>
+        <translation>zu tief geschnitten</translation>
+    </message>
+    <message>
+        <source>cut too deep: {count} places</source>
+        <translation>zu tief geschnitten: {count} Stellen</translation>
+    </message>
+    <message>
+        <source>cutter {depth} in the part between passes</source>
+        <translation>Fräser {depth} im Teil zwischen den Bahnen</translation>
     </message>
     <message>
         <source>cutting the mesh</source>
@@ -2051,6 +2307,10 @@
         <translation>fest</translation>
     </message>
     <message>
+        <source>flat end</source>
+        <translation>Schaftfräser</translation>
+    </message>
+    <message>
         <source>found</source>
         <translation>gefunden</translation>
     </message>
@@ -2069,6 +2329,10 @@
     <message>
         <source>inverse time (G93)</source>
         <translation>zeitreziprok (G93)</translation>
+    </message>
+    <message>
+        <source>is left</source>
+        <translation>bleibt stehen</translation>
     </message>
     <message>
         <source>joining facets</source>
@@ -2091,6 +2355,18 @@
         <translation>kleinste Abweichung (minimax)</translation>
     </message>
     <message>
+        <source>leave out</source>
+        <translation>auslassen</translation>
+    </message>
+    <message>
+        <source>lift the tool</source>
+        <translation>das Werkzeug abheben</translation>
+    </message>
+    <message>
+        <source>lifting the tool out of the part</source>
+        <translation>hebt das Werkzeug aus dem Teil</translation>
+    </message>
+    <message>
         <source>limits</source>
         <translation>Grenzen</translation>
     </message>
@@ -2103,12 +2379,20 @@
         <translation>Zeilen verbinden</translation>
     </message>
     <message>
+        <source>looking where the tool enters the part</source>
+        <translation>sucht, wo das Werkzeug ins Teil eindringt</translation>
+    </message>
+    <message>
         <source>machines</source>
         <translation>Maschinen</translation>
     </message>
     <message>
         <source>mean of the facet normals</source>
         <translation>Mittel der Facettennormalen</translation>
+    </message>
+    <message>
+        <source>measuring what is left</source>
+        <translation>misst, was stehen bleibt</translation>
     </message>
     <message>
         <source>meshing the solid</source>
@@ -2223,6 +2507,14 @@
         <translation>Aufspannungen</translation>
     </message>
     <message>
+        <source>shank or holder collides: {count} places</source>
+        <translation>Schaft oder Halter kollidiert: {count} Stellen</translation>
+    </message>
+    <message>
+        <source>shank or holder {depth} in the part</source>
+        <translation>Schaft oder Halter {depth} im Teil</translation>
+    </message>
+    <message>
         <source>signs</source>
         <translation>Vorzeichen</translation>
     </message>
@@ -2233,6 +2525,14 @@
     <message>
         <source>taken as 0</source>
         <translation>als 0 angenommen</translation>
+    </message>
+    <message>
+        <source>tapered ball</source>
+        <translation>konischer Kugelfräser</translation>
+    </message>
+    <message>
+        <source>tapered bull nose</source>
+        <translation>konischer Torusfräser</translation>
     </message>
     <message>
         <source>the axes leave their limits</source>
@@ -2253,6 +2553,14 @@
     <message>
         <source>through</source>
         <translation>durch</translation>
+    </message>
+    <message>
+        <source>tilt the tool</source>
+        <translation>das Werkzeug kippen</translation>
+    </message>
+    <message>
+        <source>tilting the tool out of the part</source>
+        <translation>kippt das Werkzeug aus dem Teil</translation>
     </message>
     <message>
         <source>tip</source>
@@ -2319,6 +2627,10 @@
         <translation>{count}, nachgewiesen sind nur ihre Enden</translation>
     </message>
     <message>
+        <source>{depth} too deep</source>
+        <translation>{depth} zu tief</translation>
+    </message>
+    <message>
         <source>{deviation}, NC line {line}</source>
         <translation>{deviation}, NC-Zeile {line}</translation>
     </message>
@@ -2329,6 +2641,10 @@
     <message>
         <source>{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be too slow for the programmed feed: then the tool dwells and may leave a mark.</source>
         <translation>{first} dreht um {first_turn} und {second} um {second_turn}, um das Werkzeug um {lean} zu neigen. Die Achse kann für den programmierten Vorschub zu langsam sein: dann verweilt das Werkzeug und hinterlässt womöglich eine Marke.</translation>
+    </message>
+    <message>
+        <source>{height} left</source>
+        <translation>{height} bleiben stehen</translation>
     </message>
     <message>
         <source>{letter} line, {way}</source>
@@ -2378,6 +2694,10 @@
         <translation>Eine mitgelieferte Maschine, eine aus dem eigenen Ordner, oder der Pfad einer .fcm-Datei</translation>
     </message>
     <message>
+        <source>Angle between the flank of a tapered cutter and its axis</source>
+        <translation>Winkel zwischen der Flanke eines konischen Fräsers und seiner Achse</translation>
+    </message>
+    <message>
         <source>Colour of blocks near the pole, where a rotary axis turns far to lean the tool a little</source>
         <translation>Farbe der NC-Sätze nahe am Pol, wo eine Rundachse weit dreht, um das Werkzeug ein wenig zu neigen</translation>
     </message>
@@ -2398,16 +2718,36 @@
         <translation>Steuerung</translation>
     </message>
     <message>
+        <source>Corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
+        <source>Corner radius of a bull nose, tapered or not</source>
+        <translation>Eckenradius eines Torusfräsers, konisch oder nicht</translation>
+    </message>
+    <message>
+        <source>Cutter</source>
+        <translation>Fräser</translation>
+    </message>
+    <message>
         <source>Cutter diameter</source>
         <translation>Fräserdurchmesser</translation>
+    </message>
+    <message>
+        <source>Cylinders above the cutter, diameter x length in mm, from the cutter upwards</source>
+        <translation>Zylinder über der Schneide, Durchmesser x Länge in mm, von der Schneide nach oben</translation>
+    </message>
+    <message>
+        <source>Cylinders of the holder above cutter and shank, diameter x length in mm, upwards</source>
+        <translation>Zylinder des Halters über Schneide und Schaft, Durchmesser x Länge in mm, nach oben</translation>
     </message>
     <message>
         <source>Defaults of a new tool path</source>
         <translation>Vorgaben für einen neuen Werkzeugweg</translation>
     </message>
     <message>
-        <source>Diameter of the ball-end cutter</source>
-        <translation>Durchmesser des Kugelfräsers</translation>
+        <source>Diameter of the cutter; of a tapered one that of its rounded end</source>
+        <translation>Durchmesser des Fräsers; bei einem konischen der des runden Endes</translation>
     </message>
     <message>
         <source>Feed</source>
@@ -2432,6 +2772,10 @@
     <message>
         <source>General</source>
         <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation>Halter</translation>
     </message>
     <message>
         <source>Largest deviation of the tip from the commanded segment; blocks beyond it are marked</source>
@@ -2466,8 +2810,20 @@
         <translation>Kuppenhöhe</translation>
     </message>
     <message>
+        <source>Shank</source>
+        <translation>Schaft</translation>
+    </message>
+    <message>
+        <source>Shape of the cutter</source>
+        <translation>Form des Fräsers</translation>
+    </message>
+    <message>
         <source>Singular</source>
         <translation>Singulär</translation>
+    </message>
+    <message>
+        <source>Taper, each side</source>
+        <translation>Konus, je Seite</translation>
     </message>
     <message>
         <source>The language of the NC file; the machine's own is the one that its file names</source>
@@ -2520,6 +2876,17 @@
     <message>
         <source>Make a machine file of a LinuxCNC configuration or of a FreeCAD machine file</source>
         <translation>Aus einer LinuxCNC-Konfiguration oder einer FreeCAD-Maschinendatei eine Maschinendatei machen</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_Left</name>
+    <message>
+        <source>Colour the machined surface by what the cutter leaves on it, and by where it cuts too deep</source>
+        <translation>Die bearbeitete Fläche danach färben, was der Fräser auf ihr stehen lässt und wo er zu tief schneidet</translation>
+    </message>
+    <message>
+        <source>What is left</source>
+        <translation>Was stehen bleibt</translation>
     </message>
 </context>
 <context>
