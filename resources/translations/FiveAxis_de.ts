@@ -1096,7 +1096,7 @@
     </message>
     <message>
         <source>A longer tool, a slimmer holder, lead or tilt away from the wall; or leave such places out.</source>
-        <translation>Ein längeres Werkzeug, ein schlankerer Halter, Voreilung oder Neigung von der Wand weg; oder solche Stellen auslassen.</translation>
+        <translation>Ein längeres Werkzeug, ein schlankerer Halter, Voreil- oder Neigungswinkel von der Wand weg; oder solche Stellen auslassen.</translation>
     </message>
     <message>
         <source>Against deviation</source>
