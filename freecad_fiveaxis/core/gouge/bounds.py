@@ -21,6 +21,9 @@ from .facet_tree import FacetTree, Plates
 STEPS = 6
 """Times that a facet's deepest point is improved; what is missing then is part of the bound."""
 
+CROSSINGS = 4
+"""Times that the best mean of two bounds is improved."""
+
 
 def _dot(p: Columns, q: Columns) -> Floats:
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
@@ -156,28 +159,39 @@ def support_at(piece: Piece, pose: Poses, g: Floats) -> Floats:
     return np.asarray((g * pose.tip).sum(axis=0) + most + piece.round)
 
 
-class Mixed(NamedTuple):
-    """Two directions ``g``, ``h`` (3, n) and the share (n,) of the first: the mean of what they bound is a bound, too."""
-
-    g: Floats
-    h: Floats
-    share: Floats
-
-
-def end_and_side(piece: Piece, pose: Poses, point: Floats, normal: Floats) -> Mixed:
-    """The directions of a frustum's nearer end and of its side at points (3, n), mixed so that the mean is as near to the facet's
-    ``normal`` (3, n) as can be. Where a facet is deepest both ends are equally near, and neither direction alone tells so."""
+def end_and_side(piece: Piece, pose: Poses, point: Floats) -> tuple[Floats, Floats]:
+    """The directions (3, n) of a frustum's nearer end and of its side at points (3, n). Where a facet is deepest both are equally
+    near, and neither direction alone tells so."""
     arm = point - pose.tip
     height = (arm * pose.axis).sum(axis=0)
     out = arm - height * pose.axis
     out = out / np.maximum(np.sqrt((out * out).sum(axis=0)), NOWHERE)
     slope = float(np.hypot(piece.high_radius - piece.low_radius, piece.high - piece.low))
     side = ((piece.high - piece.low) * out + (piece.low_radius - piece.high_radius) * pose.axis) / slope
-    end = np.where(2.0 * height < piece.low + piece.high, -1.0, 1.0) * pose.axis
-    one, two = (g - (g * normal).sum(axis=0) * normal for g in (end, side))
-    change = one - two
-    share = -(two * change).sum(axis=0) / np.maximum((change * change).sum(axis=0), NOWHERE)
-    return Mixed(end, side, np.clip(share, 0.0, 1.0))
+    return np.where(2.0 * height < piece.low + piece.high, -1.0, 1.0) * pose.axis, side
+
+
+def least_mixed(one: Floats, two: Floats) -> Floats:
+    """About the least over shares s from 0 to 1 of the largest over rows of ``s one + (1 - s) two``, both (k, n), never below it.
+
+    The mean of two bounds is a bound, too, at every corner and at both ends of a way. Where a rising point leaves the tool over
+    its rim each bound alone is large at one end. The best share is looked for where the lines that are highest on both sides
+    cross.
+    """
+    at = np.arange(one.shape[1])
+    left, right = two.argmax(axis=0), one.argmax(axis=0)  # the highest lines at s = 0 and at s = 1
+    best = np.minimum(one[right, at], two[left, at])
+    for _ in range(CROSSINGS):
+        rise = one - two
+        down, up = two[left, at], two[right, at]
+        change = rise[right, at] - rise[left, at]
+        share = np.clip((down - up) / np.where(change == 0.0, 1.0, change), 0.0, 1.0)
+        line = two + share * rise
+        highest = line.argmax(axis=0)
+        best = np.minimum(best, line[highest, at])
+        falls = rise[highest, at] < 0.0
+        left, right = np.where(falls, highest, left), np.where(falls, right, highest)
+    return np.asarray(best)
 
 
 class Deepest(NamedTuple):

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 from .body import Body, Piece
-from .bounds import corner_bound, deepest, end_and_side, least_depth, plate_bound, slab, support_at
+from .bounds import corner_bound, deepest, end_and_side, least_depth, least_mixed, plate_bound, slab, support_at
 from .course import Clusters, Course, Poses, Stretches, clusters_of, stretches_of
 from .facet_tree import FacetTree
 
@@ -244,13 +244,11 @@ class _Search:
         for direction in (normal, -normal):
             most = np.minimum(most, bound(direction)[0])
         if piece.round == 0.0:
-            mixed = end_and_side(piece, pose, point, normal)
-            over = sum(
-                share * (np.maximum(support_at(piece, start, g), support_at(piece, end, g)) + bend)
-                for g, share in ((mixed.g, mixed.share), (mixed.h, 1.0 - mixed.share))
-            )
-            begins = ((mixed.share * mixed.g + (1.0 - mixed.share) * mixed.h) * left.corner).sum(axis=1).min(axis=0)
-            most = np.minimum(most, over - begins)
+            ends = []
+            for g in end_and_side(piece, pose, point):
+                begins = (g * left.corner).sum(axis=1)
+                ends.append(np.concatenate([support_at(piece, there, g) + bend - begins for there in (start, end)]))
+            most = np.minimum(most, least_mixed(*ends))
         return most, in_time, flat
 
     def _note(self, piece: Piece, left: _Left, u: Floats, depth: Floats, point: Floats) -> None:
