@@ -26,8 +26,9 @@ core:
 	@scripts/prepare test
 	$(PYTHON) -m pytest -n 2 -m "not rs274 and not slow"
 
-slow: # what takes long to prove: dense samples of many blocks, dynamic programmes, every cure on every machine
+slow: # what takes long to prove: dense samples of many blocks, dynamic programmes, every cure on every machine, real meshes
 	@scripts/prepare test
+	@scripts/prepare meshes
 	$(PYTHON) -m pytest -n 2 -m "slow and not rs274"
 
 linuxcnc:
@@ -53,6 +54,7 @@ install:
 
 bench:
 	@scripts/prepare bench
+	@scripts/prepare meshes
 	$(PYTHON) benchmarks/run.py
 
 clean:

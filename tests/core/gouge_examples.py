@@ -94,6 +94,47 @@ def bowl(radius=15.0, cells=60, side=40.0):
     return from_faces(np.column_stack([x.ravel(), y.ravel(), z.ravel()]), skin)
 
 
+def relief(height, side=40.0, cells=80, floor=-12.0):
+    """The closed block of that side under ``z = height(x, y)``, mm, down to the floor."""
+    x, y = np.meshgrid(*2 * [np.linspace(-0.5, 0.5, cells + 1) * side], indexing="ij")
+    top = np.stack([x, y, height(x, y)], axis=-1).reshape(-1, 3)
+    row = np.arange(x.size).reshape(x.shape)
+    border = np.concatenate([row[:-1, 0], row[-1, :-1], row[:0:-1, -1], row[0, :0:-1]])
+    under, after = len(top) + np.arange(len(border)), len(top) + np.roll(np.arange(len(border)), -1)
+    a, b, c, d = (part.ravel() for part in (row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:]))
+    quads = [(a, b, c), (a, c, d), (border, under, after), (border, after, np.roll(border, -1))]
+    middle = np.full(len(border), len(top) + len(border))
+    foot = np.column_stack([top[border][:, :2], np.full(len(border), floor)])
+    face = np.concatenate([np.stack(part, axis=1) for part in (*quads, (middle, after, under))])
+    return from_faces(np.concatenate([top, foot, [(0.0, 0.0, floor)]]), face)
+
+
+def bowl_block(radius=15.0, **more):
+    """:func:`bowl` as a closed block."""
+    return relief(lambda x, y: -np.sqrt(np.maximum(radius**2 - x**2 - y**2, (0.5 * radius) ** 2)), floor=-20.0, **more)
+
+
+def knob_in_corner(radius=7.0, at=4.0, wall=9.0, **more):
+    """A floor, two walls that meet, and a ball half sunk in the floor near them."""
+
+    def height(x, y):
+        knob = np.sqrt(np.maximum(radius**2 - (x - at) ** 2 - (y - at) ** 2, 0.0))
+        return np.maximum(knob, np.where((x > 13.0) | (y > 13.0), wall, 0.0))
+
+    return relief(height, **more)
+
+
+def blade_beside_hub(hub=8.0, gap=5.0, tall=9.0, **more):
+    """A round hub, and a blade that stands bent around a part of it, a narrow channel between them."""
+
+    def height(x, y):
+        away, turn = np.hypot(x, y), np.arctan2(y, x)
+        blade = (np.abs(away - hub - gap - 1.2) < 1.2) & (np.abs(turn) < 1.2)
+        return np.maximum(np.where(away < hub, 11.0 - 0.05 * away**2, 0.0), np.where(blade, tall - 1.5 * np.abs(turn), 0.0))
+
+    return relief(height, **more)
+
+
 def dense_points(mesh, spacing):
     """Points (n, 3) all over the mesh."""
     return np.concatenate([_spread(*mesh.vertex[row], spacing) for row in mesh.face])

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A judge of entries that shares nothing with the check: libigl's distances to the mesh, and the machine's forward kinematics of
+interpolated words.
+
+entry     how deep a point of the part is in the cutter. A point x of the cutter that lies ``a`` below its skin and ``b`` from
+          the part tells of an entry of at least ``a - b``, and of the whole of it where x lies behind the deepest point. So the
+          points on the axis and on the cone up to it from the rim (or from the corner's ring), where all ways inward end, tell
+          all of it, turn by turn.
+dug       how deep a point of the cutter's skin is in the part: what is taken off too deep. On smooth surfaces it is the entry.
+
+How deep a point lies below the cutter's skin is measured against the outline of tests/core/cutter_body.py.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from cutter_body import meridian
+from scipy.spatial import cKDTree
+
+from freecad_fiveaxis.core.kinematics import forward, words_to_q
+
+
+def libigl():
+    """The library, or a skip that says how to get it."""
+    return pytest.importorskip("igl", reason="libigl is not installed: pip install libigl")
+
+
+@dataclass(frozen=True)
+class Cloud:
+    """Points (k, 3) mm of a cutter at 0 along z, and how far (k,) each lies below its skin."""
+
+    point: np.ndarray
+    below: np.ndarray
+
+
+def cloud(cutter, rings=4):
+    """The points where all ways inward end: on the axis, and on the cone from the rim up to it."""
+    step = cutter.radius / rings
+    reach = np.linspace(cutter.ring, 0.0, int(np.ceil(cutter.ring / step)) + 1)
+    height = cutter.corner + (cutter.ring - reach)
+    up = np.arange(height[-1] + step, max(cutter.length - 0.3 * cutter.radius, height[-1]), step)
+    reach, height = np.append(reach, 0.0 * up), np.append(height, up)
+    return _turned(cutter, reach, height, step)
+
+
+def skin(cutter, arc=24, flank=8, step=None):
+    """Points of the skin."""
+    reach, height = meridian(cutter, arc=arc, flank=flank).T
+    return _turned(cutter, reach, height, cutter.radius / 12 if step is None else step)
+
+
+def _turned(cutter, reach, height, step):
+    outline = meridian(cutter, arc=4000, flank=8000)
+    top = np.column_stack([np.linspace(0.0, outline[-1, 0], 2000), np.full(2000, cutter.length)])
+    bottom = np.column_stack([np.linspace(0.0, cutter.ring, 2000), np.zeros(2000)])
+    below = cKDTree(np.concatenate([outline, top, bottom])).query(np.column_stack([reach, height]))[0]
+    count = np.maximum(np.ceil(2 * np.pi * reach / step), 1).astype(int)
+    turn = np.concatenate([2 * np.pi * np.arange(n) / n for n in count])
+    reach, height, below = (np.repeat(part, count) for part in (reach, height, below))
+    return Cloud(np.column_stack([reach * np.cos(turn), reach * np.sin(turn), height]), below)
+
+
+def poses(links, words, blocks, samples, back=0.0):
+    """Tips and axes (b, s, 3) at evenly spread u, ends too, of blocks (b,): the words linearly between their rows."""
+    u = np.linspace(0.0, 1.0, samples)[:, None]
+    rows = words[blocks][:, None] + u * (words[blocks + 1] - words[blocks])[:, None]
+    tip, axis = forward(links, words_to_q(rows.reshape(-1, rows.shape[-1])))
+    shape = (len(blocks), samples, 3)
+    return (tip - back * axis).reshape(shape), axis.reshape(shape)
+
+
+def placed(points, tip, axis):
+    """Points (k, 3) of a body at tips and axes (n, 3): (n, k, 3)."""
+    aside = np.cross(axis, np.eye(3)[np.abs(axis).argmin(axis=1)])
+    aside /= np.linalg.norm(aside, axis=1)[:, None]
+    frame = np.stack([aside, np.cross(axis, aside), axis], axis=1)
+    return tip[:, None] + points @ frame
+
+
+def distances(mesh, points, signed=False):
+    """Distances (n,) mm of points (n, 3) from the mesh; inside negative where ``signed`` (by winding numbers: gaps do not matter)."""
+    igl = libigl()
+    kind = "FAST_WINDING_NUMBER" if signed else "UNSIGNED"
+    face = np.asarray(mesh.face, np.int64)
+    return igl.signed_distance(
+        np.ascontiguousarray(points), mesh.vertex, face, getattr(igl.SignedDistanceType, f"SIGNED_DISTANCE_TYPE_{kind}")
+    )[0]
+
+
+def entries(mesh, tip, axis, inner):
+    """The entry (n,) mm at each of these poses (n, 3), negative where the cutter stays off by more."""
+    points = placed(inner.point, tip, axis)
+    return (inner.below - distances(mesh, points.reshape(-1, 3)).reshape(points.shape[:2])).max(axis=1)
+
+
+def dug(mesh, tip, axis, outer):
+    """How deep (n,) mm the skin of the cutter is in the part at each of these poses (n, 3)."""
+    points = placed(outer.point, tip, axis)
+    return -distances(mesh, points.reshape(-1, 3), signed=True).reshape(points.shape[:2]).min(axis=1)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """``entry`` (b,) mm of each block, found at a few places in it; ``worst`` mm, of the worst blocks found at many; ``dug`` mm,
+    what the skin digs into the part in those."""
+
+    entry: np.ndarray
+    worst: float
+    dug: float
+
+
+def judged(mesh, cutter, links, words, blocks, back=0.0, samples=3, finest=33, deepest=12):
+    """The verdict over blocks (b,) of a program, the worst of them looked at closely."""
+    tip, axis = (part.reshape(-1, 3) for part in poses(links, words, blocks, samples, back))
+    entry = entries(mesh, tip, axis, cloud(cutter)).reshape(len(blocks), samples).max(axis=1)
+    worst = blocks[np.argsort(-entry)[:deepest]]
+    tip, axis = (part.reshape(-1, 3) for part in poses(links, words, worst, finest, back))
+    top = np.argsort(-entries(mesh, tip, axis, cloud(cutter, rings=8)))[:8]
+    fine = entries(mesh, tip[top], axis[top], cloud(cutter, rings=32))
+    return Verdict(entry, float(max(fine.max(), entry.max())), float(dug(mesh, tip[top], axis[top], skin(cutter)).max()))

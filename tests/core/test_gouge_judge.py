@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Overcuts by another library's distances along the real ways: of concave parts and of real meshes, before and after the cure."""
+
+import os
+from pathlib import Path
+
+import gouge_judge
+import numpy as np
+import pytest
+from gouge_examples import blade_beside_hub, bowl_block, dense_points, knob_in_corner, round_groove, step
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.cutter import Cutter
+from freecad_fiveaxis.core.gouge import check_program
+from freecad_fiveaxis.core.mesh import read_stl
+from freecad_fiveaxis.core.settings import build_settings
+
+TOLERANCE = 0.01
+OPTIONS = {
+    "machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 60, "linearize": "on",
+    "tolerance": TOLERANCE, "gouge": "report",
+}  # fmt: skip
+
+PARTS = {
+    "groove": (lambda: round_groove(4.0, 24), {"direction": 0}),
+    "step": (lambda: step(6.0), {"direction": 70}),
+    "bowl": (lambda: bowl_block(11.0, cells=36), {"direction": 20}),
+    "knob": (lambda: knob_in_corner(cells=40), {"direction": 20}),
+    "blade": (lambda: blade_beside_hub(cells=40), {"direction": 20}),
+}
+CUTTERS = ("ball:10:40", "bull:10:2:40", "flat:6:40")
+
+MESHES = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl"))
+"""Where the meshes of Debian's occt-misc lie."""
+
+REAL = {"head": (60, 10), "motor": (40, 8), "propeller": (200, 30), "bearing": (22, 5), "video_part": (70, 12)}
+"""Stepover and diameter, mm."""
+
+
+def milled(mesh, **options):
+    return job.make(build_settings("mill", "part", {**OPTIONS, **options}), mesh=mesh)
+
+
+def both(made):
+    """What the check says of the cuts, which blocks these are, and the judge's verdict on them."""
+    program, cutter = made.program, made.settings.cutter.cutter
+    checked = check_program(made.mesh, job.tool_body(made.settings), made.links, program, TOLERANCE)
+    cuts = np.flatnonzero(np.isin(program.motion[1:], (Motion.CUT, Motion.FILL)))
+    return checked.cutter, cuts, gouge_judge.judged(made.mesh, cutter, made.links, program.words, cuts)
+
+
+def agree(made):
+    """Worst entries within a tenth, no block beyond its bound, and each block's deepest place where it is told to be."""
+    found, cuts, verdict = both(made)
+    assert verdict.worst == pytest.approx(found.depth[cuts].max(), rel=0.1) and verdict.worst > 10 * TOLERANCE
+    assert (verdict.entry <= found.bound[cuts] + 1e-6).all()
+    deep = np.flatnonzero(found.depth > 0.0)
+    assert np.abs(gouge_judge.distances(made.mesh, found.place[deep])).max() < 1e-6
+
+
+@pytest.mark.parametrize("cutter", [CUTTERS[0], *(pytest.param(name, marks=pytest.mark.slow) for name in CUTTERS[1:])])
+@pytest.mark.parametrize("part", PARTS)
+def test_the_worst_overcut_of_concave_parts_is_the_judges_too(part, cutter):
+    shape, options = PARTS[part]
+    agree(milled(shape(), cutter=cutter, stepover=8, **options))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("cutter", CUTTERS)
+@pytest.mark.parametrize("part", PARTS)
+def test_after_the_lift_the_judge_finds_nothing_deeper_than_the_tolerance(part, cutter):
+    shape, options = PARTS[part]
+    made = milled(shape(), cutter=cutter, stepover=8, gouge="lift", **options)
+    _, _, verdict = both(made)
+    assert verdict.worst <= TOLERANCE and verdict.dug <= TOLERANCE
+    rows = np.flatnonzero(np.isin(made.path.motion, (Motion.CUT, Motion.FILL)))
+    higher = made.path.tip[rows, 2] - dropped(made.settings.cutter.cutter, dense_points(made.mesh, 0.25), made.path.tip[rows])
+    assert higher.max() < TOLERANCE + 0.02  # so no more stays uncut than the shape demands; points lie up to 0.25 apart
+    assert higher.max() > -TOLERANCE
+
+
+def dropped(cutter, points, tips):
+    """The lowest heights (n,) at which the tips (n, 3) of an upright cutter may stand over these points of the part."""
+    lowest = np.full(len(tips), -np.inf)
+    for row, (x, y, _) in enumerate(tips):
+        away = np.hypot(points[:, 0] - x, points[:, 1] - y)
+        over = np.clip(away - cutter.ring, 0.0, cutter.corner)
+        under = points[:, 2] - cutter.corner + np.sqrt(cutter.corner**2 - over**2)
+        lowest[row] = under[away < cutter.radius - 1e-9].max(initial=-np.inf)
+    return lowest
+
+
+def test_a_judge_of_a_thinner_cutter_would_disagree():
+    made = milled(bowl_block(11.0, cells=36), cutter="ball:10:40", stepover=8, direction=20)
+    found, cuts, _ = both(made)
+    thin = gouge_judge.judged(made.mesh, Cutter(6.0, 40.0), made.links, made.program.words, cuts)
+    assert thin.worst < 0.7 * found.depth.max()
+
+
+def test_the_judge_knows_how_deep_a_cutter_stands_in_a_floor():
+    """A ball, a bull nose and a leaning flat, 0.5 mm deep in the floor of a step; the flat by the right angle of its edge."""
+    tip, axis = np.array([[-0.0, -14.0, -0.5]]), np.array([[0.0, 0.0, 1.0]])
+    for cutter in (Cutter(6.0, 30.0), Cutter(6.0, 30.0, 1.0), Cutter(6.0, 30.0, 0.0)):
+        assert gouge_judge.entries(step(), tip, axis, gouge_judge.cloud(cutter, 16))[0] == pytest.approx(0.5, rel=0.02)
+        assert gouge_judge.dug(step(), tip, axis, gouge_judge.skin(cutter))[0] == pytest.approx(0.5, rel=0.02)
+    lean = np.radians(30.0)
+    axis, tip = np.array([[0.0, np.sin(lean), np.cos(lean)]]), np.array([[0.0, -14.0, 3.0 * np.sin(lean) - 0.5]])
+    flat = Cutter(6.0, 30.0, 0.0)
+    inner = gouge_judge.entries(step(), tip, axis, gouge_judge.cloud(flat, 48))[0]
+    assert inner == pytest.approx(0.5 / (np.sin(lean) + np.cos(lean)), rel=0.05)
+    assert gouge_judge.dug(step(), tip, axis, gouge_judge.skin(flat))[0] == pytest.approx(0.5, rel=0.02)
+
+
+# ------------------------------------------------------------------------------------------------ real meshes
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["ball:{0}:{1}", "bull:{0}:{2}:{1}", "flat:{0}:{1}"], ids=["ball", "bull", "flat"])
+@pytest.mark.parametrize("name", REAL)
+def test_the_worst_overcut_of_real_meshes_is_the_judges_too(name, kind):
+    path = MESHES / f"{name}.stl"
+    if not path.exists():
+        pytest.skip(f"no {path}: install Debian's occt-misc, or name a folder with its meshes in FIVEAXIS_MESHES")
+    stepover, diameter = REAL[name]
+    cutter = kind.format(diameter, 3 * diameter, 0.2 * diameter)
+    agree(milled(read_stl(str(path)), cutter=cutter, stepover=stepover, tool_axis="facet_mean", lead="3deg"))
