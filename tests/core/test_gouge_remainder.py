@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 from gouge_examples import step, v_groove
 
-from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.gouge import Body, depth_of, find_remainder, frustum_piece, round_piece, straight_course
-from freecad_fiveaxis.core.gouge.remainder import surface_samples, uncut_finding
+from freecad_fiveaxis.core.gouge.remainder import surface_parts, surface_samples, too_deep_finding, uncut_finding
 
 BALL = Body((round_piece(0.0, 3.0, 3.0),))
 
@@ -23,6 +23,14 @@ def test_the_samples_share_the_whole_area_and_lie_on_their_facets():
     whole = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
     assert np.bincount(facet, area) == pytest.approx(whole)
     assert np.abs(((point - mesh.vertex[mesh.face[facet, 0]]) * mesh.normal[facet]).sum(axis=1)).max() < 1e-12
+
+
+def test_the_parts_of_a_facet_keep_its_sense_and_have_no_long_sides():
+    mesh = step()
+    corner, facet = surface_parts(mesh, 2.0)
+    twice = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    assert ((twice * mesh.normal[facet]).sum(axis=1) > 0.0).all()
+    assert np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max() <= 3.0
 
 
 def test_between_two_passes_on_a_floor_the_scallop_is_left():
@@ -60,6 +68,21 @@ def test_brute_force_over_dense_poses_finds_no_lower_height(body):
     assert (left.height[near] <= -depth[near] + 0.02).all() and (left.height >= -depth - 0.05).all() and near.sum() > 50
 
 
+@pytest.mark.parametrize(("ring", "corner"), [(8.0, 0.0), (8.0, 2.0)], ids=["flat", "bull"])
+def test_a_wide_cutter_that_leans_touches_far_from_its_middle(ring, corner):
+    lean, side = np.radians(15.0), np.linspace(-20, 20, 41)
+    axis = np.array([-np.sin(lean), 0.0, np.cos(lean)])  # the rim at +x is the lowest
+    hub = corner + ring * np.sin(lean)
+    rows = [(x, y, hub) for y in side for x in ((-25, 25) if round(y) % 2 else (25, -25))]
+    tips = np.array(rows) - corner * axis
+    course = straight_course(tips, np.tile(axis, (len(tips), 1)))
+    tool = frustum_piece(0.0, ring, 30.0, ring) if corner == 0.0 else round_piece(ring, corner, corner)
+    left = find_remainder(step(), Body((tool,)), course, np.arange(0, len(tips) - 1, 2), 2.0)
+    floor = (np.abs(left.point[:, 2]) < 1e-9) & (np.abs(left.point[:, 0]) < 14) & (np.abs(left.point[:, 1] + 10) < 8)
+    assert floor.sum() > 50 and left.height[floor].min() > -1e-6
+    assert left.height[floor].max() < 0.02  # under its middle it would be 2 mm and more
+
+
 def test_what_is_left_is_told_with_its_area():
     left = find_remainder(step(), BALL, upright((-20, -12, 0), (20, -12, 0)), np.array([0]), 3.0)
     (finding,) = uncut_finding(left, 1.0)
@@ -67,6 +90,30 @@ def test_what_is_left_is_told_with_its_area():
         finding.code == "uncut" and finding.value == pytest.approx(left.area[left.height > 1.0].sum()) and finding.unit == "mm2"
     )
     assert uncut_finding(left, 1e3) == ()
+
+
+def test_what_is_cut_too_deep_is_told_with_its_depth():
+    left = find_remainder(step(), BALL, upright((-20, -12, -0.3), (20, -12, -0.3)), np.array([0]), 1.0)
+    (finding,) = too_deep_finding(left, 0.01)
+    assert finding.code == "cut-too-deep" and finding.value == pytest.approx(0.3, abs=0.05) and finding.limit == 0.01
+    area, volume = left.taken(0.0)  # of the groove: a segment of a circle of radius 3
+    half = np.arccos(2.7 / 3.0)
+    assert volume == pytest.approx(40.0 * 9.0 * (half - np.sin(half) * np.cos(half)), rel=0.1)
+    assert area == pytest.approx(40.0 * 2.0 * 3.0 * np.sin(half), rel=0.15)
+    assert too_deep_finding(left, 0.31) == ()
+
+
+def test_a_long_search_says_how_far_it_is_and_can_be_stopped():
+    told = []
+
+    def listen(what, share):
+        told.append(share)
+        if share > 0.3:
+            raise Cancelled("stopped")
+
+    with pytest.raises(Cancelled):
+        find_remainder(step(), BALL, upright((-20, -12, 0), (20, -12, 0)), np.array([0]), 0.1, progress=listen)
+    assert told == sorted(told) and 0.0 < told[-2] <= 0.3 < told[-1] < 1.0
 
 
 def test_without_cuts_nothing_can_be_said():

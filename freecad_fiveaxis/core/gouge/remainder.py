@@ -5,8 +5,11 @@ height    of a point of the part's surface: how far the cutter stays away from i
           on it, below 0 so much is taken off too deep.
 sample    the middle of a facet, or of a part of it, with the area that it stands for.
 
-The way is sampled, the poses nearest to each point are looked up in a k-d tree, and between those poses and their neighbours the
-height is followed to its minimum. Every height found is that of a real pose, so it is never too small.
+way       the cuts one after the other, by the length that the cutter's bottom goes on them.
+
+The way is sampled. The sampled poses whose middle is nearest to a point are looked up in a k-d tree: as many as could touch it,
+for a wide cutter that leans touches with its rim, far from its middle. Those that come nearest, each from another stretch of the
+way, are followed to their least height. Every height found is that of a real pose, so it is never too small.
 """
 
 from __future__ import annotations
@@ -23,20 +26,26 @@ from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
-from .body import Body, off_piece
+from .body import Body, Piece, off_piece
 from .course import Course, Poses
 
 NEAREST = 12
-"""Sampled poses that are looked at for each point."""
+"""Sampled poses that are looked at for each point, at least."""
+
+SOME = 1000
+"""Points by which it is found how many could touch."""
+
+MOST_NEAREST = 512
+"""And at most; of a wide cutter on narrow passes the samples lie farther apart instead."""
 
 FOLLOWED = 2
-"""Of these, as many as come nearest are followed."""
+"""Of these, as many as come nearest are followed; of a cutter with a level bottom twice as many."""
 
-STEPS = 9
+STEPS = 8
 """Golden sections of the way between neighbouring samples: to a hundredth of it, and the height there is flat."""
 
 CLOSE = 0.25
-"""Distance of samples on the way, as a share of the cutter's thickness."""
+"""Distance of samples on the way, as a share of the radius that it has at its bottom."""
 
 LONGEST = 1.5
 """Times the spacing: no part's side is longer, and most parts' middles then lie about the spacing apart."""
@@ -47,8 +56,8 @@ MOST_HALVINGS = 16
 MOST_SAMPLES = 4_000_000
 """Sampled poses; a longer way is sampled more widely."""
 
-CHUNK = 32768
-"""Points at a time."""
+CHUNK = 131_072
+"""Points and samples near them that are looked at together."""
 
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
@@ -86,14 +95,13 @@ def find_remainder(
     if not len(blocks):
         raise SettingsError("no block cuts, so nothing can be said of what is left", 0)
     point, facet, area = surface_samples(mesh, spacing, facets)
-    block, u, step = _way_samples(body, course, blocks)
-    centres = _centres(body, course.pose(block, u))
-    tree = cKDTree(centres.T)
+    progress("what is left", 0.0)
+    way, near = _sampled_enough(body, course, blocks, point)
     height, nearest = np.empty(len(point)), np.empty(len(point), np.int64)
-    for first in range(0, len(point), CHUNK):
+    for first in range(0, len(point), CHUNK // near):
         progress("what is left", first / len(point))
-        rows = slice(first, first + CHUNK)
-        height[rows], nearest[rows] = _lowest(body, course, tree, block, u, step, point[rows])
+        rows = slice(first, first + CHUNK // near)
+        height[rows], nearest[rows] = _lowest(body, way, point[rows], near)
     progress("what is left", 1.0)
     return Remainder(point, facet, area, height, nearest, spacing)
 
@@ -132,38 +140,104 @@ def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> 
     return corner.mean(axis=1), facet, area
 
 
-def _way_samples(body: Body, course: Course, blocks: Ints) -> tuple[Ints, Floats, Floats]:
-    """Blocks (s,), the u of the samples in them, and half the way to the next one, by u (s,)."""
-    ends = [_centres(body, course.pose(blocks, np.full(len(blocks), u))) for u in (0.0, 0.5, 1.0)]
-    length = sum(np.linalg.norm(q - p, axis=0) for p, q in pairwise(ends))
-    spacing = max(CLOSE * max(piece.most for piece in body.pieces), float(np.sum(length)) / MOST_SAMPLES)
-    count = np.ceil(np.asarray(length) / spacing).astype(np.int64) + 1
-    block, share = np.repeat(blocks, count), np.repeat(1.0 / count, count)
-    part = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
-    return block, (part + 0.5) * share, 0.5 * share
+@dataclass(frozen=True, eq=False)
+class _Way:
+    """The blocks (b,) that cut; ``length`` (b + 1,) mm of the way at their ends, ``low`` and ``high`` (b,) at the ends of the
+    run of blocks that each is in. ``at`` (s,) mm: where the samples are, ``pose`` theirs, ``tree`` over their middles;
+    ``spacing`` mm."""
+
+    course: Course
+    block: Ints
+    length: Floats
+    low: Floats
+    high: Floats
+    at: Floats
+    pose: Poses
+    tree: cKDTree
+    spacing: float
+
+    def place(self, at: Floats) -> tuple[Ints, Floats]:
+        """The rows of ``block`` and the u that the way has come to after so many mm (n,)."""
+        return _place(self.length, at)
 
 
-def _centres(body: Body, pose: Poses) -> Floats:
-    """A point of each pose (3, n) that lies in the lowest piece: where the cutter is looked for."""
-    lowest = min(body.pieces, key=lambda piece: piece.low - piece.round)
-    return np.asarray(pose.tip + lowest.low * pose.axis)
+def _place(length: Floats, at: Floats) -> tuple[Ints, Floats]:
+    row = np.clip(np.searchsorted(length, at, side="right") - 1, 0, len(length) - 2)
+    whole = np.maximum(length[row + 1] - length[row], 1e-300)
+    return row, np.clip((at - length[row]) / whole, 0.0, 1.0)
 
 
-def _lowest(
-    body: Body, course: Course, tree: cKDTree, block: Ints, u: Floats, step: Floats, point: Floats
-) -> tuple[Floats, Ints]:  # fmt: skip
-    """The least height (n,) of points, and the block where it is."""
-    k = min(NEAREST, len(block))
-    near = tree.query(point, k=k)[1].reshape(len(point), k)
-    there, place = near.ravel(), np.repeat(point, k, axis=0).T
-    first = _height(body, course.pose(block[there], u[there]), place).reshape(len(point), k)
-    k = min(FOLLOWED, k)
-    near = np.take_along_axis(near, np.argpartition(first, k - 1, axis=1)[:, :k], axis=1)
-    there, place = near.ravel(), np.repeat(point, k, axis=0).T
-    blocks, low, high = block[there], np.maximum(u[there] - step[there], 0.0), np.minimum(u[there] + step[there], 1.0)
+def _sampled(lowest: Piece, course: Course, blocks: Ints, spacing: float) -> _Way:
+    poses = [course.pose(blocks, np.full(len(blocks), u)) for u in (0.0, 0.5, 1.0)]
+    steps = [
+        np.linalg.norm(_middle(lowest, q) - _middle(lowest, p), axis=0)
+        + lowest.low_radius * np.linalg.norm(q.axis - p.axis, axis=0)
+        for p, q in pairwise(poses)
+    ]
+    length = np.append(0.0, np.cumsum(steps[0] + steps[1]))
+    first = np.flatnonzero(np.diff(blocks, prepend=blocks[0] - 2) != 1)
+    run = np.cumsum(np.diff(blocks, prepend=blocks[0] - 2) != 1) - 1
+    ends = np.append(first[1:], len(blocks))
+    spacing = max(spacing, float(length[-1]) / MOST_SAMPLES)
+    size = length[ends] - length[first]
+    count = np.maximum(np.ceil(size / spacing), 1).astype(np.int64)
+    of = np.repeat(np.arange(len(first)), count)
+    part = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+    at = length[first][of] + (part + 0.5) * (size / count)[of]
+    row, u = _place(length, at)
+    pose = course.pose(blocks[row], u)
+    tree = cKDTree(_middle(lowest, pose).T)
+    return _Way(course, blocks, length, length[first][run], length[ends][run], at, pose, tree, spacing)
+
+
+def _middle(piece: Piece, pose: Poses) -> Floats:
+    """The middle of a piece's lower disc at each pose (3, n)."""
+    return np.asarray(pose.tip + piece.low * pose.axis)
+
+
+def _sampled_enough(body: Body, course: Course, blocks: Ints, point: Floats) -> tuple[_Way, int]:
+    """The sampled way, and how many samples must be looked at for all that could touch one of some points (n, 3) to be among
+    them; where that is too many, the samples lie farther apart."""
+    lowest = _lowest_piece(body)
+    wide = lowest.low_radius + lowest.round
+    way, count = _sampled(lowest, course, blocks, CLOSE * wide), NEAREST
+    if lowest.low_radius > 0.0:
+        some = point[:: max(len(point) // SOME, 1)]
+        count = int(way.tree.query_ball_point(some, wide + way.spacing, return_length=True).max())
+        if count > MOST_NEAREST:
+            way = _sampled(lowest, course, blocks, way.spacing * count / MOST_NEAREST)
+    return way, min(max(count, NEAREST), MOST_NEAREST, len(way.at))
+
+
+def _lowest_piece(body: Body) -> Piece:
+    return min(body.pieces, key=lambda piece: piece.low - piece.round)
+
+
+def _starts(body: Body, way: _Way, point: Floats, count: int) -> Ints:
+    """The samples (n, k) from which to follow: of so many the lowest, then the lowest away from that, and so on."""
+    near = np.asarray(way.tree.query(point, k=count)[1]).reshape(len(point), count)
+    there, place = near.ravel(), np.repeat(point, near.shape[1], axis=0).T
+    pose = Poses(way.pose.tip.take(there, axis=1), way.pose.axis.take(there, axis=1))
+    height, at = _height(body, pose, place).reshape(near.shape), way.at[near]
+    level = any(piece.low_radius > 0.0 for piece in body.pieces)
+    rows, starts = np.arange(len(point)), []
+    for _ in range(FOLLOWED * (1 + level)):
+        best = height.argmin(axis=1)
+        starts.append(near[rows, best])
+        height[np.abs(at - at[rows, best][:, None]) < 1.5 * way.spacing] = np.inf
+    return np.stack(starts, axis=1)
+
+
+def _lowest(body: Body, way: _Way, point: Floats, count: int) -> tuple[Floats, Ints]:
+    """The least height (n,) of points over so many samples about them, and the block where it is."""
+    starts = _starts(body, way, point, count)
+    place, middle = np.repeat(point, starts.shape[1], axis=0).T, way.at[starts.ravel()]
+    row, _ = way.place(middle)
+    low, high = np.maximum(middle - way.spacing, way.low[row]), np.minimum(middle + way.spacing, way.high[row])
 
     def height(at: Floats) -> Floats:
-        return _height(body, course.pose(blocks, at), place)
+        row, u = way.place(at)
+        return _height(body, way.course.pose(way.block[row], u), place)
 
     one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     first, second = height(one), height(two)
@@ -173,10 +247,9 @@ def _lowest(
         one, two = np.where(left, high - GOLDEN * (high - low), two), np.where(left, one, low + GOLDEN * (high - low))
         fresh = height(np.where(left, one, two))
         first, second = np.where(left, fresh, second), np.where(left, first, fresh)
-    found = np.minimum(np.minimum(first, second), np.minimum(height(low), height(high))).reshape(len(point), k)
-    best = found.argmin(axis=1)
-    rows = np.arange(len(point))
-    return found[rows, best], block[near[rows, best]]
+    found, at = (np.where(first < second, *ends).reshape(starts.shape) for ends in ((first, second), (one, two)))
+    least, rows = found.argmin(axis=1), np.arange(len(point))
+    return found[rows, least], way.block[way.place(at[rows, least])[0]]
 
 
 def _height(body: Body, pose: Poses, place: Floats) -> Floats:
