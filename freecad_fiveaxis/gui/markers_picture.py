@@ -29,8 +29,9 @@ class MarkersPicture:
         path = self.obj.Path
         if not view.ShowLabel or path is None:
             return
-        texts = gouge_words.labels(places.tolist(), kinds, list(self.obj.Depths))
+        texts = []
         if LARGEST in kinds:
             said = words.label_text(path.MaxSegmentDeviation.Value, path.WorstLine)
             texts.append((places[kinds.index(LARGEST)].tolist(), said))
+        texts += gouge_words.labels(places.tolist(), kinds, list(self.obj.Depths))
         self.label.addChild(overlay.label_nodes(texts))

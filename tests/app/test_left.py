@@ -37,7 +37,8 @@ def test_a_ball_leaves_the_bottom_of_a_groove_that_is_too_narrow_for_it(doc, gro
     made = app.left_map(path)
     assert made.LargestUndercut.Value == pytest.approx(5.0 * (np.sqrt(2.0) - 1.0), rel=0.12)  # samples lie beside the bottom
     assert made.LargestOvercut.Value <= 0.02 and made.OvercutArea.Value == 0.0
-    assert made.UncutArea.Value == pytest.approx(2.0 * 5.0 * 16.0, rel=0.25)  # from the bottom to where the ball touches
+    bare = np.sqrt((5.0 + made.Allowed.Value) ** 2 - 5.0**2)  # from where the ball touches to where more than allowed is left
+    assert made.UncutArea.Value == pytest.approx(2.0 * (5.0 - bare) * 16.0, rel=0.03)
     assert "is left, at most" in made.Verdict and made.State == ["Up-to-date"] and made.UpToDate
 
 
@@ -141,6 +142,21 @@ def face_at(obj, **where):
 
 
 FACES = {"machine": "trunnion_ac", "cutter": "ball:6:12", "stepover": 2, "gouge": "report", "clearance": 10}
+
+
+def test_a_wall_that_is_not_selected_stops_the_holder_and_the_map_covers_what_is_selected(doc, step):
+    chosen = (face_at(step, z=10.0), face_at(step, z=40.0))
+    path = app.create_toolpath(doc, (step, chosen), **FACES, holder="40x30", left="on")
+    result = results.result_of(path)
+    mesh, keep = result.made.mesh, result.made.keep
+    assert 0 < keep.sum() < len(keep) and set(np.round(mesh.vertex[mesh.face[keep]][..., 2].ravel(), 6)) == {10.0, 40.0}
+    (first, *_) = [one for one in result.findings if one.code == "holder-collision"]
+    assert first.place[0] >= 20.0 - 1e-6 and first.value > 1.0, "the wall beyond x = 20 stops the holder"
+    made = app.left_map(path)
+    assert made.MachinedArea.Value == pytest.approx(2 * 20.0 * 30.0, rel=1e-6)
+    assert set(result.left.facet) == set(np.flatnonzero(keep))
+    slim = app.create_toolpath(doc, (step, chosen), **{**FACES, "cutter": "ball:6:60"})
+    assert not [one for one in results.result_of(slim).findings if one.code == "holder-collision"]
 
 
 def test_the_cutter_itself_is_checked_against_the_wall_that_is_not_selected(doc, step):

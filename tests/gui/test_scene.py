@@ -163,7 +163,9 @@ def test_the_legend_is_no_part_of_the_scenes_box(dome, scene, screenshot, pixels
     assert pixels(screenshot("scene-no-legend"), overlay.WARN, 40, view_box()) < 10
 
 
-def test_a_marker_is_found_under_the_mouse(dome, scene):
+@pytest.mark.parametrize("behind", ["nothing", "a legend"])
+def test_a_marker_is_found_under_the_mouse(behind, dome, scene):
+    """Also behind a legend, whose own camera would turn the mouse's ray away from what comes after it."""
     from pivy import coin
 
     drawing, made = draw(dome), marks.Marks()
@@ -178,6 +180,8 @@ def test_a_marker_is_found_under_the_mouse(dome, scene):
         action.setPoint(coin.SbVec2s(int(x), int(y)))
         root = coin.SoSeparator()
         root.addChild(view.getCameraNode())
+        if behind == "a legend":
+            root.addChild(overlay.legend_node(words.legend_of("Path", dome, LOOK, "")))
         root.addChild(made.root)
         action.apply(root)
         point = action.getPickedPoint()

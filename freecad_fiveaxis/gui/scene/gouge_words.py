@@ -46,13 +46,11 @@ def label_text(kind: str, depth: float) -> str:
 def labels(
     places: Sequence[Sequence[float]], kinds: Sequence[str], values: Sequence[float | None]
 ) -> list[tuple[Sequence[float], str]]:
-    """Place and text of the first mark of each kind, which is its deepest; ``values`` mm."""
-    made, seen = [], set()
-    for place, kind, value in zip(places, kinds, values, strict=False):
-        if kind in GOUGE_COLOURS and kind not in seen and value:
-            seen.add(kind)
-            made.append((place, label_text(kind, value)))
-    return made
+    """Place and text of the first mark of each kind, which is its deepest; ``values`` mm. Of texts that are drawn over each other
+    the last one is read: that of a cut which is too deep."""
+    first = {kind: at for at, kind in reversed(list(enumerate(kinds)))}
+    rows = [first[kind] for kind in (RAPID_COLLISION, HOLDER_COLLISION, OVERCUT) if kind in first]
+    return [(places[at], label_text(kinds[at], value)) for at in rows if at < len(values) and (value := values[at])]
 
 
 def legend_keys(kinds: Sequence[str]) -> list[tuple[tuple[float, float, float], str]]:

@@ -6,6 +6,7 @@ Both are drawn over everything else, cannot be picked, and are not part of the s
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -22,6 +23,8 @@ PAPER, INK, WARN = (22, 26, 32, 205), (245, 245, 245), (255, 205, 70)
 FONT, SMALL, PAD, BAR = 13, 12, 10, 18
 """Pixels: text, smaller text, border, width of the colour bar."""
 BAR_HEIGHT = 190
+WARNING_WIDTH = 44
+"""Letters in a line of a warning: wider ones would cover the part."""
 LEFT, SLOT, BESIDE = -0.985, 0.0, 0.42
 """Where the legend stands in the view, -1 to 1 both ways."""
 
@@ -148,7 +151,7 @@ def _legend_picture(legend: Legend) -> QtGui.QImage:
     """From the top: warning, title, bar with marks, keys, notes."""
     line = FONT + 6
     bold, plain = _font(FONT, bold=True), _font(SMALL)
-    head = ([(legend.warning, WARN)] if legend.warning else []) + [(legend.title, INK)]
+    head = [(text, WARN) for text in textwrap.wrap(legend.warning, WARNING_WIDTH)] + [(legend.title, INK)]
     words = [_width(text, bold) for text, _ in head] + [_width(text, plain) for text in legend.notes]
     words += [BAR + 12 + _width(text, plain) for _, text in (*legend.marks, *legend.keys)]
     marks = max((_width(text, plain) for _, text in legend.marks), default=0)

@@ -6,6 +6,8 @@ from __future__ import annotations
 import FreeCAD
 
 DIGITS = 4
+ROUNDING = 1e-9
+"""mm or mm²; what is less is rounding, and would be read as a measure."""
 
 
 def length_text(mm: float, digits: int = DIGITS) -> str:
@@ -19,6 +21,7 @@ def area_text(square_mm: float, digits: int = DIGITS) -> str:
 
 
 def _text(value: float, kind: object, usual: str, digits: int) -> str:
+    value = 0.0 if abs(value) < ROUNDING else value
     _, factor, unit = FreeCAD.Units.Quantity(value, kind).getUserPreferred()
     if not factor or not unit:
         factor, unit = 1.0, usual
