@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from freecad_fiveaxis.core.asked import dialect_for
 from freecad_fiveaxis.core.errors import FiveAxisError
-from freecad_fiveaxis.core.job import dialect_for
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.post import Dialect
 

@@ -16,6 +16,7 @@ from typing import Any
 
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.gouge import Remainder
+from freecad_fiveaxis.core.gouge_free import allowed
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.progress import Progress
 
@@ -148,7 +149,8 @@ def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
         if obj.Proxy.last is None or obj.Proxy.last.fingerprint != known.fingerprint:
             made = known.result.made
             left = figures.left or job.what_is_left(made, listener)
-            obj.Proxy.last = Heights(known.fingerprint, made.mesh, left, figures.tolerance, figures.allowed)
+            above = allowed(made.settings, made.mesh, made.keep)
+            obj.Proxy.last = Heights(known.fingerprint, made.mesh, left, figures.tolerance, above)
     return obj.Proxy.last
 
 

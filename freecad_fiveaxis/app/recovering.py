@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from freecad_fiveaxis.core import job, workshop
+from freecad_fiveaxis.core import outputs, workshop
 from freecad_fiveaxis.core.errors import FileError
 from freecad_fiveaxis.core.files import check_writable, write_whole
 from freecad_fiveaxis.core.progress import Progress
@@ -34,7 +34,7 @@ def recover(
     """The machine, not yet written. Raises FiveAxisError for files that cannot be used and for a name that is taken."""
     settings = settings_of(cl_file, nc_file, fcm_file, options)
     if not machines.is_new_folder(settings.recover.machine_file):
-        job.check_outputs(settings)
+        outputs.check_outputs(settings)
     with listening(progress) as listener:
         return workshop.recover_machine(settings, listener)
 

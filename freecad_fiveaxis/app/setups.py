@@ -21,9 +21,9 @@ import FreeCAD
 import numpy as np
 
 from freecad_fiveaxis.core import trials
+from freecad_fiveaxis.core.asked import clamped
 from freecad_fiveaxis.core.errors import FileError, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.files import check_writable, write_whole
-from freecad_fiveaxis.core.job import clamped
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.settings import MILL, SETUP, HeadSettings, SetupSettings, build_settings, option_fields

@@ -7,7 +7,7 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from freecad_fiveaxis.core import job, workshop
+from freecad_fiveaxis.core import outputs, workshop
 from freecad_fiveaxis.core.errors import FileError
 from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.settings import PROVE, Settings, build_settings
@@ -24,7 +24,7 @@ def settings_of(nc_file: Any, options: Mapping[str, Any], sheet: Any = None) -> 
 def prove(nc_file: Any, options: Mapping[str, Any], sheet: Any = None, progress: Progress | None = None) -> workshop.Proof:
     """Program and sheet, not yet written. Raises FiveAxisError where the limits leave no room."""
     settings = settings_of(nc_file, options, sheet)
-    job.check_outputs(settings)
+    outputs.check_outputs(settings)
     with listening(progress) as listener:
         return workshop.prove(settings, listener)
 

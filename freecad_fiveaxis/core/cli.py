@@ -212,9 +212,9 @@ def _machines_beside(job_file: str, value: Any) -> Any:
 def _run(settings: Settings, quiet: bool) -> int:
     from freecad_fiveaxis.core.report import as_text
 
-    from . import job, trials, workshop
+    from . import job, outputs, trials, workshop
 
-    job.check_outputs(settings)
+    outputs.check_outputs(settings)
     if settings.task in workshop.TASKS:
         return _work(settings, quiet)
     if settings.task in trials.TRIALS:
@@ -224,7 +224,7 @@ def _run(settings: Settings, quiet: bool) -> int:
     check_readable(settings.source)
     with bars(quiet) as progress:
         result = job.run(settings, progress)
-        written = job.write_outputs(result, progress)
+        written = outputs.write_outputs(result, progress)
     if not quiet:
         _show_report([as_text(job.figures(result)), *(f"wrote {path}" for path in written)], written)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in result.findings) else DONE

@@ -18,8 +18,9 @@ from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.linearize import linearize
 from freecad_fiveaxis.core.minimax import minimax_axes
 
+from .asked import reach
 from .errors import SettingsError
-from .job import Milled, Posted, linked, reach
+from .job import Milled, Posted, linked
 from .progress import Progress
 from .records import Floats
 

@@ -18,11 +18,12 @@ from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
 
+from .asked import clamped
 from .cures import cures, known_cures
 from .errors import SettingsError
 from .files import write_whole
 from .findings import Finding, Severity
-from .job import Milled, Posted, clamped, make
+from .job import Milled, Posted, make
 from .post import Dialect
 from .progress import Progress, silent
 from .records import Bools

@@ -29,10 +29,10 @@ from freecad_fiveaxis.core.recover import (
 )
 
 from .apt import read_apt
+from .asked import clamped, dialect_for
 from .errors import FileError, SettingsError
 from .files import check_readable, read_bytes, write_whole
 from .findings import Finding
-from .job import clamped, dialect_for
 from .post import PostOptions
 from .progress import Progress, silent
 from .settings import PROVE, RECOVER, Settings, flat_options

@@ -9,8 +9,8 @@ import pytest
 
 pytest.importorskip("FreeCAD")
 from freecad_fiveaxis.app import preferences
+from freecad_fiveaxis.core.asked import DEFAULT_SCALLOP
 from freecad_fiveaxis.core.cutter import parse_cutter
-from freecad_fiveaxis.core.job import DEFAULT_SCALLOP
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.settings import option_fields
 

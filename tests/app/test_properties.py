@@ -10,7 +10,7 @@ from conftest import FAST
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import auditing, convert, properties, toolpath
-from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core import gouge_free
 from freecad_fiveaxis.core.cutter import KINDS, Cutter, kind_of, parse_cutter
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.gouge import body_of
@@ -181,8 +181,8 @@ def test_sizes_that_the_kind_has_not_are_not_looked_at(path):
 def test_the_tool_that_is_drawn_is_the_body_that_is_checked(path, text):
     convert.put_options(path, MILL, {"cutter": text, "shank": "8x20,12x30", "holder": "40x25"})
     drawn, settings = convert.tool_of(path), convert.settings_of(path, MILL, "x")
-    assert drawn.body == job.tool_body(settings) and drawn.cutter == settings.cutter.cutter
-    assert drawn.body != job.tool_body(build_settings(MILL, "x", {"machine": "trunnion_ac", "cutter": text}))
+    assert drawn.body == gouge_free.tool_body(settings) and drawn.cutter == settings.cutter.cutter
+    assert drawn.body != gouge_free.tool_body(build_settings(MILL, "x", {"machine": "trunnion_ac", "cutter": text}))
 
 
 def test_an_audit_draws_shank_and_holder_too(doc, tmp_path):

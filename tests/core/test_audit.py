@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from five_kinds import KINDS, links_of, random_blocks
 
-from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core import job, outputs
 from freecad_fiveaxis.core.audit import asked_rates, check_limits, feed_findings, rate_findings
 from freecad_fiveaxis.core.audit.rates import DEGREES
 from freecad_fiveaxis.core.cl_path import Motion
@@ -210,7 +210,7 @@ def test_the_reports_of_an_audit_name_it_all(tmp_path):
     source.write_text("G21 G90 G94\nG0 X0 Y0 Z50 A0 C0\nG1 X10 F600\nG1 X10.5 A30 F600\nG1 Z900 F9000\nM2\n")
     settings = build_settings("audit", str(source), {"machine": "trunnion_ac", "rates": str(tmp_path / "rates.csv")})
     result = job.run(settings)
-    job.write_outputs(result)
+    outputs.write_outputs(result)
     figures = job.figures(result)
     assert {"limit", "axis-rate", "feed-over-part"} <= set(codes(result.findings))
     numbers = summary(figures)
@@ -239,7 +239,7 @@ def test_a_program_made_here_is_within_limits_and_rates(tmp_path):
         posted = build_settings(
             "post", str(cl), {"machine": "trunnion_ac", "output": str(nc), "feed_mode": mode, "linearize": "on"}
         )
-        job.write_outputs(job.run(posted))
+        outputs.write_outputs(job.run(posted))
         audit = job.run(build_settings("audit", str(nc), {"machine": "trunnion_ac"})).audit
         assert not {"limit", "axis-rate"} & set(codes(audit.findings))
         feeds = audit.rates.tip_feed[audit.rates.tip_feed > 0]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from mesh_shapes import box, sphere
 
-from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core import job, outputs
 from freecad_fiveaxis.core.audit import against_part, against_path
 from freecad_fiveaxis.core.audit.against_part import _distance
 from freecad_fiveaxis.core.audit.nearest import Facets, Segments, nearest, search
@@ -303,7 +303,7 @@ def test_posted_for_a_pivot_half_a_millimetre_off_is_off_by_what_the_hand_comput
         "MULTAX/ON\nFEDRAT/900\n" + "".join("GOTO/" + ",".join(f"{v:.7f}" for v in row) + "\n" for row in rows) + "FINI\n"
     )
     posted = build_settings("post", str(cl), {"machine": str(fcm), "output": str(nc)})
-    job.write_outputs(job.run(posted))
+    outputs.write_outputs(job.run(posted))
     result = job.run(build_settings("audit", str(nc), {"machine": "trunnion_ac", "against": str(cl), "tolerance": 0.05}))
     tilt = np.radians(words[1:, 4])
     ends = result.audit.path.end
@@ -333,7 +333,7 @@ def test_an_output_must_not_be_what_is_compared_with(tmp_path):
     )
     again = dataclasses.replace(settings, output=dataclasses.replace(settings.output, rates="p.apt"))
     with pytest.raises(FiveAxisError, match="is the file that is read"):
-        job.check_outputs(again)
+        outputs.check_outputs(again)
 
 
 # ---------------------------------------------------------------------------------------------- against the part

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, bowl_block, dense_points, knob_in_corner, round_groove, step
 
-from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core import gouge_free, job
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.gouge import check_program
@@ -45,7 +45,7 @@ def milled(mesh, **options):
 def both(made):
     """What the check says of the cuts, which blocks these are, and the judge's verdict on them."""
     program, cutter = made.program, made.settings.cutter.cutter
-    checked = check_program(made.mesh, job.tool_body(made.settings), made.links, program, TOLERANCE)
+    checked = check_program(made.mesh, gouge_free.tool_body(made.settings), made.links, program, TOLERANCE)
     cuts = np.flatnonzero(np.isin(program.motion[1:], (Motion.CUT, Motion.FILL)))
     return checked.cutter, cuts, gouge_judge.judged(made.mesh, cutter, made.links, program.words, cuts)
 

@@ -16,9 +16,9 @@ MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path
 STREET = [  # rooms and single modules of the core; imports only point up this list
     "errors", "findings", "records", "progress", "portions", "quantity", "files", "number_text", "machine", "kinematics", "mesh",
     "passes", "cutter", "coedge", "tool_axis", "feasible", "seating", "cl_path", "apt", "trajectory", "deviation",
-    "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces", "nc_reader", "audit",
-    "report", "setup_map", "compare",
-    "recover", "prove_signs", "playback", "option_values", "settings", "job", "cures", "trials", "workshop", "memory", "terminal", "cli",
+    "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces",
+    "nc_reader", "audit", "report", "setup_map", "compare", "recover", "prove_signs", "playback", "option_values", "settings",
+    "asked", "gouge_free", "job", "outputs", "cures", "trials", "workshop", "memory", "terminal", "cli",
 ]  # fmt: skip
 LATE = {"post/writer.py": "program"}  # a file that stands further down the street than its room
 

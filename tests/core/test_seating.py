@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from cutter_body import depth, facet_points, inside
 
-from freecad_fiveaxis.core import job, seating
+from freecad_fiveaxis.core import asked, job, outputs, seating
 from freecad_fiveaxis.core.apt import read_apt, read_cl_file, write_apt
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.cutter import Cutter, parse_cutter
@@ -321,7 +321,7 @@ def test_cutter_statements_of_other_systems(statement, sizes):
 
 def test_post_notes_another_shape(parts, tmp_path):
     given = {"machine": "trunnion_ac", "cutter": "bull:10:2", "stepover": 15, "cl": str(tmp_path / "a.apt")}
-    job.write_outputs(job.run(build_settings("mill", str(parts / "dome.stl"), given)))
+    outputs.write_outputs(job.run(build_settings("mill", str(parts / "dome.stl"), given)))
 
     def notes(cutter):
         made = job.make(build_settings("post", str(tmp_path / "a.apt"), {"machine": "trunnion_ac", "cutter": cutter}))
@@ -343,7 +343,7 @@ def test_a_job_file_and_the_head_name_the_cutter(shape, parts):
 def test_the_tool_length_of_a_head_reaches_to_the_hub():
     given = {"machine": "fork_head_bc", "tool_length": 100, "control_point": "centre"}
     lengths = [
-        job.clamped(build_settings("mill", "x.stl", given | {"cutter": cutter}))[1]
+        asked.clamped(build_settings("mill", "x.stl", given | {"cutter": cutter}))[1]
         for cutter in ("ball:10", "bull:10:2", "flat:10")
     ]
     assert [setup.tool_length for setup in lengths] == [95.0, 98.0, 100.0]

@@ -90,7 +90,7 @@ class PostPanel:
     def _write(self) -> bool:
         from freecad_fiveaxis import app
         from freecad_fiveaxis.app import cam, results
-        from freecad_fiveaxis.core import job
+        from freecad_fiveaxis.core import outputs
         from freecad_fiveaxis.core.files import check_writable, write_whole
 
         nc, reports = self._nc_path(), self._report_paths()
@@ -103,7 +103,7 @@ class PostPanel:
         with transaction(self.path.Document, title), waiting(title):
             figures = results.figures_of(self.path)
             sheets = {
-                path: job.REPORTS["." + kind](figures).encode("utf-8", "backslashreplace") for kind, path in reports.items()
+                path: outputs.REPORTS["." + kind](figures).encode("utf-8", "backslashreplace") for kind, path in reports.items()
             }
             app.post_process(self.path, nc, overwrite=nc in replaced)
             for path, sheet in sheets.items():

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool kept out of the part, as the settings ask: the cures on the way to the program, and check and map of the finished one.
+
+cure      ``lift``, ``tilt`` or ``leave-out``: what is done where the tool would enter. Nothing is done where nothing enters.
+allowed   so much may stay on the part, mm: scallops and tolerance.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.coedge import OffsetPath
+from freecad_fiveaxis.core.gouge import (
+    AIM,
+    Body,
+    GougeCheck,
+    Remainder,
+    body_of,
+    check_program,
+    facet_tree,
+    find_remainder,
+    leave_out,
+    lift_path,
+    program_course,
+    straight_course,
+    tilt_free,
+    too_deep_finding,
+    uncut_finding,
+)
+from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.program import Program
+
+from .asked import axis_options, back, scallop_asked
+from .findings import Finding
+from .progress import Progress
+from .records import Bools, Floats
+from .seating import scallop_of
+from .settings import Settings
+
+LEFT_SPACING = 0.1
+"""Of the cutter's diameter: how far apart the surface is looked at for what is left on it."""
+
+
+def tool_body(settings: Settings) -> Body:
+    """Cutter, shank and holder."""
+    return body_of(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
+
+
+def tilted(
+    settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, links: Chain, progress: Progress
+) -> tuple[OffsetPath, Floats]:
+    """The path with the tool tilted free of the part, where the settings ask for that; else what is given."""
+    if settings.gouge.gouge != "tilt":
+        return offset, axis
+    cutter, most, tolerance = settings.cutter.cutter, settings.tool_axis.max_tilt, settings.proof.tolerance
+    return tilt_free(offset, axis, cutter, tool_body(settings), facet_tree(mesh), links, most, tolerance, progress)
+
+
+def left_out_rows(settings: Settings, sat: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress) -> tuple[OffsetPath, Floats]:
+    """The rows that can be cut without entering the part, where the settings ask to leave out the others. ``sat``: with hubs."""
+    if settings.gouge.gouge != "leave-out":
+        return sat, axis
+    body, back = tool_body(settings), settings.cutter.cutter.corner
+    return leave_out(sat, axis, facet_tree(mesh), body, AIM * settings.proof.tolerance, back, progress)
+
+
+def lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> tuple[CLPath, float]:
+    """The path with the tool lifted out of the part, where the settings ask for that, else the very path given; and how deep, mm,
+    what a cure leaves of entries may still be."""
+    tolerance = settings.proof.tolerance
+    if settings.gouge.gouge in ("lift", "tilt"):
+        lifted = lift_path(path, facet_tree(mesh), tool_body(settings), tolerance, back(settings), progress)
+        return lifted.path, lifted.left
+    return path, AIM * tolerance if any(finding.code == "left-out" for finding in path.findings) else 0.0
+
+
+def uncut_by_cure(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Finding, ...]:
+    """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance; nothing is looked for where there was no
+    cure, or where the map of what is left tells it."""
+    if settings.gouge.left == "on" or not {"lifted", "left-out"} & {finding.code for finding in path.findings}:
+        return ()
+    cutter = settings.cutter.cutter
+    course = straight_course(path.tip - back(settings) * path.axis, path.axis)
+    cuts = np.flatnonzero(np.isin(path.motion[1:], (Motion.CUT, Motion.FILL)))
+    left = find_remainder(mesh, body_of(cutter), course, cuts, LEFT_SPACING * cutter.diameter, keep, progress)
+    return uncut_finding(left, allowed(settings, mesh, keep))
+
+
+def allowed(settings: Settings, mesh: Mesh, keep: Bools) -> float:
+    """So much may stay on the facets ``keep`` (f,), mm: twice the scallop, which is that of a flat, and the tolerance."""
+    return 2.0 * _left_scallop(settings, mesh, keep) + settings.proof.tolerance
+
+
+def _left_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
+    """The scallop, mm, that the passes leave: the one asked for, or that of the stepover."""
+    cutter, passes, tool = settings.cutter.cutter, settings.passes, settings.tool_axis
+    if passes.stepover is None:
+        return scallop_asked(settings) or 0.0
+    turned = tool.max_tilt if settings.gouge.gouge == "tilt" else 0.0
+    stand = (tool.tool_axis, replace(axis_options(settings), tilt=max(abs(tool.tilt), turned)))
+    return scallop_of(cutter, mesh, keep, passes.direction, *stand, passes.stepover)
+
+
+# ------------------------------------------------------------------------------------------------ the finished program
+
+
+def entered(settings: Settings, mesh: Mesh, links: Chain, program: Program, progress: Progress) -> GougeCheck | None:
+    """What the tool enters of the part on its real way, where the settings ask for the check."""
+    if settings.gouge.gouge == "off":
+        return None
+    return check_program(mesh, tool_body(settings), links, program, settings.proof.tolerance, back(settings), progress)
+
+
+def left_by(settings: Settings, mesh: Mesh, keep: Bools, links: Chain, program: Program, progress: Progress) -> Remainder:
+    """What the cutter leaves on the facets ``keep`` (f,) on its real way. Raises SettingsError where no block cuts."""
+    cutter, course = settings.cutter.cutter, program_course(links, program, back(settings))
+    cuts = np.flatnonzero(np.isin(program.motion[1:], (Motion.CUT, Motion.FILL)))
+    return find_remainder(mesh, body_of(cutter), course, cuts, LEFT_SPACING * cutter.diameter, keep, progress)
+
+
+def said_of(left: Remainder | None, settings: Settings, mesh: Mesh, keep: Bools) -> tuple[Finding, ...]:
+    """Where more stays than may, and, where no check tells it, where too much is taken off."""
+    if left is None:
+        return ()
+    deep = too_deep_finding(left, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
+    return uncut_finding(left, allowed(settings, mesh, keep)) + deep
