@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The gouge check on the real ways of a machine against a k-d tree of the facets' centres with exact distances at the positions
-alone, and against OpenCAMLib's drop cutter (the three-axis part of it) where that can be imported; all in one run and in turns.
+alone; and on real meshes (Debian's occt-misc) against OpenCAMLib's drop cutter, which does the three-axis part of it, at the same
+points, one above each of the places where that lets the cutter down. All in one run and in turns, in processor time.
 """
 
 from __future__ import annotations
 
+import os
 import statistics
 import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -22,7 +25,8 @@ from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.gouge import body_of, facet_tree, find_entries, real_course, straight_course
 from freecad_fiveaxis.core.gouge.bounds import nearest_on_facet
-from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.gouge.course import still_course
+from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.settings import build_settings
 
@@ -32,6 +36,9 @@ TOLERANCE = 0.01
 POSITIONS, FEW = 60_000, 2_000  # of the check; of the peers, whose time grows with their number
 ROUNDS = 3
 ASKED = 50_000.0
+MESHES = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl"))
+REAL = {"head": 10.0, "motor": 8.0, "propeller": 30.0, "bearing": 4.0, "video_part": 15.0}  # diameter, mm
+ALONG, ACROSS, EDGE = 500, 24, 50.0  # points along and across the mesh; length of the edge, mm
 
 
 def milled(mesh: Mesh) -> job.Milled:
@@ -63,25 +70,6 @@ class Neighbours:
         return depth
 
 
-def drop_cutter(mesh: Mesh, tips: Floats) -> float:
-    """Seconds that OpenCAMLib's drop cutter takes at the same places; NaN where it is not installed."""
-    try:
-        import opencamlib as ocl
-    except ImportError:
-        return float("nan")
-    surface = ocl.STLSurf()
-    for a, b, c in mesh.vertex[mesh.face].tolist():
-        surface.addTriangle(ocl.Triangle(*(ocl.Point(*corner) for corner in (a, b, c))))
-    drop = ocl.BatchDropCutter()
-    drop.setSTL(surface)
-    drop.setCutter(ocl.BallCutter(DIAMETER, 50.0))
-    for x, y, _ in tips.tolist():
-        drop.appendPoint(ocl.CLPoint(x, y, -100.0))
-    start = time.perf_counter()
-    drop.run()
-    return time.perf_counter() - start
-
-
 def rates(facets: int) -> dict[str, float]:
     """The check's rates and the peers', positions a second."""
     mesh = bumpy(facets)
@@ -90,7 +78,7 @@ def rates(facets: int) -> dict[str, float]:
     body, few = body_of(Cutter(DIAMETER)), np.arange(1000, 1000 + FEW)
     centres = made.path.tip[few] + 0.5 * DIAMETER * made.path.axis[few]
     peer = Neighbours(mesh)
-    found: dict[str, list[float]] = {name: [] for name in ("real", "straight", "tree", "peer", "drop")}
+    found: dict[str, list[float]] = {name: [] for name in ("real", "straight", "tree", "peer")}
     for _ in range(ROUNDS):  # in turns: a busy machine slows all of them alike
         for name, course in (("real", real), ("straight", straight)):
             blocks = np.arange(min(POSITIONS, len(course)))
@@ -98,9 +86,73 @@ def rates(facets: int) -> dict[str, float]:
                 len(blocks) / _seconds(lambda c=course, b=blocks: find_entries(body, tree, c, TOLERANCE, blocks=b))
             )
         found["peer"].append(FEW / _seconds(lambda: peer.depth(centres, 0.5 * DIAMETER)))
-        found["drop"].append(FEW / drop_cutter(mesh, made.path.tip[few]))
         found["tree"].append(_seconds(lambda: facet_tree(mesh)))
     return {name: statistics.median(values) for name, values in found.items()}
+
+
+def dropped(mesh: Mesh, shape: Any, places: Floats) -> tuple[Floats, float]:
+    """The tips (n, 3) that OpenCAMLib's drop cutter finds at these places (n, 2), and how many it finds in a second."""
+    import opencamlib as ocl
+
+    surface = ocl.STLSurf()
+    for corners in mesh.vertex[mesh.face].tolist():
+        surface.addTriangle(ocl.Triangle(*(ocl.Point(*corner) for corner in corners)))
+    drop = ocl.BatchDropCutter()
+    drop.setSTL(surface)
+    drop.setThreads(1)
+    drop.setCutter(shape)
+    low = float(mesh.vertex[:, 2].min())
+    for x, y in places.tolist():
+        drop.appendPoint(ocl.CLPoint(x, y, low))
+    rate = len(places) / _seconds(drop.run)
+    return np.column_stack([places, [point.z for point in drop.getCLPoints()]]), rate
+
+
+def real_rows(name: str, diameter: float) -> list[tuple[str, ...]]:
+    """The check and the drop cutter at the same points over one of the real meshes, with a ball, a bull nose and a flat."""
+    import opencamlib as ocl
+
+    mesh = read_stl(str(MESHES / f"{name}.stl"))
+    tree, (low, high), corner = facet_tree(mesh), (mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)), 0.2 * diameter
+    x, y = np.meshgrid(np.linspace(low[0], high[0], ALONG), np.linspace(low[1], high[1], ACROSS))
+    x[1::2] = x[1::2, ::-1]  # to and fro
+    shapes = {
+        "ball": (ocl.BallCutter(diameter, EDGE), Cutter(diameter, EDGE)),
+        "bull": (ocl.BullCutter(diameter, corner, EDGE), Cutter(diameter, EDGE, corner)),
+        "flat": (ocl.CylCutter(diameter, EDGE), Cutter(diameter, EDGE, 0.0)),
+    }
+    rows = []
+    for kind, (theirs, ours) in shapes.items():
+        body, rates_ = body_of(ours), {"peer": [], "still": [], "way": []}
+        for _ in range(ROUNDS):
+            tips, rate = dropped(mesh, theirs, np.column_stack([x.ravel(), y.ravel()]))
+            rates_["peer"].append(rate)
+            axes = np.broadcast_to((0.0, 0.0, 1.0), tips.shape)
+            for key, course in (("still", still_course(tips, axes)), ("way", straight_course(tips, axes))):
+                rates_[key].append(len(tips) / _seconds(lambda b=body, c=course: find_entries(b, tree, c, TOLERANCE)))
+        rate = {key: statistics.median(values) for key, values in rates_.items()}
+        deepest = find_entries(body, tree, still_course(tips, axes), TOLERANCE).depth.max()
+        rows.append((
+            name, f"{len(mesh.face)}", f"{kind} {diameter:g}", f"{rate['peer'] / 1e3:.2f} k", f"{rate['still'] / 1e3:.1f} k",
+            f"{rate['still'] / rate['peer']:.1f}", f"{rate['way'] / 1e3:.1f} k", f"{deepest:.3f}",
+        ))  # fmt: skip
+    return rows
+
+
+def real_meshes() -> None:
+    """Print the table of the real meshes, or why there is none."""
+    try:
+        import opencamlib  # noqa: F401
+    except ImportError:
+        return print("\nno OpenCAMLib here (pip install opencamlib): the check is not timed beside its drop cutter")
+    there = {name: size for name, size in REAL.items() if (MESHES / f"{name}.stl").exists()}
+    if not there:
+        return print(f"\nno real meshes in {MESHES}: install Debian's occt-misc, or name another folder in FIVEAXIS_MESHES")
+    heads = ("mesh", "facets", "cutter", "drop cutter", "check", "times", "with the ways between", "deepest, mm")
+    rows = [row for name, size in there.items() for row in real_rows(name, size)]
+    print_table("Gouge check at the points of OpenCAMLib's drop cutter: positions/s", heads, rows)
+    ratio = [float(row[5]) for row in rows]
+    print(f"times: median {statistics.median(ratio):.1f}, least {min(ratio):.1f}, most {max(ratio):.1f}; 10 are asked for")
 
 
 def _seconds(call: Callable[[], object]) -> float:
@@ -117,11 +169,12 @@ def main(facets: tuple[int, ...] = FACETS) -> None:
         rate = rates(count)
         rows.append((
             f"{count}", f"{rate['tree']:.2f} s", f"{rate['straight'] / 1e3:.1f} k", f"{rate['real'] / 1e3:.1f} k",
-            f"{rate['peer'] / 1e3:.2f} k", f"{rate['drop'] / 1e3:.2f} k", f"{rate['real'] / rate['peer']:.0f}",
+            f"{rate['peer'] / 1e3:.2f} k", f"{rate['real'] / rate['peer']:.0f}",
         ))  # fmt: skip
-    heads = ("facets", "tree", "straight", "real ways", "k-d tree, poses only", "drop cutter", "times k-d tree")
+    heads = ("facets", "tree", "straight", "real ways", "k-d tree, poses only", "times")
     print_table(f"Gouge check, ball {DIAMETER:g} mm with its cylinder: positions/s", heads, rows)
     print(f"{ASKED / 1e3:g} k positions/s are asked for at 100k facets")
+    real_meshes()
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ from pathlib import Path
 import gouge_judge
 import numpy as np
 import pytest
-from gouge_examples import blade_beside_hub, bowl_block, dense_points, knob_in_corner, round_groove, step
+from gouge_examples import blade_beside_hub, bowl_block, knob_in_corner, round_groove, step
 
 from freecad_fiveaxis.core import gouge_free, job
 from freecad_fiveaxis.core.cl_path import Motion
@@ -75,27 +75,17 @@ def test_after_the_lift_the_judge_finds_nothing_deeper_than_the_tolerance(part, 
     _, _, verdict = both(made)
     assert verdict.worst <= TOLERANCE and verdict.dug <= TOLERANCE
     rows = np.flatnonzero(np.isin(made.path.motion, (Motion.CUT, Motion.FILL)))
-    higher = made.path.tip[rows, 2] - dropped(made.settings.cutter.cutter, dense_points(made.mesh, 0.25), made.path.tip[rows])
-    assert higher.max() < TOLERANCE + 0.02  # so no more stays uncut than the shape demands; points lie up to 0.25 apart
-    assert higher.max() > -TOLERANCE
-
-
-def dropped(cutter, points, tips):
-    """The lowest heights (n,) at which the tips (n, 3) of an upright cutter may stand over these points of the part."""
-    lowest = np.full(len(tips), -np.inf)
-    for row, (x, y, _) in enumerate(tips):
-        away = np.hypot(points[:, 0] - x, points[:, 1] - y)
-        over = np.clip(away - cutter.ring, 0.0, cutter.corner)
-        under = points[:, 2] - cutter.corner + np.sqrt(cutter.corner**2 - over**2)
-        lowest[row] = under[away < cutter.radius - 1e-9].max(initial=-np.inf)
-    return lowest
+    rows = rows[np.unique(np.linspace(0, len(rows) - 1, 100).astype(int))]
+    inner = gouge_judge.cloud(made.settings.cutter.cutter, rings=24)
+    touches = gouge_judge.entries(made.mesh, made.path.tip[rows], made.path.axis[rows], inner)
+    assert touches.min() > -0.03  # of which the cloud's coarseness is most: so no more stays uncut than the shape demands
 
 
 def test_a_judge_of_a_thinner_cutter_would_disagree():
     made = milled(bowl_block(11.0, cells=36), cutter="ball:10:40", stepover=8, direction=20)
     found, cuts, _ = both(made)
     thin = gouge_judge.judged(made.mesh, Cutter(6.0, 40.0), made.links, made.program.words, cuts)
-    assert thin.worst < 0.7 * found.depth.max()
+    assert thin.worst < 0.9 * found.depth.max()
 
 
 def test_the_judge_knows_how_deep_a_cutter_stands_in_a_floor():
