@@ -7,6 +7,7 @@ allowed   so much may stay on the part, mm: scallops and tolerance.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -32,6 +33,7 @@ from freecad_fiveaxis.core.gouge import (
 )
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.passes import facet_areas
 from freecad_fiveaxis.core.program import Program
 
 from .asked import axis_options, back, scallop_asked
@@ -42,7 +44,13 @@ from .seating import scallop_of
 from .settings import Settings
 
 LEFT_SPACING = 0.1
-"""Of the cutter's diameter: how far apart the surface is looked at for what is left on it."""
+"""Of the cutter's diameter: how far apart, at most, the surface is looked at for what is left on it."""
+
+FINEST = 0.02
+"""The same for the map, at least: that is as fine as SAMPLES allow."""
+
+SAMPLES = 10_000
+"""Squares of the spacing into which the map divides the surface, about; each holds two or three of its triangles."""
 
 
 def tool_body(settings: Settings) -> Body:
@@ -119,7 +127,9 @@ def left_by(settings: Settings, mesh: Mesh, keep: Bools, links: Chain, program: 
     """What the cutter leaves on the facets ``keep`` (f,) on its real way. Raises SettingsError where no block cuts."""
     cutter, course = settings.cutter.cutter, program_course(links, program, back(settings))
     cuts = np.flatnonzero(np.isin(program.motion[1:], (Motion.CUT, Motion.FILL)))
-    return find_remainder(mesh, body_of(cutter), course, cuts, LEFT_SPACING * cutter.diameter, keep, progress)
+    even = math.sqrt(float(facet_areas(mesh)[keep].sum()) / SAMPLES)
+    spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
+    return find_remainder(mesh, body_of(cutter), course, cuts, spacing, keep, progress)
 
 
 def said_of(left: Remainder | None, settings: Settings, mesh: Mesh, keep: Bools) -> tuple[Finding, ...]:

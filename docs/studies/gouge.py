@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Makes the picture of docs/gouge.md and prints its numbers: ``.venv/bin/python docs/studies/gouge.py``, from the project's
+folder."""
+
+from __future__ import annotations
+
+import runpy
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.gouge import (
+    HeightScale,
+    height_colours,
+    height_scale,
+    left_patches,
+    level_colours,
+    scale_marks,
+)
+from freecad_fiveaxis.core.mesh import from_faces
+from freecad_fiveaxis.core.report import Figures, summary
+from freecad_fiveaxis.core.report.raster import owners, view_from
+from freecad_fiveaxis.core.settings import build_settings
+
+HERE = Path(__file__).resolve().parents[1]
+PICTURE = HERE / "images" / "gouge-left.png"
+PARTS = HERE.parent / "resources" / "examples" / "make_parts.py"
+OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:20", "stepover": 3, "linearize": "on", "left": "on"}
+FINE = 12.0
+"""Pixels a mm."""
+LIGHT = np.array([-0.35, 0.45, 0.82])
+
+
+def milled(gouge: str) -> Figures:
+    """The wavy patch of 233 facets under a ball of 20 mm."""
+    mesh = from_faces(*runpy.run_path(str(PARTS))["freeform_233"]())
+    settings = build_settings("mill", "freeform_233.stl", {**OPTIONS, "gouge": gouge})
+    return job.figures(job.prove(job.make(settings, mesh=mesh)))
+
+
+def seen(axes: Any, figures: Figures, scale: HeightScale, title: str) -> None:
+    """The patch from above, coloured by what is left."""
+    assert figures.mesh is not None and figures.left is not None
+    corner, view = left_patches(figures.mesh, figures.left), view_from(-0.5 * np.pi, 0.5 * np.pi)
+    low, high = corner.reshape(-1, 3).min(axis=0)[:2], corner.reshape(-1, 3).max(axis=0)[:2]
+    wide, tall = np.ceil((high - low) * FINE).astype(int).tolist()
+    owner = owners(corner, view, low, FINE, wide, tall)
+    normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    lit = 0.75 + 0.25 * np.clip(normal @ LIGHT / np.linalg.norm(normal, axis=1) / np.linalg.norm(LIGHT), 0.0, 1.0)
+    colour = np.append(height_colours(figures.left.height, scale) * lit[:, None], [(1.0, 1.0, 1.0)], axis=0)
+    axes.imshow(colour[owner], extent=(low[0], high[0], low[1], high[1]), interpolation="antialiased")
+    axes.set_title(title, fontsize=9)
+    axes.set(xlabel="X, mm", ylabel="Y, mm")
+
+
+def legend(axes: Any, scale: HeightScale) -> None:
+    """The scale of colours; its middle is what is as it should be."""
+    ramp = np.linspace(-1.0, 1.0, 400)
+    axes.imshow(level_colours(ramp)[None], extent=(-1, 1, 0, 1), aspect="auto")
+    marks = [(level, height) for level, height in scale_marks(scale) if level != 0.0]
+    axes.set_xticks([level for level, _ in marks], [f"{height:+.3g}" for _, height in marks], fontsize=8)
+    axes.set_yticks([])
+    said = f"too deep  <  {-scale.tolerance:g} to {scale.allowed:+.3g} mm is as it should be  <  left, mm"
+    axes.set_xlabel(said, fontsize=8)
+
+
+def main() -> None:
+    """Mill it with and without the cure, and draw what each leaves."""
+    before, after = milled("report"), milled("lift")
+    assert before.left is not None and after.left is not None
+    scales = [height_scale(one.left, one.tolerance, one.allowed) for one in (before, after) if one.left is not None]
+    scale = scales[0]._replace(deepest=max(one.deepest for one in scales), highest=max(one.highest for one in scales))
+    figure = plt.figure(figsize=(10.5, 4.3), layout="constrained")
+    panels = figure.subplot_mosaic([["before", "after"], ["legend", "legend"]], height_ratios=(14, 1))
+    for name, one in (("before", before), ("after", after)):
+        told = summary(one)
+        overcut = f"overcut up to {told['max_overcut']:.3f} mm" if told["overcut_blocks"] else "no overcut"
+        left = f"at most {told['max_left']:.3f} mm left"
+        seen(panels[name], one, scale, f"{'As it is' if one is before else '--gouge lift'}: {overcut}, {left}")
+        print(
+            name,
+            {
+                key: told[key]
+                for key in ("max_overcut", "overcut_blocks", "max_left", "left_area", "too_deep_area", "max_too_deep")
+            },
+        )
+    legend(panels["legend"], scale)
+    figure.savefig(PICTURE, dpi=110)
+
+
+if __name__ == "__main__":
+    main()
