@@ -11,6 +11,7 @@ import FreeCAD
 import FreeCADGui
 import pytest
 
+from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results, tool_bit
 from freecad_fiveaxis.core.errors import Cancelled
 from freecad_fiveaxis.core.findings import Finding, Severity
@@ -529,6 +530,17 @@ def test_the_audit_panel_makes_audit_and_markers_in_one_step(doc, tmp_path, pane
     assert doc.Markers.Path is doc.Audit and len(doc.Markers.Places) >= 1
     doc.undo()
     assert names(doc) == []
+
+
+def test_the_holder_that_an_audit_draws_survives_its_panel(doc, tmp_path, pump, panel_button):
+    (tmp_path / "a.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z10 A0 C0 F100\nX10 A1\n")
+    made = app.audit(doc, tmp_path / "a.ngc", "trunnion_ac", holder="40x60", cutter="taperball:6:5deg")
+    opened = audit.edit(made)
+    pump(200)
+    opened.options.fields["tolerance"].show_value(0.5)
+    assert opened.calculate(), shown("form_error").text()
+    panel_button("OK")
+    assert (made.Holder, made.CutterKind, made.CutterTaper.Value, made.Tolerance.Value) == ("40x60", "taperball", 5.0, 0.5)
 
 
 def test_an_nc_file_that_cannot_be_read_says_so(doc, tmp_path):
