@@ -137,6 +137,14 @@ def cutter_values(cutter: Cutter) -> dict[str, Any]:
     return has | ({"CutterTaper": round(math.degrees(cutter.taper), 12)} if "taper" in CUTTER_KINDS[kind] else {})
 
 
+def show_sizes(obj: Any) -> None:
+    """The property editor shows those sizes of the cutter that its kind has. Nothing is done to an object without a cutter."""
+    has = CUTTER_KINDS.get(getattr(obj, "CutterKind", ""), ())
+    for size, name in (("corner", "CutterCorner"), ("taper", "CutterTaper")):
+        if name in obj.PropertiesList:
+            obj.setEditorMode(name, [] if size in has else ["Hidden"])
+
+
 def drawn_tool(task: str = "") -> tuple[Property, ...]:
     """Shank and holder, as those of ``mill``, as far as they are no settings of the task but only drawn."""
     own = {one.name for one in setting_properties(task)} if task else set()

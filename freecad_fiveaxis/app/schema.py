@@ -17,7 +17,7 @@ import FreeCAD
 
 from freecad_fiveaxis.core.quantity import stack_text
 
-from .properties import HIDDEN, Property, add_missing, drawn_tool
+from .properties import CUTTER, HIDDEN, Property, add_missing, drawn_tool, show_sizes
 
 SCHEMA = 4
 VERSION = Property(
@@ -32,6 +32,7 @@ class Proxy:
         obj.Proxy = self
         add_missing(obj, [*self.properties(), VERSION])
         obj.SchemaVersion = SCHEMA
+        show_sizes(obj)
         self._begin()
 
     def _begin(self) -> None:
@@ -46,6 +47,12 @@ class Proxy:
         """FreeCAD has read the object from a file, or made a copy of it."""
         self._begin()
         migrate(obj, self.properties())
+        show_sizes(obj)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """FreeCAD has set a property, in a document that is open or while it reads one."""
+        if name == CUTTER[0].name:
+            show_sizes(obj)
 
     def dumps(self) -> None:
         """FreeCAD 0.21 and later: nothing to save but the properties."""

@@ -172,6 +172,20 @@ def test_what_no_tool_has_is_refused_with_the_remedy(path, values, says):
         convert.tool_of(path)
 
 
+def test_the_property_editor_shows_the_sizes_that_the_kind_has(path, reopen):
+    def hidden(obj):
+        return {name for name in ("CutterDiameter", "CutterCorner", "CutterTaper") if "Hidden" in obj.getEditorMode(name)}
+
+    assert hidden(path) == {"CutterCorner", "CutterTaper"}
+    path.Document.recompute()
+    path.purgeTouched()
+    for kind, lacks in (("bull", {"CutterTaper"}), ("taperbull", set()), ("flat", {"CutterCorner", "CutterTaper"})):
+        path.CutterKind = kind
+        assert hidden(path) == lacks
+    path.CutterKind = "taperball"
+    assert hidden(reopen(path.Document).Toolpath) == {"CutterCorner"}
+
+
 def test_sizes_that_the_kind_has_not_are_not_looked_at(path):
     path.CutterCorner, path.CutterTaper = 600, 80
     assert convert.settings_of(path, MILL, "x").cutter.cutter == Cutter(10.0)
