@@ -185,7 +185,7 @@ class Panel:
             return 20.0
         there = spot(self.figures, finding.block)
         depth = finding.value or 0.0 if finding.unit == "mm" else 0.0
-        return 4.0 * max(there.step, 2.0 * there.deviation, 2.0 * depth, 0.25)
+        return 4.0 * max(there.step, 2.0 * there.deviation, depth, 0.25)
 
     def _page(self, at: int) -> str:
         """What happens, why, and what helps."""

@@ -21,6 +21,8 @@ from .scene.units import area_text, length_text
 from .view_providers import MAPS, legend_slot
 from .waiting import waiting
 
+MARK_DIGITS = 3
+
 
 class LeftPicture:
     """Nodes of a map; ``root`` goes into the view provider.
@@ -88,13 +90,13 @@ class LeftPicture:
     def _legend(self) -> overlay.Legend:
         if self.heights is None or self.scale is None:
             return overlay.Legend(self.obj.Label, np.zeros((0, 3)), (), ("", ""), (), (), self.warned)
-        marks = [(at, length_text(height)) for at, height in bar_marks(self.scale)]
+        marks = [(at, length_text(height, MARK_DIGITS)) for at, height in bar_marks(self.scale)]
         halves = (translate("FiveAxis", "cut too deep"), translate("FiveAxis", "is left"))
         uncut = translate("FiveAxis", "Uncut: {area} of {whole}")
         notes = (
-            translate("FiveAxis", "Height of the machined surface over the part"),
-            translate("FiveAxis", "Most: {height}").format(height=_left_text(self.obj.LargestUndercut.Value)),
-            translate("FiveAxis", "Deepest: {height}").format(height=_deep_text(self.obj.LargestOvercut.Value)),
+            translate("FiveAxis", "From the part's surface to the cutter"),
+            translate("FiveAxis", "Most that is left: {height}").format(height=length_text(self.obj.LargestUndercut.Value)),
+            translate("FiveAxis", "Deepest below it: {depth}").format(depth=length_text(self.obj.LargestOvercut.Value)),
             uncut.format(area=area_text(self.obj.UncutArea.Value), whole=area_text(self.obj.MachinedArea.Value)),
         )
         return overlay.Legend(self.obj.Label, scale_ramp(), marks, halves, (), notes, self.warned)
