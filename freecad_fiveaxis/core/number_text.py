@@ -24,7 +24,7 @@ from .portions import on_all
 from .progress import Progress, silent
 from .records import Bools, Floats, Ints
 
-CHUNK = 32768
+CHUNK = 65536
 """Rows put together at a time: few enough for their buffer to stay in the cache, enough for two threads to work side by side."""
 SHARED = 8
 """Portions that are held until all of them are put together."""

@@ -19,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.passes import ContactPath
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 
 END, FLAT, CONVEX, CONCAVE = range(4)
@@ -128,7 +129,13 @@ def chosen(rows: Rows, which: slice | Ints) -> Rows:
 def find_segments(contact: ContactPath) -> Segments:
     """The segments of a contact path in their order, without those that have no length (a plane through a vertex)."""
     point, normal = np.ascontiguousarray(contact.point.T), np.ascontiguousarray(contact.normal.T)
-    length = np.sqrt(sum((row[1::2] - row[::2]) ** 2 for row in point))
+    length = np.empty(point.shape[1] // 2)
+
+    def measure(part: slice) -> None:
+        step = point[:, 2 * part.start + 1 : 2 * part.stop : 2] - point[:, 2 * part.start : 2 * part.stop : 2]
+        np.sqrt(dot(step, step), out=length[part])
+
+    on_all(measure, portions(len(length)))
     live = np.flatnonzero(length > SAME)
     label = contact.polyline.take(2 * live)
     first = np.flatnonzero(np.diff(label, prepend=label[:1] - 1))

@@ -122,13 +122,16 @@ def facet_areas(mesh: Mesh) -> Floats:
     """Area (f,) of each facet, mm2."""
     x, y, z = mesh.vertex.T
     area = np.empty(len(mesh.face))
-    for part in chunks(len(area)):
+
+    def fill(part: slice) -> None:
         a, b, c = mesh.face[part].T
         ax, ay, az = x.take(a), y.take(a), z.take(a)
         ux, uy, uz = x.take(b) - ax, y.take(b) - ay, z.take(b) - az
         vx, vy, vz = x.take(c) - ax, y.take(c) - ay, z.take(c) - az
         double = (uy * vz - uz * vy) ** 2 + (uz * vx - ux * vz) ** 2 + (ux * vy - uy * vx) ** 2
         np.multiply(0.5, np.sqrt(double, out=double), out=area[part])
+
+    on_all(fill, portions(len(area)))
     return area
 
 

@@ -113,7 +113,7 @@ def _axis_word(program: Program, column: int, linear: Floats, dialect: Dialect) 
 
 def _modal(words: list[Column | Units], vector: bool) -> list[Column | Units]:
     """Only the words that change; a tool vector always whole; where nothing changes, the first word."""
-    shows = [_changed(word.values) for word in words]
+    shows = on_all(lambda word: _changed(word.values), words)
     if vector:
         shows[-3:] = [np.logical_or.reduce(shows[-3:])] * 3
     shows[0] = shows[0] | ~np.logical_or.reduce(shows)  # a block without any change still needs an axis word
