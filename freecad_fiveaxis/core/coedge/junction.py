@@ -122,8 +122,8 @@ class Rows(NamedTuple):
 
 def chosen(rows: Rows, which: slice | Ints) -> Rows:
     """Some of the rows, without what is said of lifted ones."""
-    columns = {name: getattr(rows, name)[which] for name in Rows._fields[:-2]}
-    return Rows(**columns, lifted=np.empty(0, np.int64), centre=np.empty((3, 0)))
+    columns = [column[which] if isinstance(which, slice) else column.take(which) for column in rows[:-2]]
+    return Rows._make([*columns, np.empty(0, np.int64), np.empty((3, 0))])
 
 
 def find_segments(contact: ContactPath) -> Segments:
