@@ -114,7 +114,7 @@ class ToolAxisSettings:
     tilt: float = option(0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 3, most=math.pi / 3)
     max_tilt: float = option(
         math.radians(5.0), "angle",
-        "how far the strategy `minimax` may leave the facet normals, and --gouge tilt the axes of any strategy",
+        "how far the strategy `minimax` may leave the facet normals, and gouge `tilt` the axes of any strategy",
         least=LEAST_TILT, most=MOST_TILT,
     )  # fmt: skip
 
@@ -222,7 +222,7 @@ class GougeSettings:
 
     gouge: str = option(
         "off", "choice",
-        "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within --max-tilt and "
+        "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within max-tilt and "
         "lift where the cutter still enters; off: no check",
         (MILL, AUDIT), choices=GOUGE,
     )  # fmt: skip

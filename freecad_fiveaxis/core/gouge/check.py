@@ -37,7 +37,8 @@ GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collisio
 """The codes of the findings."""
 
 SAID = {
-    OVERCUT: "The cutter goes {depth} mm too deep into the part at {at}. Use --gouge lift or leave-out, or a smaller cutter.",
+    OVERCUT: "The cutter goes {depth} mm too deep into the part at {at}. Let the tool be lifted there or leave such places out "
+    "(gouge lift, leave-out), or use a smaller cutter.",
     RAPID_COLLISION: "The cutter goes {depth} mm into the part at {at} on its way between passes. Use a larger clearance.",
     HOLDER_COLLISION: (
         "The {part} goes {depth} mm into the part at {at}. Use a longer tool, more lead or tilt, or leave these places out."

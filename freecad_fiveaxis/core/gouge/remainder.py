@@ -283,7 +283,7 @@ def too_deep_finding(remainder: Remainder, tolerance: float) -> tuple[Finding, .
     x, y, z = remainder.point[worst].tolist()
     text = (
         f"On {area:.4g} mm2 of the machined surface more than {tolerance:.3g} mm is cut too deep, most at ({x:.6g}, {y:.6g}, "
-        f"{z:.6g}) mm: {-remainder.height[worst]:.4g} mm; {volume:.4g} mm3 in all. Use --gouge lift or leave-out, or a smaller "
-        "cutter."
+        f"{z:.6g}) mm: {-remainder.height[worst]:.4g} mm; {volume:.4g} mm3 in all. Let the tool be lifted there (gouge lift), "
+        "or use a smaller cutter."
     )
     return (Finding(Severity.ERROR, "cut-too-deep", text, -float(remainder.height[worst]), tolerance, "mm", place=(x, y, z)),)

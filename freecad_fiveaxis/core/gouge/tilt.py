@@ -313,7 +313,7 @@ def _findings(path: OffsetPath, offset: Floats, left: Entries, max_tilt: float) 
         at, said = _place(left.place[int(left.depth.argmax())])
         text = (
             f"Over {length:.4g} mm of the passes no tilt of up to {most:.4g} deg keeps shank and holder out of the part, the "
-            f"deepest entry at {said}. Use more --max-tilt or a longer tool, or leave these places out."
+            f"deepest entry at {said}. Allow more tilt (max-tilt), use a longer tool, or leave these places out."
         )
         found.append(Finding(Severity.WARNING, "not-freed", text, length, 0.0, "mm", place=at))
     return tuple(found)
