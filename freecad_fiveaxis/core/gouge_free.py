@@ -72,8 +72,9 @@ def left_out_rows(settings: Settings, sat: OffsetPath, axis: Floats, mesh: Mesh,
     """The rows that can be cut without entering the part, where the settings ask to leave out the others. ``sat``: with hubs."""
     if settings.gouge.gouge != "leave-out":
         return sat, axis
-    body, back = tool_body(settings), settings.cutter.cutter.corner
-    return leave_out(sat, axis, facet_tree(mesh), body, AIM * settings.proof.tolerance, back, progress)
+    body, cutter, tolerance = tool_body(settings), settings.cutter.cutter, settings.proof.tolerance
+    limit = AIM * tolerance if cutter.ring == 0.0 else tolerance  # a ring rocks from facet to facet
+    return leave_out(sat, axis, facet_tree(mesh), body, limit, cutter.corner, progress)
 
 
 def lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> tuple[CLPath, float]:

@@ -7,7 +7,8 @@ checked. Where one enters between two rows that do not, a row is put in at its d
 
 lifted    a row that was moved. Only rows on the part are: ends of cuts and fills. Links and rapids stay.
 aim       what a lifted cutter may still enter by: half the tolerance, so that the machine's way, which leaves the commanded one,
-          does not use it up. What enters by more than the aim is lifted.
+          does not use it up. What enters by more than the aim is lifted; a cutter with a ring rocks from facet to facet of a
+          smooth surface by some of the tolerance, so nothing of its path is lifted unless some of it enters by more than that.
 """
 
 from __future__ import annotations
@@ -24,13 +25,13 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from .body import CUTTER, Body, way_out
 from .course import Course, still_course, straight_course
 from .facet_tree import FacetTree
-from .search import find_entries
+from .search import find_entries, which_enter
 
 AIM = 0.5
 """Of the tolerance."""
 
 GRAZE = 0.1
-"""Of the tolerance: entries below this are none."""
+"""Of the tolerance: entries of a ball below this are none. A level bottom that lies on facets would take long to know so well."""
 
 LIFTS = 200
 """Lifts of one row, each to the next point that is too deep."""
@@ -55,7 +56,7 @@ MOST_ROWS = 8
 class Lifted:
     """``path``: the very path given where nothing was to be lifted. ``row`` (n,): the row of the path given that each row is,
     or leads to; ``lift`` (n,) mm that it was moved along its axis (of rows put in: off the lifted way); ``left`` mm: no cut of
-    the path enters by more than that, but for GRAZE."""
+    the path enters by more than that, but for GRAZE and rocking."""
 
     path: CLPath
     row: Ints
@@ -66,7 +67,7 @@ class Lifted:
 def lift_path(
     path: CLPath, tree: FacetTree, body: Body, tolerance: float, back: float = 0.0, progress: Progress = silent
 ) -> Lifted:
-    """The path with the cutter lifted out of the part, wherever it is deeper in than half of ``tolerance`` mm.
+    """The path with the cutter lifted out of the part, so that it is nowhere deeper in than half of ``tolerance`` mm.
 
     ``back`` mm: how far above the tip the point lies that the path gives. Shank and holder are not looked at.
     """
@@ -74,8 +75,12 @@ def lift_path(
     tips = path.tip - back * path.axis
     cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
     course, blocks = straight_course(tips, path.axis), np.flatnonzero(cuts)
-    first = find_entries(cutter, tree, course, GRAZE * tolerance, None, blocks, progress)
-    deep = first.bound > aim
+    rocks = min(cutter.pieces, key=lambda piece: piece.low - piece.round).low_radius > 0.0
+    if rocks and not which_enter(cutter, tree, course, tolerance, blocks, progress).any():
+        return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), 0.0)
+    limit, accuracy = (aim, ROUGHLY) if rocks else (GRAZE * tolerance, None)
+    first = find_entries(cutter, tree, course, limit, accuracy, blocks, progress)
+    deep = (first.depth > 0.0) & (first.bound > aim)
     if not deep.any():
         left = float(first.bound[first.depth > 0.0].max(initial=0.0))
         return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), left)

@@ -62,7 +62,7 @@ ROUGHLY = 0.1
 """mm; so well is known how deep what could not be freed is in the part."""
 
 MARGIN = 0.05
-"""mm by which shank and holder are to stay off the part beyond that: the machine's way is not quite the commanded one."""
+"""mm by which shank and holder are to stay off the part: the machine's way is not quite the commanded one."""
 
 TOGETHER = 4096
 """Rows worked on at a time, whole runs."""
@@ -132,7 +132,7 @@ class _Task:
     def entering(self, path: OffsetPath, axis: Floats) -> Bools:
         """The blocks (n - 1,) along the path under these axes (n, 3) where something enters that a tilt might free."""
         course, joined = straight_course(self.tips(path, axis), axis), np.flatnonzero(np.diff(path.polyline) == 0)
-        hits = self.hits(course, joined, self.hopeless(course, joined), self.tolerance, 0.0)
+        hits = self.hits(course, joined, self.hopeless(course, joined))
         return np.asarray(hits.above | hits.cutter)
 
     def hopeless(self, course: Course, blocks: Ints) -> Ints:
@@ -142,8 +142,9 @@ class _Task:
         ball = Body((round_piece(0.0, self.cutter.corner, self.cutter.corner),))
         return np.flatnonzero(which_enter(ball, self.tree, course, AIM * self.tolerance, blocks))
 
-    def hits(self, course: Course, blocks: Ints, hopeless: Ints, limit: float, margin: float) -> _Hits:
-        """What enters by more than ``limit`` mm in these blocks; ``hopeless``: where the cutter is not looked at."""
+    def hits(self, course: Course, blocks: Ints, hopeless: Ints, margin: float = 0.0) -> _Hits:
+        """What enters these blocks; ``hopeless``: where the cutter is not looked at; ``margin`` mm for shank and holder."""
+        limit = self.tolerance
         above = tuple(piece._replace(round=piece.round + margin) for piece in self.body.only(SHANK, HOLDER).pieces)
         lower = which_enter(self.body.only(CUTTER), self.tree, course, limit, np.setdiff1d(blocks, hopeless))
         return _Hits(which_enter(Body(above), self.tree, course, limit, blocks), lower)
@@ -270,7 +271,7 @@ class _Runs:
         every = (np.arange(count) * n)[:, None]
         blocks, hopeless = (every + self.window).ravel(), (every + self.hopeless).ravel()
         course = straight_course(tips.reshape(-1, 3), axes.reshape(-1, 3))
-        hits = self.task.hits(course, blocks, hopeless, AIM * self.task.tolerance, MARGIN)
+        hits = self.task.hits(course, blocks, hopeless, MARGIN)
         return _Hits(*(np.append(column, False).reshape(count, n)[:, :-1] for column in hits))
 
     def share(self, block: Floats) -> Floats:
