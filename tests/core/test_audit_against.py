@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.kinematics import Setup, chain, inverse
 from freecad_fiveaxis.core.machine import load_machine, save_machine
 from freecad_fiveaxis.core.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.program import Guided, Program
+from freecad_fiveaxis.core.report import as_json
 from freecad_fiveaxis.core.settings import build_settings
 from freecad_fiveaxis.core.trajectory import axis_at, tip_at
 
@@ -415,3 +416,42 @@ def test_far_inside_and_far_outside_are_told_apart_whatever_way_the_places_come(
         assert (np.sign(found) == np.sign(exact)).all() and (found <= exact + 1e-9).all()
         close = exact < 0.9
         np.testing.assert_allclose(found[close], exact[close], atol=1e-9)
+
+
+# ---------------------------------------------------------------------------------------------- the whole tool in the part
+
+
+def audited(tmp_path, lines, **options):
+    nc, stl = tmp_path / "p.ngc", tmp_path / "box.stl"
+    write_stl(from_triangles(box((0, 0, 0), (40, 30, 10))), stl)
+    nc.write_text("G21 G90 G94\nG0 X-5 Y10 Z60 A0 C0\n" + lines + "\nM2\n")
+    return job.run(build_settings("audit", str(nc), {"machine": "trunnion_ac", "against": str(stl), **options}))
+
+
+@pytest.mark.parametrize("cutter", ["flat:6", "bull:6:1", "taperbull:6:1:5deg", "taperball:6:5deg"])
+def test_any_cutter_is_held_against_the_part(tmp_path, cutter):
+    for z, depth in ((10.0, 0.0), (9.5, 0.5)):
+        result = audited(tmp_path, f"G1 X20 Y10 Z{z + 5} F600\nG1 Z{z}\nG1 X30\nG1 Z60", cutter=cutter)
+        found = [one for one in result.findings if one.code == "overcut"]
+        assert len(found) == (depth > 0) and result.audit.part.depth.max() == pytest.approx(depth, rel=0.02, abs=1e-3)
+        assert math.isnan(result.audit.part.clearance) and "NaN" not in as_json(job.figures(result))
+    assert "--origin" in found[0].text and found[0].line == result.made.program.line[found[0].block]
+
+
+def test_holder_and_rapids_of_a_program_are_checked_where_they_are_asked_for(tmp_path):
+    lines = "G1 X-4 Y10 Z0 F600\nG1 Y20\nG0 X20 Z9\nG1 Z60"
+    alone = {one.code for one in audited(tmp_path, lines, cutter="ball:6:8").findings}
+    with_all = audited(tmp_path, lines, cutter="ball:6:8", gouge="report", holder="30x20")
+    codes_ = {one.code for one in with_all.findings}
+    assert not {"holder-collision", "rapid-collision"} & alone and {"holder-collision", "rapid-collision"} <= codes_
+    assert not math.isnan(with_all.audit.part.clearance)  # the ball's own measure still tells what is left
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [({"gouge": "lift", "against": "a.stl"}, "use it with `mill`"), ({"gouge": "report"}, "--against"), ({"holder": "30x20"}, "--against"),
+     ({"gouge": "report", "against": "a.apt"}, "--against")],
+)  # fmt: skip
+def test_an_audit_needs_the_part_for_the_gouge_check_and_cures_nothing(options, said):
+    with pytest.raises(FiveAxisError, match=said):
+        build_settings("audit", "p.ngc", {"machine": "trunnion_ac", **options})

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool tilted free: by the angle that the wall demands, smoothly, within its limits; and every cure where none can help."""
+
+import numpy as np
+import pytest
+from gouge_examples import bowl, dense_points, sampled_depth, step
+from scipy.optimize import brentq
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.cutter import parse_cutter
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.gouge import HOLDER, check_course, straight_course
+from freecad_fiveaxis.core.mesh import from_faces, read_stl
+from freecad_fiveaxis.core.passes import axes_within_limits
+from freecad_fiveaxis.core.seating import scallop_of
+from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.tool_axis import AxisOptions
+
+WALL = 30.0
+OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 60, "linearize": "on"}
+LONG = {"cutter": "ball:6:24", "holder": "24x40", "max_tilt": 30}
+CURES = ("report", "lift", "leave-out", "tilt")
+
+
+def made_of(mesh, faces=None, **options):
+    return job.make(build_settings("mill", "part", {**OPTIONS, "stepover": 6, **options}), mesh=mesh, faces=faces)
+
+
+def codes(result):
+    return {finding.code for finding in result.findings}
+
+
+def rows_on(made, low, high):
+    """The rows of the passes with contacts on the floor, y from ``low`` to ``high``."""
+    path, y = made.path, made.path.contact[:, 1]
+    return np.flatnonzero((path.pass_ >= 0) & (y > low) & (y < high) & (path.contact[:, 2] < 1.0))
+
+
+@pytest.fixture(scope="module")
+def along():
+    """Passes along a wall, which the holder would enter on those near it, off and with the tilt."""
+    return made_of(step(WALL), gouge="off", **LONG), made_of(step(WALL), gouge="tilt", **LONG)
+
+
+def needed(distance):
+    """The least tilt away from the wall under which the holder's rim, 21 mm above the ball's centre, touches the wall."""
+    return brentq(lambda angle: distance + 21.0 * np.sin(angle) - 12.0 * np.cos(angle), 0.0, np.radians(60.0))
+
+
+def test_beside_a_wall_the_tool_tilts_by_the_least_angle_that_frees_the_holder(along):
+    made = along[1]
+    seen = 0
+    for y in np.unique(np.round(made.path.contact[rows_on(made, -12.0, -4.0), 1], 6)):
+        rows = rows_on(made, y - 1e-3, y + 1e-3)
+        middle = rows[np.abs(made.path.contact[rows, 0]) < 5.0]
+        tilt = np.arccos(np.clip(made.path.axis[middle, 2], -1.0, 1.0))
+        least = needed(-y)
+        assert np.degrees(tilt.min()) > np.degrees(least) - 0.01 and np.degrees(tilt.max()) < np.degrees(least) + 0.4
+        assert (made.path.axis[middle, 1] < 0.0).all()  # away from the wall
+        seen += len(middle)
+    assert seen > 3
+
+
+def test_the_tilted_program_is_free_and_a_judge_says_so_too(along):
+    off, made = along
+    result = job.prove(made)
+    tilted = next(finding for finding in result.findings if finding.code == "tilted")
+    assert 5.0 < tilted.value < 30.0 == pytest.approx(tilted.limit) and f"most by {tilted.value:.3g} deg" in tilted.text
+    body, points = job.tool_body(made.settings), dense_points(step(WALL), 1.0)
+    holder = body.only(HOLDER)
+    for path, free in ((off.path, False), (made.path, True)):
+        blocks = [k for k in range(len(path.tip) - 1) if path.motion[k + 1] == 0 and -13.0 < path.contact[k + 1, 1] < -4.0]
+        worst = max(sampled_depth(holder, points, straight_course(path.tip, path.axis), k, 5) for k in blocks)
+        assert (worst <= 0.01) == free
+
+
+def test_contacts_and_centres_stay_where_they_are(along):
+    off, made = along
+    centre = made.path.tip + 3.0 * made.path.axis
+    for row in rows_on(off, -30.0, -4.0):
+        there = off.path.tip[row] + 3.0 * off.path.axis[row]
+        assert np.linalg.norm(centre - there, axis=1).min() < 1e-9
+
+
+def test_rows_before_and_behind_turn_together_and_none_jumps():
+    made = made_of(step(WALL), gouge="tilt", direction=90, **{**LONG, "max_tilt": 20})
+    path = made.path
+    first = path.pass_ == path.pass_[path.pass_ >= 0][0]
+    floor = np.flatnonzero(first & (path.contact[:, 2] < 1.0))
+    tilt = np.degrees(np.arccos(np.clip(path.axis[floor, 2], -1.0, 1.0)))
+    way = np.abs(np.diff(path.contact[floor, 1]))
+    assert tilt.max() > 5.0 and (np.abs(np.diff(tilt)) / np.maximum(way, 0.5)).max() < tilt.max() / 4.0
+    lone = make_jump(tilt)
+    assert (np.abs(np.diff(lone)) / np.maximum(way, 0.5)).max() > tilt.max() / 4.0  # a row that turns alone would be noticed
+
+
+def make_jump(tilt):
+    alone = np.zeros_like(tilt)
+    alone[tilt.argmax()] = tilt.max()
+    return alone
+
+
+def test_what_no_tilt_frees_is_told_with_its_place():
+    result = job.prove(made_of(step(WALL), gouge="tilt", **{**LONG, "max_tilt": 2}))
+    assert {"not-freed", "holder-collision"} <= codes(result)
+    told = next(finding for finding in result.findings if finding.code == "not-freed")
+    assert told.value > 20.0 and told.place is not None and "--max-tilt" in told.text
+
+
+def test_tilted_axes_stay_within_the_rotary_limits_and_the_largest_tilt(along):
+    made = along[1]
+    assert axes_within_limits(made.links, made.path.axis).all()
+    assert np.degrees(np.arccos(made.path.axis[:, 2].min())) < 30.0 + 1e-6
+
+
+@pytest.mark.parametrize("cutter", ["bull:6:1:24", "flat:6:24"])
+def test_a_cutter_with_a_ring_sits_anew_under_the_tilted_axis(cutter):
+    options = {**LONG, "cutter": cutter, "stepover": 9, "holder": "30x30"}
+    made = made_of(step(WALL), gouge="tilt", **options)
+    assert "tilted" in {finding.code for finding in made.findings}
+    rows = rows_on(made, -13.0, -8.0)
+    lean = np.arccos(np.clip(made.path.axis[rows, 2], -1.0, 1.0))
+    corner = made.settings.cutter.cutter.corner
+    ring = made.settings.cutter.cutter.ring
+    # the lowest point of a tilted ring is on the floor: hub height - ring sin(lean) - corner
+    hub = made.path.tip[rows] + corner * made.path.axis[rows]
+    assert lean.max() > 0.02 and hub[:, 2] - ring * np.sin(lean) - corner == pytest.approx(0.0, abs=2e-4)
+
+
+@pytest.mark.parametrize("gouge", CURES[1:])
+@pytest.mark.parametrize("part", ["dome", "blade", "half_cylinder"])
+def test_on_convex_parts_no_cure_changes_a_bit(parts, part, gouge):
+    options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 15, "holder": "30x30"}
+
+    def made(gouge):
+        return job.make(build_settings("mill", str(parts / f"{part}.stl"), {**options, "gouge": gouge}))
+
+    one, two = made("off"), made(gouge)
+    assert one.nc == two.nc
+    assert all(
+        (getattr(one.path, name) == getattr(two.path, name)).all() for name in ("tip", "axis", "motion", "contact", "normal")
+    )
+
+
+# ------------------------------------------------------------------------------------------------ the other cures
+
+
+@pytest.mark.parametrize("cutter", ["bull:6:1", "flat:6"])
+def test_leaving_out_looks_at_the_hub_of_a_cutter_with_a_ring(cutter):
+    """Fixed upright, the hub stands a ring radius off the contact: over the shelf's edge, and in the wall beside the floor."""
+    options = {"cutter": cutter, "direction": 90, "stepover": 8}
+    before, after = (job.prove(made_of(step(6.0), gouge=gouge, **options)) for gouge in ("report", "leave-out"))
+    assert "overcut" in codes(before) and "left-out" in codes(after) and "overcut" not in codes(after)
+    assert len(rows_on(after.made, -25.0, -3.5)) >= 2  # the floor away from the wall is still cut
+
+
+@pytest.mark.parametrize(("diameter", "cure"), [(20, "lift"), (60, "lift"), (20, "leave-out")])
+def test_with_divided_blocks_no_more_than_the_tolerance_is_left_on_the_real_way(parts, diameter, cure):
+    options = {"tool_axis": "facet_mean", "cutter": f"ball:{diameter}", "stepover": 4, "max_axis_angle": 85}
+    mesh = read_stl(str(parts / "freeform_233.stl"))
+    result = job.prove(made_of(mesh, gouge=cure, **options))
+    assert {"lift": "lifted", "leave-out": "left-out"}[cure] in codes(result) and "overcut" not in codes(result)
+
+
+@pytest.mark.parametrize(("lean", "radius"), [({"lead": 5.0}, 2.0 + 3.0 / np.sin(np.radians(5.0))), ({"tilt": 20.0}, 2.0)])
+def test_the_scallop_of_a_stepover_is_that_of_the_effective_radius(lean, radius):
+    mesh, stepover = step(1.0), 1.0
+    options = AxisOptions(**{name: np.radians(angle) for name, angle in lean.items()})
+    scallop = scallop_of(parse_cutter("bull:10:2"), mesh, mesh.normal[:, 2] > 0.9, 0.0, "facet_mean", options, stepover)
+    assert scallop == pytest.approx(stepover**2 / (8.0 * radius), rel=0.1)
+    assert abs(scallop - stepover**2 / 40.0) > 0.2 * scallop  # not that of the diameter
+
+
+# ------------------------------------------------------------------------------------------------ bad cases
+
+
+def everywhere(gouge):
+    """The floor beside a wall, under a holder as wide as the part that begins below the wall's top."""
+    mesh = step(WALL)
+    floor = (mesh.normal[:, 2] > 0.9) & (mesh.vertex[mesh.face][:, :, 2].max(axis=1) < 1.0)
+    return made_of(mesh, floor, cutter="ball:6:4", holder="200x30", gouge=gouge, stepover=15, max_tilt=5)
+
+
+@pytest.mark.parametrize("gouge", ["report", "lift", "tilt"])
+def test_a_holder_that_collides_everywhere_is_told(gouge):
+    result = job.prove(everywhere(gouge))
+    assert "holder-collision" in codes(result)
+    assert ("not-freed" in codes(result)) == (gouge == "tilt")
+
+
+def test_leaving_out_everything_is_an_error_that_says_so():
+    with pytest.raises(SettingsError, match=r"leaves nothing to cut.*deepest by"):
+        everywhere("leave-out")
+
+
+@pytest.mark.parametrize("gouge", CURES)
+def test_a_cutter_larger_than_the_part_ends_with_a_path_or_an_error(gouge):
+    mesh = bowl(8.0, 10, side=20.0)
+    try:
+        result = job.prove(made_of(mesh, cutter="ball:100", gouge=gouge, stepover=4))
+    except SettingsError as error:
+        assert gouge == "leave-out" and "leaves nothing" in str(error)
+    else:
+        assert {"overcut", "lifted", "left-out", "corner-not-reached", "surface-tighter-than-cutter"} & codes(result)
+        assert gouge == "report" or "overcut" not in codes(result)
+
+
+@pytest.mark.parametrize("gouge", CURES)
+def test_open_meshes_and_facets_that_look_inward_end_with_a_finding_or_an_error(gouge):
+    mesh = step(WALL)
+    turned = from_faces(mesh.vertex, mesh.face[:, ::-1])
+    opened = from_faces(mesh.vertex, mesh.face[1:])
+    assert {"holder-collision", "tilted", "left-out"} & codes(job.prove(made_of(opened, gouge=gouge, **LONG)))
+    try:
+        result = job.prove(made_of(turned, gouge=gouge, **LONG))
+    except SettingsError as error:
+        assert str(error)
+    else:
+        assert len(result.findings)
+
+
+def test_blocks_of_no_length_are_cured_as_others_are():
+    """A zigzag whose passes begin where the last one ended has such blocks; the check takes them for poses."""
+    tips = np.repeat(np.array([[0.0, -6.0, 0.0], [4.0, -6.0, 0.0]]), 3, axis=0)
+    course = straight_course(tips, np.tile([0.0, 0.0, 1.0], (6, 1)))
+    body = job.tool_body(build_settings("mill", "part", {**OPTIONS, **LONG}))
+    done = check_course(step(WALL), body, course, np.zeros(5, np.int8), 0.01)
+    assert (done.above.depth > 1.0).all() and "5 blocks" in done.findings[0].text
