@@ -61,13 +61,17 @@ def _turned(cutter, reach, height, step):
     return Cloud(np.column_stack([reach * np.cos(turn), reach * np.sin(turn), height]), below)
 
 
-def poses(links, words, blocks, samples, back=0.0):
-    """Tips and axes (b, s, 3) at evenly spread u, ends too, of blocks (b,): the words linearly between their rows."""
-    u = np.linspace(0.0, 1.0, samples)[:, None]
-    rows = words[blocks][:, None] + u * (words[blocks + 1] - words[blocks])[:, None]
-    tip, axis = forward(links, words_to_q(rows.reshape(-1, rows.shape[-1])))
-    shape = (len(blocks), samples, 3)
-    return (tip - back * axis).reshape(shape), axis.reshape(shape)
+def poses(links, words, blocks, u, back=0.0):
+    """Tips and axes (n, 3) at u (n,) of blocks (n,): the words linearly between their rows."""
+    rows = words[blocks] + u[:, None] * (words[blocks + 1] - words[blocks])
+    tip, axis = forward(links, words_to_q(rows))
+    return tip - back * axis, axis
+
+
+def spread(blocks, count):
+    """Blocks and u (n,): of each of these blocks (b,) ``count`` (b,) places, evenly spread, both ends among them."""
+    block, last = np.repeat(blocks, count), np.repeat(count - 1, count)
+    return block, (np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)) / last
 
 
 def placed(points, tip, axis):
@@ -110,12 +114,16 @@ class Verdict:
     dug: float
 
 
-def judged(mesh, cutter, links, words, blocks, back=0.0, samples=3, finest=33, deepest=12):
+def judged(mesh, cutter, links, words, blocks, back=0.0, finest=33, deepest=12):
     """The verdict over blocks (b,) of a program, the worst of them looked at closely."""
-    tip, axis = (part.reshape(-1, 3) for part in poses(links, words, blocks, samples, back))
-    entry = entries(mesh, tip, axis, cloud(cutter)).reshape(len(blocks), samples).max(axis=1)
-    worst = blocks[np.argsort(-entry)[:deepest]]
-    tip, axis = (part.reshape(-1, 3) for part in poses(links, words, worst, finest, back))
+    way = np.linalg.norm(np.diff(forward(links, words_to_q(words))[0], axis=0), axis=1)[blocks]
+    count = np.clip(np.ceil(way / (0.1 * cutter.radius)) + 1, 3, 400).astype(int)
+    block, u = spread(blocks, count)
+    entry = entries(mesh, *poses(links, words, block, u, back), cloud(cutter))
+    worst, of = np.argsort(-entry)[:deepest], 1.0 / (np.repeat(count, count) - 1)
+    near = np.clip(u[worst, None] + of[worst, None] * np.linspace(-1.0, 1.0, finest), 0.0, 1.0)
+    tip, axis = poses(links, words, np.repeat(block[worst], finest), near.ravel(), back)
     top = np.argsort(-entries(mesh, tip, axis, cloud(cutter, rings=8)))[:8]
     fine = entries(mesh, tip[top], axis[top], cloud(cutter, rings=32))
-    return Verdict(entry, float(max(fine.max(), entry.max())), float(dug(mesh, tip[top], axis[top], skin(cutter)).max()))
+    most = np.maximum.reduceat(entry, np.cumsum(count) - count)
+    return Verdict(most, float(max(fine.max(), entry.max())), float(dug(mesh, tip[top], axis[top], skin(cutter)).max()))

@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.records import Floats, Ints
 
 from .body import NOWHERE, Piece, off_piece
 from .course import Columns, Poses, Way
-from .facet_tree import FacetTree, Plates
+from .facet_tree import Plates
 
 STEPS = 6
 """Times that a facet's deepest point is improved; what is missing then is part of the bound."""
@@ -25,7 +25,7 @@ CROSSINGS = 4
 """Times that the best mean of two bounds is improved."""
 
 
-def _dot(p: Columns, q: Columns) -> Floats:
+def _dot(p: Columns | Floats, q: Columns | Floats) -> Floats:
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 
 
@@ -58,8 +58,8 @@ def supports(piece: Piece, way: Way, g: Columns, both: bool) -> tuple[Floats, Fl
     return up, (back[0] if len(back) == 1 else np.maximum(*back)) + more
 
 
-def plate_bound(piece: Piece, way: Way, plate: Plates) -> tuple[Floats, Columns]:
-    """The bound (n,) mm in the direction g, given too, from the piece, half-way, to the nearest place of the plate."""
+def plate_bound(piece: Piece, way: Way, plate: Plates) -> Floats:
+    """The bound (n,) mm in the direction from the piece, half-way, to the nearest place of the plate."""
     arm = tuple(plate.middle[k] - way.tip[k] for k in range(3))
     ways = (plate.normal, plate.side, _cross(plate.normal, plate.side))
     height = np.clip(_dot(arm, way.unit), piece.low, piece.high)
@@ -70,12 +70,17 @@ def plate_bound(piece: Piece, way: Way, plate: Plates) -> tuple[Floats, Columns]
     over = supports(piece, way, g, both=False)[0] - _dot(g, plate.middle)
     for i in range(3):
         over += np.abs(_dot(g, ways[i])) * plate.wide[i]
-    return over, g
+    return over
 
 
-def corner_bound(piece: Piece, way: Way, g: Columns, tree: FacetTree, leaf: Ints) -> Floats:
-    """The bound (n,) mm in the directions g for facets (n,), by their corners."""
-    return supports(piece, way, g, both=False)[0] - _begins(tree, leaf, g)
+def facet_bound(piece: Piece, way: Way, corner: Floats) -> Floats:
+    """The bound (n,) mm in the direction from the piece, half-way, to the nearest place of triangles, corners (9, n)."""
+    tip, unit, corners = np.stack(way.tip), np.stack(way.unit), corner.reshape(3, 3, -1)
+    height = ((corners.mean(axis=0) - tip) * unit).sum(axis=0)
+    place = nearest_on_facet(corners, tip + np.clip(height, piece.low, piece.high) * unit)
+    _, g = toward(piece, way.unit, tuple(place - tip))
+    begins = np.minimum(np.minimum(_dot(g, corner[:3]), _dot(g, corner[3:6])), _dot(g, corner[6:]))
+    return supports(piece, way, g, both=False)[0] - begins
 
 
 def least_depth(piece: Piece, way: Way, plate: Plates) -> Floats:
@@ -87,12 +92,6 @@ def least_depth(piece: Piece, way: Way, plate: Plates) -> Floats:
 
 def _cross(p: Columns, q: Columns) -> Columns:
     return p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
-
-
-def _begins(tree: FacetTree, leaf: Ints, g: Columns) -> Floats:
-    """The smallest ``g . x`` (n,) mm of the points x of facets (n,)."""
-    corner = [[tree.corner[3 * i + k].take(leaf) for k in range(3)] for i in range(3)]
-    return np.asarray(np.minimum(np.minimum(_dot(g, tuple(corner[0])), _dot(g, tuple(corner[1]))), _dot(g, tuple(corner[2]))))
 
 
 def toward(piece: Piece, axis: Columns, arm: Columns) -> tuple[Floats, Columns]:
@@ -234,11 +233,11 @@ def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
 def nearest_on_facet(corner: Floats, place: Floats) -> Floats:
     """The point of each triangle, corners (3, 3, n), that is nearest to a place (3, n): Ericson, Real-Time Collision Detection,
     5.1.5."""
-    a, b, c = corner
-    ab, ac, ap, bp, cp = b - a, c - a, place - a, place - b, place - c
-    d1, d2 = (ab * ap).sum(axis=0), (ac * ap).sum(axis=0)
-    d3, d4 = (ab * bp).sum(axis=0), (ac * bp).sum(axis=0)
-    d5, d6 = (ab * cp).sum(axis=0), (ac * cp).sum(axis=0)
+    a, b, c = (tuple(one) for one in corner)
+    ab, ac = _less(b, a), _less(c, a)
+    ap, one, two, both = _less(tuple(place), a), _dot(ab, ab), _dot(ac, ac), _dot(ab, ac)
+    d1, d2 = _dot(ab, ap), _dot(ac, ap)
+    d3, d4, d5, d6 = d1 - one, d2 - both, d1 - both, d2 - two
     va, vb, vc = d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2
     total = _safe(va + vb + vc)
     v, w = vb / total, vc / total
@@ -249,13 +248,17 @@ def nearest_on_facet(corner: Floats, place: Floats) -> Floats:
     v, w = np.where(on, 0.0, v), np.where(on, d2 / _safe(d2 - d6), w)
     on = (vc <= 0.0) & (d1 >= 0.0) & (d3 <= 0.0)
     v, w = np.where(on, d1 / _safe(d1 - d3), v), np.where(on, 0.0, w)
-    for at, one, two in (
+    for at, one_, two_ in (
         ((d6 >= 0.0) & (d5 <= d6), 0.0, 1.0),
         ((d3 >= 0.0) & (d4 <= d3), 1.0, 0.0),
         ((d1 <= 0.0) & (d2 <= 0.0), 0.0, 0.0),
     ):
-        v, w = np.where(at, one, v), np.where(at, two, w)
-    return np.asarray(a + v * ab + w * ac)
+        v, w = np.where(at, one_, v), np.where(at, two_, w)
+    return np.stack([a[k] + v * ab[k] + w * ac[k] for k in range(3)])
+
+
+def _less(p: Columns, q: Columns) -> Columns:
+    return p[0] - q[0], p[1] - q[1], p[2] - q[2]
 
 
 def _safe(value: Floats) -> Floats:

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 from .body import Body, Piece
-from .bounds import corner_bound, deepest, end_and_side, least_depth, least_mixed, plate_bound, slab, support_at
+from .bounds import deepest, end_and_side, facet_bound, least_depth, least_mixed, plate_bound, slab, support_at
 from .course import Clusters, Course, Poses, Stretches, clusters_of, stretches_of
 from .facet_tree import FacetTree
 
@@ -184,14 +184,13 @@ class _Search:
         block, single = parts.block.take(np.maximum(way - clusters.first, 0)), way >= clusters.first
         floor = np.where(single, self.floor(block), self.limit)
         ways, plates = clusters.ways(way), self.tree.plates(node)
-        most, g = plate_bound(piece, ways, plates)
+        most = plate_bound(piece, ways, plates)
         rows = np.flatnonzero(np.minimum(most, piece.most) > floor)
         ways, plates, most, single = ways.take(rows), plates.take(rows), most[rows], single[rows]
         most = np.minimum(most, slab(piece, ways, plates))
         facets = np.flatnonzero((most > floor[rows]) & (node[rows] >= self.tree.leaf))
-        there = rows[facets]
-        by_corner = corner_bound(piece, ways.take(facets), tuple(k[there] for k in g), self.tree, node[there] - self.tree.leaf)
-        most[facets] = np.minimum(most[facets], by_corner)
+        corner = self.tree.corner.take(node[rows[facets]] - self.tree.leaf, axis=1)
+        most[facets] = np.minimum(most[facets], facet_bound(piece, ways.take(facets), corner))
         least = least_depth(piece, ways, plates)
         block = block[rows]
         self._learn(block[single], least[single])
