@@ -60,7 +60,8 @@ BLUE, RED = "#00286b", "#800010"
 def left_svg(mesh: Mesh, left: Remainder, tolerance: float, allowed: float) -> bytes:
     """The picture; the same input gives the same bytes."""
     scale = height_scale(left, tolerance, allowed)
-    panels = [_view(mesh, left, scale, *view) for view in VIEWS]
+    part = _coloured(mesh, left, scale)
+    panels = [_view(part, left, scale, *view) for view in VIEWS]
     panels.append(_histogram(left, scale, min(height for _, height in panels[2:])))
     first, second = max(height for _, height in panels[:2]), max(height for _, height in panels[2:])
     places = ((0, 0), (PANEL + GAP, 0), (0, first + GAP), (PANEL + GAP, first + GAP))
@@ -76,19 +77,25 @@ def _text(x: float, y: float, said: str, anchor: str = "start", fill: str = INK,
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{fill}" font-size="{size}">{said}</text>'
 
 
-def _view(mesh: Mesh, left: Remainder, scale: HeightScale, name: str, azimuth: float, elevation: float) -> tuple[str, int]:
+def _coloured(mesh: Mesh, left: Remainder, scale: HeightScale) -> tuple[Floats, Floats]:
+    """Triangles (k, 3, 3) mm, the machined ones first, and their colours (k, 3)."""
+    patch, rest = left_patches(mesh, left), mesh.vertex[mesh.face[~machined(mesh, left)]]
+    height = np.append(left.height, np.full(len(rest), np.nan))
+    return np.concatenate([patch, rest]), height_colours(height, scale)
+
+
+def _view(
+    part: tuple[Floats, Floats], left: Remainder, scale: HeightScale, name: str, azimuth: float, elevation: float
+) -> tuple[str, int]:
     """A view in the picture's units from its upper left corner on, and how tall it is."""
-    view, patch = view_from(azimuth, elevation), left_patches(mesh, left)
-    flat = patch.reshape(-1, 3) @ view[:2].T
+    (corner, colour), view = part, view_from(azimuth, elevation)
+    flat = corner[: len(left.height)].reshape(-1, 3) @ view[:2].T
     low, high = flat.min(axis=0), flat.max(axis=0)
     room = MARGIN * float((high - low).max())
     low, high = low - room, high + room
     size = min(PANEL / (high[0] - low[0]), TALLEST / (high[1] - low[1]))
     wide, tall = (max(math.ceil(extent * size), 1) for extent in high - low)
-    rest = mesh.vertex[mesh.face[~machined(mesh, left)]]
-    corner = np.concatenate([patch, rest])
-    height = np.append(left.height, np.full(len(rest), np.nan))
-    pixel = _pixels(corner, height_colours(height, scale), view, low, FINE * size, FINE * wide, FINE * tall)
+    pixel = _pixels(corner, colour, view, low, FINE * size, FINE * wide, FINE * tall)
     data = base64.b64encode(png(pixel)).decode()
     at = 24  # below the name
     drawn = [
@@ -157,7 +164,7 @@ def _histogram(left: Remainder, scale: HeightScale, tall: int) -> tuple[str, int
         if row["area"] > 0.0:
             bar = f'<rect x="160" y="{y + 0.1 * step:.1f}" width="{max(wide, 1.0):.1f}" height="{0.8 * step:.1f}" '
             drawn.append(bar + f'fill="{_hex(colour)}" stroke="{LINE}" stroke-width="0.7"/>')
-        said = f"{row['area']:.4g} mm2 ({_percent(row['area'] / whole)})" if row["area"] > 0.0 else "-"
+        said = f"{_area(row['area'])} mm2 ({_percent(row['area'] / whole)})" if row["area"] > 0.0 else "-"
         drawn.append(_text(160 + max(wide, 1.0) + 8, y + 0.7 * step, said, fill=SOFT))
     return "".join(drawn), int(28 + len(rows) * step)
 
@@ -165,6 +172,10 @@ def _histogram(left: Remainder, scale: HeightScale, tall: int) -> tuple[str, int
 def _inner(low: float, high: float) -> float:
     """A height between two borders that has the colour of most of what lies there."""
     return math.copysign(math.sqrt(low * high), low) if low * high > 0.0 else 0.0
+
+
+def _area(area: float) -> str:
+    return f"{area:.4g}" if area < 1000.0 else f"{area:.0f}"
 
 
 def _percent(share: float) -> str:
