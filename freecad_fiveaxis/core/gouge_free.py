@@ -39,7 +39,7 @@ from freecad_fiveaxis.core.program import Program
 from .asked import axis_options, back, scallop_asked
 from .findings import Finding
 from .progress import Progress
-from .records import Bools, Floats
+from .records import Bools, Bytes, Floats, Ints
 from .seating import scallop_of
 from .settings import Settings
 
@@ -94,8 +94,8 @@ def uncut_by_cure(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, pro
         return ()
     cutter = settings.cutter.cutter
     course = straight_course(path.tip - back(settings) * path.axis, path.axis)
-    cuts = np.flatnonzero(np.isin(path.motion[1:], (Motion.CUT, Motion.FILL)))
-    left = find_remainder(mesh, body_of(cutter), course, cuts, LEFT_SPACING * cutter.diameter, keep, progress)
+    spacing = LEFT_SPACING * cutter.diameter
+    left = find_remainder(mesh, body_of(cutter), course, cutting(path.motion), spacing, keep, progress)
     return uncut_finding(left, allowed(settings, mesh, keep))
 
 
@@ -117,6 +117,11 @@ def _left_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
 # ------------------------------------------------------------------------------------------------ the finished program
 
 
+def cutting(motion: Bytes) -> Ints:
+    """The blocks (k,) that cut, of a path or program with these motions (n,) of its rows; block i leads to row i + 1."""
+    return np.flatnonzero(np.isin(motion[1:], (Motion.CUT, Motion.FILL)))
+
+
 def entered(settings: Settings, mesh: Mesh, links: Chain, program: Program, progress: Progress) -> GougeCheck | None:
     """What the tool enters of the part on its real way, where the settings ask for the check."""
     if settings.gouge.gouge == "off":
@@ -127,10 +132,9 @@ def entered(settings: Settings, mesh: Mesh, links: Chain, program: Program, prog
 def left_by(settings: Settings, mesh: Mesh, keep: Bools, links: Chain, program: Program, progress: Progress) -> Remainder:
     """What the cutter leaves on the facets ``keep`` (f,) on its real way. Raises SettingsError where no block cuts."""
     cutter, course = settings.cutter.cutter, program_course(links, program, back(settings))
-    cuts = np.flatnonzero(np.isin(program.motion[1:], (Motion.CUT, Motion.FILL)))
     even = math.sqrt(float(facet_areas(mesh)[keep].sum()) / SAMPLES)
     spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
-    return find_remainder(mesh, body_of(cutter), course, cuts, spacing, keep, progress)
+    return find_remainder(mesh, body_of(cutter), course, cutting(program.motion), spacing, keep, progress)
 
 
 def said_of(left: Remainder | None, settings: Settings, mesh: Mesh, keep: Bools) -> tuple[Finding, ...]:

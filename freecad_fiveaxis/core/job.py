@@ -34,7 +34,7 @@ from .faces import facets_on
 from .feasible import feasible_rows
 from .files import read_bytes
 from .findings import Finding
-from .gouge_free import allowed, entered, left_by, left_out_rows, lifted, said_of, tilted, tool_body, uncut_by_cure
+from .gouge_free import allowed, cutting, entered, left_by, left_out_rows, lifted, said_of, tilted, tool_body, uncut_by_cure
 from .post import Dialect
 from .post.head import slot_texts
 from .post.writer import write_nc
@@ -293,7 +293,7 @@ def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, Re
         return None, None, ()
     settings, mesh, keep = made.settings, made.mesh, made.keep
     gouge = entered(settings, mesh, made.links, made.program, progress)
-    left = what_is_left(made, progress) if settings.gouge.left == "on" else None
+    left = what_is_left(made, progress) if settings.gouge.left == "on" and len(cutting(made.program.motion)) else None
     return gouge, left, (gouge.findings if gouge else ()) + said_of(left, settings, mesh, keep)
 
 

@@ -3,7 +3,7 @@
 
 The numbers come from ``figures`` (which defines the words), the judgement from ``judgement``; ``text`` writes for the
 terminal, ``json_text`` for scripts, ``html_page`` a page with plots, ``block_table`` and ``rate_table`` the CSV,
-``drawing`` the arrays of a view.
+``drawing`` the arrays of a view. ``part_facts`` tells what the program does to the part, ``left_picture`` draws it (``raster``).
 """
 
 from .block_table import blocks_csv
