@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.gouge import (
     scale_marks,
 )
 from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.records import Bytes, Floats, Ints
 
 from .part_facts import histogram
 from .raster import owners, png, view_from
@@ -95,50 +95,47 @@ def _view(
     low, high = low - room, high + room
     size = min(PANEL / (high[0] - low[0]), TALLEST / (high[1] - low[1]))
     wide, tall = (max(math.ceil(extent * size), 1) for extent in high - low)
-    pixel = _pixels(corner, colour, view, low, FINE * size, FINE * wide, FINE * tall)
-    data = base64.b64encode(png(pixel)).decode()
+    owner = owners(corner, view, low, FINE * size, FINE * wide, FINE * tall)
+    data = base64.b64encode(png(_pixels(corner, colour, view, owner))).decode()
     at = 24  # below the name
     drawn = [
         _text(0, 14, name, size=15),
         f'<image x="0" y="{at}" width="{wide}" height="{tall}" href="data:image/png;base64,{data}"/>',
-        *_marks(left, scale, view, low, size, wide, tall, at),
+        *_marks(left, scale, owner, at),
         _ruler(float((high - low)[0]), size, at + tall + 14),
     ]
     return "".join(drawn), at + tall + 30
 
 
-def _pixels(corner: Floats, colour: Floats, view: Floats, low: Floats, scale: float, width: int, height: int) -> np.ndarray:
+def _pixels(corner: Floats, colour: Floats, view: Floats, owner: Ints) -> Bytes:
     """The picture (height, width, 3): each triangle in its colour, a little darker where it turns away from the light."""
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]) @ view.T
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-30)[:, None]
     lit = DARKEST + (1.0 - DARKEST) * np.clip(normal @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
-    owner = owners(corner, view, low, scale, width, height)
-    made = np.full((height, width, 3), 255, np.uint8)
+    made = np.full((*owner.shape, 3), 255, np.uint8)
     seen = owner >= 0
     made[seen] = np.rint(255.0 * (colour * lit[:, None])[owner[seen]]).astype(np.uint8)
     return made
 
 
-def _marks(
-    left: Remainder, scale: HeightScale, view: Floats, low: Floats, size: float, wide: int, tall: int, top: int
-) -> list[str]:
-    """A ring about the most that is left and about the deepest place, where they are beyond what may be."""
+def _marks(left: Remainder, scale: HeightScale, owner: Ints, top: int) -> list[str]:
+    """A ring about the most that is left and about the deepest place, where they are beyond what may be and can be seen."""
     drawn = []
     for row, beyond, ink in (
         (int(left.height.argmax()), left.height.max() > scale.allowed, BLUE),
         (int(left.height.argmin()), left.height.min() < -scale.tolerance, RED),
     ):
-        if beyond:
-            x, y = (view[:2] @ left.point[row] - low) * size
-            y = top + tall - y
-            anchor, shift = ("end", -10) if x > 0.75 * wide else ("start", 10)
+        down, along = np.nonzero(owner == row)
+        if beyond and len(down):
+            x, y = float(along.mean() + 0.5) / FINE, top + float(down.mean() + 0.5) / FINE
+            anchor, shift = ("end", -10) if x > 0.75 * owner.shape[1] / FINE else ("start", 10)
             said = f"{left.height[row]:+.3g} mm"
-            drawn.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="6" fill="none" stroke="#fff" stroke-width="4"/>')
-            drawn.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="6" fill="none" stroke="{ink}" stroke-width="2"/>')
-            drawn.append(
+            drawn += [
+                f'<circle cx="{x:.1f}" cy="{y:.1f}" r="6" fill="none" stroke="#fff" stroke-width="4"/>',
+                f'<circle cx="{x:.1f}" cy="{y:.1f}" r="6" fill="none" stroke="{ink}" stroke-width="2"/>',
                 f'<text x="{x + shift:.1f}" y="{y + 4:.1f}" text-anchor="{anchor}" fill="{ink}" stroke="#fff" stroke-width="3" '
-                f'paint-order="stroke" font-weight="600">{said}</text>'
-            )
+                f'paint-order="stroke" font-weight="600">{said}</text>',
+            ]
     return drawn
 
 
@@ -190,7 +187,7 @@ def _legend(scale: HeightScale) -> str:
     widths = np.concatenate([np.full(steps, side / steps), [NEUTRAL_WIDE], np.full(steps, side / steps)])
     left = x0 + np.cumsum(widths) - widths
     bars = [
-        f'<rect x="{x:.2f}" y="0" width="{wide:.2f}" height="16" fill="{_hex(colour)}"/>'
+        f'<rect x="{x:.2f}" y="0" width="{wide + 0.5:.2f}" height="16" fill="{_hex(colour)}"/>'
         for x, wide, colour in zip(left, widths, colours, strict=True)
     ]
     frame = f'<rect x="{x0}" y="0" width="{WIDE - 60}" height="16" fill="none" stroke="{LINE}"/>'
