@@ -122,3 +122,25 @@ def test_the_list_follows_a_recompute_and_goes_with_its_document(audit, doc, pum
     doc.removeObject(audit.Name)
     pump(300)
     assert panel.path is None and not panel.dock.isVisible()
+
+
+def test_where_the_tool_enters_the_part_is_listed_with_its_place(doc, pump, screenshot):
+    attach.register()
+    ball = doc.addObject("Part::Sphere", "Dome")
+    ball.Radius, ball.Angle1 = 20, 0
+    doc.recompute()
+    given = {"machine": "trunnion_ac", "cutter": "bull:6:1.5:6", "lead": 60, "stepover": 12, "linear_deflection": 0.3}
+    path = app.create_toolpath(doc, ball, **given, holder="100x25", gouge="report")
+    findings_panel.show(path)
+    pump(500)
+    panel = findings_panel._docks["panel"]
+    codes = [row.finding.code for row in panel.rows]
+    assert {"overcut", "holder-collision"} <= set(codes)
+    at = codes.index("holder-collision")
+    cells = [panel.table.item(at, column).text() for column in range(panel.table.columnCount())]
+    assert cells[1] == str(panel.rows[at].finding.line) and cells[2].endswith("mm") and all(cells)
+    panel.table.selectRow(at)
+    pump(300)
+    assert "holder" in panel.text.toPlainText().lower()
+    screenshot("findings-gouge")
+    findings_panel.forget(doc)
