@@ -49,7 +49,7 @@ class LeftPicture:
             if found is not None:
                 self.scale = height_scale(found.left, found.tolerance, found.allowed)
                 self.surface.addChild(left_surface(found.mesh, found.left, self.scale))
-        self.warned = self.failed or left.out_of_date(self.obj)
+        self.warned = self.failed or (left.out_of_date(self.obj) if self.vobj.Visibility else "")  # it hashes the mesh
         self._write()
 
     def _find(self) -> left.Heights | None:

@@ -77,6 +77,10 @@ def test_the_map_is_seen_in_colours_and_undone_in_one_step(make_path, doc, press
     doc.undo()
     pump(500)
     assert [obj.Name for obj in doc.Objects] == names and path.ViewObject.Visibility
+    doc.redo()
+    again = doc.LeftMap
+    until(lambda: drawn(again) is not None and drawn(again).heights is not None, 20000, "the map after redo")
+    assert again.UpToDate and drawn(again).warned == ""
 
 
 def test_what_stays_uncut_is_seen_in_blue(make_path, doc, press, until, pump, screenshot, pixels, view_box):
