@@ -80,7 +80,8 @@ def test_the_map_is_seen_in_colours_and_undone_in_one_step(make_path, doc, press
     doc.redo()
     again = doc.LeftMap
     until(lambda: drawn(again) is not None and drawn(again).heights is not None, 20000, "the map after redo")
-    assert again.UpToDate and drawn(again).warned == ""
+    until(lambda: drawn(again).warned == "", 3000, "a map that is no longer called old")
+    assert again.UpToDate and again.Path is path
 
 
 def test_what_stays_uncut_is_seen_in_blue(make_path, doc, press, until, pump, screenshot, pixels, view_box):
