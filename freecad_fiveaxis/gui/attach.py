@@ -6,20 +6,21 @@ Nothing here imports numpy: it runs when FreeCAD's window starts.
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
 import FreeCAD
 
 VIEWS = {
-    "freecad_fiveaxis.app.tessellation": "TessellationView",
-    "freecad_fiveaxis.app.toolpath": "PathView",
-    "freecad_fiveaxis.app.auditing": "PathView",
-    "freecad_fiveaxis.app.markers": "MarkersView",
-    "freecad_fiveaxis.app.nc_output": "NCOutputView",
-    "freecad_fiveaxis.app.setups": "SetupMapView",
-    "freecad_fiveaxis.app.left": "LeftMapView",
+    "freecad_fiveaxis.app.tessellation": "view_providers.TessellationView",
+    "freecad_fiveaxis.app.toolpath": "view_providers.PathView",
+    "freecad_fiveaxis.app.auditing": "view_providers.PathView",
+    "freecad_fiveaxis.app.markers": "view_providers.MarkersView",
+    "freecad_fiveaxis.app.nc_output": "view_providers.NCOutputView",
+    "freecad_fiveaxis.app.setups": "view_providers.SetupMapView",
+    "freecad_fiveaxis.app.left": "left_view.LeftMapView",
 }
-"""The module of a document object's proxy, and the class in ``view_providers`` that shows it."""
+"""The module of a document object's proxy, and module and class of the view that shows it."""
 
 
 class Observer:
@@ -75,9 +76,8 @@ def attach(obj: Any) -> None:
     """Give the object its view where it is one of ours and has none."""
     view = VIEWS.get(type(getattr(obj, "Proxy", None)).__module__)
     if view and obj.ViewObject is not None and not getattr(obj.ViewObject, "Proxy", None):
-        from . import view_providers
-
-        getattr(view_providers, view)(obj.ViewObject)
+        module, name = view.split(".")
+        getattr(import_module(f".{module}", __package__), name)(obj.ViewObject)
 
 
 def _adopt(path: Any) -> None:

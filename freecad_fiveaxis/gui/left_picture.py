@@ -13,12 +13,12 @@ from freecad_fiveaxis.app import left
 from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.gouge import HeightScale, height_scale
 
+from .legend_slot import MAPS, legend_slot
 from .qt import translate
 from .scene import gouge_words, nodes, overlay
 from .scene.left_nodes import bar_marks, left_surface, scale_ramp
 from .scene.marks import OVERCUT
 from .scene.units import area_text, length_text
-from .view_providers import MAPS, legend_slot
 from .waiting import waiting
 
 MARK_DIGITS = 3

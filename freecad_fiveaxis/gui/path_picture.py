@@ -12,11 +12,12 @@ from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.report import Drawing, Figures, draw
 
 from . import findings_panel
+from .legend_slot import PATHS, legend_slot
 from .qt import translate
 from .scene import gouge_words, overlay, words
 from .scene.path_nodes import Look, PathNodes
 from .view_properties import rgb
-from .view_providers import PATHS, legend_slot, markers_of
+from .view_providers import markers_of
 from .waiting import waiting
 
 SWITCHES = {"axes": "ShowAxes", "curves": "ShowCurves", "rapids": "ShowRapids", "legend": "ShowLegend"}

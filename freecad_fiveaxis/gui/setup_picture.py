@@ -9,12 +9,12 @@ import numpy as np
 
 from freecad_fiveaxis.app import setups
 
+from .legend_slot import MAPS, legend_slot
 from .qt import translate
 from .scene import colours, nodes, overlay
 from .scene.setup_nodes import BEYOND_COLOUR, PRESENT_COLOUR, setup_points
 from .scene.units import length_text
 from .view_properties import rgb
-from .view_providers import MAPS, legend_slot
 
 
 class SetupPicture:

@@ -8,7 +8,6 @@ pivy before something is drawn.
 
 from __future__ import annotations
 
-from itertools import takewhile
 from typing import Any
 
 import FreeCAD
@@ -28,8 +27,6 @@ ICONS = {
 
 CHILDREN = ("markers", "nc_output", "setups", "left")
 """What stands below its path."""
-PATHS, MAPS = ("toolpath", "audit"), ("setups", "left")
-"""What has a legend at the left edge of the view, and at the right one."""
 
 
 def kind_of(obj: Any) -> str:
@@ -42,13 +39,6 @@ def kind_of(obj: Any) -> str:
 def markers_of(path: Any) -> Any:
     """The Markers object of a path, or None."""
     return next((one for one in path.InList if kind_of(one) == "markers" and one.Path is path), None)
-
-
-def legend_slot(obj: Any, kinds: tuple[str, ...]) -> int:
-    """How many other objects of these kinds show their legend before this one, at the same edge of the view."""
-    others = (one for one in obj.Document.Objects if kind_of(one) in kinds)
-    before = takewhile(lambda one: one != obj, others)  # an object that is being deleted is not among them
-    return sum(one.ViewObject.Visibility and getattr(one.ViewObject, "ShowLegend", False) for one in before)
 
 
 class View:
@@ -337,50 +327,6 @@ class SetupMapView(PictureView):
         from .panels import setup
 
         setup.edit(self.obj)
-        return True
-
-
-class LeftMapView(PictureView):
-    """A map of what is left: the machined surface, each part of it coloured by its height."""
-
-    ROWS = view_properties.LEFT
-
-    def make_picture(self) -> Any:
-        """The map."""
-        from .left_picture import LeftPicture
-
-        return LeftPicture(self.vobj)
-
-    def updateData(self, obj: Any, prop: str) -> None:
-        """A map that is new hides its path, which would cover it."""
-        super().updateData(obj, prop)
-        if prop == "Path" and obj.Path is not None and not FreeCAD.isRestoring():
-            obj.Path.ViewObject.Visibility = False
-
-    def depends_on(self, obj: Any) -> bool:
-        """Whether a change of that object may put this map out of date."""
-        path = getattr(getattr(self, "obj", None), "Path", None)
-        return path is not None and (obj is path or (path.ViewObject.Proxy is not None and path.ViewObject.Proxy.depends_on(obj)))
-
-    def says_old(self) -> bool:
-        """Whether the picture says that it is out of date."""
-        return self.picture is not None and bool(self.picture.warned)
-
-    def look_again(self) -> None:
-        """Something that the map depends on has changed."""
-        redraw.soon(self)
-
-    def getElementPicked(self, point: Any) -> str:
-        """The parts of the surface have no names."""
-        return ""
-
-    def path_object(self) -> Any:
-        """The path whose cutter leaves it."""
-        return self.obj.Path
-
-    def doubleClicked(self, vobj: Any) -> bool:
-        """Open the list of findings."""
-        self.show_findings()
         return True
 
 
