@@ -104,7 +104,7 @@ def test_what_no_tilt_frees_is_told_with_its_place():
     result = job.prove(made_of(step(WALL), gouge="tilt", **{**LONG, "max_tilt": 2}))
     assert {"not-freed", "holder-collision"} <= codes(result)
     told = next(finding for finding in result.findings if finding.code == "not-freed")
-    assert told.value > 20.0 and told.place is not None and "--max-tilt" in told.text
+    assert told.value > 20.0 and told.place is not None and "max-tilt" in told.text
 
 
 def test_tilted_axes_stay_within_the_rotary_limits_and_the_largest_tilt(along):
