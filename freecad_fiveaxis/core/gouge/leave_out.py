@@ -11,12 +11,16 @@ from freecad_fiveaxis.core.coedge import OffsetPath, lasting_rows, take_rows
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Floats, picked
+from freecad_fiveaxis.core.records import Bools, Floats, Ints, picked
+from freecad_fiveaxis.core.seating import rows_between
 
 from .body import Body
 from .course import straight_course
 from .facet_tree import FacetTree
 from .search import find_entries
+
+FINE = 0.25
+"""Of the tool's thickness: a block that enters is left out in parts of that length."""
 
 
 def leave_out(
@@ -31,9 +35,12 @@ def leave_out(
     joined = np.flatnonzero(np.diff(path.polyline) == 0)
     course = straight_course(path.centre - back * axis, axis)
     entries = find_entries(body, tree, course, tolerance, blocks=joined, progress=progress)
-    blocks = np.flatnonzero(entries.depth > 0.0)
-    if not len(blocks):
+    if not entries.depth.any():
         return path, axis
+    path, axis, deep = _divided(path, axis, entries.depth > 0.0, FINE * max(piece.most for piece in body.pieces))
+    course, joined = straight_course(path.centre - back * axis, axis), np.flatnonzero(np.diff(path.polyline) == 0)
+    entries = find_entries(body, tree, course, tolerance, blocks=deep, progress=progress)
+    blocks = np.flatnonzero(entries.depth > 0.0)
     out = np.zeros(len(path.point), np.bool_)
     out[blocks] = out[blocks + 1] = True
     steps = np.linalg.norm(np.diff(path.point, axis=0), axis=1)
@@ -55,3 +62,12 @@ def leave_out(
     left = take_rows(path, rows)
     finding = Finding(Severity.WARNING, "left-out", text, length, 0.0, "mm", place=(x, y, z))
     return replace(left, findings=(*path.findings, finding)), picked(axis, rows)
+
+
+def _divided(path: OffsetPath, axis: Floats, deep: Bools, part: float) -> tuple[OffsetPath, Floats, Ints]:
+    """The path with the blocks ``deep`` (n - 1,) in parts of at most ``part`` mm, its axes, and those parts."""
+    length = np.linalg.norm(np.diff(path.centre, axis=0), axis=1)
+    pieces = np.ones(len(axis), np.int64)
+    pieces[1:][deep] = np.maximum(np.ceil(length[deep] / part), 1)
+    path, axis, row = rows_between(path, axis, pieces, 0.0)
+    return path, axis, np.flatnonzero(deep[row[1:] - 1])
