@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.cutter import Cutter, parse_cutter
+from freecad_fiveaxis.core.cutter import Cutter, cutter_sizes, kind_of, parse_cutter, sizes_text
 from freecad_fiveaxis.core.errors import SettingsError
 
 
@@ -48,3 +48,24 @@ def test_sizes_out_of_range_are_refused_with_the_range(sizes):
 
 def test_the_ends_of_the_range_belong_to_it():
     assert Cutter(1e-3, 1e4).length == 1e4 and Cutter(1e4, 1e-3).radius == 5e3
+
+
+ALL_SIZES = {"diameter": 10.0, "corner": 2.0, "taper": 7.5, "length": 30.0}
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["ball:10.0:30.0", "flat:10.0:30.0", "bull:10.0:2.0:30.0", "taperball:10.0:7.5deg:30.0", "taperbull:10.0:2.0:7.5deg:30.0"],
+)
+def test_kind_and_sizes_make_the_text_and_come_out_of_it(text):
+    kind = text.partition(":")[0]
+    assert sizes_text(kind, ALL_SIZES) == text and kind_of(parse_cutter(text)) == kind
+    found, sizes = cutter_sizes(text)
+    in_degrees = {name: np.degrees(size) if name == "taper" else size for name, size in sizes.items()}
+    assert found == kind and in_degrees == pytest.approx({name: ALL_SIZES[name] for name in sizes})
+
+
+def test_sizes_that_no_cutter_has_are_read_all_the_same():
+    assert cutter_sizes("bull:10:6") == ("bull", {"diameter": 10.0, "corner": 6.0})
+    with pytest.raises(SettingsError, match="give 0 to 5 mm"):
+        parse_cutter("bull:10:6")

@@ -4,7 +4,7 @@ import math
 import pytest
 
 from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.quantity import LENGTHS, parse_angle, parse_feed, parse_length, parse_triple
+from freecad_fiveaxis.core.quantity import LENGTHS, parse_angle, parse_feed, parse_length, parse_stack, parse_triple, stack_text
 
 
 @pytest.mark.parametrize(
@@ -42,3 +42,13 @@ def test_triples_are_three_quantities():
     assert parse_triple([1, 2, 3], LENGTHS, "origin") == (1.0, 2.0, 3.0)
     with pytest.raises(SettingsError, match="three numbers"):
         parse_triple("1,2", LENGTHS, "origin")
+
+
+@pytest.mark.parametrize("stack", [(), ((40.0, 25.0), (63.5, 1 / 3)), ((1e-5, 1e4),)])
+def test_a_stack_comes_back_from_its_text(stack):
+    text = stack_text(stack)
+    assert (parse_stack(text) if text else ()) == stack
+
+
+def test_a_stack_is_written_as_people_do():
+    assert stack_text(((40.0, 25.0), (63.5, 50.0))) == "40x25,63.5x50"
