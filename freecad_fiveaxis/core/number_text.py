@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from io import BytesIO
 from typing import Any
 
@@ -26,8 +26,8 @@ from .records import Bools, Floats, Ints
 
 CHUNK = 65536
 """Rows put together at a time: few enough for their buffer to stay in the cache, enough for two threads to work side by side."""
-SHARED = 8
-"""Portions that are held until all of them are put together."""
+HELD = 1 << 21
+"""Rows whose portions are held until all of them are put together: about 100 MB of text."""
 OFTEN = 0.75
 """A word that stands in more of the rows is worked out in all of them: to pick rows has its price too."""
 GROUP = 10_000
@@ -90,9 +90,13 @@ def table_parts(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = 
     def text(start: int) -> bytes | bytearray:
         return _chunk([_slice(part, start) for part in (*parts, end)], min(CHUNK, rows - start))
 
-    for start in range(0, rows, SHARED * CHUNK):
-        progress("writing text", start / rows)
-        yield from on_all(text, range(start, min(start + SHARED * CHUNK, rows), CHUNK))
+    for first in range(0, rows, HELD):
+        stop = min(first + HELD, rows)
+        yield from on_all(text, range(first, stop, CHUNK), partial(_tell, progress, first, stop, rows))
+
+
+def _tell(progress: Progress, first: int, stop: int, rows: int, done: float) -> None:
+    progress("writing text", (first + done * (stop - first)) / rows)
 
 
 def rounded(values: Floats, decimals: int) -> Floats:

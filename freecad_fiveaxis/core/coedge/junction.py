@@ -40,9 +40,9 @@ KNIFE = 1e-6
 BROAD = 0.5
 """Length of the sum of two unit normals above which its direction is theirs to the last digits."""
 
-GROUP = 131072
+GROUP = 65536
 """Segments that are closed together, about half as many as rows: enough that the many calls for the few tight polylines among
-them cost little beside the work on all."""
+them cost little beside the work on all, few enough that both threads have as much to do."""
 
 CHUNK = 65536
 """Rows handled at a time: calls long enough for two threads to work side by side."""
