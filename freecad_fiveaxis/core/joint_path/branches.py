@@ -49,7 +49,8 @@ STATES = 24
 """Most states that are searched: the work grows with their cube. A word that fits into its limits on the nearest windings alone
 never needs them; of one that does not, on an axis of more turns, only the turns around zero are used, at the price of rewinds."""
 LONGEST = 16384
-"""Steps of a stretch at most, which is as many as whole portions have several times: a short sum rounds little."""
+"""Steps of a stretch at most. A portion is a whole number of them: the sums, which decide between ways that cost the same but for
+rounding, do not depend on portions then."""
 SLAB = 1 << 20
 """Costs (states x states x steps) that are held at once: 8 MB."""
 
