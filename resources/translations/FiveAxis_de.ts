@@ -944,8 +944,8 @@
         <translation>wie weit die Steuerung Ecken verschleifen darf, wo sie es kann; 0: genaue Bahn</translation>
     </message>
     <message>
-        <source>how far the strategy `minimax` may leave the facet normals, and --gouge tilt the axes of any strategy</source>
-        <translation>wie weit die Strategie `minimax` von den Facettennormalen abweichen darf, und --gouge tilt von den Achsen jeder Strategie</translation>
+        <source>how far the strategy `minimax` may leave the facet normals, and gouge `tilt` the axes of any strategy</source>
+        <translation>wie weit die Strategie `minimax` von den Facettennormalen abweichen darf, und bei Eindringen `tilt` von den Achsen jeder Strategie</translation>
     </message>
     <message>
         <source>inverse time, or units a minute</source>
@@ -1076,8 +1076,8 @@
         <translation>Weg jeder Linearachse</translation>
     </message>
     <message>
-        <source>where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within --max-tilt and lift where the cutter still enters; off: no check</source>
-        <translation>wo das Werkzeug ins Teil eindringt: nur melden, entlang seiner Achse abheben, auslassen oder innerhalb von --max-tilt freikippen und abheben, wo die Schneide noch eindringt; off: keine Prüfung</translation>
+        <source>where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within max-tilt and lift where the cutter still enters; off: no check</source>
+        <translation>wo das Werkzeug ins Teil eindringt: nur melden, entlang seiner Achse abheben, auslassen oder innerhalb von max-tilt freikippen und abheben, wo die Schneide noch eindringt; off: keine Prüfung</translation>
     </message>
     <message>
         <source>work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300</source>
@@ -1299,8 +1299,8 @@
         <translation>Schneidenlänge</translation>
     </message>
     <message>
-        <source>Deepest: {height}</source>
-        <translation>Am tiefsten: {height}</translation>
+        <source>Deepest below it: {depth}</source>
+        <translation>Am tiefsten darunter: {depth}</translation>
     </message>
     <message>
         <source>Diameter</source>
@@ -1387,16 +1387,16 @@
         <translation>Vom Bezugspunkt bis zur Spitze: Maschinen mit drehendem Kopf brauchen sie</translation>
     </message>
     <message>
+        <source>From the part's surface to the cutter</source>
+        <translation>Von der Fläche des Teils bis zum Fräser</translation>
+    </message>
+    <message>
         <source>Gap above the mark</source>
         <translation>Abstand über der Marke</translation>
     </message>
     <message>
         <source>Head of the NC file</source>
         <translation>Kopf der NC-Datei</translation>
-    </message>
-    <message>
-        <source>Height of the machined surface over the part</source>
-        <translation>Höhe der bearbeiteten Fläche über dem Teil</translation>
     </message>
     <message>
         <source>High-speed mode</source>
@@ -1547,8 +1547,8 @@
         <translation>Größte im Satz</translation>
     </message>
     <message>
-        <source>Most: {height}</source>
-        <translation>Am meisten: {height}</translation>
+        <source>Most that is left: {height}</source>
+        <translation>Am meisten bleibt stehen: {height}</translation>
     </message>
     <message>
         <source>Moves</source>
