@@ -41,7 +41,8 @@ SAID = {
     "(gouge lift, leave-out), or use a smaller cutter.",
     RAPID_COLLISION: "The cutter goes {depth} mm into the part at {at} on its way between passes. Use a larger clearance.",
     HOLDER_COLLISION: (
-        "The {part} goes {depth} mm into the part at {at}. Use a longer tool, more lead or tilt, or leave these places out."
+        "The {part} goes {depth} mm into the part at {at}. Let the tool be tilted free or leave these places out (gouge tilt, "
+        "leave-out), use a longer tool, or more lead or tilt."
     ),
 }
 
