@@ -113,7 +113,7 @@ def test_tilted_axes_stay_within_the_rotary_limits_and_the_largest_tilt(along):
     assert np.degrees(np.arccos(made.path.axis[:, 2].min())) < 30.0 + 1e-6
 
 
-@pytest.mark.parametrize("cutter", ["bull:6:1:24", "flat:6:24"])
+@pytest.mark.parametrize("cutter", ["bull:6:1:24", pytest.param("flat:6:24", marks=pytest.mark.slow)])
 def test_a_cutter_with_a_ring_sits_anew_under_the_tilted_axis(cutter):
     options = {**LONG, "cutter": cutter, "stepover": 9, "holder": "30x30"}
     made = made_of(step(WALL), gouge="tilt", **options)
