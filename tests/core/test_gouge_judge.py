@@ -34,7 +34,7 @@ CUTTERS = ("ball:10:40", "bull:10:2:40", "flat:6:40")
 MESHES = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl"))
 """Where the meshes of Debian's occt-misc lie."""
 
-REAL = {"head": (150, 10), "motor": (60, 8), "propeller": (300, 30), "bearing": (40, 5), "video_part": (90, 12)}
+REAL = {"head": (150, 10), "motor": (60, 8), "propeller": (200, 30), "bearing": (40, 5), "video_part": (70, 12)}
 """Stepover and diameter, mm."""
 
 
@@ -76,7 +76,7 @@ def test_after_the_lift_the_judge_finds_nothing_deeper_than_the_tolerance(part, 
     assert verdict.worst <= TOLERANCE and verdict.dug <= TOLERANCE
     given = milled(shape(), cutter=cutter, stepover=8, gouge="off", **options)
     assert (
-        nearest(made) > min(nearest(given), 0.0) - 0.03
+        nearest(made) > min(nearest(given, 10**6), 0.0) - 0.03
     )  # no row is lifted off the part; most of this is the cloud's coarseness
 
 
