@@ -9,7 +9,7 @@ from conftest import FAST
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import importing, machines, preferences, recovering, results, signs
-from freecad_fiveaxis.core import cli, job
+from freecad_fiveaxis.core import asked, cli
 from freecad_fiveaxis.core.apt import write_apt
 from freecad_fiveaxis.core.errors import Cancelled, FileError, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.machine import load_machine
@@ -32,7 +32,7 @@ def pair(doc, ball, tmp_path):
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8, "origin": (10, -5, 20)})
     made = results.result_of(path).made
     (tmp_path / "ball.apt").write_bytes(
-        write_apt(made.path, made.settings.cutter.cutter, "ball", head=job._cl_head(made.settings))
+        write_apt(made.path, made.settings.cutter.cutter, "ball", head=asked.cl_head(made.settings))
     )
     app.post_process(path, tmp_path / "ball.ngc")
     return tmp_path / "ball.apt", tmp_path / "ball.ngc"

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import cli, job
+from freecad_fiveaxis.core import asked, cli, job
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import forward, q_to_words, words_to_q
@@ -146,7 +146,7 @@ def test_off_is_the_street_without_it_byte_for_byte(part, machine, milled):
         settings.cutter.cutter.radius,
     )  # fmt: skip
     program = build_program(bare, made.links, made.dialect, True)
-    assert write_nc(program, made.dialect, job._nc_title(settings, made.machine), job._head(settings)) == made.nc
+    assert write_nc(program, made.dialect, asked.nc_title(settings, made.machine), asked.post_options(settings)) == made.nc
     assert milled(part, machine, linearize="on").made.nc != made.nc
 
 
