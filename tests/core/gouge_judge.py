@@ -4,8 +4,8 @@ interpolated words.
 
 entry     how deep a point of the part is in the cutter. A point x of the cutter that lies ``a`` below its skin and ``b`` from
           the part tells of an entry of at least ``a - b``, and of the whole of it where x lies behind the deepest point. So the
-          points on the axis and on the cone up to it from the rim (or from the corner's ring), where all ways inward end, tell
-          all of it, turn by turn.
+          points on the axis and on the cones to it from the bottom's edge (or the corner's ring) and from the rim, where all ways
+          inward end, tell all of it.
 dug       how deep a point of the cutter's skin is in the part: what is taken off too deep. On smooth surfaces it is the entry.
 
 How deep a point lies below the cutter's skin is measured against the outline of tests/core/cutter_body.py.
@@ -35,12 +35,13 @@ class Cloud:
 
 
 def cloud(cutter, rings=4):
-    """The points where all ways inward end: on the axis, and on the cone from the rim up to it."""
+    """The points where all ways inward end: on the axis, and on the cones to it from the bottom's edge and from the rim."""
     step = cutter.radius / rings
     reach = np.linspace(cutter.ring, 0.0, int(np.ceil(cutter.ring / step)) + 1)
     height = cutter.corner + (cutter.ring - reach)
-    up = np.arange(height[-1] + step, max(cutter.length - 0.3 * cutter.radius, height[-1]), step)
-    reach, height = np.append(reach, 0.0 * up), np.append(height, up)
+    up = np.arange(height[-1] + step, max(cutter.length - cutter.radius, height[-1] + step), step)
+    top = np.linspace(0.0, cutter.radius, rings + 1)[:-1]  # and where the end on top and the flank are equally near
+    reach, height = np.concatenate([reach, 0.0 * up, top]), np.concatenate([height, up, cutter.length - cutter.radius + top])
     return _turned(cutter, reach, height, step)
 
 
