@@ -88,6 +88,7 @@ def test_the_rows_between_are_needed():
     assert sampled_depth(body, points, course, 0, 41) > 1.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "body",
     [
@@ -133,7 +134,9 @@ def test_convex_parts_are_posted_byte_for_byte_as_without_the_check(parts, part)
 
 
 @pytest.mark.parametrize(
-    ("mesh", "cutter"), [(round_groove(4.0), "ball:10"), (bowl(15.0, 30), "ball:20")], ids=["groove", "bowl"]
+    ("mesh", "cutter"),
+    [(round_groove(4.0), "ball:10"), pytest.param(bowl(15.0, 30), "ball:20", marks=pytest.mark.slow)],
+    ids=["groove", "bowl"],
 )
 @pytest.mark.parametrize("gouge", ["lift", "leave-out"])
 def test_after_the_cure_the_program_does_not_enter_on_its_real_way(mesh, cutter, gouge):

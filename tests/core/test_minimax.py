@@ -190,7 +190,7 @@ def test_the_limits_of_the_rotary_axes_hold():
     assert case.largest(lean) < case.largest(case.mean) / 2.0
 
 
-@pytest.mark.parametrize("control_point", ["tip", "centre"])
+@pytest.mark.parametrize("control_point", ["tip", pytest.param("centre", marks=pytest.mark.slow)])
 def test_the_surface_is_cut_as_before(control_point):
     """The ball's centre and its contact of every row are those of facet_mean; only the axis moves."""
     one, two = (
