@@ -216,10 +216,6 @@
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation>Flächen</translation>
-    </message>
-    <message>
         <source>Facet Runs</source>
         <translation>Facettenbereiche</translation>
     </message>
@@ -890,10 +886,6 @@
     <message>
         <source>a shipped machine's name or a path to a .fcm</source>
         <translation>Name einer mitgelieferten Maschine oder Pfad einer .fcm-Datei</translation>
-    </message>
-    <message>
-        <source>an STL file of faces: only the facets of the part that lie on them are machined [all]</source>
-        <translation>eine STL-Datei mit Flächen: nur die Facetten des Teils, die auf ihnen liegen, werden bearbeitet [alle]</translation>
     </message>
     <message>
         <source>constant distance of the planes, instead of a scallop</source>
