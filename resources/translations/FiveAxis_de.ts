@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>Angle between the flank of a tapered cutter and its axis; other kinds have none</source>
-        <translation>Winkel zwischen der Flanke eines konischen Fräsers und seiner Achse; andere Formen haben keinen</translation>
+        <translation>Winkel zwischen der Flanke eines konischen Fräsers und seiner Achse; andere Arten haben keinen</translation>
     </message>
     <message>
         <source>Angular Deflection</source>
@@ -149,7 +149,7 @@
     </message>
     <message>
         <source>Corner radius of a bull nose, tapered or not; other kinds have none</source>
-        <translation>Eckenradius eines Torusfräsers, konisch oder nicht; andere Formen haben keinen</translation>
+        <translation>Eckenradius eines Torusfräsers, auch eines konischen; andere Arten haben keinen</translation>
     </message>
     <message>
         <source>Cure</source>
@@ -169,7 +169,7 @@
     </message>
     <message>
         <source>Cutter Corner</source>
-        <translation>Fräser Eckenradius</translation>
+        <translation>Fräser-Eckenradius</translation>
     </message>
     <message>
         <source>Cutter Diameter</source>
@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>Cutter Kind</source>
-        <translation>Fräser Form</translation>
+        <translation>Fräserart</translation>
     </message>
     <message>
         <source>Cutter Length</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>Cutter Taper</source>
-        <translation>Fräser Konus</translation>
+        <translation>Fräser-Kegelwinkel</translation>
     </message>
     <message>
         <source>Deepest that the cutter goes below the machined surface</source>
@@ -209,7 +209,7 @@
     </message>
     <message>
         <source>Diameter of the cutter; of a tapered one that of its rounded end</source>
-        <translation>Durchmesser des Fräsers; bei einem konischen der des runden Endes</translation>
+        <translation>Durchmesser des Fräsers; eines konischen der seines runden Endes</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -277,7 +277,7 @@
     </message>
     <message>
         <source>How deep the tool enters the part at each marker, mm; 0: not at all</source>
-        <translation>Wie tief das Werkzeug bei jeder Markierung ins Teil eindringt, mm; 0: gar nicht</translation>
+        <translation>Wie tief das Werkzeug an jeder Markierung ins Werkstück eindringt, mm; 0: gar nicht</translation>
     </message>
     <message>
         <source>How far the part should be turned about Z, counter-clockwise</source>
@@ -301,11 +301,11 @@
     </message>
     <message>
         <source>Largest Overcut</source>
-        <translation>Größter Einschnitt</translation>
+        <translation>Größter Überschnitt</translation>
     </message>
     <message>
         <source>Largest Undercut</source>
-        <translation>Größter Rest</translation>
+        <translation>Größtes Restmaterial</translation>
     </message>
     <message>
         <source>Largest angle between neighbouring facets</source>
@@ -341,7 +341,7 @@
     </message>
     <message>
         <source>Left</source>
-        <translation>Rest</translation>
+        <translation>Restmaterial</translation>
     </message>
     <message>
         <source>Length of the cutter's edge, from the tip upwards</source>
@@ -381,11 +381,11 @@
     </message>
     <message>
         <source>Machined surface on which more is left than is allowed</source>
-        <translation>Bearbeitete Fläche, auf der mehr stehen bleibt, als erlaubt ist</translation>
+        <translation>Bearbeitete Fläche, auf der mehr stehen bleibt als erlaubt</translation>
     </message>
     <message>
         <source>Machined surface that is cut too deep by more than the tolerance</source>
-        <translation>Bearbeitete Fläche, die um mehr als die Toleranz zu tief geschnitten wird</translation>
+        <translation>Bearbeitete Fläche, die um mehr als die Toleranz zu tief gefräst wird</translation>
     </message>
     <message>
         <source>Machines</source>
@@ -445,7 +445,7 @@
     </message>
     <message>
         <source>Most that is left on the machined surface</source>
-        <translation>Das meiste, was auf der bearbeiteten Fläche stehen bleibt</translation>
+        <translation>So viel bleibt auf der bearbeiteten Fläche höchstens stehen</translation>
     </message>
     <message>
         <source>NC file</source>
@@ -481,7 +481,7 @@
     </message>
     <message>
         <source>Overcut Area</source>
-        <translation>Zu tief geschnittene Fläche</translation>
+        <translation>Überschnittene Fläche</translation>
     </message>
     <message>
         <source>Pass</source>
@@ -569,7 +569,7 @@
     </message>
     <message>
         <source>Shape of the cutter: ball, flat, bull nose, tapered ball, tapered bull nose</source>
-        <translation>Form des Fräsers: Kugel, flach, Torus, konische Kugel, konischer Torus</translation>
+        <translation>Form des Fräsers: Kugel, Schaftfräser, Torus, konische Kugel, konischer Torus</translation>
     </message>
     <message>
         <source>Show Axes</source>
@@ -621,7 +621,7 @@
     </message>
     <message>
         <source>Show the values where most is left and where the cut is deepest</source>
-        <translation>Die Werte zeigen, wo am meisten stehen bleibt und wo am tiefsten geschnitten wird</translation>
+        <translation>Die Werte zeigen, wo am meisten stehen bleibt und wo am tiefsten gefräst wird</translation>
     </message>
     <message>
         <source>Show what the colours mean</source>
@@ -645,7 +645,7 @@
     </message>
     <message>
         <source>So much may be left: twice the scallop, and the tolerance</source>
-        <translation>So viel darf stehen bleiben: die doppelte Rillenhöhe und die Toleranz</translation>
+        <translation>So viel darf stehen bleiben: die doppelte Kuppenhöhe und die Toleranz</translation>
     </message>
     <message>
         <source>Spindle</source>
@@ -685,11 +685,11 @@
     </message>
     <message>
         <source>The machined surface: what the map covers</source>
-        <translation>Die bearbeitete Fläche: was die Karte zeigt</translation>
+        <translation>Die bearbeitete Fläche: was die Karte umfasst</translation>
     </message>
     <message>
         <source>The map is of the toolpath as it is now</source>
-        <translation>Die Karte gilt für den Werkzeugweg, wie er jetzt ist</translation>
+        <translation>Die Karte gehört zum Werkzeugweg, wie er jetzt ist</translation>
     </message>
     <message>
         <source>The map is of the toolpath as it is now; if it is not, try the setups again</source>
@@ -793,11 +793,11 @@
     </message>
     <message>
         <source>Uncut Area</source>
-        <translation>Nicht geschnittene Fläche</translation>
+        <translation>Ungefräste Fläche</translation>
     </message>
     <message>
         <source>Uncut Volume</source>
-        <translation>Nicht geschnittenes Volumen</translation>
+        <translation>Ungefrästes Volumen</translation>
     </message>
     <message>
         <source>Up To Date</source>
@@ -901,11 +901,11 @@
     </message>
     <message>
         <source>cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge</source>
-        <translation>Zylinder über der Schneide, DURCHMESSERxLÄNGE nach oben in mm, etwa 8x20,12x30; siehe Eindringen</translation>
+        <translation>Zylinder über dem Fräser, DURCHMESSERxLÄNGE nach oben in mm, wie 8x20,12x30; siehe Eindringen</translation>
     </message>
     <message>
         <source>cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge</source>
-        <translation>Zylinder des Halters über Schneide und Schaft, etwa 40x25,63x50 in mm; siehe Eindringen</translation>
+        <translation>Zylinder des Halters über Fräser und Schaft, wie 40x25,63x50 in mm; siehe Eindringen</translation>
     </message>
     <message>
         <source>divide feed blocks over tolerance into the fewest that hold it</source>
@@ -981,7 +981,7 @@
     </message>
     <message>
         <source>map of what stays uncut and of what is cut too deep, on the machined facets</source>
-        <translation>Karte dessen, was auf den bearbeiteten Facetten stehen bleibt und was zu tief geschnitten wird</translation>
+        <translation>Karte dessen, was auf den bearbeiteten Facetten stehen bleibt und was zu tief gefräst wird</translation>
     </message>
     <message>
         <source>near the pole: only report, divide blocks over tolerance, or lead the tool axis past it (deform)</source>
@@ -1084,11 +1084,11 @@
     </message>
     <message>
         <source>A larger clearance, in the tool path's panel.</source>
-        <translation>Ein größerer Abstand, im Fenster des Werkzeugwegs.</translation>
+        <translation>Ein größerer Sicherheitsabstand, im Fenster des Werkzeugwegs.</translation>
     </message>
     <message>
         <source>A longer tool, a slimmer holder, lead or tilt away from the wall; or leave such places out.</source>
-        <translation>Ein längeres Werkzeug, ein schlankerer Halter, Voreil- oder Neigungswinkel von der Wand weg; oder solche Stellen auslassen.</translation>
+        <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
     </message>
     <message>
         <source>Against deviation</source>
@@ -1228,7 +1228,7 @@
     </message>
     <message>
         <source>Collision between passes</source>
-        <translation>Kollision zwischen den Bahnen</translation>
+        <translation>Kollision zwischen Bahnen</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -1276,7 +1276,7 @@
     </message>
     <message>
         <source>Cut too deep</source>
-        <translation>Zu tief geschnitten</translation>
+        <translation>Zu tief gefräst</translation>
     </message>
     <message>
         <source>Cutter</source>
@@ -1284,7 +1284,7 @@
     </message>
     <message>
         <source>Cutter inside the part</source>
-        <translation>Fräser im Teil</translation>
+        <translation>Fräser im Werkstück</translation>
     </message>
     <message>
         <source>Cutting length</source>
@@ -1380,7 +1380,7 @@
     </message>
     <message>
         <source>From the part's surface to the cutter</source>
-        <translation>Von der Fläche des Teils bis zum Fräser</translation>
+        <translation>Von der Oberfläche des Werkstücks bis zum Fräser</translation>
     </message>
     <message>
         <source>Gap above the mark</source>
@@ -1424,7 +1424,7 @@
     </message>
     <message>
         <source>In the tool path's panel let the tool be lifted there, or leave such places out; or take a smaller cutter. The command What is left shows what then stays uncut.</source>
-        <translation>Im Fenster des Werkzeugwegs das Werkzeug dort abheben lassen oder solche Stellen auslassen; oder einen kleineren Fräser nehmen. Der Befehl Was stehen bleibt zeigt, was dann nicht geschnitten wird.</translation>
+        <translation>Im Fenster des Werkzeugwegs das Werkzeug dort anheben oder solche Stellen auslassen; oder einen kleineren Fräser nehmen. Der Befehl „Restmaterial“ zeigt, was dann stehen bleibt.</translation>
     </message>
     <message>
         <source>Its name must end in {endings}.</source>
@@ -1592,7 +1592,7 @@
     </message>
     <message>
         <source>Nothing enters the part</source>
-        <translation>Nichts dringt ins Teil ein</translation>
+        <translation>Nichts dringt ins Werkstück ein</translation>
     </message>
     <message>
         <source>Nothing to report: all blocks are as they should be.</source>
@@ -1608,7 +1608,7 @@
     </message>
     <message>
         <source>On its way between passes the cutter goes {depth} into the part.</source>
-        <translation>Auf seinem Weg zwischen den Bahnen dringt der Fräser {depth} ins Teil ein.</translation>
+        <translation>Auf dem Weg zwischen Bahnen dringt der Fräser {depth} ins Werkstück ein.</translation>
     </message>
     <message>
         <source>On the machine</source>
@@ -1852,7 +1852,7 @@
     </message>
     <message>
         <source>Taper, each side</source>
-        <translation>Konus, je Seite</translation>
+        <translation>Kegel, je Seite</translation>
     </message>
     <message>
         <source>Tessellate</source>
@@ -1876,7 +1876,7 @@
     </message>
     <message>
         <source>The command What is left shows where. Cut these places with a smaller cutter, or with another tool axis.</source>
-        <translation>Der Befehl Was stehen bleibt zeigt, wo. Diese Stellen mit einem kleineren Fräser oder einer anderen Werkzeugachse bearbeiten.</translation>
+        <translation>Der Befehl „Restmaterial“ zeigt, wo. Diese Stellen mit einem kleineren Fräser oder mit anderer Werkzeugachse fräsen.</translation>
     </message>
     <message>
         <source>The controller guides the tip (RTCP); shown are evenly moving axes.</source>
@@ -1884,11 +1884,11 @@
     </message>
     <message>
         <source>The cutter does not fit there, or it was lifted or kept away so that nothing enters the part.</source>
-        <translation>Der Fräser passt dort nicht hinein, oder er wurde abgehoben oder ferngehalten, damit nichts ins Teil eindringt.</translation>
+        <translation>Der Fräser passt dort nicht hinein, oder er wurde angehoben oder ferngehalten, damit nichts ins Werkstück eindringt.</translation>
     </message>
     <message>
         <source>The cutter goes {depth} too deep into the part.</source>
-        <translation>Der Fräser schneidet {depth} zu tief ins Teil.</translation>
+        <translation>Der Fräser geht {depth} zu tief ins Werkstück.</translation>
     </message>
     <message>
         <source>The head of a machine that is ticked turns: give the tool length.</source>
@@ -1924,7 +1924,7 @@
     </message>
     <message>
         <source>The shank or the holder goes {depth} into the part.</source>
-        <translation>Der Schaft oder der Halter dringt {depth} ins Teil ein.</translation>
+        <translation>Der Schaft oder der Halter dringt {depth} ins Werkstück ein.</translation>
     </message>
     <message>
         <source>The sheet to write</source>
@@ -1952,7 +1952,7 @@
     </message>
     <message>
         <source>The tool is short, or leans towards a wall beside what is cut. Walls that are not selected count too.</source>
-        <translation>Das Werkzeug ist kurz oder neigt sich zu einer Wand neben der bearbeiteten Stelle. Auch Wände, die nicht gewählt sind, zählen.</translation>
+        <translation>Das Werkzeug ist kurz oder neigt sich zu einer Wand neben dem, was gefräst wird. Auch Wände, die nicht ausgewählt sind, zählen.</translation>
     </message>
     <message>
         <source>The tool path was changed since: double-click the map to try again</source>
@@ -1976,7 +1976,7 @@
     </message>
     <message>
         <source>There are several tool paths: select the one to map.</source>
-        <translation>Es gibt mehrere Werkzeugwege: den auswählen, von dem die Karte sein soll.</translation>
+        <translation>Es gibt mehrere Werkzeugwege: den auswählen, dessen Restmaterial gezeigt werden soll.</translation>
     </message>
     <message>
         <source>There are several tool paths: select the one to write.</source>
@@ -2032,7 +2032,7 @@
     </message>
     <message>
         <source>Tool lifted</source>
-        <translation>Werkzeug abgehoben</translation>
+        <translation>Werkzeug angehoben</translation>
     </message>
     <message>
         <source>Tool number</source>
@@ -2060,11 +2060,11 @@
     </message>
     <message>
         <source>Uncut</source>
-        <translation>Nicht geschnitten</translation>
+        <translation>Ungefräst</translation>
     </message>
     <message>
         <source>Uncut: {area} of {whole}</source>
-        <translation>Nicht geschnitten: {area} von {whole}</translation>
+        <translation>Ungefräst: {area} von {whole}</translation>
     </message>
     <message>
         <source>Value</source>
@@ -2100,7 +2100,7 @@
     </message>
     <message>
         <source>What is left</source>
-        <translation>Was stehen bleibt</translation>
+        <translation>Restmaterial</translation>
     </message>
     <message>
         <source>What must be seen at each stop, to print; empty: no sheet</source>
@@ -2124,7 +2124,7 @@
     </message>
     <message>
         <source>Where the tool enters the part</source>
-        <translation>Wo das Werkzeug ins Teil eindringt</translation>
+        <translation>Wo das Werkzeug in das Teil eindringt</translation>
     </message>
     <message>
         <source>Where the work zero lies in the document</source>
@@ -2136,7 +2136,7 @@
     </message>
     <message>
         <source>While the rotary axes turn, the tip leaves the straight way over the part.</source>
-        <translation>Während die Drehachsen drehen, verlässt die Spitze den geraden Weg über das Teil.</translation>
+        <translation>Während die Drehachsen sich drehen, verlässt die Spitze den geraden Weg über dem Werkstück.</translation>
     </message>
     <message>
         <source>Why</source>
@@ -2236,7 +2236,7 @@
     </message>
     <message>
         <source>collision between passes: {count} places</source>
-        <translation>Kollision zwischen den Bahnen: {count} Stellen</translation>
+        <translation>Kollision zwischen Bahnen: {count} Stellen</translation>
     </message>
     <message>
         <source>commanded line beside the real curve</source>
@@ -2256,15 +2256,15 @@
     </message>
     <message>
         <source>cut too deep</source>
-        <translation>zu tief geschnitten</translation>
+        <translation>zu tief gefräst</translation>
     </message>
     <message>
         <source>cut too deep: {count} places</source>
-        <translation>zu tief geschnitten: {count} Stellen</translation>
+        <translation>zu tief gefräst: {count} Stellen</translation>
     </message>
     <message>
         <source>cutter {depth} in the part between passes</source>
-        <translation>Fräser {depth} im Teil zwischen den Bahnen</translation>
+        <translation>Fräser zwischen Bahnen {depth} im Werkstück</translation>
     </message>
     <message>
         <source>cutting the mesh</source>
@@ -2300,7 +2300,7 @@
     </message>
     <message>
         <source>flat end</source>
-        <translation>Schaftfräser</translation>
+        <translation>Schaftfräser (flach)</translation>
     </message>
     <message>
         <source>found</source>
@@ -2352,11 +2352,11 @@
     </message>
     <message>
         <source>lift the tool</source>
-        <translation>das Werkzeug abheben</translation>
+        <translation>Werkzeug abheben</translation>
     </message>
     <message>
         <source>lifting the tool out of the part</source>
-        <translation>hebt das Werkzeug aus dem Teil</translation>
+        <translation>Werkzeug wird aus dem Teil gehoben</translation>
     </message>
     <message>
         <source>limits</source>
@@ -2372,7 +2372,7 @@
     </message>
     <message>
         <source>looking where the tool enters the part</source>
-        <translation>sucht, wo das Werkzeug ins Teil eindringt</translation>
+        <translation>Suche, wo das Werkzeug in das Teil eindringt</translation>
     </message>
     <message>
         <source>machines</source>
@@ -2384,7 +2384,7 @@
     </message>
     <message>
         <source>measuring what is left</source>
-        <translation>misst, was stehen bleibt</translation>
+        <translation>Messen, was stehen bleibt</translation>
     </message>
     <message>
         <source>meshing the solid</source>
@@ -2504,7 +2504,7 @@
     </message>
     <message>
         <source>shank or holder {depth} in the part</source>
-        <translation>Schaft oder Halter {depth} im Teil</translation>
+        <translation>Schaft oder Halter {depth} im Werkstück</translation>
     </message>
     <message>
         <source>signs</source>
@@ -2520,11 +2520,11 @@
     </message>
     <message>
         <source>tapered ball</source>
-        <translation>konischer Kugelfräser</translation>
+        <translation>konische Kugel</translation>
     </message>
     <message>
         <source>tapered bull nose</source>
-        <translation>konischer Torusfräser</translation>
+        <translation>konischer Torus</translation>
     </message>
     <message>
         <source>the axes leave their limits</source>
@@ -2548,11 +2548,11 @@
     </message>
     <message>
         <source>tilt the tool</source>
-        <translation>das Werkzeug kippen</translation>
+        <translation>Werkzeug neigen</translation>
     </message>
     <message>
         <source>tilting the tool out of the part</source>
-        <translation>kippt das Werkzeug aus dem Teil</translation>
+        <translation>Werkzeug wird aus dem Teil geneigt</translation>
     </message>
     <message>
         <source>tip</source>
@@ -2636,7 +2636,7 @@
     </message>
     <message>
         <source>{height} left</source>
-        <translation>{height} bleiben stehen</translation>
+        <translation>{height} bleibt stehen</translation>
     </message>
     <message>
         <source>{letter} line, {way}</source>
@@ -2715,7 +2715,7 @@
     </message>
     <message>
         <source>Corner radius of a bull nose, tapered or not</source>
-        <translation>Eckenradius eines Torusfräsers, konisch oder nicht</translation>
+        <translation>Eckenradius eines Torusfräsers, auch eines konischen</translation>
     </message>
     <message>
         <source>Cutter</source>
@@ -2727,11 +2727,11 @@
     </message>
     <message>
         <source>Cylinders above the cutter, diameter x length in mm, from the cutter upwards</source>
-        <translation>Zylinder über der Schneide, Durchmesser x Länge in mm, von der Schneide nach oben</translation>
+        <translation>Zylinder über dem Fräser, Durchmesser x Länge in mm, vom Fräser nach oben</translation>
     </message>
     <message>
         <source>Cylinders of the holder above cutter and shank, diameter x length in mm, upwards</source>
-        <translation>Zylinder des Halters über Schneide und Schaft, Durchmesser x Länge in mm, nach oben</translation>
+        <translation>Zylinder des Halters über Fräser und Schaft, Durchmesser x Länge in mm, nach oben</translation>
     </message>
     <message>
         <source>Defaults of a new tool path</source>
@@ -2739,7 +2739,7 @@
     </message>
     <message>
         <source>Diameter of the cutter; of a tapered one that of its rounded end</source>
-        <translation>Durchmesser des Fräsers; bei einem konischen der des runden Endes</translation>
+        <translation>Durchmesser des Fräsers; eines konischen der seines runden Endes</translation>
     </message>
     <message>
         <source>Feed</source>
@@ -2815,7 +2815,7 @@
     </message>
     <message>
         <source>Taper, each side</source>
-        <translation>Konus, je Seite</translation>
+        <translation>Kegel, je Seite</translation>
     </message>
     <message>
         <source>The language of the NC file; the machine's own is the one that its file names</source>
@@ -2874,11 +2874,11 @@
     <name>FiveAxis_Left</name>
     <message>
         <source>Colour the machined surface by what the cutter leaves on it, and by where it cuts too deep</source>
-        <translation>Die bearbeitete Fläche danach färben, was der Fräser auf ihr stehen lässt und wo er zu tief schneidet</translation>
+        <translation>Die bearbeitete Fläche danach färben, was der Fräser auf ihr stehen lässt und wo er zu tief fräst</translation>
     </message>
     <message>
         <source>What is left</source>
-        <translation>Was stehen bleibt</translation>
+        <translation>Restmaterial</translation>
     </message>
 </context>
 <context>
