@@ -29,7 +29,7 @@ def test_every_point_of_the_outline_lies_on_the_body_and_points_away_from_it(tex
 @pytest.mark.parametrize("text", CUTTERS)
 def test_it_is_one_line_from_the_tip_to_the_axis_again(text):
     made = outline(body_of(parse_cutter(text), SHANK_OF, HOLDER_OF))
-    assert np.array_equal(made.start[0], [0, 0]) and made.end[-1, 0] == 0
+    assert np.allclose(made.start[0], 0.0, atol=1e-12) and made.end[-1, 0] == 0
     assert np.allclose(made.end[:-1], made.start[1:], atol=1e-12)
     assert list(dict.fromkeys(made.part)) == [CUTTER, SHANK, HOLDER]
 

@@ -108,13 +108,15 @@ def body_of(cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: I
 
 def _cutter_pieces(cutter: Cutter) -> list[Piece]:
     """One piece from the bottom up, so that no inner border makes a point seem less deep than it is: all points within the corner
-    radius of a stretch of the axis (ball), a cylinder (bull nose) or a cone (tapered); and its end, which that rounds off."""
+    radius of a stretch of the axis (ball), a cylinder (bull nose) or a cone (tapered); and its end, which that rounds off, with
+    so much below it that its own lower border does not count."""
     corner, slope = cutter.corner, math.tan(cutter.taper)
     top = max(cutter.length, corner)
     last = min(max(top - corner, corner), top)
     pieces = [_checked(Piece(corner, cutter.ring, last, cutter.ring + (last - corner) * slope, corner))]
     if top > last:
-        pieces.append(frustum_piece(last, cutter.top_radius - (cutter.length - last) * slope, top, cutter.top_radius))
+        start = max(last - corner, min(corner, last))
+        pieces.append(frustum_piece(start, cutter.top_radius - (cutter.length - start) * slope, top, cutter.top_radius))
     return pieces
 
 

@@ -16,6 +16,9 @@ from freecad_fiveaxis.core.records import Floats, Ints
 
 from .body import Body, Piece
 
+NOTHING = 1e-9
+"""mm; a stretch that is shorter is rounding, and its direction any."""
+
 STRETCHES = 16
 """Of a quarter of a circle: 0.5 % of the radius is the farthest that the outline leaves it."""
 
@@ -37,7 +40,7 @@ def outline(body: Body) -> Outline:
     rows: list[Outline] = []
     at, part = np.array([0.0, body.pieces[0].low - body.pieces[0].round]), body.pieces[0].part
     for piece in body.pieces:
-        points, normals = _side(piece, topmost=piece is body.pieces[-1])
+        points, normals = _side(_above(piece, float(at[1])), topmost=piece is body.pieces[-1])
         rows.append(_straight(at, points[0], piece.part if points[0, 0] >= at[0] else part))
         rows.append(Outline(points[:-1], points[1:], normals[:-1], normals[1:], np.full(len(points) - 1, piece.part)))
         at, part = points[-1], piece.part
@@ -45,8 +48,16 @@ def outline(body: Body) -> Outline:
     return Outline(*(np.concatenate(columns) for columns in zip(*map(_with_length, rows), strict=True)))
 
 
+def _above(piece: Piece, height: float) -> Piece:
+    """What of a frustum is above that height; it may begin within the piece below it."""
+    if piece.round > 0.0 or not piece.low < height < piece.high:
+        return piece
+    share = (height - piece.low) / (piece.high - piece.low)
+    return piece._replace(low=height, low_radius=piece.low_radius + share * (piece.high_radius - piece.low_radius))
+
+
 def _with_length(row: Outline) -> Outline:
-    some = np.flatnonzero(np.linalg.norm(row.end - row.start, axis=1) > 0.0)
+    some = np.flatnonzero(np.linalg.norm(row.end - row.start, axis=1) > NOTHING)
     return Outline(*(column[some] for column in row))  # type: ignore[arg-type]
 
 
