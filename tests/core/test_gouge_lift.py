@@ -66,6 +66,7 @@ def test_a_ball_over_a_groove_that_is_too_narrow_is_lifted_onto_its_rims():
     assert not entering(lifted.path, round_groove(groove), body_of(Cutter(2 * radius))).any()
 
 
+@pytest.mark.slow
 def test_over_a_step_rows_are_put_in_so_that_no_block_cuts_the_edge():
     mesh, radius = step(6.0), 3.0
     path = cl_path([(0, -9, 0), (0, 6, 0), (0, 9, 0)])
@@ -166,6 +167,7 @@ def test_the_worst_overcut_of_a_wavy_patch_is_the_judges_too(parts, diameter):
     assert max(sampled_depth(body, points, course, int(k), 5) for k in others) <= 1.011 * worst.value
 
 
+@pytest.mark.slow
 def test_a_path_driven_by_the_centre_is_lifted_as_that_of_the_tip():
     options = {"cutter": "ball:10", "gouge": "lift"}
     by_tip, by_centre = milled(round_groove(4.0), **options), milled(round_groove(4.0), control_point="centre", **options)

@@ -112,7 +112,7 @@ def test_a_long_search_says_how_far_it_is_and_can_be_stopped():
             raise Cancelled("stopped")
 
     with pytest.raises(Cancelled):
-        find_remainder(step(), BALL, upright((-20, -12, 0), (20, -12, 0)), np.array([0]), 0.15, progress=listen)
+        find_remainder(step(), BALL, upright((-20, -12, 0), (20, -12, 0)), np.array([0]), 0.25, progress=listen)
     assert told == sorted(told) and 0.0 < told[-2] <= 0.3 < told[-1] < 1.0
 
 

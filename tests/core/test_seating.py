@@ -53,6 +53,7 @@ def test_on_a_dome_no_cutter_enters_the_facets_and_none_stays_off(cutter, lead, 
     assert np.quantile(deep, 0.02) > -0.1  # as near as the points on the facets stand to the contact
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cutter", CUTTERS)
 def test_on_a_saddle_a_lead_keeps_every_cutter_out_of_the_hollow(cutter, milled, points):
     made = milled("saddle", "trunnion_ac", cutter=cutter, lead=10).made
@@ -252,6 +253,7 @@ def left_over(made, cutter, height, most):
     return left
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name, shape, lead",
     [("plane", "bull:6:1", 5), ("cylinder across", "flat:6", 5), ("cylinder along", "flat:6", 5), ("cylinder along", "flat:6", 0),
