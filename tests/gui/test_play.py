@@ -329,6 +329,8 @@ def test_lengths_are_shown_in_the_users_units(doc, tmp_path, opened, click, para
     units = parameters("User parameter:BaseApp/Preferences/Units")
     kept = units.GetInt("UserSchema", 0)
     FreeCAD.Units.setSchema(3)  # imperial decimal
+    if hasattr(doc, "UnitSystem"):  # from 1.0 on a document has its own, and setEditorMode brings it back
+        doc.UnitSystem = 3
     try:
         shown = opened(table_2(doc, tmp_path))
         click(shown.controls.worst)
