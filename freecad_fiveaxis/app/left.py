@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.progress import Progress
 
 from . import results
 from .long_work import listening
-from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
+from .properties import FINGERPRINT, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
 from .schema import Proxy
 from .selection import SelectionError
 from .toolpath import Toolpath
@@ -68,10 +68,7 @@ PROPERTIES = (
         "UpToDate", "App::PropertyBool", "Result",
         QT_TRANSLATE_NOOP("App::Property", "The map is of the toolpath as it is now"), False, RESULT,
     ),
-    Property(
-        "Fingerprint", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Of the mesh and the settings that the result is of"), "", RESULT | HIDDEN,
-    ),
+    FINGERPRINT,
 )  # fmt: skip
 
 

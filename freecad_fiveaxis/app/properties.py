@@ -171,6 +171,10 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
     return int(value) if kind == "count" else value
 
 
+FINGERPRINT = Property(
+    "Fingerprint", "App::PropertyString", "Result",
+    QT_TRANSLATE_NOOP("App::Property", "Of the mesh and the settings that the result is of"), "", RESULT | HIDDEN,
+)  # fmt: skip
 RESULTS = (
     Property("Passes", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Passes over the part"), 0, RESULT),
     Property("Blocks", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Blocks of the program"), 0, RESULT),
@@ -224,10 +228,7 @@ RESULTS = (
         "Findings", "App::PropertyStringList", "Result",
         QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [], RESULT,
     ),
-    Property(
-        "Fingerprint", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Of the mesh and the settings that the result is of"), "", RESULT | HIDDEN,
-    ),
+    FINGERPRINT,
 )  # fmt: skip
 """What a Toolpath and an Audit show of their last computation."""
 

@@ -32,7 +32,16 @@ from freecad_fiveaxis.core.setup_map import marked_rows, verdict
 
 from . import changes, convert
 from .long_work import listening
-from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property, default_value, property_name, setting_properties
+from .properties import (
+    FINGERPRINT,
+    QT_TRANSLATE_NOOP,
+    READ_ONLY,
+    RESULT,
+    Property,
+    default_value,
+    property_name,
+    setting_properties,
+)
 from .results import Task
 from .schema import Proxy
 from .selection import SelectionError
@@ -104,10 +113,7 @@ PROPERTIES = (
         "Deviations", "App::PropertyFloatList", "Map",
         QT_TRANSLATE_NOOP("App::Property", "The largest deviation at each place, mm"), [], RESULT,
     ),
-    Property(
-        "Fingerprint", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Of the mesh and the settings that the result is of"), "", RESULT | HIDDEN,
-    ),
+    FINGERPRINT,
 )  # fmt: skip
 
 
