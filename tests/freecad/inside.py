@@ -4,6 +4,7 @@
 FreeCAD exits with 0 after an uncaught exception and may run this file twice; its window replaces sys.stdout. So the code is
 written to ``$FIVEAXIS_FINISHED`` and given to os._exit, which also spares the dialogs and crashes of a shut-down.
 A test that does not end within ``$FIVEAXIS_TEST_LIMIT`` seconds is photographed and its stack printed; then the process ends.
+The test that runs is named in ``$FIVEAXIS_AT``; with ``$FIVEAXIS_FROM`` the tests before the one of that name are left out.
 """
 
 import faulthandler
@@ -37,8 +38,15 @@ class Watch:
         faulthandler.dump_traceback(file=self._out)
         leave(HUNG)
 
+    def pytest_collection_modifyitems(self, items):
+        first = os.environ.get("FIVEAXIS_FROM")
+        if first:
+            del items[: [item.nodeid for item in items].index(first)]
+
     def pytest_runtest_logstart(self, nodeid, location):
         self.stop()
+        with open(os.environ["FIVEAXIS_AT"], "w", encoding="utf-8") as file:
+            file.write(nodeid)
         self._timer = threading.Timer(LIMIT, self._end, [nodeid])
         self._timer.daemon = True
         self._timer.start()
@@ -119,6 +127,7 @@ def main():
         "freecad:", ".".join(FreeCAD.Version()[:2]), "Python", sys.version.split()[0], "window" if FreeCAD.GuiUp else "headless"
     )
     code = HUNG
+    faulthandler.enable(file=out)  # where the process was when something inside FreeCAD or Qt aborts it
     try:
         code = run_pytest(out)
     except BaseException:

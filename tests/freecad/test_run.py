@@ -28,6 +28,19 @@ def test_a_bad_test_ends_the_run_with_a_code_and_a_line(kind, tmp_path):
     assert line in done.stdout
 
 
+@pytest.mark.skipif(not (shutil.which("freecad") and shutil.which("xvfb-run")), reason="there is no FreeCAD with a window here")
+@pytest.mark.parametrize(("times", "code"), [(1, 0), (2, 1)])
+def test_a_window_that_crashes_once_goes_on_from_there_and_twice_fails(times, code, tmp_path):
+    body = f"    with open({str(tmp_path / 'log')!r}, 'a+') as log:\n        log.seek(0)\n        seen = len(log.read())\n"
+    tests = "def test_before():\n{0}        log.write('b')\n\ndef test_bad():\n{0}        log.write('c')\n    if seen < {1}:\n        {2}\n"
+    (tmp_path / "test_bad.py").write_text(tests.format(body, 1 + times, "import os; os.abort()"))
+    done = subprocess.run([RUN, "window", tmp_path], capture_output=True, text=True, timeout=150, check=False)
+    assert done.returncode == code, done.stdout
+    assert (tmp_path / "log").read_text() == "bcc", "the crash, and the second try of that test alone"
+    assert done.stdout.count("test_bad: tried once more from there") == 1
+    assert 'File "' in done.stdout, "where it was is said"
+
+
 def test_without_freecad_it_says_that_it_skipped(tmp_path):
     for tool in ("bash", "dirname", "pwd"):
         (tmp_path / tool).symlink_to(shutil.which(tool))
