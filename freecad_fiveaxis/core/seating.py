@@ -43,6 +43,9 @@ NOTABLE = 0.01
 NOTHING = 1e-12
 """Half a chord of unit vectors: nearer to none, or to a whole one, there is no arc between them."""
 
+SWING_HALVINGS = 8
+"""Times that a move over an edge is halved at most."""
+
 MOST_PIECES = 64
 """Pieces of a block at most: half a turn of the axis in steps of less than 3 degrees."""
 
@@ -97,7 +100,7 @@ def seated(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> 
     """
     if cutter.ring == 0.0 or not len(axis):
         return path, axis
-    path, axis = _divided(path, axis, cutter, tolerance)
+    path, axis = _swung(*_divided(path, axis, cutter, tolerance), cutter.ring, tolerance)
     hub = hubs(path, axis, cutter.ring)
     sat = replace(path, centre=hub, findings=path.findings + _heel_findings(path, hub, axis, cutter))
     rows = np.flatnonzero(~_stands_still(sat, axis))
@@ -134,6 +137,36 @@ def _divided(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -
     return rows_between(path, axis, pieces, cutter.ring)[:2]
 
 
+def _swung(path: OffsetPath, axis: Floats, ring: float, tolerance: float) -> tuple[OffsetPath, Floats]:
+    """Rows put between those that close a gap over an edge, where the hub swings round the contact.
+
+    Where an edge crosses the level bottom's plane aslant, the normal passes the axis at its side, and out swings round with it;
+    hubs on the chord of that swing dip the bottom by ``ring (sine - out . normal)`` into the edge, see :func:`ring_direction`.
+    They may use up half of the tolerance; the other half is the chord's of the corner circle.
+    """
+    for _ in range(SWING_HALVINGS):
+        fills = path.fill & (np.diff(path.polyline, prepend=-1) == 0)
+        row = np.flatnonzero(fills)
+        deep = row[_swing_depth(path, axis, row, ring) > 0.5 * tolerance]
+        if not len(deep):
+            break
+        pieces = np.ones(len(axis), np.int64)
+        pieces[deep] = 2
+        path, axis = rows_between(path, axis, pieces, ring)[:2]
+    return path, axis
+
+
+def _swing_depth(path: OffsetPath, axis: Floats, row: Ints, ring: float) -> Floats:
+    """How deep (k,) mm the bottom's rim dips half-way of the moves that arrive at ``row`` (k,), for the chord of out's swing."""
+    seat, feed = seat_normal(path, ring), feed_direction(path, axis)
+    out = ring_direction(seat, axis, feed, ring)
+    chord = 0.5 * (out[row - 1] + out[row])
+    half = np.full(len(row), 0.5)
+    normal, upright = _between(seat[row - 1], seat[row], half), _between(axis[row - 1], axis[row], half)
+    sine = np.linalg.norm(np.cross(normal, upright), axis=1)
+    return np.asarray(ring * (sine - _dot(chord, normal)))
+
+
 def rows_between(path: OffsetPath, axis: Floats, pieces: Ints, ring: float) -> tuple[OffsetPath, Floats, Ints]:
     """The move that arrives at each row in ``pieces`` (n,) equal parts (1: as it is): the path, its axes, and the row (k,) of the
     path given that each row is, or leads to. ``ring`` mm of the cutter."""
@@ -150,7 +183,8 @@ def keep_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
 
 
 def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floats, ring: float) -> tuple[OffsetPath, Floats]:
-    """Rows ``row`` (k,) of the path, those at ``new`` moved to ``share`` of the way from the row before, inside its facet.
+    """Rows ``row`` (k,) of the path, those at ``new`` moved to ``share`` of the way from the row before, inside its facet, or
+    round its co-edge where both are rows of one contact.
 
     Corner circles go straight there, along the facet; axis and seat turn evenly. A ball sits on the facet itself."""
     end, made = row[new], axis[row]
@@ -161,9 +195,11 @@ def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floa
     for name in ("point", "centre"):
         given = getattr(path, name)
         columns[name][new] = (1.0 - part) * given[start] + part * given[end]
-    for name in ("normal", "before", "after"):
-        columns[name][new] = normal
-    columns["coedge"][new] = -1
+    columns["normal"][new] = normal
+    inside = ~(path.fill[end] & (path.coedge[end] >= 0) & (path.coedge[start] == path.coedge[end]))
+    for name in ("before", "after"):
+        columns[name][new[inside]] = normal[inside]
+    columns["coedge"][new[inside]] = -1
     made[new] = _between(axis[start], axis[end], share)
     return replace(path, **columns), made
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from gouge_examples import bowl, dense_points, round_groove, sampled_depth, step
 
-from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core import job, seating
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.cutter import Cutter
@@ -129,6 +129,29 @@ def test_convex_parts_are_posted_byte_for_byte_as_without_the_check(parts, part)
     options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 12, "linearize": "on"}
     bytes_of = lambda gouge: job.make(build_settings("mill", str(parts / f"{part}.stl"), {**options, "gouge": gouge})).nc  # noqa: E731
     assert bytes_of("lift") == bytes_of("off") == bytes_of("leave-out")
+
+
+RINGS = {"cutter": "bull:10:2"}, {"cutter": "bull:10:2", "lead": 0}, {"cutter": "taperbull:8:1:5deg"}, {"cutter": "flat:10"}
+
+
+def over_sharp_edges(parts, part, gouge, **options):
+    """A path round the edges of a part that is cut on all sides, so that its hub swings over them."""
+    given = {"machine": "trunnion_ac", "origin": (0, 40, 0), "stepover": 12, "lead": 8, **options}
+    return job.make(build_settings("mill", str(parts / f"{part}.stl"), {**given, "gouge": gouge}))
+
+
+@pytest.mark.parametrize("options", RINGS, ids=[" ".join(map(str, options.values())) for options in RINGS])
+@pytest.mark.parametrize("part", ["dome", "half_cylinder"])
+def test_round_sharp_edges_of_convex_parts_no_cure_touches_a_ring_cutter(parts, part, options):
+    off, lift, out = (over_sharp_edges(parts, part, gouge, **options) for gouge in ("off", "lift", "leave-out"))
+    assert off.nc == lift.nc == out.nc
+
+
+def test_without_rows_along_the_hubs_swing_the_edge_is_cut(parts, monkeypatch):
+    """The comparison above can fail: the straight swing dips the bottom's rim into the edge."""
+    monkeypatch.setattr(seating, "_swung", lambda path, axis, *_: (path, axis))
+    lifted = over_sharp_edges(parts, "dome", "lift", cutter="bull:10:2")
+    assert "lifted" in {finding.code for finding in lifted.findings}
 
 
 # ------------------------------------------------------------------------------------------------ the street
