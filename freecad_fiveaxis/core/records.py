@@ -45,17 +45,34 @@ def picked(table: Floats, rows: Ints) -> Floats:
     return np.ascontiguousarray(table.T).take(rows, axis=1).T
 
 
+SHORTEST = 64
+"""Rows between two cuts, on the average, for which it pays to copy them as a whole."""
+
+
 class Insertion:
     """Rows put in before the rows ``at`` (m,), ascending, of tables of ``count`` rows, at least one; ``count`` is their end."""
 
     def __init__(self, count: int, at: Ints) -> None:
-        times = np.bincount(at, minlength=count + 1) + 1
-        times[count] -= 1  # nothing stands there
-        self.source = np.minimum(np.repeat(np.arange(count + 1), times), count - 1)
-        self.place = at + np.arange(len(at))
+        self.count, self.place = count, at + np.arange(len(at))
+        self.source = np.minimum(at, count - 1)  # the row that each of those put in stands for
+        cut = np.unique(at)
+        self._cuts = cut if SHORTEST * len(cut) < count else None
+        self._shift = np.searchsorted(at, cut, side="right")
 
     def woven(self, own: NDArray[Any], rows: NDArray[Any] | int) -> Any:
         """The table ``own`` (count, ...) with ``rows`` (m, ...) put in, in Fortran order."""
-        columns = own.T.take(self.source, axis=-1)
+        columns = np.empty((*own.T.shape[:-1], self.count + len(self.place)), own.dtype)
+        if self._cuts is None:
+            stays = np.ones(columns.shape[-1], np.bool_)
+            stays[self.place] = False
+            columns[..., stays] = own.T
+        else:
+            self._copy_stretches(own.T, columns, self._cuts)
         columns[..., self.place] = rows if isinstance(rows, int) else rows.T
         return columns.T
+
+    def _copy_stretches(self, own: NDArray[Any], columns: NDArray[Any], cuts: Ints) -> None:
+        """Whole stretches between the cuts at a time: at the speed of the memory, where picking row by row is half as fast."""
+        begins, ends = [0, *cuts.tolist()], [*cuts.tolist(), self.count]
+        for begin, end, shift in zip(begins, ends, [0, *self._shift.tolist()], strict=True):
+            columns[..., begin + shift : end + shift] = own[..., begin:end]

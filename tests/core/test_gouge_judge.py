@@ -112,13 +112,30 @@ def test_the_judge_knows_how_deep_a_cutter_stands_in_a_floor():
 # ------------------------------------------------------------------------------------------------ real meshes
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", ["ball:{0}:{1}", "bull:{0}:{2}:{1}", "flat:{0}:{1}"], ids=["ball", "bull", "flat"])
-@pytest.mark.parametrize("name", REAL)
-def test_the_worst_overcut_of_real_meshes_is_the_judges_too(name, kind):
+KINDS = {"ball": "ball:{0}:{1}", "bull": "bull:{0}:{2}:{1}", "flat": "flat:{0}:{1}"}
+
+
+def milled_real(name, kind, **options):
+    """A program over one of the real meshes."""
     path = MESHES / f"{name}.stl"
     if not path.exists():
         pytest.skip(f"no {path}: install Debian's occt-misc, or name a folder with its meshes in FIVEAXIS_MESHES")
     stepover, diameter = REAL[name]
-    cutter = kind.format(diameter, 3 * diameter, 0.2 * diameter)
-    agree(milled(read_stl(str(path)), cutter=cutter, stepover=stepover, tool_axis="facet_mean", lead="3deg"))
+    cutter = KINDS[kind].format(diameter, 3 * diameter, 0.2 * diameter)
+    given = {"cutter": cutter, "stepover": stepover, "tool_axis": "facet_mean", "lead": "3deg", **options}
+    return milled(read_stl(str(path)), **given)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("name", REAL)
+def test_the_worst_overcut_of_real_meshes_is_the_judges_too(name, kind):
+    agree(milled_real(name, kind))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("name", REAL)
+def test_after_the_lift_the_judge_finds_nothing_in_real_meshes_either(name, kind):
+    _, _, verdict = both(milled_real(name, kind, gouge="lift"))
+    assert verdict.worst <= TOLERANCE

@@ -141,7 +141,7 @@ def over_sharp_edges(parts, part, gouge, **options):
 
 
 @pytest.mark.parametrize("options", RINGS, ids=[" ".join(map(str, options.values())) for options in RINGS])
-@pytest.mark.parametrize("part", ["dome", "half_cylinder"])
+@pytest.mark.parametrize("part", ["dome", pytest.param("half_cylinder", marks=pytest.mark.slow)])
 def test_round_sharp_edges_of_convex_parts_no_cure_touches_a_ring_cutter(parts, part, options):
     off, lift, out = (over_sharp_edges(parts, part, gouge, **options) for gouge in ("off", "lift", "leave-out"))
     assert off.nc == lift.nc == out.nc

@@ -187,7 +187,7 @@ def _insert(
     columns = on_all(lambda name: put.woven(getattr(path, name), new[name]), list(new))
     longer = replace(path, **dict(zip(new, columns, strict=True)))
     branch = put.woven(drive.branch, branch_of(links, angles[:, 1]))
-    return Drive(longer, drive.row.take(put.source), put.woven(drive.angles, angles), branch)
+    return Drive(longer, put.woven(drive.row, drive.row.take(put.source)), put.woven(drive.angles, angles), branch)
 
 
 def subdivide_rapids(drive: Drive, links: Chain, tolerance: float) -> Drive:

