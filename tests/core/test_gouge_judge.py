@@ -131,11 +131,3 @@ def milled_real(name, kind, **options):
 @pytest.mark.parametrize("name", REAL)
 def test_the_worst_overcut_of_real_meshes_is_the_judges_too(name, kind):
     agree(milled_real(name, kind))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("name", REAL)
-def test_after_the_lift_the_judge_finds_nothing_in_real_meshes_either(name, kind):
-    _, _, verdict = both(milled_real(name, kind, gouge="lift"))
-    assert verdict.worst <= TOLERANCE
