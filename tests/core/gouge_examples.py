@@ -59,6 +59,13 @@ def step(height=6.0):
     return prism([(-30, -10), (30, -10), (30, height), (0, height), (0, 0), (-30, 0)])
 
 
+def shelf(gap=12.0, roof=4.0, back=15.0):
+    """A floor at z = 0 from y = -25, a wall at y = ``back``, and a roof from y = 0 on, ``gap`` mm over the floor and ``roof`` mm
+    thick."""
+    wall, top = back + 5.0, gap + roof
+    return prism([(-25, -5), (wall, -5), (wall, top), (0, top), (0, gap), (back, gap), (back, 0), (-25, 0)])
+
+
 def corner(side=20.0, thick=10.0):
     """Three walls that meet at 0 and stand along the positive axes: an inner corner, open towards (1, 1, 1)."""
     cells = [np.array([x, y, z]) for x in (0, 1) for y in (0, 1) for z in (0, 1) if (x, y, z) != (1, 1, 1)]

@@ -5,7 +5,7 @@ import json
 
 import numpy as np
 import pytest
-from gouge_examples import bowl, dense_points, round_groove, sampled_depth, step
+from gouge_examples import bowl, dense_points, round_groove, sampled_depth, shelf, step
 
 from freecad_fiveaxis.core import job, seating
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.gouge import (
     facet_tree,
     find_entries,
     frustum_piece,
+    lift,
     lift_path,
     real_course,
     round_piece,
@@ -87,6 +88,29 @@ def test_the_rows_between_are_needed():
     body, points = body_of(Cutter(6.0, 20.0)), dense_points(step(6.0), 0.5)
     course = straight_course(np.array([(0, -9.0, 0), (0, 6.0, 6.0)]), np.tile([0.0, 0, 1], (2, 1)))
     assert sampled_depth(body, points, course, 0, 41) > 1.0
+
+
+UNDER_A_ROOF = [(0, -20, 0), (0, -10, 0), (0, 5, 0), (0, 10, 0), (0, 14, 0), (0, 25, 16)]
+"""Tips of a short ball of radius 2 that is free on the floor under the shelf's roof, until the wall comes too near."""
+
+
+def test_rows_under_a_roof_from_which_no_way_leads_up_are_lifted_above_it():
+    mesh, body, path = shelf(), body_of(Cutter(4.0, 6.0)), cl_path(UNDER_A_ROOF)
+    lifted = lift_path(path, facet_tree(mesh), body, TOLERANCE)
+    assert not entering(lifted.path, mesh, body).any()
+    y, z = lifted.path.tip[:, 1], lifted.path.tip[:, 2]
+    over = np.clip(-y, 0.0, 2.0)  # the roof's edge at y = 0 and the ball: no row is higher than they demand
+    demanded = np.where(y > -2.0, 16.0 - (2.0 - np.sqrt(4.0 - over**2)), 0.0)
+    assert z == pytest.approx(demanded, abs=2 * TOLERANCE)
+    points, course = dense_points(mesh, 0.5), straight_course(lifted.path.tip, lifted.path.axis)
+    assert max(sampled_depth(body, points, course, k, 41) for k in range(len(course))) <= TOLERANCE
+
+
+def test_without_a_look_above_the_way_goes_through_the_roof(monkeypatch):
+    monkeypatch.setattr(lift, "OVERHANGS", 0)
+    mesh, body = shelf(), body_of(Cutter(4.0, 6.0))
+    lifted = lift_path(cl_path(UNDER_A_ROOF), facet_tree(mesh), body, TOLERANCE)
+    assert entering(lifted.path, mesh, body).max() > 1.5
 
 
 @pytest.mark.slow

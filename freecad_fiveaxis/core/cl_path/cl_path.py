@@ -98,10 +98,14 @@ def order_passes(path: OffsetPath, order: str) -> OffsetPath:
     if order == "one_way" or not len(path.point):
         return path
     start = _starts(path.pass_).tolist()
-    backwards = list(zip(start[1::2], [*start[2::2], len(path.point)], strict=False))
+    both = list(zip(start, [*start[1:], len(path.point)], strict=True))
+    forwards, backwards = both[::2], both[1::2]
 
     def turned(name: str) -> Any:
-        column, other = getattr(path, name).T.copy(), getattr(path, BACKWARDS[name]).T
+        own, other = getattr(path, name).T, getattr(path, BACKWARDS[name]).T
+        column = np.empty(own.shape, own.dtype)
+        for first, end in forwards:
+            column[..., first:end] = own[..., first:end]
         for first, end in backwards:
             column[..., first:end] = other[..., first:end][..., ::-1]
         return column.T

@@ -9,11 +9,13 @@ lifted    a row that was moved. Only rows on the part are: ends of cuts and fill
 aim       what a lifted cutter may still enter by: half the tolerance, so that the machine's way, which leaves the commanded one,
           does not use it up. What enters by more than the aim is lifted; a cutter with a ring rocks from facet to facet of a
           smooth surface by some of the tolerance, so nothing of its path is lifted unless some of it enters by more than that.
+overhang  what is over the tool. Rows under it from which a lifted one beside them cannot be reached are lifted above it.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -25,6 +27,7 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from .body import CUTTER, Body, way_out
 from .course import Course, still_course, straight_course
 from .facet_tree import FacetTree
+from .overhang import groups_of, is_under, joined_rows, rise_above
 from .search import find_entries, which_enter
 
 AIM = 0.5
@@ -44,6 +47,9 @@ ROUGHLY = 0.1
 
 SHORT = 0.1
 """Of the cutter's thickness: rows put in only to stay low do not come nearer to each other."""
+
+OVERHANGS = 8
+"""Times that rows under overhangs are lifted above them; each may open the way to others."""
 
 FEW = 1000
 """Rows that may be put in however few were given."""
@@ -87,11 +93,11 @@ def lift_path(
     touched = np.append(deep, False) | np.append(False, deep)
     lifter, rows = _Lifter(course, cutter, tree, aim), np.flatnonzero(touched)
     tip, axis, lift = tips.copy(), path.axis.copy(), np.zeros(len(tips))
-    tip[rows], axis[rows], lift[rows] = lifter.rows(rows.astype(float))
-    way = _Way(tip, axis, np.arange(len(tips), dtype=float), lift, cuts)
+    tip[rows], axis[rows], _, lift[rows], _ = lifter.rows(rows.astype(float))
+    way = _Way(tip, axis, np.arange(len(tips), dtype=float), lift, cuts, np.zeros(len(tips), np.bool_))
     way = lifter.lower(way, SHORT * max(piece.most for piece in cutter.pieces), tolerance)
     dirty = (way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0) | deep[way.key[:-1].astype(np.int64)]
-    way = lifter.between(way, way.cuts & dirty, progress)
+    way = lifter.out_of_overhangs(lifter.between(way, way.cuts & dirty, progress), progress)
     findings = (*path.findings, *_findings(path, way))
     return Lifted(replace(_rows(path, way, back), findings=findings), _row(way), way.lift, aim)
 
@@ -99,13 +105,27 @@ def lift_path(
 @dataclass(frozen=True, eq=False)
 class _Way:
     """Tips, axes (n, 3); ``key`` (n,) where each stands on the way given, block + u; its lift off that way; ``cuts`` (n - 1,):
-    which blocks cut."""
+    which blocks cut; ``over`` (n,) rows that were lifted above an overhang."""
 
     tip: Floats
     axis: Floats
     key: Floats
     lift: Floats
     cuts: Bools
+    over: Bools
+
+
+class _Rows(NamedTuple):
+    """Rows (k,) of a way, columns as in :class:`_Way`."""
+
+    tip: Floats
+    axis: Floats
+    key: Floats
+    lift: Floats
+    over: Bools
+
+    def picked(self, rows: Ints) -> _Rows:
+        return _Rows._make(column[rows] for column in self)
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,8 +137,9 @@ class _Lifter:
     tree: FacetTree
     aim: float
 
-    def rows(self, key: Floats) -> tuple[Floats, Floats, Floats]:
-        """Tips, axes (k, 3) and lifts (k,) at these places, lifted until the cutter is nowhere deeper in than the aim."""
+    def rows(self, key: Floats, beside: Bools | None = None) -> _Rows:
+        """The rows at these places (k,), lifted until the cutter is nowhere deeper in than the aim; those that stand ``beside``
+        (k,) rows above an overhang until nothing of the part is over them, either."""
         block = np.minimum(key.astype(np.int64), len(self.given) - 1)
         pose = self.given.pose(block, key - block)
         tip, axis = pose.tip.T.copy(), pose.axis.T.copy()
@@ -131,7 +152,11 @@ class _Lifter:
             left = left[deep]
             by = way_out(self.cutter, tip[left], axis[left], entries.place[deep])
             tip[left] += np.maximum(by, 0.5 * self.aim)[:, None] * axis[left]
-        return tip, axis, ((tip - start) * axis).sum(axis=1)
+        rise = np.zeros(len(key))
+        near = np.flatnonzero(beside) if beside is not None else left[:0]
+        rise[near] = rise_above(self.cutter, self.tree, tip[near], axis[near], self.aim)
+        tip += rise[:, None] * axis
+        return _Rows(tip, axis, key, ((tip - start) * axis).sum(axis=1), rise > 0.0)
 
     def lower(self, way: _Way, least: float, tolerance: float) -> _Way:
         """Rows put in where the way between two lifted rows stands more than ``tolerance`` mm higher than it must; blocks of up
@@ -140,12 +165,11 @@ class _Lifter:
         for _ in range(ROUNDS):
             long = np.linalg.norm(np.diff(way.tip, axis=0), axis=1) > least
             blocks = np.flatnonzero(way.cuts & wait & long & (np.maximum(way.lift[1:], way.lift[:-1]) > tolerance))
-            key = 0.5 * (way.key[blocks] + way.key[blocks + 1])
-            tip, axis, lift = self.rows(key)
-            high = np.flatnonzero(0.5 * (way.lift[blocks] + way.lift[blocks + 1]) - lift > tolerance)
+            rows = self.rows(0.5 * (way.key[blocks] + way.key[blocks + 1]))
+            high = np.flatnonzero(0.5 * (way.lift[blocks] + way.lift[blocks + 1]) - rows.lift > tolerance)
             if not len(high):
                 break
-            way, wait = _put_in(way, blocks[high], tip[high], axis[high], key[high], lift[high])
+            way, wait = _put_in(way, blocks[high], rows.picked(high))
         return way
 
     def between(self, way: _Way, dirty: Bools, progress: Progress) -> _Way:
@@ -161,22 +185,44 @@ class _Lifter:
             deepest = (k % 2 == 0) & (np.abs(entries.u[blocks] - 0.5) < 0.45)  # before a wall only halving comes near it
             u = np.where(deepest, entries.u[blocks], 0.5)
             key = way.key[blocks] + u * (way.key[blocks + 1] - way.key[blocks])
-            tip, axis, lift = self.rows(key)
-            way, dirty = _put_in(way, blocks, tip, axis, key, lift)
+            way, dirty = _put_in(way, blocks, self.rows(key, way.over[blocks] | way.over[blocks + 1]))
         progress("lift", 1.0)
         return way
 
+    def out_of_overhangs(self, way: _Way, progress: Progress) -> _Way:
+        """Where blocks to a lifted row still enter, the rows on their other side lifted above what is over them."""
 
-def _put_in(way: _Way, blocks: Ints, tip: Floats, axis: Floats, key: Floats, lift: Floats) -> tuple[_Way, Bools]:
-    """The way with a row in each of these blocks (k,), and which blocks are new."""
+        def tell(_: str, fraction: float) -> None:
+            progress("lift", fraction)
 
-    def put(column: Floats, rows: Floats) -> Floats:
-        return np.insert(column, blocks + 1, rows, axis=0)
+        for _ in range(OVERHANGS):
+            high = self._under(way, tell)
+            if not high.any():
+                break
+            rise = np.zeros(len(way.tip))
+            rise[high] = rise_above(self.cutter, self.tree, way.tip[high], way.axis[high], self.aim, tell)
+            way = replace(way, tip=way.tip + rise[:, None] * way.axis, lift=way.lift + rise, over=way.over | high)
+            way = self.between(way, way.cuts & (high[1:] | high[:-1]), progress)
+        return way
 
+    def _under(self, way: _Way, progress: Progress) -> Bools:
+        """The rows (n,) from which the way up meets the part, in unbroken groups beside blocks to lifted rows that enter."""
+        lifted = np.flatnonzero(way.cuts & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0)))
+        course = straight_course(way.tip, way.axis)
+        enters = which_enter(self.cutter, self.tree, course, self.aim, lifted, progress)
+        blocks = lifted[enters[lifted]]
+        row, under = np.flatnonzero(joined_rows(way.cuts, blocks)), np.zeros(len(way.tip), np.bool_)
+        under[row] = is_under(self.cutter, self.tree, way.tip[row], way.axis[row], self.aim, progress)
+        return groups_of(under, way.cuts, blocks + (way.lift[blocks] > way.lift[blocks + 1]))
+
+
+def _put_in(way: _Way, blocks: Ints, rows: _Rows) -> tuple[_Way, Bools]:
+    """The way with one of the rows (k,) in each of these blocks (k,), and which blocks are new."""
     cuts = np.insert(way.cuts, blocks, True)
     new, row = np.zeros(len(cuts), np.bool_), np.arange(1, len(blocks) + 1) + blocks
     new[row - 1] = new[row] = True
-    return _Way(put(way.tip, tip), put(way.axis, axis), put(way.key, key), put(way.lift, lift), cuts), new
+    put = {name: np.insert(getattr(way, name), blocks + 1, column, axis=0) for name, column in rows._asdict().items()}
+    return _Way(cuts=cuts, **put), new
 
 
 def _row(way: _Way) -> Ints:
