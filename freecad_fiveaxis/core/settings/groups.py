@@ -1,31 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every input of a job, as one tree of frozen dataclasses.
+"""The groups of settings, one frozen dataclass each: every input of a job stands here, and nowhere else.
 
-The tree is the only place where a setting is listed: the command line, job files, reports and the workbench's properties
-are made from its fields. A field knows its quantity (and so its unit), its range, its help and the tasks that use it.
+A field knows its quantity (and so its unit), its range, its help and the tasks that use it. :mod:`.settings` makes one tree of
+the groups.
 
 task      ``mill``: from an STL to a program; ``post``: from a CL file to a program; ``audit``: a finished program; ``setup`` and
           ``compare``: from an STL or a CL file to many programs, of which one is to be chosen; ``recover``: from a CL file and
           its program to the machine; ``prove-signs``: from a machine to a program that proves its signs (no source).
-option    the flat name of a field: ``least_interval`` in job files, ``--least-interval`` on the command line.
 """
 
 from __future__ import annotations
 
-import dataclasses
-import difflib
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.deform import LARGEST_CHANGE, LEAST_CHANGE
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.minimax import LEAST_TILT, MOST_TILT
-
-from .cutter import Cutter
-from .errors import SettingsError
-from .option_values import read_option, read_text, write_option
 
 MILL, POST, AUDIT, SETUP, COMPARE = "mill", "post", "audit", "setup", "compare"
 RECOVER, PROVE = "recover", "prove-signs"
@@ -41,8 +34,6 @@ FARTHEST = 1e4
 """mm; no machine has more room for its rapids."""
 SLOWEST, FASTEST = 1e-3, 1e6
 """mm/min; what a feed can be."""
-SHORTEST = 1e-9
-"""Length of a vector whose direction is lost in rounding."""
 
 
 def option(
@@ -57,15 +48,10 @@ def option(
     above: float = -math.inf,
     bare: str = "",
 ) -> Any:
-    """A field of a settings dataclass. ``kind``: how it is read, see :mod:`.option_values`; the range is in the core's units.
+    """A field of a settings dataclass. ``kind``: how it is read (core/option_values.py); the range is in the core's units.
     ``bare``: what the option means on the command line without a value, and as ``true`` in a job file."""
     metadata = {"kind": kind, "text": text, "tasks": tasks, "choices": choices, "least": least, "most": most, "above": above}
     return field(default=default, metadata=metadata | {"bare": bare})
-
-
-def group(cls: type) -> Any:
-    """A field that is a settings dataclass of its own."""
-    return field(default_factory=cls, metadata={"group": cls})
 
 
 @dataclass(frozen=True)
@@ -336,114 +322,3 @@ class OutputSettings:
         None, "path", "CSV with one row a block: time, feed over the part, rates asked of the axes, distance off path or part",
         (AUDIT,),
     )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Settings:
-    """Every input of a job. ``source``: the STL, CL or NC file that the task reads."""
-
-    task: str = MILL
-    source: str = ""
-    machine: MachineSettings = group(MachineSettings)
-    cutter: CutterSettings = group(CutterSettings)
-    faces: FacesSettings = group(FacesSettings)
-    passes: PassSettings = group(PassSettings)
-    tool_axis: ToolAxisSettings = group(ToolAxisSettings)
-    links: LinkSettings = group(LinkSettings)
-    feeds: FeedSettings = group(FeedSettings)
-    head: HeadSettings = group(HeadSettings)
-    cure: CureSettings = group(CureSettings)
-    gouge: GougeSettings = group(GougeSettings)
-    proof: ProofSettings = group(ProofSettings)
-    setup: SetupSettings = group(SetupSettings)
-    compare: CompareSettings = group(CompareSettings)
-    recover: RecoverSettings = group(RecoverSettings)
-    prove: ProveSettings = group(ProveSettings)
-    audit: AuditSettings = group(AuditSettings)
-    output: OutputSettings = group(OutputSettings)
-
-
-def option_fields(task: str | None = None) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
-    """Every option with the group that it belongs to, in order; of one task, or of all."""
-    for top in fields(Settings):
-        if "group" in top.metadata:
-            for leaf in fields(top.metadata["group"]):
-                if task is None or task in leaf.metadata["tasks"]:
-                    yield top.metadata["group"], leaf
-
-
-def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settings:
-    """Settings from flat options as people write them (job files, command line).
-
-    Raises SettingsError for an unknown option, a value out of range, or a contradiction.
-    """
-    if task not in WITHOUT_SOURCE:
-        read_text(source, "source")
-    known = {leaf.name for _, leaf in option_fields(task)}
-    for name in options:
-        if name not in known:
-            close = difflib.get_close_matches(name, known, 1)
-            raise SettingsError(f"unknown option {name!r} for {task}" + (f"; do you mean {close[0]!r}?" if close else ""), name)
-    groups = {top.name: _build(top.metadata["group"], options) for top in fields(Settings) if "group" in top.metadata}
-    settings = Settings(task=task, source=source, **groups)
-    _check_together(settings)
-    return settings
-
-
-def _build(cls: type, options: Mapping[str, Any]) -> Any:
-    return cls(**{leaf.name: read_option(leaf, options[leaf.name]) for leaf in fields(cls) if options.get(leaf.name) is not None})
-
-
-def _check_together(settings: Settings) -> None:
-    if settings.task not in TASKS:
-        raise SettingsError(f"unknown task {settings.task!r}; known: {', '.join(TASKS)}", settings.task)
-    if settings.task == COMPARE and not settings.compare.machines:
-        raise SettingsError("no machines given; name them with --machines A,B (see `machines`)", ())
-    if settings.task not in (COMPARE, RECOVER) and not settings.machine.machine:
-        raise SettingsError("no machine given; name one with --machine (see `machines`)", "")
-    if settings.task == RECOVER and not settings.recover.program:
-        raise SettingsError("no program given; name the NC file that was posted from the CL path", "")
-    if settings.passes.scallop is not None and settings.passes.stepover is not None:
-        raise SettingsError("scallop and stepover exclude each other; give one of them", settings.passes.stepover)
-    if settings.task == POST and settings.cure.singularity == "deform":
-        raise SettingsError("singularity deform needs the part's passes: use it with `mill`; a CL file keeps its axes", "deform")
-    if settings.head.rtcp != "off" and (settings.cure.linearize == "on" or settings.cure.singularity == "linearize"):
-        raise SettingsError(
-            "rtcp lets the controller guide the tip, linearize divides blocks where it does not; give one", "rtcp"
-        )
-    _check_gouge(settings)
-    if settings.faces.faces and settings.task != MILL and not is_part(settings.source):
-        raise SettingsError(f"faces need the part (.stl), {settings.source} is none; leave faces out", settings.faces.faces)
-    tool = settings.tool_axis
-    if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
-        given = ",".join(f"{number:g}" for number in tool.axis)
-        raise SettingsError(f"axis {given} has no direction; give I,J,K of the fixed tool axis, as 0,0,1", tool.axis)
-    for name in ("lead", "tilt"):
-        lean = math.degrees(getattr(tool, name))
-        if tool.tool_axis == "minimax" and lean != 0.0:
-            raise SettingsError(f"{name} {lean:g} deg leaves minimax no choice; leave it out, or choose facet_mean", lean)
-
-
-def _check_gouge(settings: Settings) -> None:
-    """An audit changes nothing, and knows no part but the one that it is given."""
-    gouge, against = settings.gouge, settings.audit.against
-    if settings.task != AUDIT or (gouge.gouge == "off" and not gouge.shank and not gouge.holder):
-        return
-    if gouge.gouge not in ("off", "report"):
-        raise SettingsError(f"gouge {gouge.gouge} changes the passes: use it with `mill`; for an audit give report", gouge.gouge)
-    if against is None or not is_part(against):
-        raise SettingsError("gouge, shank and holder need the part: give its STL with --against", against)
-
-
-def flat_options(settings: Settings) -> dict[str, Any]:
-    """The options that the task uses, as a job file would hold them (degrees, mm), defaults included."""
-    values = {}
-    for cls, leaf in option_fields(settings.task):
-        holder = next(getattr(settings, top.name) for top in fields(Settings) if top.metadata.get("group") is cls)
-        values[leaf.name] = write_option(leaf, getattr(holder, leaf.name))
-    return {"task": settings.task, "source": settings.source, **values}
-
-
-def is_part(against: str) -> bool:
-    """Whether the file that a program is compared with is a part (.stl); any other is a CL file."""
-    return against.lower().endswith(".stl")

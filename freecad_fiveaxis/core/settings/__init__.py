@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every input of a job: its groups and the tree that they make."""
+
+from .groups import (
+    AUDIT,
+    COMPARE,
+    MILL,
+    POST,
+    PROVE,
+    RECOVER,
+    RTCP,
+    SETUP,
+    TASKS,
+    WITHOUT_SOURCE,
+    CureSettings,
+    FacesSettings,
+    GougeSettings,
+    HeadSettings,
+    OutputSettings,
+    SetupSettings,
+    option,
+)
+from .settings import Settings, build_settings, flat_options, is_part, option_fields
+
+__all__ = [
+    "AUDIT",
+    "COMPARE",
+    "MILL",
+    "POST",
+    "PROVE",
+    "RECOVER",
+    "RTCP",
+    "SETUP",
+    "TASKS",
+    "WITHOUT_SOURCE",
+    "CureSettings",
+    "FacesSettings",
+    "GougeSettings",
+    "HeadSettings",
+    "OutputSettings",
+    "Settings",
+    "SetupSettings",
+    "build_settings",
+    "flat_options",
+    "is_part",
+    "option",
+    "option_fields",
+]
