@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from .body import CUTTER, Body, way_out
 from .course import Course, still_course, straight_course
 from .facet_tree import FacetTree
-from .overhang import groups_of, is_under, joined_rows, rise_above
+from .overhang import groups_of, is_under, rise_above
 from .search import find_entries, which_enter
 
 AIM = 0.5
@@ -211,7 +211,8 @@ class _Lifter:
         course = straight_course(way.tip, way.axis)
         enters = which_enter(self.cutter, self.tree, course, self.aim, lifted, progress)
         blocks = lifted[enters[lifted]]
-        row, under = np.flatnonzero(joined_rows(way.cuts, blocks)), np.zeros(len(way.tip), np.bool_)
+        under = groups_of(np.ones(len(way.tip), np.bool_), way.cuts, blocks)  # all rows that cuts join to those blocks
+        row = np.flatnonzero(under)
         under[row] = is_under(self.cutter, self.tree, way.tip[row], way.axis[row], self.aim, progress)
         return groups_of(under, way.cuts, blocks + (way.lift[blocks] > way.lift[blocks + 1]))
 

@@ -63,12 +63,6 @@ def _out_of_box(tree: FacetTree, tip: Floats, axis: Floats) -> Floats:
     return np.asarray(np.maximum(((middle - tip) * axis).sum(axis=1) + (half * np.abs(axis)).sum(axis=1), 0.0))
 
 
-def joined_rows(cuts: Bools, blocks: Ints) -> Bools:
-    """The rows (n,) that cuts (n - 1,) join to one of these ``blocks`` (k,)."""
-    stretch = np.cumsum(np.append(True, ~cuts))
-    return np.isin(stretch, stretch[blocks])
-
-
 def groups_of(under: Bools, cuts: Bools, rows: Ints) -> Bools:
     """Of the rows marked ``under`` (n,) those that stand in one unbroken group, joined by ``cuts`` (n - 1,), with one of the rows
     ``rows`` (k,)."""
