@@ -12,6 +12,7 @@ plane that touches the ball of that radius about the contact of a convex junctio
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -40,9 +41,12 @@ KNIFE = 1e-6
 BROAD = 0.5
 """Length of the sum of two unit normals above which its direction is theirs to the last digits."""
 
-GROUP = 65536
-"""Segments that are closed together, about half as many as rows: enough that the many calls for the few tight polylines among
-them cost little beside the work on all, few enough that both threads have as much to do."""
+GROUP = 160_000
+"""Segments that are closed together, at most about so many, half as many as rows: the many calls for the few tight polylines
+among them then cost little beside the work on all."""
+
+ALONE = 65536
+"""Fewer segments than that are closed together by one thread."""
 
 CHUNK = 65536
 """Rows handled at a time: calls long enough for two threads to work side by side."""
@@ -147,9 +151,11 @@ def find_segments(contact: ContactPath) -> Segments:
 
 
 def groups(segments: Segments) -> list[Segments]:
-    """The same in parts of whole polylines, of GROUP segments or a little more where polylines are shorter than that."""
+    """The same in parts of whole polylines: an even number of them, alike, so that both threads have as much to do."""
     ends = np.append(segments.first[1:], len(segments.live))[: len(segments.first)]
-    bounds = ends[np.diff(ends // GROUP, append=-1) != 0].tolist()
+    count = len(segments.live)
+    size = count / (2 * math.ceil(count / (2 * GROUP))) if count > ALONE else GROUP
+    bounds = ends[np.diff((ends - 1) // size, append=-1) != 0].tolist()
     parts = []
     for low, high in zip([0, *bounds], bounds, strict=False):
         following, first = segments.following[low:high], segments.first
