@@ -16,6 +16,7 @@ from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.coedge import OffsetPath
 from freecad_fiveaxis.core.gouge import (
     AIM,
+    CURES,
     Body,
     GougeCheck,
     Remainder,
@@ -126,7 +127,16 @@ def entered(settings: Settings, mesh: Mesh, links: Chain, program: Program, prog
     """What the tool enters of the part on its real way, where the settings ask for the check."""
     if settings.gouge.gouge == "off":
         return None
-    return check_program(mesh, tool_body(settings), links, program, settings.proof.tolerance, back(settings), progress)
+    tolerance, remedy = settings.proof.tolerance, _remedy(settings)
+    return check_program(mesh, tool_body(settings), links, program, tolerance, back(settings), progress, remedy)
+
+
+def _remedy(settings: Settings) -> str:
+    """What helps against an overcut: a cure, and where that has been at work already, the machine kept on its path."""
+    if settings.gouge.gouge == "report":
+        return CURES
+    way = "let blocks be divided (linearize on)" if settings.cure.linearize == "off" else "ask for a smaller tolerance"
+    return f"The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}."
 
 
 def left_by(settings: Settings, mesh: Mesh, keep: Bools, links: Chain, program: Program, progress: Progress) -> Remainder:

@@ -1423,8 +1423,8 @@
         <translation>Im vorgeschlagenen Ordner steht sie von da an in jeder Maschinenliste.</translation>
     </message>
     <message>
-        <source>In the tool path's panel let the tool be lifted there, or leave such places out; or take a smaller cutter. The command What is left shows what then stays uncut.</source>
-        <translation>Im Fenster des Werkzeugwegs das Werkzeug dort anheben oder solche Stellen auslassen; oder einen kleineren Fräser nehmen. Der Befehl „Restmaterial“ zeigt, was dann stehen bleibt.</translation>
+        <source>In the tool path's panel let the tool be lifted there, or leave such places out; or take a smaller cutter. The command What is left shows what then stays uncut. Where that is done already, the machine leaves the path between blocks: set Linearize to on.</source>
+        <translation>Im Fenster des Werkzeugwegs das Werkzeug dort anheben oder solche Stellen auslassen; oder einen kleineren Fräser nehmen. Der Befehl „Restmaterial“ zeigt, was dann stehen bleibt. Ist das schon geschehen, so verlässt die Maschine den Weg zwischen den Sätzen: „Linearisieren“ auf „an“ stellen.</translation>
     </message>
     <message>
         <source>Its name must end in {endings}.</source>

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cures against gouging: what is lifted or left out is no more than the part demands, and nothing enters afterwards."""
 
+import importlib
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from gouge_examples import bowl, dense_points, round_groove, sampled_depth, shelf, step
+from gouge_examples import bowl, dense_points, prism, round_groove, sampled_depth, shelf, step
 
 from freecad_fiveaxis.core import job, seating
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
@@ -113,6 +115,54 @@ def test_without_a_look_above_the_way_goes_through_the_roof(monkeypatch):
     assert entering(lifted.path, mesh, body).max() > 1.5
 
 
+UNDER_AND_OUT = [(0, -20, 30), (0, -20, 0), (0, -10, 0), (0, 5, 0), (0, 10, 0), (0, 10, 30)]
+"""A cut that ends under the shelf's roof, with the ways down to it and straight up from it."""
+
+
+def linked_path(tips):
+    path = cl_path(tips)
+    motion = path.motion.copy()
+    motion[[1, -1]] = Motion.LINK
+    return replace(path, motion=motion)
+
+
+def test_a_cut_that_ends_under_a_roof_is_lifted_above_it_before_the_tool_leaves():
+    mesh, body = shelf(), body_of(Cutter(4.0, 6.0))
+    lifted = lift_path(linked_path(UNDER_AND_OUT), facet_tree(mesh), body, TOLERANCE)
+    y, z = lifted.path.tip[1:-1, 1], lifted.path.tip[1:-1, 2]
+    over = np.clip(-y, 0.0, 2.0)
+    demanded = np.where(y > -2.0, 16.0 - (2.0 - np.sqrt(4.0 - over**2)), 0.0)
+    assert z == pytest.approx(demanded, abs=2 * TOLERANCE)
+    points, course = dense_points(mesh, 0.5), straight_course(lifted.path.tip, lifted.path.axis)
+    assert max(sampled_depth(body, points, course, k, 41) for k in range(len(course))) <= TOLERANCE
+
+
+@pytest.mark.parametrize("direction", [0, pytest.param(90, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("gouge", ["lift", "leave-out"])
+def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
+    made = milled(shelf(), cutter="ball:4:6", stepover=4, direction=direction, gouge=gouge)
+    assert not {"overcut", "rapid-collision"} & {f.code for f in job.prove(made).findings}
+    body, points, course = body_of(Cutter(4.0, 6.0)), dense_points(shelf(), 0.8), real_course(made.links, made.program.words)
+    assert max(sampled_depth(body, points, course, k, 9) for k in range(len(course))) <= TOLERANCE
+    some = made.path.contact[made.path.motion == Motion.CUT]
+    assert (some[:, 1] < -3.0).any() and (some[:, 2] > 15.9).any()  # beside the roof and on it all is cut
+
+
+@pytest.mark.parametrize("gouge", ["lift", "leave-out"])
+def test_without_a_look_above_the_ends_a_link_goes_through_the_roof(gouge, monkeypatch):
+    cure = importlib.import_module(f"freecad_fiveaxis.core.gouge.{gouge.replace('-', '_')}")
+    monkeypatch.setattr(cure, "is_under", lambda *given: np.zeros(len(given[2]), np.bool_))
+    made = milled(shelf(), cutter="ball:4:6", stepover=4, gouge=gouge)
+    assert "rapid-collision" in {f.code for f in job.prove(made).findings}
+
+
+def test_where_all_is_under_a_roof_leave_out_says_what_to_do():
+    cave = prism([(0, -5), (20, -5), (20, 16), (0, 16), (0, 12), (15, 12), (15, 0), (0, 0)])
+    floor = (cave.vertex[cave.face][:, :, 2] == 0.0).all(axis=1)
+    with pytest.raises(SettingsError, match=r"leaves nothing to cut: the tool could not get out along its axis on every pass"):
+        job.make(build_settings("mill", "part", {**OPTIONS, "cutter": "ball:4:6", "gouge": "leave-out"}), mesh=cave, faces=floor)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "body",
@@ -200,6 +250,15 @@ def test_after_the_cure_the_program_does_not_enter_on_its_real_way(mesh, cutter,
     blocks = np.random.default_rng(0).choice(len(course), 40, replace=False)
     cutter = body_of(made.settings.cutter.cutter)
     assert max(sampled_depth(cutter, points, course, int(k), 5) for k in blocks) <= TOLERANCE
+
+
+def test_where_the_machine_leaves_a_cured_path_the_overcut_says_so():
+    """The axis turns from facet to facet of a coarse bowl, and the tip swings between the ends of blocks."""
+    for gouge, helps in (("report", "gouge lift, leave-out"), ("lift", "linearize on")):
+        options = {"cutter": "ball:20", "stepover": 4, "tool_axis": "facet_mean", "linearize": "off"}
+        made = milled(bowl(15.0, 8), gouge=gouge, **options)
+        said = [f.text for f in job.prove(made).findings if f.code == "overcut"]
+        assert said and all(helps in text for text in said)
 
 
 @pytest.mark.parametrize("diameter", [20, 60])

@@ -37,14 +37,16 @@ GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collisio
 """The codes of the findings."""
 
 SAID = {
-    OVERCUT: "The cutter goes {depth} mm too deep into the part at {at}. Let the tool be lifted there or leave such places out "
-    "(gouge lift, leave-out), or use a smaller cutter.",
+    OVERCUT: "The cutter goes {depth} mm too deep into the part at {at}.",
     RAPID_COLLISION: "The cutter goes {depth} mm into the part at {at} on its way between passes. Use a larger clearance.",
     HOLDER_COLLISION: (
         "The {part} goes {depth} mm into the part at {at}. Let the tool be tilted free or leave these places out (gouge tilt, "
         "leave-out), use a longer tool, or more lead or tilt."
     ),
 }
+
+CURES = "Let the tool be lifted there or leave such places out (gouge lift, leave-out), or use a smaller cutter."
+"""What is said against an overcut where nothing has been done yet."""
 
 Where = Callable[[int], tuple[int | None, int | None]]
 """From a block of the course to the block of the program and the line of the NC file."""
@@ -77,12 +79,13 @@ def _cases(cutter: Entries, above: Entries, motion: Bytes) -> tuple[tuple[str, E
 
 def check_course(
     mesh: Mesh, body: Body, course: Course, motion: Bytes, tolerance: float, where: Where | None = None,
-    tree: FacetTree | None = None, progress: Progress = silent,
+    tree: FacetTree | None = None, progress: Progress = silent, remedy: str = CURES,
 ) -> GougeCheck:  # fmt: skip
     """Check every block of a course against the whole mesh.
 
     ``motion`` (m,) of Motion, what each block does; ``tolerance`` mm: entries up to it are no findings, and none deeper is
-    missed. ``where`` tells blocks and lines of the findings; ``tree``: that of the mesh where it is at hand.
+    missed. ``where`` tells blocks and lines of the findings; ``tree``: that of the mesh where it is at hand; ``remedy``: what
+    the findings advise against overcuts.
     """
     tree = facet_tree(mesh) if tree is None else tree
     cutter = find_entries(body.only(CUTTER), tree, course, tolerance, progress=progress)
@@ -91,7 +94,7 @@ def check_course(
     if is_closed(mesh):
         buried = buried_blocks(tree, body.only(CUTTER), course, cutter.depth)
     whole = crossing_depth(body.only(CUTTER)) if is_closed(mesh) else np.inf
-    findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), course, whole)
+    findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), course, whole, remedy)
     return GougeCheck(cutter, above, buried, findings)
 
 
@@ -108,8 +111,9 @@ def program_course(links: Chain, program: Program, back: float = 0.0) -> Course:
 
 
 def check_program(
-    mesh: Mesh, body: Body, links: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent
-) -> GougeCheck:
+    mesh: Mesh, body: Body, links: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent,
+    remedy: str = CURES,
+) -> GougeCheck:  # fmt: skip
     """Check every block of a program, along the way that the machine really goes; see :func:`check_course` and
     :func:`program_course`."""
     course = program_course(links, program, back)
@@ -117,15 +121,17 @@ def check_program(
     def where(block: int) -> tuple[int | None, int | None]:
         return block + 1, int(program.line[block + 1])
 
-    return check_course(mesh, body, course, program.motion[1:], tolerance, where, progress=progress)
+    return check_course(mesh, body, course, program.motion[1:], tolerance, where, progress=progress, remedy=remedy)
 
 
 def _findings(
-    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, course: Course, whole: float
-) -> tuple[Finding, ...]:
+    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, course: Course, whole: float,
+    remedy: str,
+) -> tuple[Finding, ...]:  # fmt: skip
     found: list[Finding] = []
     for code, entries, depth in _cases(cutter, above, motion):
-        found += _spots(code, SAID[code], entries, depth, tolerance, where, whole if entries is cutter else np.inf)
+        text = f"{SAID[code]} {remedy}" if code == OVERCUT else SAID[code]
+        found += _spots(code, text, entries, depth, tolerance, where, whole if entries is cutter else np.inf)
     return (*found, *_buried(buried, where, course))
 
 

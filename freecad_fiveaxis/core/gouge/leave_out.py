@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The other cure: leave out what cannot be cut without entering the part, before the passes are linked."""
+"""The other cure: leave out what cannot be cut, or left, without entering the part, before the passes are linked."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -17,7 +17,8 @@ from freecad_fiveaxis.core.seating import rows_between
 from .body import Body
 from .course import straight_course
 from .facet_tree import FacetTree
-from .search import find_entries
+from .overhang import groups_of, is_under
+from .search import Entries, find_entries
 
 FINE = 0.25
 """Of the tool's thickness: a block that enters is left out in parts of that length."""
@@ -26,41 +27,102 @@ FINE = 0.25
 def leave_out(
     path: OffsetPath, axis: Floats, tree: FacetTree, body: Body, tolerance: float, back: float, progress: Progress = silent
 ) -> tuple[OffsetPath, Floats]:
-    """The rows between which body and part stay apart but for ``tolerance`` mm, and their axes (n, 3); findings say what is
-    left out.
+    """The rows between which body and part stay apart but for ``tolerance`` mm, and from whose ends the body can rise, and their
+    axes (n, 3); findings say what is left out.
 
     ``path``: with the cutter's hubs for its centres (:func:`~.seating.seated`), ``back`` mm above the tip. Shank and holder count
     as the cutter does. Raises SettingsError where nothing is left.
     """
-    joined = np.flatnonzero(np.diff(path.polyline) == 0)
-    course = straight_course(path.centre - back * axis, axis)
-    entries = find_entries(body, tree, course, tolerance, blocks=joined, progress=progress)
-    if not entries.depth.any():
-        return path, axis
-    path, axis, deep = _divided(path, axis, entries.depth > 0.0, FINE * max(piece.most for piece in body.pieces))
-    course, joined = straight_course(path.centre - back * axis, axis), np.flatnonzero(np.diff(path.polyline) == 0)
-    entries = find_entries(body, tree, course, tolerance, blocks=deep, progress=progress)
-    blocks = np.flatnonzero(entries.depth > 0.0)
-    out = np.zeros(len(path.point), np.bool_)
-    out[blocks] = out[blocks + 1] = True
-    steps = np.linalg.norm(np.diff(path.point, axis=0), axis=1)
+    without = _Without(tree, body, tolerance, back, progress)
+    return without.trapped(*without.entering(path, axis))
+
+
+@dataclass(frozen=True, eq=False)
+class _Without:
+    """What leaves rows out; fields as the arguments of :func:`leave_out`."""
+
+    tree: FacetTree
+    body: Body
+    tolerance: float
+    back: float
+    progress: Progress
+
+    def entering(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
+        """The path without the rows between which the body enters, and its axes."""
+        entries = self._entries(path, axis, _joined(path))
+        if not entries.depth.any():
+            return path, axis
+        path, axis, deep = _divided(path, axis, entries.depth > 0.0, self._fine())
+        entries = self._entries(path, axis, deep)
+        blocks = np.flatnonzero(entries.depth > 0.0)
+        out = np.zeros(len(path.point), np.bool_)
+        out[blocks] = out[blocks + 1] = True
+        worst = int(entries.depth.argmax())
+        x, y, z = entries.place[worst].tolist()
+        said = (
+            f"the tool would enter the part {{where}}, deepest by {entries.depth[worst]:.4g} mm at ({x:.6g}, {y:.6g}, {z:.6g}) mm"
+        )
+        return _left(path, axis, out, said, float(entries.depth[worst]), (x, y, z))
+
+    def trapped(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
+        """The path without the rows under an overhang up to the ends of polylines: a retract there would go through the part."""
+        ends = self._trapped_ends(path, axis)
+        if not len(ends):
+            return path, axis
+        whole, joined = np.ones(len(axis), np.bool_), np.diff(path.polyline) == 0
+        runs = groups_of(whole, joined, ends)
+        path, axis, _ = _divided(path, axis, joined & runs[1:], self._fine())
+        ends, joined = self._trapped_ends(path, axis), np.diff(path.polyline) == 0
+        under = groups_of(np.ones(len(axis), np.bool_), joined, ends)
+        rows = np.flatnonzero(under)
+        under[rows] = self._is_under(path, axis, rows)
+        x, y, z = path.point[ends[0]].tolist()
+        said = (
+            f"the tool could not get out along its axis {{where}}, for the part is over it, as at ({x:.6g}, {y:.6g}, {z:.6g}) mm"
+        )
+        return _left(path, axis, groups_of(under, joined, ends), said, None, (x, y, z))
+
+    def _entries(self, path: OffsetPath, axis: Floats, blocks: Ints) -> Entries:
+        course = straight_course(path.centre - self.back * axis, axis)
+        return find_entries(self.body, self.tree, course, self.tolerance, blocks=blocks, progress=self.progress)
+
+    def _trapped_ends(self, path: OffsetPath, axis: Floats) -> Ints:
+        first = np.diff(path.polyline, prepend=-1) != 0
+        ends = np.flatnonzero(first | np.append(first[1:], True))
+        return ends[self._is_under(path, axis, ends)]
+
+    def _is_under(self, path: OffsetPath, axis: Floats, rows: Ints) -> Bools:
+        tip = path.centre[rows] - self.back * axis[rows]
+        return is_under(self.body, self.tree, tip, axis[rows], self.tolerance, self.progress)
+
+    def _fine(self) -> float:
+        return FINE * max(piece.most for piece in self.body.pieces)
+
+
+def _joined(path: OffsetPath) -> Ints:
+    """The blocks (k,) between rows of one polyline."""
+    return np.flatnonzero(np.diff(path.polyline) == 0)
+
+
+def _left(
+    path: OffsetPath, axis: Floats, out: Bools, said: str, value: float | None, place: tuple[float, float, float]
+) -> tuple[OffsetPath, Floats]:
+    """The path without the rows ``out`` (n,), and its axes; ``said``: why, with ``{where}`` for on which of its passes."""
+    steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), _joined(path)
     length = float(steps[joined[(out[1:] | out[:-1])[joined]]].sum())
-    worst = int(entries.depth.argmax())
-    x, y, z = entries.place[worst].tolist()
-    text = (
-        f"{length:.4g} mm of the passes are left out, because the tool would enter the part there, deepest by "
-        f"{entries.depth[worst]:.4g} mm at ({x:.6g}, {y:.6g}, {z:.6g}) mm. Use a smaller cutter or another tool axis there."
-    )
     rows = lasting_rows(path, np.flatnonzero(~out))
     if not len(rows):
         text = (
-            f"gouge leave-out leaves nothing to cut: the tool would enter the part on every pass, deepest by "
-            f"{entries.depth[worst]:.4g} mm at ({x:.6g}, {y:.6g}, {z:.6g}) mm; use a smaller cutter or holder, a longer tool or "
-            "another tool axis, or see where with gouge report"
+            f"gouge leave-out leaves nothing to cut: {said.format(where='on every pass')}; use a smaller cutter or holder, a "
+            "longer tool or another tool axis, or see where with gouge report"
         )
-        raise SettingsError(text, float(entries.depth[worst]))
+        raise SettingsError(text, value)
     left = take_rows(path, rows)
-    finding = Finding(Severity.WARNING, "left-out", text, length, 0.0, "mm", place=(x, y, z))
+    text = (
+        f"{length:.4g} mm of the passes are left out, because {said.format(where='there')}. Use a smaller cutter or another tool "
+        "axis there."
+    )
+    finding = Finding(Severity.WARNING, "left-out", text, length, 0.0, "mm", place=place)
     return replace(left, findings=(*path.findings, finding)), picked(axis, rows)
 
 

@@ -9,7 +9,8 @@ lifted    a row that was moved. Only rows on the part are: ends of cuts and fill
 aim       what a lifted cutter may still enter by: half the tolerance, so that the machine's way, which leaves the commanded one,
           does not use it up. What enters by more than the aim is lifted; a cutter with a ring rocks from facet to facet of a
           smooth surface by some of the tolerance, so nothing of its path is lifted unless some of it enters by more than that.
-overhang  what is over the tool. Rows under it from which a lifted one beside them cannot be reached are lifted above it.
+overhang  what is over the tool. Rows under it from which a lifted one beside them cannot be reached are lifted above it, and rows
+          under it up to where a cut begins or ends, for the tool leaves and comes along its axis there.
 """
 
 from __future__ import annotations
@@ -44,6 +45,9 @@ ROUNDS = 24
 
 ROUGHLY = 0.1
 """mm; so near to the deepest point is near enough to lift by. That nothing is deeper than the aim is known all the same."""
+
+SAME = 1e-6
+"""mm; places nearer than this are one place."""
 
 SHORT = 0.1
 """Of the cutter's thickness: rows put in only to stay low do not come nearer to each other."""
@@ -81,20 +85,22 @@ def lift_path(
     tips = path.tip - back * path.axis
     cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
     course, blocks = straight_course(tips, path.axis), np.flatnonzero(cuts)
+    lifter, none = _Lifter(course, cutter, tree, aim, tolerance), np.zeros(len(tips), np.bool_)
+    way = _Way(tips, path.axis, np.arange(len(tips), dtype=float), np.zeros(len(tips)), cuts, none)
+    trapped = len(lifter.trapped(way, progress)) > 0
     rocks = min(cutter.pieces, key=lambda piece: piece.low - piece.round).low_radius > 0.0
-    if rocks and not which_enter(cutter, tree, course, tolerance, blocks, progress).any():
+    if rocks and not trapped and not which_enter(cutter, tree, course, tolerance, blocks, progress).any():
         return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), 0.0)
     limit, accuracy = (aim, ROUGHLY) if rocks else (GRAZE * tolerance, None)
     first = find_entries(cutter, tree, course, limit, accuracy, blocks, progress)
     deep = (first.depth > 0.0) & (first.bound > aim)
-    if not deep.any():
+    if not deep.any() and not trapped:
         left = float(first.bound[first.depth > 0.0].max(initial=0.0))
         return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), left)
     touched = np.append(deep, False) | np.append(False, deep)
-    lifter, rows = _Lifter(course, cutter, tree, aim), np.flatnonzero(touched)
-    tip, axis, lift = tips.copy(), path.axis.copy(), np.zeros(len(tips))
+    tip, axis, lift, rows = tips.copy(), path.axis.copy(), np.zeros(len(tips)), np.flatnonzero(touched)
     tip[rows], axis[rows], _, lift[rows], _ = lifter.rows(rows.astype(float))
-    way = _Way(tip, axis, np.arange(len(tips), dtype=float), lift, cuts, np.zeros(len(tips), np.bool_))
+    way = replace(way, tip=tip, axis=axis, lift=lift)
     way = lifter.lower(way, SHORT * max(piece.most for piece in cutter.pieces), tolerance)
     dirty = (way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0) | deep[way.key[:-1].astype(np.int64)]
     way = lifter.out_of_overhangs(lifter.between(way, way.cuts & dirty, progress), progress)
@@ -130,12 +136,24 @@ class _Rows(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class _Lifter:
-    """``given``: the way before anything is lifted; ``aim`` mm, what may be left of an entry."""
+    """``given``: the way before anything is lifted; ``aim`` mm, what may be left of an entry; ``tolerance`` mm, what a link may
+    enter by."""
 
     given: Course
     cutter: Body
     tree: FacetTree
     aim: float
+    tolerance: float
+
+    def trapped(self, way: _Way, progress: Progress) -> Ints:
+        """The rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves, meets the part. Where the
+        next cut goes on from the same place nothing comes or leaves."""
+        links = np.flatnonzero(~way.cuts & (np.abs(np.diff(way.tip, axis=0)).max(axis=1) > SAME))
+        cut = np.append(way.cuts, False) | np.append(False, way.cuts)
+        ends: Ints = np.unique(np.concatenate([links, links + 1]))
+        ends = ends[cut[ends]]
+        under = is_under(self.cutter, self.tree, way.tip[ends], way.axis[ends], self.tolerance, progress)
+        return ends[under]
 
     def rows(self, key: Floats, beside: Bools | None = None) -> _Rows:
         """The rows at these places (k,), lifted until the cutter is nowhere deeper in than the aim; those that stand ``beside``
@@ -190,7 +208,8 @@ class _Lifter:
         return way
 
     def out_of_overhangs(self, way: _Way, progress: Progress) -> _Way:
-        """Where blocks to a lifted row still enter, the rows on their other side lifted above what is over them."""
+        """Where blocks to a lifted row still enter, the rows on their other side lifted above what is over them; so are those
+        about trapped ends."""
 
         def tell(_: str, fraction: float) -> None:
             progress("lift", fraction)
@@ -206,15 +225,18 @@ class _Lifter:
         return way
 
     def _under(self, way: _Way, progress: Progress) -> Bools:
-        """The rows (n,) from which the way up meets the part, in unbroken groups beside blocks to lifted rows that enter."""
+        """The rows (n,) from which the way up meets the part, in unbroken groups beside blocks to lifted rows that enter, or up
+        to trapped ends."""
         lifted = np.flatnonzero(way.cuts & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0)))
         course = straight_course(way.tip, way.axis)
         enters = which_enter(self.cutter, self.tree, course, self.aim, lifted, progress)
         blocks = lifted[enters[lifted]]
-        under = groups_of(np.ones(len(way.tip), np.bool_), way.cuts, blocks)  # all rows that cuts join to those blocks
+        beside = blocks + (way.lift[blocks] > way.lift[blocks + 1])
+        rows = np.concatenate([beside, self.trapped(way, progress)])
+        under = groups_of(np.ones(len(way.tip), np.bool_), way.cuts, rows)  # all rows that cuts join to them
         row = np.flatnonzero(under)
         under[row] = is_under(self.cutter, self.tree, way.tip[row], way.axis[row], self.aim, progress)
-        return groups_of(under, way.cuts, blocks + (way.lift[blocks] > way.lift[blocks + 1]))
+        return groups_of(under, way.cuts, rows)
 
 
 def _put_in(way: _Way, blocks: Ints, rows: _Rows) -> tuple[_Way, Bools]:
