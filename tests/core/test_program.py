@@ -293,6 +293,16 @@ def test_a_blocks_travel_does_not_depend_on_the_blocks_around_it() -> None:
     np.testing.assert_allclose(whole, alone, rtol=1e-12)
 
 
+def test_a_path_whose_chord_is_taken_for_it_is_hardly_longer():
+    """A parabola beside its chord by all that is let pass, and one that is uneven along it too, against dense sampling."""
+    u, off = np.linspace(0, 1, 20001), feeds.EVEN
+    for aslant in (0.0, 0.5):
+        sag = 4 * off * u * (1 - u)
+        path = np.stack([u + np.sin(aslant) * sag, np.cos(aslant) * sag])
+        longer = np.linalg.norm(np.diff(path, axis=1), axis=0).sum() - 1
+        assert 0.6 * feeds.TRAVEL_ERROR < longer < feeds.TRAVEL_ERROR
+
+
 def test_a_short_path_that_turns_back_on_itself_is_measured_closely():
     """Chords of a fifth of a millimetre with three degrees of turn at a long lever: the tip may run back and forth."""
     links = chain(load_machine("fork_head_bc"), Setup(tool_length=120.0))

@@ -16,6 +16,8 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 TRAVEL_ERROR = 1e-3
 """Relative error of a travel: a tenth of what the coarsest feed setting (1 %) can tell."""
+EVEN = (math.sqrt(16.0 * TRAVEL_ERROR**2 + 32.0 / 3.0 * TRAVEL_ERROR) - 4.0 * TRAVEL_ERROR) * 3.0 / 16.0
+"""A path that may leave its straight and even course by so much of its length is longer by TRAVEL_ERROR at most."""
 TURN_PER_PIECE = 0.05
 """Rotary travel (rad) of one piece of a sampled path: the near-cusp of So et al.'s Table 2 then errs by less than 3e-6."""
 HOOKED, HOOK_PIECES = 0.25, 4.0
@@ -35,15 +37,16 @@ ASSUMED_RATE = (10_000.0, 10_000.0, 10_000.0, 20.0 * np.pi, 20.0 * np.pi)
 def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
     """Travel (m - 1,) mm of the tip from each row of ``q`` (m, 5) mm and rad to the next; the chord where not ``wanted``.
 
-    The chord where that is near enough by proof: with the tip at most e chords off its straight and even course the arc is
-    at most 1 + 8 e^2 chords long, and e is at most ``max|p''| / 8`` over the chord, ``|p''| <= w^2 r + 2 w |dq|``, w the
-    rotary travel and r the lever arm. Elsewhere the sampled path, extrapolated (Richardson), or parabolas through it.
+    The chord where that is near enough by proof. With ``max|p''|`` at most 8 e chords the velocity leaves the chord by r(u), of
+    mean 0, at most 4 e long, and with a mean square of at most (8 e)^2 / 12, that of a straight line (no function as steep has
+    more). So the arc is at most 1 + (8 / 3) e^2 / (1 - 4 e) chords long. ``|p''| <= w^2 r + 2 w |dq|``, w the rotary travel and
+    r the lever arm. Elsewhere the sampled path, extrapolated (Richardson), or parabolas through it.
     """
     tip, travel, curved, pieces = forward_tip(links, q), np.empty(max(len(q) - 1, 0)), [], []
     for rows in chunks(len(travel)):
         ends = slice(rows.start, rows.stop + 1)
         chord, turned, bend = _chords(links, q[ends], tip[ends])
-        at = np.flatnonzero(wanted[rows] & (bend > math.sqrt(TRAVEL_ERROR / 8.0) * chord))
+        at = np.flatnonzero(wanted[rows] & (bend > EVEN * chord))
         travel[rows] = chord
         curved.append(rows.start + at)
         least = np.where(bend[at] > HOOKED * chord[at], HOOK_PIECES, 1.0)
