@@ -69,14 +69,14 @@ class _Without:
         ends = self._trapped_ends(path, axis)
         if not len(ends):
             return path, axis
-        whole, joined = np.ones(len(axis), np.bool_), np.diff(path.polyline) == 0
-        runs = groups_of(whole, joined, ends)
+        x, y, z = path.point[ends[0]].tolist()
+        joined = np.diff(path.polyline) == 0
+        runs = groups_of(np.ones(len(axis), np.bool_), joined, ends)
         path, axis, _ = _divided(path, axis, joined & runs[1:], self._fine())
         ends, joined = self._trapped_ends(path, axis), np.diff(path.polyline) == 0
         under = groups_of(np.ones(len(axis), np.bool_), joined, ends)
         rows = np.flatnonzero(under)
         under[rows] = self._is_under(path, axis, rows)
-        x, y, z = path.point[ends[0]].tolist()
         said = (
             f"the tool could not get out along its axis {{where}}, for the part is over it, as at ({x:.6g}, {y:.6g}, {z:.6g}) mm"
         )
