@@ -1083,10 +1083,6 @@
         <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Spitze von sich aus auf der Geraden.</translation>
     </message>
     <message>
-        <source>A larger clearance, in the tool path's panel.</source>
-        <translation>Ein größerer Sicherheitsabstand, im Fenster des Werkzeugwegs.</translation>
-    </message>
-    <message>
         <source>A longer tool, a slimmer holder, lead or tilt away from the wall; or leave such places out.</source>
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
     </message>
@@ -1421,6 +1417,10 @@
     <message>
         <source>In the folder that is proposed it stands in every list of machines from then on.</source>
         <translation>Im vorgeschlagenen Ordner steht sie von da an in jeder Maschinenliste.</translation>
+    </message>
+    <message>
+        <source>In the tool path's panel a larger clearance; under the part let the tool be lifted, or leave such places out.</source>
+        <translation>Im Fenster des Werkzeugwegs ein größerer Sicherheitsabstand; unter dem Werkstück das Werkzeug anheben lassen oder solche Stellen auslassen.</translation>
     </message>
     <message>
         <source>In the tool path's panel let the tool be lifted there, or leave such places out; or take a smaller cutter. The command What is left shows what then stays uncut. Where that is done already, the machine leaves the path between blocks: set Linearize to on.</source>
@@ -2135,8 +2135,8 @@
         <translation>Wohin spannen</translation>
     </message>
     <message>
-        <source>While the rotary axes turn, the tip leaves the straight way over the part.</source>
-        <translation>Während die Drehachsen sich drehen, verlässt die Spitze den geraden Weg über dem Werkstück.</translation>
+        <source>While the rotary axes turn, the tip leaves the straight way over the part; or the part is over the tool.</source>
+        <translation>Während die Drehachsen sich drehen, verlässt die Spitze den geraden Weg über dem Werkstück; oder das Werkstück ist über dem Werkzeug.</translation>
     </message>
     <message>
         <source>Why</source>

@@ -38,7 +38,10 @@ GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collisio
 
 SAID = {
     OVERCUT: "The cutter goes {depth} mm too deep into the part at {at}.",
-    RAPID_COLLISION: "The cutter goes {depth} mm into the part at {at} on its way between passes. Use a larger clearance.",
+    RAPID_COLLISION: (
+        "The cutter goes {depth} mm into the part at {at} on its way between passes. Use a larger clearance; where the part is "
+        "over the tool, let it be lifted there or leave such places out (gouge lift, leave-out)."
+    ),
     HOLDER_COLLISION: (
         "The {part} goes {depth} mm into the part at {at}. Let the tool be tilted free or leave these places out (gouge tilt, "
         "leave-out), use a longer tool, or more lead or tilt."

@@ -104,8 +104,13 @@ def _between(depth: float) -> tuple[str, str, str]:
         translate("FiveAxis", "On its way between passes the cutter goes {depth} into the part.").format(
             depth=length_text(depth)
         ),
-        translate("FiveAxis", "While the rotary axes turn, the tip leaves the straight way over the part."),
-        translate("FiveAxis", "A larger clearance, in the tool path's panel."),
+        translate(
+            "FiveAxis", "While the rotary axes turn, the tip leaves the straight way over the part; or the part is over the tool."
+        ),
+        translate(
+            "FiveAxis",
+            "In the tool path's panel a larger clearance; under the part let the tool be lifted, or leave such places out.",
+        ),
     )
 
 
