@@ -96,6 +96,7 @@ UNDER_A_ROOF = [(0, -20, 0), (0, -10, 0), (0, 5, 0), (0, 10, 0), (0, 14, 0), (0,
 """Tips of a short ball of radius 2 that is free on the floor under the shelf's roof, until the wall comes too near."""
 
 
+@pytest.mark.slow
 def test_rows_under_a_roof_from_which_no_way_leads_up_are_lifted_above_it():
     mesh, body, path = shelf(), body_of(Cutter(4.0, 6.0)), cl_path(UNDER_A_ROOF)
     lifted = lift_path(path, facet_tree(mesh), body, TOLERANCE)
@@ -108,6 +109,7 @@ def test_rows_under_a_roof_from_which_no_way_leads_up_are_lifted_above_it():
     assert max(sampled_depth(body, points, course, k, 41) for k in range(len(course))) <= TOLERANCE
 
 
+@pytest.mark.slow
 def test_without_a_look_above_the_way_goes_through_the_roof(monkeypatch):
     monkeypatch.setattr(lift, "OVERHANGS", 0)
     mesh, body = shelf(), body_of(Cutter(4.0, 6.0))
@@ -214,13 +216,18 @@ def over_sharp_edges(parts, part, gouge, **options):
     return job.make(build_settings("mill", str(parts / f"{part}.stl"), {**given, "gouge": gouge}))
 
 
-@pytest.mark.parametrize("options", RINGS, ids=[" ".join(map(str, options.values())) for options in RINGS])
+@pytest.mark.parametrize(
+    "options",
+    [*RINGS[:2], *(pytest.param(ring, marks=pytest.mark.slow) for ring in RINGS[2:])],
+    ids=[" ".join(map(str, options.values())) for options in RINGS],
+)
 @pytest.mark.parametrize("part", ["dome", pytest.param("half_cylinder", marks=pytest.mark.slow)])
 def test_round_sharp_edges_of_convex_parts_no_cure_touches_a_ring_cutter(parts, part, options):
     off, lift, out = (over_sharp_edges(parts, part, gouge, **options) for gouge in ("off", "lift", "leave-out"))
     assert off.nc == lift.nc == out.nc
 
 
+@pytest.mark.slow
 def test_without_rows_along_the_hubs_swing_the_edge_is_cut(parts, monkeypatch):
     """The comparison above can fail: the straight swing dips the bottom's rim into the edge."""
     monkeypatch.setattr(seating, "_swung", lambda path, axis, *_: (path, axis))

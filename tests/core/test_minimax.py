@@ -83,6 +83,7 @@ def test_by_the_pole_at_least_10_times_smaller(depth):
     assert cases.ratio(cases.part(parts.PART, "trunnion_ac", depth)) > 10.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("depth", DEPTHS)
 def test_on_the_half_cylinder_that_one_axis_turns_at_least_5_times_smaller(depth):
     assert cases.ratio(cases.part("half_cylinder", "table_ab", depth, **cases.HALF)) > 5.0
