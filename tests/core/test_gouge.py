@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.gouge import (
     is_closed,
     real_course,
     round_piece,
+    search,
     straight_course,
 )
 from freecad_fiveaxis.core.gouge.course import still_course
@@ -303,6 +304,18 @@ def test_blocks_of_no_length_are_poses():
     found = entries(ball(3.0), step(), course_through((0, -12, 2.5), (0, -12, 2.5), (0, -12, 3.0), (0, -12, 3.0)))
     close(found, 0.5)
     assert found.depth[2] == 0.0
+
+
+def test_pairs_divided_a_few_at_a_time_find_the_same(monkeypatch):
+    mesh, rng = bowl(15.0, 24), np.random.default_rng(5)
+    course = course_through(*np.column_stack([rng.uniform(-6, 6, (30, 2)), rng.uniform(-12, -6, 30)]))
+    whole = entries(ball(4.0), mesh, course)
+    shallow, known = 0.2, find_entries(ball(4.0), facet_tree(mesh), course, 0.2, np.inf)
+    monkeypatch.setattr(search, "AT_ONCE", 7)
+    parts, told = entries(ball(4.0), mesh, course), find_entries(ball(4.0), facet_tree(mesh), course, shallow, np.inf)
+    assert (whole.depth > 0.0).sum() > 5 and np.allclose(parts.depth, whole.depth, rtol=0.011, atol=LIMIT / 10)
+    assert (parts.bound >= whole.depth - 1e-9).all()
+    assert ((told.bound > shallow) == (known.bound > shallow)).all() and 0 < (told.bound > shallow).sum() < 29
 
 
 def test_a_course_without_blocks_has_no_entries():

@@ -13,7 +13,7 @@ from freecad_fiveaxis.core import job, seating
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.gouge import (
     Body,
     body_of,
@@ -67,6 +67,27 @@ def test_a_ball_over_a_groove_that_is_too_narrow_is_lifted_onto_its_rims():
     finding = lifted.path.findings[-1]
     assert finding.code == "lifted" and finding.value == pytest.approx(touching + 4.0, abs=TOLERANCE)
     assert not entering(lifted.path, round_groove(groove), body_of(Cutter(2 * radius))).any()
+
+
+def test_lifting_says_how_far_it_is_and_can_be_stopped_at_each_word():
+    path, tree, body, said = (
+        cl_path([(-5, 0, -4), (0, 0, -4), (5, 0, -4)]),
+        facet_tree(round_groove(4.0)),
+        body_of(Cutter(10.0)),
+        [],
+    )
+    lift_path(path, tree, body, TOLERANCE, progress=lambda *told: said.append(told))
+    done = [fraction for _, fraction in said]
+    assert {stage for stage, _ in said} == {"lift"} and done == sorted(done) and done[-1] == 1.0 and len(set(done)) > 5
+    for last in range(0, len(said), 9):
+        words = iter(range(len(said)))
+
+        def stop(stage, fraction, words=words, last=last):
+            if next(words) == last:
+                raise Cancelled("stopped")
+
+        with pytest.raises(Cancelled):
+            lift_path(path, tree, body, TOLERANCE, progress=stop)
 
 
 @pytest.mark.slow

@@ -85,27 +85,46 @@ def lift_path(
     tips = path.tip - back * path.axis
     cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
     course, blocks = straight_course(tips, path.axis), np.flatnonzero(cuts)
-    lifter, none = _Lifter(course, cutter, tree, aim, tolerance), np.zeros(len(tips), np.bool_)
+    going = _Going(progress)
+    lifter, none = _Lifter(course, cutter, tree, aim, tolerance, going), np.zeros(len(tips), np.bool_)
     way = _Way(tips, path.axis, np.arange(len(tips), dtype=float), np.zeros(len(tips)), cuts, none)
-    trapped = len(lifter.trapped(way, progress)) > 0
+    trapped = len(lifter.trapped(way)) > 0
     rocks = min(cutter.pieces, key=lambda piece: piece.low - piece.round).low_radius > 0.0
-    if rocks and not trapped and not which_enter(cutter, tree, course, tolerance, blocks, progress).any():
+    if rocks and not trapped and not which_enter(cutter, tree, course, tolerance, blocks, going).any():
         return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), 0.0)
     limit, accuracy = (aim, ROUGHLY) if rocks else (GRAZE * tolerance, None)
-    first = find_entries(cutter, tree, course, limit, accuracy, blocks, progress)
+    first = find_entries(cutter, tree, course, limit, accuracy, blocks, going.part(0.0, 0.2))
     deep = (first.depth > 0.0) & (first.bound > aim)
     if not deep.any() and not trapped:
         left = float(first.bound[first.depth > 0.0].max(initial=0.0))
         return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), left)
     touched = np.append(deep, False) | np.append(False, deep)
     tip, axis, lift, rows = tips.copy(), path.axis.copy(), np.zeros(len(tips)), np.flatnonzero(touched)
+    going.part(0.2, 0.4)
     tip[rows], axis[rows], _, lift[rows], _ = lifter.rows(rows.astype(float))
     way = replace(way, tip=tip, axis=axis, lift=lift)
     way = lifter.lower(way, SHORT * max(piece.most for piece in cutter.pieces), tolerance)
     dirty = (way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0) | deep[way.key[:-1].astype(np.int64)]
-    way = lifter.out_of_overhangs(lifter.between(way, way.cuts & dirty, progress), progress)
+    way = lifter.out_of_overhangs(lifter.between(way, way.cuts & dirty, 0.6, 0.8))
+    progress("lift", 1.0)
     findings = (*path.findings, *_findings(path, way))
     return Lifted(replace(_rows(path, way, back), findings=findings), _row(way), way.lift, aim)
+
+
+class _Going:
+    """What the many searches tell that they go on: how much of the lifting is done, never less than before."""
+
+    def __init__(self, progress: Progress) -> None:
+        self._progress, self._low, self._high, self._done = progress, 0.0, 0.0, 0.0
+
+    def part(self, low: float, high: float) -> _Going:
+        """What comes next takes the whole from ``low`` to ``high``."""
+        self._low, self._high = low, high
+        return self
+
+    def __call__(self, _stage: str, fraction: float) -> None:
+        self._done = max(self._done, self._low + fraction * (self._high - self._low))
+        self._progress("lift", self._done)
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,22 +156,23 @@ class _Rows(NamedTuple):
 @dataclass(frozen=True, eq=False)
 class _Lifter:
     """``given``: the way before anything is lifted; ``aim`` mm, what may be left of an entry; ``tolerance`` mm, what a link may
-    enter by."""
+    enter by; ``going`` is told that it goes on."""
 
     given: Course
     cutter: Body
     tree: FacetTree
     aim: float
     tolerance: float
+    going: _Going
 
-    def trapped(self, way: _Way, progress: Progress) -> Ints:
+    def trapped(self, way: _Way) -> Ints:
         """The rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves, meets the part. Where the
         next cut goes on from the same place nothing comes or leaves."""
         links = np.flatnonzero(~way.cuts & (np.abs(np.diff(way.tip, axis=0)).max(axis=1) > SAME))
         cut = np.append(way.cuts, False) | np.append(False, way.cuts)
         ends: Ints = np.unique(np.concatenate([links, links + 1]))
         ends = ends[cut[ends]]
-        under = is_under(self.cutter, self.tree, way.tip[ends], way.axis[ends], self.tolerance, progress)
+        under = is_under(self.cutter, self.tree, way.tip[ends], way.axis[ends], self.tolerance, self.going)
         return ends[under]
 
     def rows(self, key: Floats, beside: Bools | None = None) -> _Rows:
@@ -163,7 +183,8 @@ class _Lifter:
         tip, axis = pose.tip.T.copy(), pose.axis.T.copy()
         start, left = tip.copy(), np.arange(len(key))
         for _ in range(LIFTS):
-            entries = find_entries(self.cutter, self.tree, still_course(tip[left], axis[left]), self.aim, ROUGHLY)
+            still = still_course(tip[left], axis[left])
+            entries = find_entries(self.cutter, self.tree, still, self.aim, ROUGHLY, progress=self.going)
             deep = np.flatnonzero(entries.depth > 0.0)
             if not len(deep):
                 break
@@ -172,7 +193,7 @@ class _Lifter:
             tip[left] += np.maximum(by, 0.5 * self.aim)[:, None] * axis[left]
         rise = np.zeros(len(key))
         near = np.flatnonzero(beside) if beside is not None else left[:0]
-        rise[near] = rise_above(self.cutter, self.tree, tip[near], axis[near], self.aim)
+        rise[near] = rise_above(self.cutter, self.tree, tip[near], axis[near], self.aim, self.going)
         tip += rise[:, None] * axis
         return _Rows(tip, axis, key, ((tip - start) * axis).sum(axis=1), rise > 0.0)
 
@@ -180,7 +201,8 @@ class _Lifter:
         """Rows put in where the way between two lifted rows stands more than ``tolerance`` mm higher than it must; blocks of up
         to ``least`` mm stay whole."""
         wait = np.ones(len(way.cuts), np.bool_)
-        for _ in range(ROUNDS):
+        for k in range(ROUNDS):
+            self.going.part(0.4 + 0.2 * k / ROUNDS, 0.4 + 0.2 * (k + 1) / ROUNDS)
             long = np.linalg.norm(np.diff(way.tip, axis=0), axis=1) > least
             blocks = np.flatnonzero(way.cuts & wait & long & (np.maximum(way.lift[1:], way.lift[:-1]) > tolerance))
             rows = self.rows(0.5 * (way.key[blocks] + way.key[blocks + 1]))
@@ -190,13 +212,14 @@ class _Lifter:
             way, wait = _put_in(way, blocks[high], rows.picked(high))
         return way
 
-    def between(self, way: _Way, dirty: Bools, progress: Progress) -> _Way:
-        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends."""
+    def between(self, way: _Way, dirty: Bools, low: float, high: float) -> _Way:
+        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends; it takes the work from
+        ``low`` to ``high`` of the whole."""
         given = len(way.tip)
         for k in range(ROUNDS):
-            progress("lift", k / ROUNDS)
+            self.going.part(low + (high - low) * k / ROUNDS, low + (high - low) * (k + 1) / ROUNDS)
             course = straight_course(way.tip, way.axis)
-            entries = find_entries(self.cutter, self.tree, course, self.aim, ROUGHLY, np.flatnonzero(dirty))
+            entries = find_entries(self.cutter, self.tree, course, self.aim, ROUGHLY, np.flatnonzero(dirty), self.going)
             blocks = np.flatnonzero(entries.depth > 0.0)
             if not len(blocks) or len(way.tip) > MOST_ROWS * given + FEW:
                 break
@@ -204,38 +227,36 @@ class _Lifter:
             u = np.where(deepest, entries.u[blocks], 0.5)
             key = way.key[blocks] + u * (way.key[blocks + 1] - way.key[blocks])
             way, dirty = _put_in(way, blocks, self.rows(key, way.over[blocks] | way.over[blocks + 1]))
-        progress("lift", 1.0)
         return way
 
-    def out_of_overhangs(self, way: _Way, progress: Progress) -> _Way:
+    def out_of_overhangs(self, way: _Way) -> _Way:
         """Where blocks to a lifted row still enter, the rows on their other side lifted above what is over them; so are those
         about trapped ends."""
 
-        def tell(_: str, fraction: float) -> None:
-            progress("lift", fraction)
-
-        for _ in range(OVERHANGS):
-            high = self._under(way, tell)
+        for k in range(OVERHANGS):
+            low = 0.8 + 0.2 * k / OVERHANGS
+            self.going.part(low, low + 0.1 / OVERHANGS)
+            high = self._under(way)
             if not high.any():
                 break
             rise = np.zeros(len(way.tip))
-            rise[high] = rise_above(self.cutter, self.tree, way.tip[high], way.axis[high], self.aim, tell)
+            rise[high] = rise_above(self.cutter, self.tree, way.tip[high], way.axis[high], self.aim, self.going)
             way = replace(way, tip=way.tip + rise[:, None] * way.axis, lift=way.lift + rise, over=way.over | high)
-            way = self.between(way, way.cuts & (high[1:] | high[:-1]), progress)
+            way = self.between(way, way.cuts & (high[1:] | high[:-1]), low + 0.1 / OVERHANGS, low + 0.2 / OVERHANGS)
         return way
 
-    def _under(self, way: _Way, progress: Progress) -> Bools:
+    def _under(self, way: _Way) -> Bools:
         """The rows (n,) from which the way up meets the part, in unbroken groups beside blocks to lifted rows that enter, or up
         to trapped ends."""
         lifted = np.flatnonzero(way.cuts & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0)))
         course = straight_course(way.tip, way.axis)
-        enters = which_enter(self.cutter, self.tree, course, self.aim, lifted, progress)
+        enters = which_enter(self.cutter, self.tree, course, self.aim, lifted, self.going)
         blocks = lifted[enters[lifted]]
         beside = blocks + (way.lift[blocks] > way.lift[blocks + 1])
-        rows = np.concatenate([beside, self.trapped(way, progress)])
+        rows = np.concatenate([beside, self.trapped(way)])
         under = groups_of(np.ones(len(way.tip), np.bool_), way.cuts, rows)  # all rows that cuts join to them
         row = np.flatnonzero(under)
-        under[row] = is_under(self.cutter, self.tree, way.tip[row], way.axis[row], self.aim, progress)
+        under[row] = is_under(self.cutter, self.tree, way.tip[row], way.axis[row], self.aim, self.going)
         return groups_of(under, way.cuts, rows)
 
 
