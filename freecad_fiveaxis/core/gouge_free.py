@@ -135,7 +135,8 @@ def _remedy(settings: Settings) -> str:
     """What helps against an overcut: a cure, and where that has been at work already, the machine kept on its path."""
     if settings.gouge.gouge == "report":
         return CURES
-    way = "let blocks be divided (linearize on)" if settings.cure.linearize == "off" else "ask for a smaller tolerance"
+    divisible = settings.cure.linearize == "off" and settings.head.rtcp == "off"  # a guided tip excludes division
+    way = "let blocks be divided (linearize on)" if divisible else "ask for a smaller tolerance"
     return f"The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}."
 
 

@@ -45,8 +45,8 @@ GROUP = 160_000
 """Segments that are closed together, at most about so many, half as many as rows: the many calls for the few tight polylines
 among them then cost little beside the work on all."""
 
-ALONE = 65536
-"""Fewer segments than that are closed together by one thread."""
+SHARED = 65536
+"""More segments than that are shared by two threads."""
 
 CHUNK = 65536
 """Rows handled at a time: calls long enough for two threads to work side by side."""
@@ -154,7 +154,7 @@ def groups(segments: Segments) -> list[Segments]:
     """The same in parts of whole polylines: an even number of them, alike, so that both threads have as much to do."""
     ends = np.append(segments.first[1:], len(segments.live))[: len(segments.first)]
     count = len(segments.live)
-    size = count / (2 * math.ceil(count / (2 * GROUP))) if count > ALONE else GROUP
+    size = count / (2 * math.ceil(count / (2 * GROUP))) if count > SHARED else GROUP
     bounds = ends[np.diff((ends - 1) // size, append=-1) != 0].tolist()
     parts = []
     for low, high in zip([0, *bounds], bounds, strict=False):

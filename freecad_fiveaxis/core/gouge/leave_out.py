@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.seating import rows_between
 from .body import Body
 from .course import straight_course
 from .facet_tree import FacetTree
-from .overhang import groups_of, is_under
+from .overhang import groups_of, is_under, under_with
 from .search import Entries, find_entries
 
 FINE = 0.25
@@ -62,7 +62,9 @@ class _Without:
         said = (
             f"the tool would enter the part {{where}}, deepest by {entries.depth[worst]:.4g} mm at ({x:.6g}, {y:.6g}, {z:.6g}) mm"
         )
-        return _left(path, axis, out, said, float(entries.depth[worst]), (x, y, z))
+        return _left(
+            path, axis, out, said, float(entries.depth[worst]), (x, y, z), "Use a smaller cutter or another tool axis there."
+        )
 
     def trapped(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
         """The path without the rows under an overhang up to the ends of polylines: a retract there would go through the part."""
@@ -74,26 +76,24 @@ class _Without:
         runs = groups_of(np.ones(len(axis), np.bool_), joined, ends)
         path, axis, _ = _divided(path, axis, joined & runs[1:], self._fine())
         ends, joined = self._trapped_ends(path, axis), np.diff(path.polyline) == 0
-        under = groups_of(np.ones(len(axis), np.bool_), joined, ends)
-        rows = np.flatnonzero(under)
-        under[rows] = self._is_under(path, axis, rows)
+        out = under_with(self.body, self.tree, self._tips(path, axis), axis, joined, ends, self.tolerance, self.progress)
         said = (
             f"the tool could not get out along its axis {{where}}, for the part is over it, as at ({x:.6g}, {y:.6g}, {z:.6g}) mm"
         )
-        return _left(path, axis, groups_of(under, joined, ends), said, None, (x, y, z))
+        return _left(path, axis, out, said, None, (x, y, z), "Turn the part, or use another tool axis there.")
 
     def _entries(self, path: OffsetPath, axis: Floats, blocks: Ints) -> Entries:
-        course = straight_course(path.centre - self.back * axis, axis)
+        course = straight_course(self._tips(path, axis), axis)
         return find_entries(self.body, self.tree, course, self.tolerance, blocks=blocks, progress=self.progress)
 
     def _trapped_ends(self, path: OffsetPath, axis: Floats) -> Ints:
         first = np.diff(path.polyline, prepend=-1) != 0
         ends = np.flatnonzero(first | np.append(first[1:], True))
-        return ends[self._is_under(path, axis, ends)]
+        tip = self._tips(path, axis)[ends]
+        return ends[is_under(self.body, self.tree, tip, axis[ends], self.tolerance, self.progress)]
 
-    def _is_under(self, path: OffsetPath, axis: Floats, rows: Ints) -> Bools:
-        tip = path.centre[rows] - self.back * axis[rows]
-        return is_under(self.body, self.tree, tip, axis[rows], self.tolerance, self.progress)
+    def _tips(self, path: OffsetPath, axis: Floats) -> Floats:
+        return path.centre - self.back * axis
 
     def _fine(self) -> float:
         return FINE * max(piece.most for piece in self.body.pieces)
@@ -105,9 +105,10 @@ def _joined(path: OffsetPath) -> Ints:
 
 
 def _left(
-    path: OffsetPath, axis: Floats, out: Bools, said: str, value: float | None, place: tuple[float, float, float]
+    path: OffsetPath, axis: Floats, out: Bools, said: str, value: float | None, place: tuple[float, float, float], remedy: str
 ) -> tuple[OffsetPath, Floats]:
-    """The path without the rows ``out`` (n,), and its axes; ``said``: why, with ``{where}`` for on which of its passes."""
+    """The path without the rows ``out`` (n,), and its axes; ``said``: why, with ``{where}`` for on which of its passes;
+    ``remedy``: what helps."""
     steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), _joined(path)
     length = float(steps[joined[(out[1:] | out[:-1])[joined]]].sum())
     rows = lasting_rows(path, np.flatnonzero(~out))
@@ -118,10 +119,7 @@ def _left(
         )
         raise SettingsError(text, value)
     left = take_rows(path, rows)
-    text = (
-        f"{length:.4g} mm of the passes are left out, because {said.format(where='there')}. Use a smaller cutter or another tool "
-        "axis there."
-    )
+    text = f"{length:.4g} mm of the passes are left out, because {said.format(where='there')}. {remedy}"
     finding = Finding(Severity.WARNING, "left-out", text, length, 0.0, "mm", place=place)
     return replace(left, findings=(*path.findings, finding)), picked(axis, rows)
 

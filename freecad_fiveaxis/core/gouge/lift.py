@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from .body import CUTTER, Body, way_out
 from .course import Course, still_course, straight_course
 from .facet_tree import FacetTree
-from .overhang import groups_of, is_under, rise_above
+from .overhang import is_under, rise_above, under_with
 from .search import find_entries, which_enter
 
 AIM = 0.5
@@ -93,19 +93,21 @@ def lift_path(
     if rocks and not trapped and not which_enter(cutter, tree, course, tolerance, blocks, going).any():
         return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), 0.0)
     limit, accuracy = (aim, ROUGHLY) if rocks else (GRAZE * tolerance, None)
-    first = find_entries(cutter, tree, course, limit, accuracy, blocks, going.part(0.0, 0.2))
+    first = find_entries(cutter, tree, course, limit, accuracy, blocks, going.stage(0.0, 0.2))
     deep = (first.depth > 0.0) & (first.bound > aim)
     if not deep.any() and not trapped:
         left = float(first.bound[first.depth > 0.0].max(initial=0.0))
         return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), left)
     touched = np.append(deep, False) | np.append(False, deep)
     tip, axis, lift, rows = tips.copy(), path.axis.copy(), np.zeros(len(tips)), np.flatnonzero(touched)
-    going.part(0.2, 0.4)
+    going.stage(0.2, 0.4)
     tip[rows], axis[rows], _, lift[rows], _ = lifter.rows(rows.astype(float))
     way = replace(way, tip=tip, axis=axis, lift=lift)
+    going.stage(0.4, 0.6)
     way = lifter.lower(way, SHORT * max(piece.most for piece in cutter.pieces), tolerance)
     dirty = (way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0) | deep[way.key[:-1].astype(np.int64)]
-    way = lifter.out_of_overhangs(lifter.between(way, way.cuts & dirty, 0.6, 0.8))
+    going.stage(0.6, 0.8)
+    way = lifter.out_of_overhangs(lifter.between(way, way.cuts & dirty))
     progress("lift", 1.0)
     findings = (*path.findings, *_findings(path, way))
     return Lifted(replace(_rows(path, way, back), findings=findings), _row(way), way.lift, aim)
@@ -115,12 +117,18 @@ class _Going:
     """What the many searches tell that they go on: how much of the lifting is done, never less than before."""
 
     def __init__(self, progress: Progress) -> None:
-        self._progress, self._low, self._high, self._done = progress, 0.0, 0.0, 0.0
+        self._progress, self._stage, self._low, self._high, self._done = progress, (0.0, 0.0), 0.0, 0.0, 0.0
 
-    def part(self, low: float, high: float) -> _Going:
+    def stage(self, low: float, high: float) -> _Going:
         """What comes next takes the whole from ``low`` to ``high``."""
-        self._low, self._high = low, high
+        self._stage = low, high
+        self.round(0, 1)
         return self
+
+    def round(self, k: int, count: int) -> None:
+        """Round k of at most ``count`` of the stage."""
+        low, high = self._stage
+        self._low, self._high = low + k * (high - low) / count, low + (k + 1) * (high - low) / count
 
     def __call__(self, _stage: str, fraction: float) -> None:
         self._done = max(self._done, self._low + fraction * (self._high - self._low))
@@ -202,7 +210,7 @@ class _Lifter:
         to ``least`` mm stay whole."""
         wait = np.ones(len(way.cuts), np.bool_)
         for k in range(ROUNDS):
-            self.going.part(0.4 + 0.2 * k / ROUNDS, 0.4 + 0.2 * (k + 1) / ROUNDS)
+            self.going.round(k, ROUNDS)
             long = np.linalg.norm(np.diff(way.tip, axis=0), axis=1) > least
             blocks = np.flatnonzero(way.cuts & wait & long & (np.maximum(way.lift[1:], way.lift[:-1]) > tolerance))
             rows = self.rows(0.5 * (way.key[blocks] + way.key[blocks + 1]))
@@ -212,12 +220,11 @@ class _Lifter:
             way, wait = _put_in(way, blocks[high], rows.picked(high))
         return way
 
-    def between(self, way: _Way, dirty: Bools, low: float, high: float) -> _Way:
-        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends; it takes the work from
-        ``low`` to ``high`` of the whole."""
+    def between(self, way: _Way, dirty: Bools) -> _Way:
+        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends."""
         given = len(way.tip)
         for k in range(ROUNDS):
-            self.going.part(low + (high - low) * k / ROUNDS, low + (high - low) * (k + 1) / ROUNDS)
+            self.going.round(k, ROUNDS)
             course = straight_course(way.tip, way.axis)
             entries = find_entries(self.cutter, self.tree, course, self.aim, ROUGHLY, np.flatnonzero(dirty), self.going)
             blocks = np.flatnonzero(entries.depth > 0.0)
@@ -232,17 +239,17 @@ class _Lifter:
     def out_of_overhangs(self, way: _Way) -> _Way:
         """Where blocks to a lifted row still enter, the rows on their other side lifted above what is over them; so are those
         about trapped ends."""
-
         for k in range(OVERHANGS):
             low = 0.8 + 0.2 * k / OVERHANGS
-            self.going.part(low, low + 0.1 / OVERHANGS)
+            self.going.stage(low, low + 0.1 / OVERHANGS)
             high = self._under(way)
             if not high.any():
                 break
             rise = np.zeros(len(way.tip))
             rise[high] = rise_above(self.cutter, self.tree, way.tip[high], way.axis[high], self.aim, self.going)
             way = replace(way, tip=way.tip + rise[:, None] * way.axis, lift=way.lift + rise, over=way.over | high)
-            way = self.between(way, way.cuts & (high[1:] | high[:-1]), low + 0.1 / OVERHANGS, low + 0.2 / OVERHANGS)
+            self.going.stage(low + 0.1 / OVERHANGS, low + 0.2 / OVERHANGS)
+            way = self.between(way, way.cuts & (high[1:] | high[:-1]))
         return way
 
     def _under(self, way: _Way) -> Bools:
@@ -254,10 +261,7 @@ class _Lifter:
         blocks = lifted[enters[lifted]]
         beside = blocks + (way.lift[blocks] > way.lift[blocks + 1])
         rows = np.concatenate([beside, self.trapped(way)])
-        under = groups_of(np.ones(len(way.tip), np.bool_), way.cuts, rows)  # all rows that cuts join to them
-        row = np.flatnonzero(under)
-        under[row] = is_under(self.cutter, self.tree, way.tip[row], way.axis[row], self.aim, self.going)
-        return groups_of(under, way.cuts, rows)
+        return under_with(self.cutter, self.tree, way.tip, way.axis, way.cuts, rows, self.aim, self.going)
 
 
 def _put_in(way: _Way, blocks: Ints, rows: _Rows) -> tuple[_Way, Bools]:

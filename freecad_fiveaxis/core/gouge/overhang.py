@@ -68,3 +68,14 @@ def groups_of(under: Bools, cuts: Bools, rows: Ints) -> Bools:
     ``rows`` (k,)."""
     group = np.cumsum(np.append(True, ~(cuts & under[1:] & under[:-1])))
     return np.asarray(under & np.isin(group, group[rows]))
+
+
+def under_with(
+    cutter: Body, tree: FacetTree, tip: Floats, axis: Floats, cuts: Bools, rows: Ints, aim: float, progress: Progress = silent
+) -> Bools:  # fmt: skip
+    """Of cutters at tips and axes (n, 3) those that are under something (:func:`is_under`), in one unbroken group, joined by
+    ``cuts`` (n - 1,), with one of the rows ``rows`` (k,) that is."""
+    under = groups_of(np.ones(len(tip), np.bool_), cuts, rows)  # all rows that cuts join to them
+    row = np.flatnonzero(under)
+    under[row] = is_under(cutter, tree, tip[row], axis[row], aim, progress)
+    return groups_of(under, cuts, rows)
