@@ -48,7 +48,10 @@ SAID = {
     ),
 }
 
-CURES = "Let the tool be lifted there or leave such places out (gouge lift, leave-out), or use a smaller cutter."
+CURES = (
+    "Let the tool be lifted there or leave such places out (gouge lift, leave-out), or use a smaller cutter; where the machine "
+    "leaves the path by as much, let blocks be divided (linearize on)."
+)
 """What is said against an overcut where nothing has been done yet."""
 
 Where = Callable[[int], tuple[int | None, int | None]]
