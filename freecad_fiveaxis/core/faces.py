@@ -18,7 +18,6 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.gouge import Body, Entries, facet_tree, find_entries, round_piece, still_course
 from freecad_fiveaxis.core.gouge.search import RELATIVE
 from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.passes import facet_areas
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
 
@@ -87,8 +86,8 @@ def _none(name: str, tolerance: float, opposite: bool) -> str:
 
 
 def _told(mesh: Mesh, faces: Mesh, chosen: Bools, name: str) -> tuple[Finding, ...]:
-    areas = facet_areas(mesh)
-    area, whole, asked = float(areas[chosen].sum()), float(areas.sum()), float(facet_areas(faces).sum())
+    areas = mesh.area
+    area, whole, asked = float(areas[chosen].sum()), float(areas.sum()), float(faces.area.sum())
     text = (
         f"{int(chosen.sum())} facets of {area:.6g} mm2 ({100.0 * area / whole:.3g} % of the part) lie on {name} and are "
         "machined. The others are not; --gouge checks and cures against all of them."

@@ -34,7 +34,6 @@ from freecad_fiveaxis.core.gouge import (
 )
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.passes import facet_areas
 from freecad_fiveaxis.core.program import Program
 
 from .asked import axis_options, back, scallop_asked
@@ -143,7 +142,7 @@ def _remedy(settings: Settings) -> str:
 def left_by(settings: Settings, mesh: Mesh, keep: Bools, links: Chain, program: Program, progress: Progress) -> Remainder:
     """What the cutter leaves on the facets ``keep`` (f,) on its real way. Raises SettingsError where no block cuts."""
     cutter, course = settings.cutter.cutter, program_course(links, program, back(settings))
-    even = math.sqrt(float(facet_areas(mesh)[keep].sum()) / SAMPLES)
+    even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
     spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
     return find_remainder(mesh, body_of(cutter), course, cutting(program.motion), spacing, keep, progress)
 

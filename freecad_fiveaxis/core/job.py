@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
-from freecad_fiveaxis.core.cl_path import CLPath, LinkOptions, Motion, link_passes, order_passes
+from freecad_fiveaxis.core.cl_path import CLPath, LinkOptions, Motion, link_passes
 from freecad_fiveaxis.core.coedge import OffsetPath, close_gaps
 from freecad_fiveaxis.core.deform import deform_axes, trade_findings
 from freecad_fiveaxis.core.deviation import Deviation, measure, without_guided
@@ -144,13 +144,12 @@ def mill(
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
     keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle, faces)
     planes, spacing = _planes(settings, mesh, keep, progress)
-    contact = slice_mesh(mesh, planes, passes.direction, progress=progress)
+    contact = slice_mesh(mesh, planes, passes.direction, None, progress, ~keep, settings.links.order)
     closed = close_gaps(
         contact, mesh, corner_radius(cutter), settings.cutter.coedge_tolerance, None if keep.all() else keep, progress
     )
-    ordered = order_passes(closed, settings.links.order)
-    axis = tool_axes(ordered, settings.tool_axis.tool_axis, axis_options(settings))
-    offset, axis = feasible_rows(ordered, axis, links, cutter.taper)
+    axis = tool_axes(closed, settings.tool_axis.tool_axis, axis_options(settings))
+    offset, axis = feasible_rows(closed, axis, links, cutter.taper)
     led, said = _led(settings, offset, axis, links, progress)
     turned, led = tilted(settings, offset, led, mesh, links, progress)
     way = linked(settings, turned, led, mesh, progress)

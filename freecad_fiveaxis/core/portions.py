@@ -11,11 +11,13 @@ calls are long, with tens of thousands of rows; with short ones each only waits 
 
 from __future__ import annotations
 
+import math
 import os
 import threading
 from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
 from typing import Any, TypeVar
 
 import numpy as np
@@ -35,6 +37,16 @@ _inside = threading.local()
 def portions(count: int) -> list[slice]:
     """Slices of PORTION rows, the last one maybe shorter, that make up ``count`` rows."""
     return [slice(low, min(low + PORTION, count)) for low in range(0, count, PORTION)]
+
+
+def alike(count: int, most: int) -> list[slice]:
+    """Slices of nearly the same length, at most ``most`` rows, that make up ``count`` rows: one for up to PORTION rows, else an
+    even number, so that both threads have as much to do."""
+    if not count:
+        return []
+    number = 2 * math.ceil(count / (2 * most)) if count > PORTION else 1
+    ends = [count * part // number for part in range(number + 1)]
+    return [slice(*pair) for pair in pairwise(ends)]
 
 
 def on_all(work: Callable[[P], R], parts: Sequence[P], progress: Callable[[float], None] | None = None) -> list[R]:

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl_path import order_passes
 from freecad_fiveaxis.core.coedge import close_gaps
 from freecad_fiveaxis.core.feasible import feasible_rows
 from freecad_fiveaxis.core.kinematics import Setup, chain
@@ -46,8 +45,7 @@ def dome_passes(name, stepover=0.5, direction=0.0, strategy="facet_mean", lead=0
     keep, _ = reachable_facets(mesh, links, np.radians(61.0), None)
     planes, _ = place_planes(mesh, direction, 5.0, stepover=stepover, scallop=None, least=0.05, keep=keep)
     planes = planes[np.abs(planes) <= half_width]
-    closed = close_gaps(slice_mesh(mesh, planes, direction), mesh, 5.0, 0.01, keep)
-    ordered = order_passes(closed, order)
+    ordered = close_gaps(slice_mesh(mesh, planes, direction, order=order), mesh, 5.0, 0.01, keep)
     axis = tool_axes(ordered, strategy, AxisOptions(lead=lead, tilt=tilt))
     return (*feasible_rows(ordered, axis, links), links)
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from offset_examples import ball, field, hull, joined, prism
 
-from freecad_fiveaxis.core.cl_path import LinkOptions, Motion, link_passes, order_passes
+from freecad_fiveaxis.core.cl_path import LinkOptions, Motion, link_passes
 from freecad_fiveaxis.core.coedge import close_gaps
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import SettingsError
@@ -31,9 +31,8 @@ def three_passes():
     return close_gaps(path, MESH, 5.0, 1.0)
 
 
-def linked(path, axis, low=LOW, high=HIGH, order="one_way", **options):
-    """``axis`` the same in every row where the order is zigzag."""
-    return link_passes(order_passes(path, order), axis, CUTTER, low, high, LinkOptions(**options))
+def linked(path, axis, low=LOW, high=HIGH, **options):
+    return link_passes(path, axis, CUTTER, low, high, LinkOptions(**options))
 
 
 def on_the_part(path):
@@ -82,56 +81,21 @@ def test_the_segment_box_test_can_tell():
 # ---- order -----------------------------------------------------------------------------------------------------------
 
 
-def test_one_way_keeps_the_order():
+def test_the_passes_keep_their_order():
     offset = three_passes()
-    path = linked(offset, upright(offset), order="one_way")
+    path = linked(offset, upright(offset))
     on = on_the_part(path)
     np.testing.assert_allclose(path.contact[on], offset.point)
     assert path.pass_[on].tolist() == offset.pass_.tolist()
     assert (path.motion[on] == Motion.FILL).tolist() == offset.fill.tolist()
 
 
-def test_zigzag_cuts_every_other_pass_backwards():
+def test_fill_is_the_move_that_stays_where_it_is():
     offset = three_passes()
-    path = linked(offset, upright(offset), order="zigzag")
-    on = on_the_part(path)
-    of_pass = [np.flatnonzero(offset.pass_ == k) for k in range(3)]
-    expected = np.concatenate([of_pass[0], of_pass[1][::-1], of_pass[2]])
-    np.testing.assert_allclose(path.contact[on], offset.point[expected])
-    assert path.pass_[on].tolist() == offset.pass_[expected].tolist()
-    assert path.face[on].tolist() == offset.face[expected].tolist()
-    assert path.coedge[on].tolist() == offset.coedge[expected].tolist()
-    np.testing.assert_allclose(path.normal[on], offset.normal[expected])
-
-
-def test_fill_belongs_to_the_move_whichever_way_it_goes():
-    offset = three_passes()
-    path = linked(offset, upright(offset), order="zigzag")
+    path = linked(offset, upright(offset))
     for row in np.flatnonzero(on_the_part(path) & (path.motion != Motion.LINK)):
         still = np.allclose(path.contact[row], path.contact[row - 1], atol=1e-12)
         assert (path.motion[row] == Motion.FILL) == still
-
-
-def test_a_whole_pass_of_several_polylines_is_reversed():
-    offset = three_passes()
-    ordered = order_passes(replace(offset, pass_=np.where(offset.pass_ == 2, 1, offset.pass_)), "zigzag")
-    assert list(dict.fromkeys(ordered.polyline.tolist())) == [0, 1, 4, 3, 2]
-
-
-def test_ordering_swaps_before_and_after_and_keeps_the_axis():
-    offset = close_gaps(joined(*[prism([(0, 0), (3, 4), (13, 4), (25, -3)])] * 2), MESH, 5.0, 0.1)
-    ordered = order_passes(offset, "zigzag")
-    half = len(offset.point) // 2
-    np.testing.assert_array_equal(ordered.before[half:], offset.after[half:][::-1])
-    np.testing.assert_array_equal(ordered.step_after[half:], offset.step_before[half:][::-1])
-    for strategy in ("facet_mean", "step_weighted"):
-        axis = tool_axes(ordered, strategy, UP)
-        np.testing.assert_allclose(axis[half:][::-1], tool_axes(offset, strategy, UP)[half:], atol=1e-14)
-    lead = AxisOptions(lead=0.3)
-    there, back = np.split(tool_axes(ordered, "fixed", lead), 2)
-    np.testing.assert_allclose(there[:, 0], np.sin(0.3))
-    np.testing.assert_allclose(back[:, 0], -np.sin(0.3))
-    assert order_passes(offset, "one_way").point.tolist() == offset.point.tolist()
 
 
 # ---- tip, feeds, rows between ----------------------------------------------------------------------------------------
@@ -140,14 +104,14 @@ def test_ordering_swaps_before_and_after_and_keeps_the_axis():
 def test_the_tip_lies_one_radius_behind_the_centre_and_the_centre_can_be_driven():
     offset = three_passes()
     axis = tool_axes(offset, "facet_mean", UP)
-    tip, centre = (linked(offset, axis, order="one_way", control_point=point) for point in ("tip", "centre"))
+    tip, centre = (linked(offset, axis, control_point=point) for point in ("tip", "centre"))
     np.testing.assert_allclose(tip.tip + 5 * tip.axis, centre.tip, atol=1e-12)
     np.testing.assert_allclose(centre.tip[on_the_part(centre)], offset.centre)
 
 
 def test_motions_and_feeds_of_one_link():
     offset = close_gaps(joined(prism([(0, 0), (10, 0)]), prism([(0, 0), (10, 0)])), MESH, 5.0, 1.0)
-    path = linked(offset, upright(offset), order="one_way", feed=900.0, plunge_feed=200.0, clearance=3.0)
+    path = linked(offset, upright(offset), feed=900.0, plunge_feed=200.0, clearance=3.0)
     names = "".join("CFLR"[k] for k in path.motion)
     assert names == "RRLC" + "LRRRLC" + "LR"
     assert path.feed.tolist() == [0, 0, 200, 900, 900, 0, 0, 0, 200, 900, 900, 0]
@@ -170,11 +134,9 @@ def test_rows_between_have_no_provenance_and_those_on_the_part_do():
 def test_polylines_that_touch_go_on_without_a_retract():
     parts = joined(prism([(0, 0), (10, 0)]), prism([(10, 0), (20, 0)]), prism([(20, 0), (30, 1)]))
     offset = close_gaps(parts, MESH, 5.0, 1.0)
-    path = linked(offset, upright(offset), order="one_way", feed=900.0, plunge_feed=200.0)
+    path = linked(offset, upright(offset), feed=900.0, plunge_feed=200.0)
     assert "".join("CFLR"[k] for k in path.motion) == "RRLC" + "LC" + "LRRRLC" + "LR"
     assert path.feed[4] == 900
-    zigzag = linked(offset, upright(offset), order="zigzag")
-    assert np.count_nonzero(zigzag.motion == Motion.RAPID) > np.count_nonzero(path.motion == Motion.RAPID)
 
 
 # ---- rapids ----------------------------------------------------------------------------------------------------------
@@ -279,7 +241,6 @@ def test_no_passes_is_said():
     empty = replace(offset, **{name: getattr(offset, name)[:0] for name in offset.__dataclass_fields__ if name != "findings"})
     with pytest.raises(SettingsError, match="no passes"):
         linked(empty, np.empty((0, 3)))
-    assert len(order_passes(empty, "zigzag").point) == 0
 
 
 @pytest.mark.parametrize(
@@ -292,8 +253,3 @@ def test_no_passes_is_said():
 def test_options_out_of_range_are_refused_by_name(options):
     with pytest.raises(SettingsError, match=next(iter(options))):
         LinkOptions(**options)
-
-
-def test_an_unknown_order_is_refused():
-    with pytest.raises(SettingsError, match="spiral"):
-        order_passes(three_passes(), "spiral")

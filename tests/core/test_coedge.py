@@ -410,3 +410,30 @@ def test_progress_can_stop_it():
     mesh = field(FIELDS["bowl"])
     with pytest.raises(Stop):
         close_gaps(slice_mesh(mesh, np.array([0.5]), 0.0), mesh, 5.0, 0.01, progress=stop)
+
+
+OPEN = [field(lambda x, y: 3 * np.sin(x / 4) * np.cos(y / 5), 14), field(lambda x, y: np.abs(x + 0.3 * y), 9)]
+
+
+@pytest.mark.parametrize("mesh", OPEN)
+def test_a_pass_cut_backwards_has_the_same_centres_with_before_and_after_swapped(mesh):
+    offsets = np.linspace(-9.7, 9.1, 5)
+    there, both = (close_gaps(slice_mesh(mesh, offsets, ANGLE, order=order), mesh, 5.0, 0.01) for order in ("one_way", "zigzag"))
+    rows = np.concatenate([np.flatnonzero(there.pass_ == k)[:: -1 if k % 2 else 1] for k in np.unique(there.pass_)])
+    back = there.pass_[rows] % 2 == 1
+    np.testing.assert_allclose(both.centre, there.centre[rows], atol=1e-9)
+    for one, two in (("before", "after"), ("after", "before"), ("step_before", "step_after"), ("step_after", "step_before")):
+        np.testing.assert_allclose(getattr(both, one)[back], getattr(there, two)[rows][back], atol=1e-9)
+        np.testing.assert_allclose(getattr(both, one)[~back], getattr(there, one)[rows][~back], atol=1e-9)
+    moved = np.flatnonzero((both.polyline[1:] == both.polyline[:-1]) & back[1:]) + 1
+    np.testing.assert_array_equal(both.fill[moved], there.fill[rows[moved - 1]])  # the move is the same, gone the other way
+
+
+@pytest.mark.parametrize("mesh", OPEN)  # in the second one trims use up whole facets
+def test_at_the_ends_of_an_open_polyline_both_sides_are_its_own_facet(mesh):
+    path = close_gaps(slice_mesh(mesh, np.linspace(-9.7, 9.1, 5), ANGLE), mesh, 5.0, 0.01)
+    begin = np.flatnonzero(np.diff(path.polyline, prepend=-1))
+    for row in (begin, np.append(begin[1:], len(path.point)) - 1):
+        for side in (path.before, path.after):
+            np.testing.assert_array_equal(side[row], mesh.normal[path.face[row]])
+        np.testing.assert_array_equal(path.step_before[row], path.step_after[row])

@@ -13,7 +13,6 @@ from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.faces import facet_sags, facets_on
 from freecad_fiveaxis.core.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.passes import facet_areas
 from freecad_fiveaxis.core.settings import build_settings
 
 
@@ -32,7 +31,7 @@ def test_a_face_in_other_facets_chooses_the_facets_that_lie_on_it_and_no_others(
     chosen, (said,) = facets_on(mesh, floor(-30, 0), 0.01)
     flat = (np.abs(mesh.vertex[mesh.face][..., 2]).max(axis=1) == 0.0) & (mesh.normal[:, 2] > 0.9)
     assert (chosen == flat).all() and chosen.any()
-    assert said.code == "faces-chosen" and said.value == pytest.approx(facet_areas(mesh)[flat].sum())
+    assert said.code == "faces-chosen" and said.value == pytest.approx(mesh.area[flat].sum())
 
 
 def test_a_face_that_covers_half_a_facet_does_not_choose_it_and_says_so():

@@ -55,6 +55,11 @@ def check_normals(mesh):
     np.testing.assert_allclose(mesh.normal, n / np.linalg.norm(n, axis=1)[:, None], atol=1e-12)
 
 
+def check_areas(mesh):
+    a, b, c = (mesh.vertex[mesh.face[:, k]] for k in range(3))
+    np.testing.assert_allclose(mesh.area, 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1), rtol=1e-9)
+
+
 def volume(mesh):
     a, b, c = (mesh.vertex[mesh.face[:, k]] for k in range(3))
     return np.einsum("ij,ij->", a, np.cross(b, c)) / 6.0
@@ -67,6 +72,7 @@ def test_a_cube_has_8_vertices_18_coedges_and_no_findings():
     assert volume(mesh) == pytest.approx(1.0)
     check_coedges(mesh)
     check_normals(mesh)
+    check_areas(mesh)
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
@@ -108,6 +114,7 @@ def test_colliding_hashes_and_flat_facets_do_not_mix_up_the_co_edges(monkeypatch
     assert codes(mesh) == ["degenerate-facets"]
     check_coedges(mesh)
     check_normals(mesh)
+    check_areas(mesh)
 
 
 def test_what_is_done_during_a_sort_comes_back_and_so_does_its_error():
@@ -180,6 +187,7 @@ def test_an_inward_solid_is_turned_outward_with_a_note():
     assert volume(mesh) == pytest.approx(volume(good))
     check_coedges(mesh)
     check_normals(mesh)
+    check_areas(mesh)
 
 
 def test_a_void_stays_a_void():
@@ -262,6 +270,7 @@ def test_any_soup_of_triangles_gets_coedges(seed):
     assert mesh.findings
     check_coedges(mesh)
     check_normals(mesh)
+    check_areas(mesh)
 
 
 def test_no_facets_are_refused():

@@ -347,3 +347,82 @@ def test_progress_is_told_from_nothing_to_all():
     heard = []
     slice_mesh(from_triangles(box()), [0.5], 0.0, None, lambda stage, fraction: heard.append(fraction))
     assert heard[0] == 0.0 and heard[-1] == 1.0 and heard == sorted(heard)
+
+
+# ---- the other way round, and what is passed over -------------------------------------------------------------------------
+
+
+def reversed_rows(path, turned):
+    """The rows of a path with the passes ``turned`` the other way round."""
+    return np.concatenate([np.flatnonzero(path.pass_ == k)[:: -1 if k in turned else 1] for k in np.unique(path.pass_)])
+
+
+def block(height=3.0, count=24):
+    """A block of 20 x 10 mm on a fan of facets about the middle of its underside; which facets lie there."""
+    turn = np.arange(count) * 2 * np.pi / count
+    rim = np.column_stack([10 * np.cos(turn), 5 * np.sin(turn)])
+    vertex = np.concatenate([[[0.7, 0.3, 0], [0, 0, height]], np.insert(rim, 2, 0, 1), np.insert(rim, 2, height, 1)])
+    one, two = np.arange(count), (np.arange(count) + 1) % count
+    foot, top = 2 + one, 2 + count + one
+    walls = [np.stack(side, 1) for side in ((foot, 2 + two, 2 + count + two), (foot, 2 + count + two, top))]
+    under, over = np.stack([0 * one, 2 + two, foot], 1), np.stack([0 * one + 1, top, 2 + count + two], 1)
+    return from_faces(vertex, np.concatenate([under, over, *walls])), np.arange(4 * count) < count
+
+
+@pytest.mark.parametrize("angle", ANGLES)
+def test_zigzag_cuts_every_other_pass_backwards(angle):
+    mesh, offsets = from_triangles(sphere(9.0, 17, 23)), np.linspace(-8.0, 8.5, 7)
+    path, back = slice_mesh(mesh, offsets, angle), slice_mesh(mesh, offsets, angle, order="zigzag")
+    rows = reversed_rows(path, (1, 3, 5))
+    for name in ("point", "normal", "face", "coedge", "pass_"):
+        np.testing.assert_array_equal(getattr(back, name), getattr(path, name)[rows])
+    np.testing.assert_array_equal(back.segment, path.segment)
+
+
+def test_a_whole_pass_of_several_polylines_comes_the_other_way_round():
+    mesh = from_triangles(field(12, lambda x, y: np.sin(x) + 0.1 * y))
+    keep = np.random.default_rng(3).random(len(mesh.face)) < 0.7
+    offsets = np.linspace(*np.quantile(mesh.vertex[:, 1], [0.1, 0.9]), 4)
+    path, back = slice_mesh(mesh, offsets, 0.0, keep), slice_mesh(mesh, offsets, 0.0, keep, order="zigzag")
+    assert len(np.unique(path.polyline[path.pass_ == 1])) > 2
+    rows = reversed_rows(path, (1, 3))
+    np.testing.assert_array_equal(back.point, path.point[rows])
+    np.testing.assert_array_equal(np.diff(back.polyline) != 0, np.diff(path.polyline[rows]) != 0)
+    assert (np.diff(back.polyline) >= 0).all() and back.polyline[-1] == path.polyline[-1]
+
+
+def test_plain_facets_of_one_plane_make_one_segment():
+    mesh, under = block()
+    offsets = np.linspace(-4.0, 4.0, 9)
+    whole, path = slice_mesh(mesh, offsets, 0.2), slice_mesh(mesh, offsets, 0.2, plain=under)
+    above, there = (~under[each.face] for each in (whole, path))
+    for name in ("point", "face", "coedge", "pass_"):
+        np.testing.assert_array_equal(getattr(path, name)[there], getattr(whole, name)[above])
+    for k in range(len(offsets)):
+        assert np.count_nonzero(~above & (whole.pass_ == k)) > 8
+        assert np.count_nonzero(~there & (path.pass_ == k)) == 2
+    assert lengths(path).sum() == pytest.approx(lengths(whole).sum(), rel=1e-12)
+    inside = path.polyline[1:] == path.polyline[:-1]
+    np.testing.assert_array_equal(path.point[1::2][:-1][inside[1::2]], path.point[2::2][inside[1::2]])
+
+
+def test_plain_facets_of_several_planes_stay_apart():
+    mesh, _ = block()
+    top = mesh.normal[:, 2] > 0.5
+    path, whole = slice_mesh(mesh, [1.1], 0.0, plain=~top), slice_mesh(mesh, [1.1], 0.0)
+    walls, under = np.abs(mesh.normal[:, 2]) < 0.5, mesh.normal[:, 2] < -0.5
+    assert np.count_nonzero(walls[whole.face]) == 8  # two facets of each of two walls
+    assert np.count_nonzero(walls[path.face]) == 4 and np.count_nonzero(under[path.face]) == 2
+
+
+def test_a_pass_that_cuts_plain_facets_alone_does_not_change_the_zigzag():
+    mesh, offsets = from_triangles(sphere(9.0, 17, 23)), np.linspace(-8.0, 8.0, 5)
+    plain = mesh.vertex[mesh.face][:, :, 1].min(axis=1) < -5.0  # all that the first plane cuts
+    path = slice_mesh(mesh, offsets, 0.0, plain=plain)
+    back = slice_mesh(mesh, offsets, 0.0, plain=plain, order="zigzag")
+    np.testing.assert_array_equal(back.point, path.point[reversed_rows(path, (2, 4))])
+
+
+def test_an_unknown_order_is_refused():
+    with pytest.raises(SettingsError, match="spiral"):
+        slice_mesh(from_triangles(box()), [0.5], 0.0, order="spiral")

@@ -13,7 +13,6 @@ from freecad_fiveaxis.core.kinematics import Setup, chain, forward
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.mesh import from_triangles
 from freecad_fiveaxis.core.passes import axes_within_limits, reachable_facets
-from freecad_fiveaxis.core.passes.reach import facet_areas
 
 INF = math.inf
 
@@ -79,9 +78,9 @@ def test_the_three_reasons_part_the_area():
     mesh = ball()
     keep, found = reachable_facets(mesh, links(tilt=(-30, 50)), math.radians(80))
     assert len(found) == 3
-    total = facet_areas(mesh).sum()
+    total = mesh.area.sum()
     assert total == pytest.approx(4 * math.pi * 100, rel=0.01)
-    assert sum(finding.value for finding in found) + facet_areas(mesh)[keep].sum() == pytest.approx(total)
+    assert sum(finding.value for finding in found) + mesh.area[keep].sum() == pytest.approx(total)
 
 
 def brute_force(chain_, axis, low, high, step=0.5):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The cutter-location path: order, links, retracts."""
 
-from .cl_path import CLPath, LinkOptions, Motion, link_passes, order_passes
+from .cl_path import CLPath, LinkOptions, Motion, link_passes
 from .linking import SAFE_MARGIN, keepout, way_out
 
-__all__ = ["SAFE_MARGIN", "CLPath", "LinkOptions", "Motion", "keepout", "link_passes", "order_passes", "way_out"]
+__all__ = ["SAFE_MARGIN", "CLPath", "LinkOptions", "Motion", "keepout", "link_passes", "way_out"]

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cutter-location (CL) path: order, links, retracts.
+"""The cutter-location (CL) path: links, retracts.
 
 motion    what the move that arrives at a row does: CUT cuts a facet, FILL closes a gap at a co-edge, LINK goes at feed
           away from or to the part along the tool axis, RAPID goes above the part.
 centre    of the ball; for a cutter that is no ball, its hub (see :mod:`.cutter`), of which the same is true.
-zigzag    every other pass is cut backwards, so that it begins near the end of the one before.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import IntEnum
 from typing import Any, Literal
@@ -25,10 +25,6 @@ from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Insertion, Ints,
 
 from .linking import SAME, WayOut, keepout, way_out
 
-ORDERS = ("zigzag", "one_way")
-BACKWARDS = {name: name for name in ("point", "centre", "normal", "face", "coedge", "segment", "polyline", "pass_")}
-BACKWARDS |= {"before": "after", "after": "before", "step_before": "step_after", "step_after": "step_before"}
-"""From which column each one comes in a pass that is cut backwards."""
 CONTROL_POINTS = ("tip", "centre")
 
 
@@ -87,37 +83,6 @@ class LinkOptions:
             raise SettingsError(f"control_point is {self.control_point!r}; choose one of {known}", self.control_point)
 
 
-def order_passes(path: OffsetPath, order: str) -> OffsetPath:
-    """The passes in the order in which they are cut: as they are (one_way), or every other one backwards (zigzag).
-
-    A pass cut backwards has its polylines and its rows reversed; before and after change places. Lead and tilt follow the
-    feed, so the order comes before the tool axes. Raises SettingsError for an unknown order.
-    """
-    if order not in ORDERS:
-        raise SettingsError(f"order is {order!r}; choose one of {', '.join(ORDERS)}", order)
-    if order == "one_way" or not len(path.point):
-        return path
-    start = _starts(path.pass_).tolist()
-    both = list(zip(start, [*start[1:], len(path.point)], strict=True))
-    forwards, backwards = both[::2], both[1::2]
-
-    def turned(name: str) -> Any:
-        own, other = getattr(path, name).T, getattr(path, BACKWARDS[name]).T
-        column = np.empty(own.shape, own.dtype)
-        for first, end in forwards:
-            column[..., first:end] = own[..., first:end]
-        for first, end in backwards:
-            column[..., first:end] = other[..., first:end][..., ::-1]
-        return column.T
-
-    columns = dict(zip(BACKWARDS, on_all(turned, list(BACKWARDS)), strict=True))
-    fill = path.fill.copy()
-    for first, end in backwards:  # the move between two rows, gone the other way
-        fill[first + 1 : end] = path.fill[first + 1 : end][::-1]
-    fill[_starts(columns["polyline"])] = False
-    return replace(path, **columns, fill=fill)
-
-
 def link_passes(
     path: OffsetPath, axis: Floats, cutter: Cutter, low: Floats, high: Floats, options: LinkOptions, progress: Progress = silent
 ) -> CLPath:
@@ -170,21 +135,26 @@ def _links(leave: WayOut, enter: WayOut, leave_axis: Floats, enter_axis: Floats,
 def _merged(path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: Cutter, options: LinkOptions) -> CLPath:
     """The rows of the path and the rows between its polylines, which begin at ``start``, each at its place."""
     put = Insertion(len(path.point), np.append(start, len(path.point))[links.before])
-    shift = np.cumsum(np.bincount(links.before, minlength=len(start) + 1))
-    motion = np.where(path.fill, np.int8(Motion.FILL), np.int8(Motion.CUT))
-    motion[start] = Motion.LINK
-    motion = put.woven(motion, links.motion)
-    feed = np.where(motion == Motion.RAPID, 0.0, options.feed)
-    feed[(start + shift[:-1])[~links.goes_on]] = options.plunge_feed
-    tip, link_tip = path.centre, links.centre
-    if options.control_point == "tip":
-        tip, link_tip = cutter.tip_at(tip, axis), cutter.tip_at(link_tip, links.axis)
-    pairs: dict[str, tuple[Any, Any]] = {
-        "tip": (tip, link_tip), "axis": (axis, links.axis), "contact": (path.point, link_tip),
-        "normal": (path.normal, links.axis), "face": (path.face, -1), "coedge": (path.coedge, -1), "pass_": (path.pass_, -1),
+    drive = cutter.tip_at if options.control_point == "tip" else lambda hub, _: hub
+    link_tip = drive(links.centre, links.axis)
+
+    def motion() -> Any:
+        own = np.where(path.fill, np.int8(Motion.FILL), np.int8(Motion.CUT))
+        own[start] = Motion.LINK
+        return put.woven(own, links.motion)
+
+    def feed() -> Any:
+        own = np.full(len(path.point), options.feed)
+        own[start[~links.goes_on]] = options.plunge_feed
+        return put.woven(own, np.where(links.motion == Motion.RAPID, 0.0, options.feed))
+
+    columns: dict[str, Callable[[], Any]] = {
+        "tip": lambda: put.woven(drive(path.centre, axis), link_tip), "axis": lambda: put.woven(axis, links.axis),
+        "contact": lambda: put.woven(path.point, link_tip), "normal": lambda: put.woven(path.normal, links.axis),
+        "motion": motion, "feed": feed, "face": lambda: put.woven(path.face, -1), "coedge": lambda: put.woven(path.coedge, -1),
+        "pass_": lambda: put.woven(path.pass_, -1),
     }  # fmt: skip
-    columns = on_all(lambda name: put.woven(*pairs[name]), list(pairs))
-    return CLPath(motion=motion, feed=feed, **dict(zip(pairs, columns, strict=True)))
+    return CLPath(**dict(zip(columns, on_all(lambda name: columns[name](), list(columns)), strict=True)))
 
 
 def _goes_on(centre: Floats, first: Ints, last: Ints) -> Bools:

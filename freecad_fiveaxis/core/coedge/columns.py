@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.passes import ContactPath
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.records import Floats, Ints
 
 from .junction import CHUNK, Rows, Segments, chosen, direction, dot
 from .rows import Closed
@@ -45,8 +45,8 @@ class Columns:
 
     def _write(self, where: slice, rows: Rows) -> None:
         segments, contact, labels = self.segments, self.contact, self.labels
-        point = segments.point.take(rows.base, axis=1, out=self.vectors["point"][:, where], mode="clip")
-        normal = segments.normal.take(rows.base, axis=1, out=self.vectors["normal"][:, where], mode="clip")
+        point = _gathered(segments.point, rows.base, self.vectors["point"][:, where])
+        normal = _gathered(segments.normal, rows.base, self.vectors["normal"][:, where])
         normal *= rows.w1
         normal += rows.w2 * segments.normal.take(2 * rows.far, axis=1)
         self._add_travel(point, rows, rows.shift)
@@ -54,7 +54,7 @@ class Columns:
         centre = np.multiply(rows.reach, normal, out=self.vectors["centre"][:, where])
         centre += point
         for name, side in (("before", rows.left), ("after", rows.right)):
-            segments.normal.take(2 * side, axis=1, out=self.vectors[name][:, where], mode="clip")
+            _gathered(segments.normal, 2 * side, self.vectors[name][:, where])
             segments.length.take(side, out=self.lengths[f"step_{name}"][where], mode="clip")
         for name in ("face", "coedge", "pass_"):
             getattr(contact, name).take(rows.base, out=labels[name][where], mode="clip")
@@ -87,3 +87,10 @@ class Columns:
             np.cumsum(begins, out=polyline)
             polyline += self.lines[number] - 1
             self.fill[where] &= ~begins
+
+
+def _gathered(table: Floats, index: Ints, out: Floats) -> Floats:
+    """Columns ``index`` (k,) of ``table`` (3, n) into ``out`` (3, k), row by row: numpy copies an ``out`` with gaps twice."""
+    for row, made in zip(table, out, strict=True):
+        row.take(index, out=made, mode="clip")
+    return out

@@ -12,7 +12,6 @@ plane that touches the ball of that radius about the contact of a convex junctio
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -20,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.passes import ContactPath
-from freecad_fiveaxis.core.portions import on_all, portions
+from freecad_fiveaxis.core.portions import alike, on_all, portions
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 
 END, FLAT, CONVEX, CONCAVE = range(4)
@@ -44,9 +43,6 @@ BROAD = 0.5
 GROUP = 160_000
 """Segments that are closed together, at most about so many, half as many as rows: the many calls for the few tight polylines
 among them then cost little beside the work on all."""
-
-SHARED = 65536
-"""More segments than that are shared by two threads."""
 
 CHUNK = 65536
 """Rows handled at a time: calls long enough for two threads to work side by side."""
@@ -154,7 +150,7 @@ def groups(segments: Segments) -> list[Segments]:
     """The same in parts of whole polylines: an even number of them, alike, so that both threads have as much to do."""
     ends = np.append(segments.first[1:], len(segments.live))[: len(segments.first)]
     count = len(segments.live)
-    size = count / (2 * math.ceil(count / (2 * GROUP))) if count > SHARED else GROUP
+    size = max((part.stop - part.start for part in alike(count, GROUP)), default=1)
     bounds = ends[np.diff((ends - 1) // size, append=-1) != 0].tolist()
     parts = []
     for low, high in zip([0, *bounds], bounds, strict=False):

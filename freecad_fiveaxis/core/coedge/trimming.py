@@ -191,7 +191,7 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions) -> _Spot:
     used = np.stack([np.zeros(len(one), bool), yes, apart & dips, apart], axis=1)
     used[first, 0] = True
     seam = [np.where(apart[last], b[last], a[last]) for a, b in zip(end, start, strict=True)]
-    begin = _Spot(one, chords.start[one], ~yes, ~yes, right, right, ~yes, none)
+    begin = _Spot(one, chords.start[one], ~yes, ~yes, left, left, ~yes, none)
     head = _Spot(*(np.where(opened[last], a[first], b) for a, b in zip(begin, seam, strict=True)))._replace(fill=~yes[first])
     place = np.cumsum(used).reshape(used.shape) - 1
     over, on = np.flatnonzero(used[:, 2]), np.flatnonzero(apart)

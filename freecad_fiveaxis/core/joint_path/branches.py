@@ -194,9 +194,7 @@ def _words_of(layers: Layers, state: Ints) -> Floats:
             words[rows, axis] = layers.word[axis][at]
 
     on_all(fill, portions(len(state)))
-    for axis in range(2):
-        if layers.wraps[axis]:
-            _unwind(words[:, axis])
+    on_all(lambda axis: _unwind(words[:, axis]), [axis for axis in range(2) if layers.wraps[axis]])
     return words
 
 

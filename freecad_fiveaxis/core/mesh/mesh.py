@@ -40,7 +40,8 @@ HOLLOW = 1e-12  # volume over that of the box around the part where its sign is 
 class Mesh:
     """A welded triangle mesh, mm.
 
-    ``vertex`` (v, 3); ``face`` (f, 3) vertex rows; ``normal`` (f, 3) unit, by the right-hand rule from the vertices;
+    ``vertex`` (v, 3); ``face`` (f, 3) vertex rows; ``normal`` (f, 3) unit, by the right-hand rule from the vertices; ``area``
+    (f,) mm2;
     ``coedge_vertex`` (e, 2) the ends of each co-edge; ``coedge_face`` (e, 2) the facets on its two sides, the second
     -1 at a border; ``face_coedge`` (f, 3) the co-edges of each facet: column k joins vertices k and k + 1.
 
@@ -50,6 +51,7 @@ class Mesh:
     vertex: Floats
     face: Ints
     normal: Floats
+    area: Floats
     coedge_vertex: Ints
     coedge_face: Ints
     face_coedge: Ints
@@ -57,7 +59,7 @@ class Mesh:
 
     def __post_init__(self) -> None:
         freeze(self, None, vertex="f3")
-        freeze(self, None, face="i3", normal="f3", face_coedge="i3")
+        freeze(self, None, face="i3", normal="f3", area="f", face_coedge="i3")
         freeze(self, None, coedge_vertex="i2", coedge_face="i2")
 
 
@@ -167,9 +169,9 @@ def _welded(column: Reals) -> tuple[Floats, Ints, _Shape, HalfEdges]:
 def _build(vertex: Floats, face: Ints, shape: _Shape, halves: HalfEdges) -> Mesh:
     """Mesh of Fortran-ordered vertices and facets, flat ones included, their shape, and the half-edges of those that stay."""
     findings = [_flat_finding(vertex, face, shape.flat)] if len(shape.flat) else []
-    face, normal = _without(face, shape.flat), _without(shape.normal, shape.flat)
+    face, normal, area = _without(face, shape.flat), _without(shape.normal, shape.flat), _without(shape.area, shape.flat)
     edges = _coedges(vertex, face, halves)
-    mesh = Mesh(vertex, face, normal, edges.vertex, edges.face, edges.of_face, (*findings, *edges.findings))
+    mesh = Mesh(vertex, face, normal, area, edges.vertex, edges.face, edges.of_face, (*findings, *edges.findings))
     return _turned(mesh) if edges.closed and shape.inward else mesh
 
 
@@ -199,6 +201,7 @@ def _turned(mesh: Mesh) -> Mesh:
         mesh.vertex,
         np.asfortranarray(mesh.face[:, ::-1]),
         -mesh.normal,
+        mesh.area,
         np.asfortranarray(mesh.coedge_vertex[:, ::-1]),
         mesh.coedge_face,
         np.asfortranarray(mesh.face_coedge[:, [1, 0, 2]]),
@@ -210,10 +213,12 @@ def _turned(mesh: Mesh) -> Mesh:
 class _Shape:
     """What the corners alone tell.
 
-    ``normal`` (f, 3) unit; ``flat`` rows of facets without area; ``inward`` True where the volume of a closed mesh is negative.
+    ``normal`` (f, 3) unit; ``area`` (f,) mm2; ``flat`` rows of facets without area; ``inward`` True where the volume of a closed
+    mesh is negative.
     """
 
     normal: Floats
+    area: Floats
     flat: Ints
     inward: bool
 
@@ -222,7 +227,7 @@ def _shape(corner: Callable[[int, slice], Floats], facets: int, low: Reals, high
     """Shape of so many ``facets``: ``corner`` gives x y z of corner k of some of them, ``low`` and ``high`` bound them all."""
     low, high = low.astype(np.float64), high.astype(np.float64)
     side, least = float((high - low).max()), FLAT * float(np.maximum(-low, high).max())
-    normal = np.empty((3, facets))
+    normal, area = np.empty((3, facets)), np.empty(facets)
     flat = [np.empty(0, dtype=np.int64)]
     volume = 0.0
     for part in chunks(facets):
@@ -234,6 +239,7 @@ def _shape(corner: Callable[[int, slice], Floats], facets: int, low: Reals, high
         np.subtract(bz * cx, bx * cz, out=ny)
         np.subtract(bx * cy, by * cx, out=nz)
         length = np.sqrt(nx * nx + ny * ny + nz * nz)
+        np.multiply(0.5, length, out=area[part])
         height = a[2] + ((bz + cz) / 3.0 - low[2])
         volume += float((height * nz).sum()) / 2.0  # the prism between the facet and the lowest point
         if length.min() <= 3.0 * least * side:  # no edge is longer than sqrt(3) sides
@@ -242,7 +248,7 @@ def _shape(corner: Callable[[int, slice], Floats], facets: int, low: Reals, high
             flat.append(thin + part.start)
             length[thin] = 1.0
         normal[:, part] /= length
-    return _Shape(normal.T, np.concatenate(flat), volume < -HOLLOW * side**3)
+    return _Shape(normal.T, area, np.concatenate(flat), volume < -HOLLOW * side**3)
 
 
 # ------------------------------------------------------------------------------------------------ co-edges

@@ -2,11 +2,11 @@
 """Passes: where the planes lie, which facets they may cut, and what they cut out of the mesh."""
 
 from .passes import ContactPath, direction, slice_mesh
-from .reach import axes_within_limits, facet_areas, reachable_facets
+from .reach import axes_within_limits, reachable_facets
 from .scallop import CREASE, facet_curvature, turned_along
 from .spacing import place_planes
 
 __all__ = [
-    "CREASE", "ContactPath", "axes_within_limits", "direction", "facet_areas", "facet_curvature", "place_planes",
+    "CREASE", "ContactPath", "axes_within_limits", "direction", "facet_curvature", "place_planes",
     "reachable_facets", "slice_mesh", "turned_along",
 ]  # fmt: skip

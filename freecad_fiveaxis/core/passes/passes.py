@@ -4,12 +4,15 @@
 pass      all that one plane cuts out of the mesh: one or more polylines.
 polyline  an ordered run of facet segments, each going on where the one before it ended; open or closed.
 segment   the straight piece that one plane cuts out of one facet; two rows of the path: entry and exit.
+plain     facets that are passed over and not cut: their co-edges say nothing where both sides lie in one plane.
+zigzag    every other pass is cut backwards, so that it begins near the end of the one before.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,18 +22,21 @@ from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze
 
 from .slicing import Crossings, chain, find_crossings
 
 QUARTER = 1e-15  # a cosine or sine below it comes from rounding a multiple of pi / 2, and means 0
+ORDERS = ("zigzag", "one_way")
+LEVEL = 1e-12  # two unit normals that differ by no more are one: over ten thousand facets that makes 1e-8 rad
 
 
 @dataclass(frozen=True, eq=False)
 class ContactPath:
     """Ordered contact (CC) points: rows 2i and 2i + 1 are entry and exit of facet segment i.
 
-    ``point`` (n, 3) mm; ``normal`` (n, 3) unit normal of the facet; ``face`` (n,) that facet; ``coedge`` (n,) the
+    ``point`` (n, 3) mm; ``normal`` (n, 3) unit normal of the facet; ``face`` (n,) that facet, of several plain ones the last;
+    ``coedge`` (n,) the
     co-edge on which the point lies, -1 if none; ``segment`` (n,) = i; ``polyline`` (n,) counts the polylines of the whole
     path; ``pass_`` (n,) counts the planes. Consecutive segments of one polyline share the co-edge where they meet; where a
     plane passes through a vertex, facets cut at that one point are left out, and the exit and the next entry lie on two
@@ -52,19 +58,24 @@ class ContactPath:
 
 
 def slice_mesh(
-    mesh: Mesh, offsets: ArrayLike, angle: float, keep: ArrayLike | None = None, progress: Progress = silent
-) -> ContactPath:
+    mesh: Mesh, offsets: ArrayLike, angle: float, keep: ArrayLike | None = None, progress: Progress = silent,
+    plain: Bools | None = None, order: str = "one_way",
+) -> ContactPath:  # fmt: skip
     """Cut the mesh by vertical planes.
 
     Plane k holds the points with ``across . p = offsets[k]`` mm (ascending), ``across = (-sin angle, cos angle, 0)``;
     the travel is ``(cos angle, sin angle, 0)``, angle in rad. A segment runs along ``across x normal``, so an upward facet
     is cut in the sense of the travel. ``keep`` (f,) leaves out the facets where it is False; polylines end there.
-    Passes go by plane; the polylines of a pass by where they start along the travel.
+    Of ``plain`` (f,) facets those that follow one another in one plane make one segment, as on the underside of a part.
+    Passes go by plane; the polylines of a pass by where they start along the travel. In the ``order`` zigzag the polylines of
+    every other pass that cuts more than plain facets, and their segments, come the other way round.
 
     A vertex on a plane counts as above it, so a facet that only touches the plane from above is not cut, and an edge on the
     plane is cut out of the facet below it. Segments of zero length are left out.
-    Raises SettingsError for offsets that are not finite or not ascending, or a ``keep`` of the wrong length.
+    Raises SettingsError for offsets that are not finite or not ascending, a ``keep`` of the wrong length, or an unknown order.
     """
+    if order not in ORDERS:
+        raise SettingsError(f"order is {order!r}; choose one of {', '.join(ORDERS)}", order)
     planes = _planes(offsets)
     kept = None if keep is None else np.asarray(keep, dtype=np.bool_)
     if kept is not None and kept.shape != (len(mesh.face),):
@@ -75,8 +86,13 @@ def slice_mesh(
     cross = find_crossings(mesh, planes, cosine * x + sine * y, cosine * y - sine * x, kept)
     progress("slice", 0.5)
     crossing, first, plane = chain(cross)
+    if plain is not None and plain.any():
+        crossing, first = _joined(mesh, cross, crossing, first, plain)
     progress("slice", 0.8)
-    path = _contact_path(mesh, cross, crossing, first, plane, planes, (cosine, sine))
+    chains = _Chains(crossing, first, plane, np.zeros(len(crossing), np.bool_))
+    if order == "zigzag":
+        chains = _zigzag(chains, cross, plain)
+    path = _contact_path(mesh, cross, chains, planes, (cosine, sine))
     progress("slice", 1.0)
     return path
 
@@ -102,10 +118,52 @@ def _planes(offsets: ArrayLike) -> Floats:
     return planes
 
 
-def _contact_path(
-    mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, plane: Ints, planes: Floats, heading: tuple[float, float]
-) -> ContactPath:
-    """Entry and exit of each segment from the chains of crossings (see :func:`~.slicing.chain`)."""
+def _joined(mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, plain: Bools) -> tuple[Ints, Ints]:
+    """The chains without the crossings between two plain facets of one plane."""
+    stays = np.ones(len(crossing), dtype=np.bool_)
+
+    def look(part: slice) -> None:
+        facet = cross.left.take(crossing[part.start : part.stop + 1])  # the last crossing of all ends a chain
+        between = np.flatnonzero(plain.take(facet))
+        between = between[np.flatnonzero(np.diff(between) == 1)]
+        one, two = (mesh.normal.T.take(facet.take(between + side), axis=1) for side in (0, 1))
+        stays[part.start + between[np.abs(one - two).max(axis=0, initial=0.0) <= LEVEL]] = False
+
+    on_all(look, portions(len(crossing)))
+    stays[first] = stays[first[1:] - 1] = True
+    before = np.cumsum(stays)
+    return crossing[stays], before[first] - 1
+
+
+class _Chains(NamedTuple):
+    """Chains of crossings as :func:`~.slicing.chain` gives them; ``back`` (x,) where they go the other way round."""
+
+    crossing: Ints
+    first: Ints
+    plane: Ints
+    back: Bools
+
+
+def _zigzag(chains: _Chains, cross: Crossings, plain: Bools | None) -> _Chains:
+    """The chains with every other plane's the other way round, of the planes that cut facets which are not plain."""
+    crossing, first, plane, back = chains
+    begin = np.flatnonzero(np.diff(plane, prepend=-1))
+    bounds = np.append(first[begin], len(crossing))
+    cuts = np.ones(len(begin), np.bool_)
+    if plain is not None and len(begin):
+        cuts = np.logical_or.reduceat(~np.append(plain, True).take(cross.left.take(crossing)), bounds[:-1])
+    turned = np.flatnonzero(cuts)[1::2]
+    ordered, back = crossing.copy(), back.copy()
+    for low, high in zip(bounds[turned].tolist(), bounds[turned + 1].tolist(), strict=True):
+        ordered[low:high], back[low:high] = crossing[low:high][::-1], True
+    size = np.diff(np.append(begin, len(plane)))
+    mirror = np.repeat(bounds[:-1] + bounds[1:], size) - np.append(first[1:], len(crossing))
+    return _Chains(ordered, np.sort(np.where(back[first], mirror, first)), plane, back)
+
+
+def _contact_path(mesh: Mesh, cross: Crossings, chains: _Chains, planes: Floats, heading: tuple[float, float]) -> ContactPath:
+    """Entry and exit of each segment from the chains of crossings."""
+    crossing, first, plane, back = chains
     along, height = cross.along.take(crossing), cross.height.take(crossing)
     end, number = _segment_ends(along, height, first)
     used = np.flatnonzero(number)
@@ -124,7 +182,7 @@ def _contact_path(
         _place(along.take(at), planes.take(pass_[rows]), heading, point[:2, rows])
         height.take(at, out=point[2, rows], mode="clip")
         cross.coedge.take(crossing.take(at), out=coedge[rows], mode="clip")
-        cut = cross.left.take(crossing.take(exits))
+        cut = cross.left.take(crossing.take(exits - back.take(exits)))  # the facet is left where the chain itself leaves it
         for values, both in ((cut, face[rows]), *zip((n.take(cut) for n in mesh.normal.T), normal[:, rows], strict=True)):
             both[0::2] = both[1::2] = values
         segment[rows] = np.arange(rows.start, rows.stop) >> 1

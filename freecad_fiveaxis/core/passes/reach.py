@@ -60,7 +60,7 @@ def reachable_facets(
     keep: Bools = wanted & ~(down | steep | beyond)
     if np.array_equal(keep, wanted) and keep.any():
         return keep, ()
-    area = facet_areas(mesh)
+    area = mesh.area
     if not keep.any():
         raise ReachError(_nothing_left(area, down, steep, beyond, max_axis_angle), math.degrees(max_axis_angle))
     found = (_looking_down(mesh, area, down), _too_steep(mesh, area, steep, max_axis_angle), _beyond(mesh, area, beyond, links))
@@ -116,23 +116,6 @@ def _turned_within(word: Floats, low: float, high: float) -> Bools:
     first = word + TURN * np.ceil((low - WORD_ERROR - word) / TURN)  # the lowest that is not below ``low``
     within: Bools = first <= high + WORD_ERROR
     return within
-
-
-def facet_areas(mesh: Mesh) -> Floats:
-    """Area (f,) of each facet, mm2."""
-    x, y, z = mesh.vertex.T
-    area = np.empty(len(mesh.face))
-
-    def fill(part: slice) -> None:
-        a, b, c = mesh.face[part].T
-        ax, ay, az = x.take(a), y.take(a), z.take(a)
-        ux, uy, uz = x.take(b) - ax, y.take(b) - ay, z.take(b) - az
-        vx, vy, vz = x.take(c) - ax, y.take(c) - ay, z.take(c) - az
-        double = (uy * vz - uz * vy) ** 2 + (uz * vx - ux * vz) ** 2 + (ux * vy - uy * vx) ** 2
-        np.multiply(0.5, np.sqrt(double, out=double), out=area[part])
-
-    on_all(fill, portions(len(area)))
-    return area
 
 
 def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:

@@ -15,8 +15,6 @@ import numpy as np
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.records import Floats, Ints
 
-from .reach import facet_areas
-
 CREASE = np.radians(30.0)
 """Facets that meet at a larger angle meet in a sharp edge of the part; below it they approximate a smooth surface."""
 
@@ -78,7 +76,7 @@ def facet_curvature(mesh: Mesh) -> Floats:
     rows = len(mesh.face)
     columns = np.concatenate([turned, np.zeros((1, len(first)))])
     total = np.array([np.bincount(first, c, rows) + np.bincount(second, c, rows) for c in columns])
-    total[6] = facet_areas(mesh)
+    total[6] = mesh.area
     own = total.copy()
     for sums, values in zip(total, own, strict=True):
         sums += np.bincount(first, values[second], rows) + np.bincount(second, values[first], rows)

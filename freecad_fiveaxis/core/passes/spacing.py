@@ -25,6 +25,7 @@ import numpy as np
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
@@ -120,10 +121,15 @@ def _check(angle: float, radius: float, stepover: float | None, scallop: float |
 def _extent(mesh: Mesh, across: Floats, rows: Ints) -> tuple[float, float]:
     """Least and largest offset, mm, of the facets ``rows`` that planes cut: one that lies in a plane is cut by none."""
     offset = mesh.vertex @ across
-    a, b, c = (offset.take(corner) for corner in mesh.face.T.take(rows, axis=1))
-    low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
-    cut = high > low
-    return float(low.min(where=cut, initial=math.inf)), float(high.max(where=cut, initial=-math.inf))
+
+    def of(part: slice) -> tuple[float, float]:
+        a, b, c = (offset.take(corner) for corner in mesh.face.T.take(rows[part], axis=1))
+        low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
+        cut = high > low
+        return float(low.min(where=cut, initial=math.inf)), float(high.max(where=cut, initial=-math.inf))
+
+    lows, highs = zip((math.inf, -math.inf), *on_all(of, portions(len(rows))), strict=True)
+    return min(lows), max(highs)
 
 
 def _check_count(planes: float, what: str, value: float) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from io import SEEK_END, BytesIO
 from typing import Any
 
 import numpy as np
@@ -34,13 +33,8 @@ def write_nc(
     inverse_first = bool(program.inverse_time[0]) if len(program.words) else False
     slots = slot_texts(dialect, title, options or PostOptions(), inverse_first, program.letters, "modulo" in program.wrap)
     head, tail = framed(dialect, slots, len(program.words))
-    text = BytesIO(head)
-    text.seek(0, SEEK_END)
-    if len(program.words):
-        for portion in table_parts(_block(program, dialect), dialect.newline.encode(), progress):
-            text.write(portion)
-    text.write(tail)
-    return text.getvalue()
+    rows = table_parts(_block(program, dialect), dialect.newline.encode(), progress) if len(program.words) else ()
+    return b"".join([head, *rows, tail])
 
 
 def _block(program: Program, dialect: Dialect) -> list[Part]:

@@ -20,6 +20,11 @@ EVEN = (math.sqrt(16.0 * TRAVEL_ERROR**2 + 32.0 / 3.0 * TRAVEL_ERROR) - 4.0 * TR
 """A path that may leave its straight and even course by so much of its length is longer by TRAVEL_ERROR at most."""
 TURN_PER_PIECE = 0.05
 """Rotary travel (rad) of one piece of a sampled path: the near-cusp of So et al.'s Table 2 then errs by less than 3e-6."""
+WIDE = 0.5
+"""Rotary travel (rad) above which nothing is said of the course without looking."""
+BENT = 0.12
+"""A path that may leave its chord by so much of its length is sampled in two pieces at least: one would err by 5e-4 of a
+parabola."""
 HOOKED, HOOK_PIECES = 0.25, 4.0
 """A path that may leave its chord by so much of its length may turn back on itself, however little the axes turn: it is
 measured by so many parabolas at least. On 40 000 such blocks of a bumpy part they err by 4.3e-4 at most."""
@@ -39,8 +44,12 @@ def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
 
     The chord where that is near enough by proof. With ``max|p''|`` at most 8 e chords the velocity leaves the chord by r(u), of
     mean 0, at most 4 e long, and with a mean square of at most (8 e)^2 / 12, that of a straight line (no function as steep has
-    more). So the arc is at most 1 + (8 / 3) e^2 / (1 - 4 e) chords long. ``|p''| <= w^2 r + 2 w |dq|``, w the rotary travel and
-    r the lever arm. Elsewhere the sampled path, extrapolated (Richardson), or parabolas through it.
+    more). So the arc is at most 1 + (8 / 3) e^2 / (1 - 4 e) chords long.
+
+    ``|p''| <= w^2 r + 2 w (|p'| + s)``, w the rotary travel, r the lever arm: what is turned by ``W`` and moves straight beneath
+    it has ``p'' = 2 W p' - W^2 p``. s is the linear travel where the linear axes stand on several sides of a rotary one, else
+    0: on one side none of it is hidden. With ``|p'|`` at most a chord and half of ``max|p''|`` the latter is at most
+    ``(w^2 r + 2 w (chord + s)) / (1 - w)``. Elsewhere the sampled path, extrapolated (Richardson), or parabolas through it.
     """
     tip, travel, curved, pieces = forward_tip(links, q), np.empty(max(len(q) - 1, 0)), [], []
     for rows in chunks(len(travel)):
@@ -49,7 +58,7 @@ def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
         at = np.flatnonzero(wanted[rows] & (bend > EVEN * chord))
         travel[rows] = chord
         curved.append(rows.start + at)
-        least = np.where(bend[at] > HOOKED * chord[at], HOOK_PIECES, 1.0)
+        least = np.where(bend[at] > HOOKED * chord[at], HOOK_PIECES, np.where(bend[at] > BENT * chord[at], 2.0, 1.0))
         pieces.append(np.ceil(np.log2(np.maximum(turned[at] / TURN_PER_PIECE, least))).astype(np.int64))
     _measure_curved(links, q, tip, travel, np.concatenate([*curved, _NONE]), 2 ** np.concatenate([*pieces, _NONE]))
     return travel
@@ -60,10 +69,13 @@ _NONE = np.empty(0, np.int64)
 
 def _chords(links: Chain, q: Floats, tip: Floats) -> tuple[Floats, Floats, Floats]:
     """Chord (m,) mm and rotary travel (m,) rad of each block, and how far (mm) its tip may be off a straight and even course."""
-    change = np.diff(q, axis=0)
-    turned = np.abs(change[:, 3]) + np.abs(change[:, 4])
-    bend = turned * (turned * _lever_arms(links, q) + 2.0 * _length(change.T)) / 8.0
-    return _length(np.diff(tip, axis=0).T), turned, bend
+    first, second = np.abs(np.diff(q[:, 3])), np.abs(np.diff(q[:, 4]))
+    turned, chord = first + second, _length(np.diff(tip, axis=0).T)
+    most = chord if len(set(links.slot)) == 1 else chord + _stretch(links) * _length(np.diff(q[:, :3], axis=0).T)
+    bend = turned * (turned * _lever_arms(links, q) + 2.0 * most)
+    bend /= 8.0 * (1.0 - np.minimum(turned, WIDE))
+    bend[np.flatnonzero(turned > WIDE)] = np.inf
+    return chord, turned, bend
 
 
 def _measure_curved(links: Chain, q: Floats, tip: Floats, travel: Floats, curved: Ints, pieces: Ints) -> None:
@@ -88,12 +100,17 @@ def _length(vector: Floats) -> Floats:
 def _lever_arms(links: Chain, q: Floats) -> Floats:
     """An upper bound, for each block (m - 1,), of the distance from either rotary line to what it turns, mm: that at its farther
     end, because the linear words go straight."""
-    linear = np.abs(links.direction[:3])
     between = float(np.linalg.norm(links.point2 - links.point1)) + float(np.linalg.norm(links.point2))
     arm = _length(q.T)
-    arm *= math.sqrt(2.0 * linear.sum(axis=0).max() * linear.sum(axis=1).max())
+    arm *= _stretch(links)
     arm += between
     return np.maximum(arm[1:], arm[:-1])
+
+
+def _stretch(links: Chain) -> float:
+    """How much farther than X Y Z tell all linear axes go at most, those on either side of a rotary one added up."""
+    linear = np.abs(links.direction[:3])
+    return math.sqrt(len(set(links.slot)) * float(linear.sum(axis=0).max() * linear.sum(axis=1).max()))
 
 
 def _sampled(links: Chain, words: list[Floats], tip: list[Floats], pieces: int) -> Floats:

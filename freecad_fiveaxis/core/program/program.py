@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.joint_path import JointPath
 from freecad_fiveaxis.core.kinematics import Chain, empty_rows, words_to_q
 from freecad_fiveaxis.core.number_text import rounded
-from freecad_fiveaxis.core.portions import PORTION, on_all, portions
+from freecad_fiveaxis.core.portions import alike, on_all, portions
 from freecad_fiveaxis.core.post.dialect import Dialect, Guide, feed_distance
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze, picked
@@ -32,6 +32,9 @@ from .wrapping import by_the_shorter_way, wraps_of
 
 FEED_SLACK = 1e-9
 """F is rounded down, but a relative rounding error of this size must not cost a whole step (999.9999 for 1000)."""
+
+TIMED = 300_000
+"""Blocks that are timed together, at most: the few that bend much are then many enough for the many calls that they need."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,13 +204,11 @@ def _time_blocks(
     count, guided = len(words), said is not words
     times = _Times(np.zeros(count), np.zeros(count, np.bool_), np.zeros(count), np.zeros(count))
 
-    def fill(first: int) -> None:
-        rows = slice(first, min(first + PORTION, count))
-        ends = words[first - 1 : rows.stop]
-        q, rapid = words_to_q(ends), np.flatnonzero(motion[rows] == Motion.RAPID)
-        change, wanted, along = np.diff(q, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - first, np.bool_)
+    def fill(steps: slice) -> None:
+        rows, ends = slice(steps.start + 1, steps.stop + 1), slice(steps.start, steps.stop + 1)
+        q, told, rapid = words_to_q(words[ends]), said[ends], np.flatnonzero(motion[rows] == Motion.RAPID)
+        change, wanted, along = np.diff(q, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - rows.start, np.bool_)
         wanted[rapid], along[rapid] = 1.0, False
-        told = said[first - 1 : rows.stop]
         travel = np.linalg.norm(np.diff(told[:, :3], axis=0), axis=1) if guided else tip_travel(links, q, along)
         minutes, held = feed_minutes(links, change, travel, wanted)
         distance = scale.distance(told)
@@ -221,7 +222,7 @@ def _time_blocks(
         for whole, part in zip(times, (asked, held, feed, seconds), strict=True):
             whole[rows] = part
 
-    on_all(fill, range(1, count, PORTION), lambda done: progress("feeds", done))
+    on_all(fill, alike(max(count - 1, 0), TIMED), lambda done: progress("feeds", done))
     progress("feeds", 1.0)
     return times
 
