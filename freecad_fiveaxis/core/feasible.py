@@ -45,6 +45,7 @@ def feasible_rows(path: OffsetPath, axis: Floats, links: Chain, taper: float = 0
     rise = np.empty(len(axis))
     on_all(lambda rows: (path.normal[rows] * axis[rows]).sum(axis=1, out=rise[rows]), portions(len(axis)))
     leaning = rise < -LEAN
+    leaning[path.beside] |= (path.wall * axis[path.beside]).sum(axis=1) < -LEAN  # it would retract through that wall
     flank = ~leaning & (rise < np.sin(taper) - LEAN)
     beyond = ~(leaning | flank) & ~axes_within_limits(links, axis)
     out = leaning | flank | beyond

@@ -12,12 +12,12 @@ heel      the side of the bottom away from the contact: in a hollow it meets the
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.coedge import OffsetPath
+from freecad_fiveaxis.core.coedge import ROW_COLUMNS, OffsetPath
 from freecad_fiveaxis.core.cutter import Cutter, ring_direction
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.passes import CREASE, facet_curvature, turned_along
@@ -109,7 +109,7 @@ def seated(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> 
 
 def _columns(path: OffsetPath, rows: Ints) -> dict[str, Any]:
     """Rows (k,) of every column of a path, ready to be changed; its polylines go on over what is left out."""
-    return {one.name: getattr(path, one.name)[rows] for one in fields(path) if one.name != "findings"}
+    return {name: getattr(path, name)[rows] for name in ROW_COLUMNS}
 
 
 def _stands_still(path: OffsetPath, axis: Floats) -> Bools:
@@ -179,7 +179,7 @@ def rows_between(path: OffsetPath, axis: Floats, pieces: Ints, ring: float) -> t
 
 def keep_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
     """Rows (k,) of a path, ascending; its polylines go on over what is left out."""
-    return replace(path, **_columns(path, rows))
+    return OffsetPath(**_columns(path, rows), findings=path.findings)
 
 
 def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floats, ring: float) -> tuple[OffsetPath, Floats]:
@@ -196,12 +196,12 @@ def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floa
         given = getattr(path, name)
         columns[name][new] = (1.0 - part) * given[start] + part * given[end]
     columns["normal"][new] = normal
-    inside = ~(path.fill[end] & (path.coedge[end] >= 0) & (path.coedge[start] == path.coedge[end]))
+    inside = ~(path.fill[end] & (path.point[start] == path.point[end]).all(axis=1))  # at a vertex one contact has two co-edges
     for name in ("before", "after"):
         columns[name][new[inside]] = normal[inside]
     columns["coedge"][new[inside]] = -1
     made[new] = _between(axis[start], axis[end], share)
-    return replace(path, **columns), made
+    return OffsetPath(**columns, findings=path.findings), made
 
 
 def _between(one: Floats, two: Floats, share: Floats) -> Floats:

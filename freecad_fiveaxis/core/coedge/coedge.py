@@ -8,7 +8,7 @@ R         length of the co-edge normal, r / cos(theta / 2) (eq. 4), at which the
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -29,6 +29,13 @@ NOTABLE = 0.01
 """mm cut into the part or left on it before it is worth a finding: a usual finishing tolerance."""
 
 
+ROW_COLUMNS = {
+    "point": "f3", "centre": "f3", "normal": "f3", "before": "f3", "after": "f3", "step_before": "f", "step_after": "f",
+    "face": "i", "coedge": "i", "segment": "i", "polyline": "i", "pass_": "i", "fill": "b",
+}  # fmt: skip
+"""What every row of an offset path has, and its form."""
+
+
 @dataclass(frozen=True, eq=False)
 class OffsetPath:
     """Contact points with the ball centres that belong to them, gaps closed; one row a cutter location.
@@ -38,6 +45,8 @@ class OffsetPath:
     (equal inside a facet); ``step_before`` and ``step_after`` (n,) lengths of the contact segments on either side, mm
     (S1 and S2 of eqs. 9 and 10; equal at the ends of an open polyline); ``face``, ``coedge``, ``segment``, ``polyline``,
     ``pass_`` (n,) as in ContactPath; ``fill`` (n,) True where the move that arrives here closes a gap and cuts no facet.
+    ``beside`` (b,) rows at which the ball also touches a facet that is not cut, ``wall`` (b, 3) that facet's normal: until the
+    tool axes have been held against them.
     """
 
     point: Floats
@@ -53,13 +62,13 @@ class OffsetPath:
     polyline: Ints
     pass_: Ints
     fill: Bools
+    beside: Ints = field(default_factory=lambda: np.empty(0, np.int64))
+    wall: Floats = field(default_factory=lambda: np.empty((0, 3)))
     findings: tuple[Finding, ...] = ()
 
     def __post_init__(self) -> None:
-        freeze(
-            self, None, point="f3", centre="f3", normal="f3", before="f3", after="f3", step_before="f", step_after="f",
-            face="i", coedge="i", segment="i", polyline="i", pass_="i", fill="b",
-        )  # fmt: skip
+        freeze(self, None, **ROW_COLUMNS)
+        freeze(self, None, beside="i", wall="f3")
 
 
 def lasting_rows(path: OffsetPath, rows: Ints) -> Ints:
@@ -74,7 +83,8 @@ def take_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
     begins = row_begins(rows, path.polyline[rows])
     columns = {name: getattr(path, name)[rows] for name in ("face", "coedge", "segment", "pass_", "step_before", "step_after")}
     columns |= {name: picked(getattr(path, name), rows) for name in ("point", "centre", "normal", "before", "after")}
-    return replace(path, **columns, polyline=np.cumsum(begins) - 1, fill=path.fill[rows] & ~begins)
+    columns |= {"polyline": np.cumsum(begins) - 1, "fill": path.fill[rows] & ~begins}
+    return OffsetPath(**columns, findings=path.findings)
 
 
 def close_gaps(
@@ -106,7 +116,7 @@ def close_gaps(
     columns = Columns(contact, segments, parts)
     on_all(columns.write, range(len(parts)), lambda done: progress("closing co-edges", 0.5 + 0.5 * done))
     progress("closing co-edges", 1.0)
-    return OffsetPath(**columns.values, findings=_findings(contact, parts, cut))
+    return OffsetPath(**columns.values, **columns.walls, findings=_findings(contact, parts, cut))
 
 
 def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> tuple[Finding, ...]:

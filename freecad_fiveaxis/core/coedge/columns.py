@@ -11,7 +11,7 @@ from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.records import Floats, Ints
 
 from .junction import CHUNK, Rows, Segments, chosen, direction, dot
-from .rows import Closed
+from .rows import NO_ROWS, Closed
 
 
 class Columns:
@@ -32,6 +32,13 @@ class Columns:
     def values(self) -> dict[str, Any]:
         """All columns by name."""
         return {name: vector.T for name, vector in self.vectors.items()} | self.lengths | self.labels | {"fill": self.fill}
+
+    @property
+    def walls(self) -> dict[str, Any]:
+        """The rows at which the ball also touches a facet that is not cut, and its normal."""
+        beside = [part.beside + start for part, start in zip(self.parts, self.start, strict=False)]
+        wall = [self.segments.normal.take(2 * part.wall, axis=1) for part in self.parts]
+        return {"beside": np.concatenate([NO_ROWS, *beside]), "wall": np.concatenate([np.empty((3, 0)), *wall], axis=1).T}
 
     def write(self, number: int) -> None:
         """Work out part ``number`` and put it in its place."""

@@ -161,8 +161,9 @@ def groups(segments: Segments) -> list[Segments]:
     return parts
 
 
-def find_junctions(segments: Segments, radius: float, tolerance: float) -> Junctions:
-    """Kind, trims and arcs of every junction, for a ball of ``radius`` mm and R - r at most ``tolerance`` mm."""
+def find_junctions(segments: Segments, radius: float, tolerance: float, cut: Bools | None = None) -> Junctions:
+    """Kind, trims and arcs of every junction, for a ball of ``radius`` mm and R - r at most ``tolerance`` mm. ``cut``: which
+    segments of the contact path are cut, None: all; where only one of two is, a concave junction has a row on either."""
     m = len(segments.live)
     kind, rows, arcs = np.empty(m, np.int8), np.empty(m, np.int64), np.empty(m, np.int64)
     gap, wide, trim_end, trim_start = np.empty((4, m))
@@ -175,12 +176,13 @@ def find_junctions(segments: Segments, radius: float, tolerance: float) -> Junct
         arcs[part] = _arcs(gap[part], wide[part], radius, tolerance)
         rows[part] = np.where(kind[part] == CONVEX, arcs[part] + 2, 1)
         trim_end[part], trim_start[part] = 0.0, 0.0
-        cut = np.flatnonzero(kind[part] == CONCAVE)
-        rise = 0.5 * radius * gap[part][cut] ** 2  # r (1 - cos theta)
-        end, start = rise / ahead[cut], rise / behind[cut]
-        trim_end[part][cut], trim_start[part][cut] = end, start
-        meet = radius * apart.take(cut, axis=1) + end * d1.take(cut, axis=1) - start * d2.take(cut, axis=1)
-        rows[part][cut] += dot(meet, meet) >= SAME**2
+        hollow = np.flatnonzero(kind[part] == CONCAVE)
+        rise = 0.5 * radius * gap[part][hollow] ** 2  # r (1 - cos theta)
+        end, start = rise / ahead[hollow], rise / behind[hollow]
+        trim_end[part][hollow], trim_start[part][hollow] = end, start
+        meet = radius * apart.take(hollow, axis=1) + end * d1.take(hollow, axis=1) - start * d2.take(hollow, axis=1)
+        border = one_is_cut(segments, hollow + low, segments.following[part][hollow], cut)
+        rows[part][hollow] += (dot(meet, meet) >= SAME**2) | border
     return Junctions(kind, rows, arcs, gap, wide, trim_end, trim_start)
 
 
@@ -201,6 +203,13 @@ def _sides(segments: Segments, part: slice) -> tuple[Floats, Floats, Floats, Flo
         after[:, odd] = two
         sides.append((one[:, :count], after))
     return sides[0][0], sides[0][1], sides[1][0], sides[1][1]
+
+
+def one_is_cut(segments: Segments, one: Ints, two: Ints, cut: Bools | None) -> Bools:
+    """Whether just one of the two segments at positions ``one`` and ``two`` (k,) is cut; ``cut``: which are, None: all."""
+    if cut is None:
+        return np.zeros(len(one), bool)
+    return np.asarray(cut.take(segments.live.take(one)) != cut.take(segments.live.take(two)))
 
 
 def _length_of_sum(one: Floats, two: Floats) -> Floats:

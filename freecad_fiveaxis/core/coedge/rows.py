@@ -17,14 +17,19 @@ from freecad_fiveaxis.core.records import Bools, Ints
 from .junction import Junctions, Rows, Segments, chosen, find_junctions, junction_rows
 from .trimming import Trimmed, find_used_up, trim_polylines
 
+NO_ROWS = np.empty(0, np.int64)
+
 
 class Closed(NamedTuple):
     """``rows`` in their order; ``begins`` (n,) where a polyline begins, None where all rows are kept; ``trimmed`` the tight
-    polylines, None where there are none."""
+    polylines, None where there are none. In rows ``beside`` (b,) the ball also touches the segment ``wall`` (b,), which is not
+    cut."""
 
     rows: Rows
     begins: Bools | None
     trimmed: Trimmed | None
+    beside: Ints = NO_ROWS
+    wall: Ints = NO_ROWS
 
 
 class _Numbered(NamedTuple):
@@ -38,7 +43,7 @@ class _Numbered(NamedTuple):
 def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools | None) -> Closed:
     """The rows of whole polylines. ``cut``: which segments of the contact path are cut, None: all; of the others no row stays,
     nor a row that has no neighbour left."""
-    junctions = find_junctions(segments, radius, tolerance)
+    junctions = find_junctions(segments, radius, tolerance, cut)
     tight = find_used_up(segments, junctions)
     if not len(tight):
         place = _places(segments, junctions.rows)
@@ -48,14 +53,15 @@ def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools 
         order = np.arange(len(found.number))
     else:
         is_tight = np.isin(segments.line, tight)
-        trimmed = trim_polylines(segments, junctions, np.flatnonzero(is_tight), radius, tolerance)
+        trimmed = trim_polylines(segments, junctions, np.flatnonzero(is_tight), radius, tolerance, cut)
         place = _places(segments, np.where(is_tight, 0, junctions.rows), is_tight[segments.first], trimmed.line)
         easy = _easy(segments, junctions, _near(segments, is_tight, cut), place, radius)
         found = _joined(easy, _numbered(segments, place, trimmed))
         order = np.argsort(found.number, kind="stable")
     if cut is None:
         return Closed(_picked(found.rows, order), None, trimmed)
-    return Closed(*_lasting(found, order, cut), trimmed)
+    rows, begins, beside, wall = _lasting(found, order, cut)
+    return Closed(rows, begins, trimmed, beside, wall)
 
 
 def _places(segments: Segments, count: Ints, tight: Bools | None = None, line: Ints | None = None) -> Ints:
@@ -127,9 +133,10 @@ def _picked(rows: Rows, index: Ints) -> Rows:
     return picked._replace(lifted=lifted[lifted >= 0], centre=rows.centre[:, lifted >= 0])
 
 
-def _lasting(found: _Numbered, order: Ints, cut: Bools) -> tuple[Rows, Bools]:
+def _lasting(found: _Numbered, order: Ints, cut: Bools) -> tuple[Rows, Bools, Ints, Ints]:
     """The rows, in that ``order``, that stand over what is cut and have a neighbour, and which of them begin a polyline. The
-    segments on their sides become ones that are cut."""
+    segments on their sides become ones that are cut. Then ``beside`` and ``wall`` of Closed: rows that were trimmed against a
+    segment that is not cut."""
     rows = found.rows
     left, right = cut.take(rows.left), cut.take(rows.right)
     between = (left != right) & ((rows.w2 != 0.0) | (rows.w3 != 0.0))  # on its way round an edge to a left-out facet
@@ -137,8 +144,11 @@ def _lasting(found: _Numbered, order: Ints, cut: Bools) -> tuple[Rows, Bools]:
     begins = row_begins(found.number.take(kept), found.line.take(kept))
     size = np.diff(np.flatnonzero(begins), append=len(kept))
     lasting = np.repeat(size > 1, size)
+    kept = kept[lasting]
+    beside = np.flatnonzero(((left != right) & (rows.shift != 0.0)).take(kept))
+    wall = np.where(left, rows.right, rows.left).take(kept[beside])
     rows = rows._replace(left=np.where(left, rows.left, rows.right), right=np.where(right, rows.right, rows.left))
-    return _picked(rows, kept[lasting]), begins[lasting]
+    return _picked(rows, kept), begins[lasting], beside, wall
 
 
 def row_begins(number: Ints, line: Ints) -> Bools:

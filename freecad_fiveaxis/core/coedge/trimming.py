@@ -19,7 +19,20 @@ import numpy as np
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 from .chord import Chords, height_above, make_chords, place_on
-from .junction import FLAT, FLAT_GAP, GRAZING, SAME, Junctions, Rows, Segments, arc_weights, arcs_needed, direction, dot
+from .junction import (
+    FLAT,
+    FLAT_GAP,
+    GRAZING,
+    SAME,
+    Junctions,
+    Rows,
+    Segments,
+    arc_weights,
+    arcs_needed,
+    direction,
+    dot,
+    one_is_cut,
+)
 
 ROUNDS = 1000
 """A run of used-up chords is halved in most rounds; only one that tightens steadily needs a round for each chord."""
@@ -47,12 +60,15 @@ def find_used_up(segments: Segments, junctions: Junctions) -> Ints:
     return np.unique(segments.line[overlap])
 
 
-def trim_polylines(segments: Segments, junctions: Junctions, at: Ints, radius: float, tolerance: float) -> Trimmed:
-    """The offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is used up."""
+def trim_polylines(
+    segments: Segments, junctions: Junctions, at: Ints, radius: float, tolerance: float, cut: Bools | None = None
+) -> Trimmed:
+    """The offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is used up. ``cut``: which
+    segments of the contact path are cut, None: all; where chords of one that is and one that is not meet, each has a row."""
     quarter = int(arcs_needed(np.array([0.5 * np.pi]), radius, tolerance)[0])
     chords = make_chords(segments, junctions, at, radius, quarter)
     _drop_used_up(chords)
-    rows, line = _rows(chords, segments, junctions)
+    rows, line = _rows(chords, segments, junctions, cut)
     return Trimmed(rows, line, *_what_is_left(chords, segments))
 
 
@@ -146,9 +162,9 @@ class _Spot(NamedTuple):
     lift: Ints
 
 
-def _rows(chords: Chords, segments: Segments, junctions: Junctions) -> tuple[Rows, Ints]:
+def _rows(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools | None) -> tuple[Rows, Ints]:
     """The rows of what is left, and the polyline of each."""
-    spot, radius = _spots(chords, segments, junctions), chords.radius
+    spot, radius = _spots(chords, segments, junctions, cut), chords.radius
     at, t, real = chords.at[spot.chord], spot.t, chords.real[spot.chord]
     segment, nxt = segments.live[at], segments.following[at]
     far = segments.live[np.where(nxt < 0, at, nxt)]
@@ -166,7 +182,7 @@ def _rows(chords: Chords, segments: Segments, junctions: Junctions) -> tuple[Row
     return rows, segments.line[at]
 
 
-def _spots(chords: Chords, segments: Segments, junctions: Junctions) -> _Spot:
+def _spots(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools | None) -> _Spot:
     """Where each polyline begins, and for each chord: its end, a lifted point, and the start of the next, where needed."""
     one = np.flatnonzero(chords.alive & ~chords.ghost)
     two = chords.after[one]
@@ -182,7 +198,8 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions) -> _Spot:
     lift = _Spot(one, chords.stop[one], yes, ~yes, left, right, yes, two)
     start = _Spot(two, chords.start[two], ~yes, ~yes, left, right, yes, none)
     stop, go = place_on(chords, one, chords.stop[one]), place_on(chords, two, chords.start[two])
-    apart = crosses & (np.abs(stop - go).max(axis=0) >= SAME)
+    border = one_is_cut(segments, chords.at[one], chords.at[two], cut)
+    apart = crosses & ((np.abs(stop - go).max(axis=0) >= SAME) | border)
     dips = np.minimum(height_above(chords, two, stop), height_above(chords, one, go)) < -FLAT_GAP
     facing = dot(chords.normal.take(one, axis=1), chords.normal.take(two, axis=1))
     dips &= facing > 0.0  # nothing is above two planes that face each other
