@@ -159,12 +159,11 @@ def _chunk(parts: Sequence[Part], rows: int) -> bytes | memoryview:
             return _by_percent(parts, rows)
         pieces += [(place, piece) for piece in found]
     width = sum(piece.itemsize for _, piece in pieces)
-    buffer, at = bytearray(rows * width), 0
+    buffer, at = np.zeros(rows * width, np.uint8), 0
     for place, piece in pieces:
-        np.ndarray((rows,), piece.dtype, buffer, at, (width,))[place] = piece
+        np.ndarray((rows,), piece.dtype, buffer.data, at, (width,))[place] = piece
         at += piece.itemsize
-    text = np.frombuffer(buffer, np.uint8)
-    kept: NDArray[np.uint8] = text[text != 0]  # bytes.translate would keep the other thread waiting
+    kept: NDArray[np.uint8] = buffer[buffer != 0]  # bytes.translate would keep the other thread waiting
     return kept.data
 
 

@@ -25,7 +25,7 @@ import numpy as np
 P = TypeVar("P")
 R = TypeVar("R")
 
-PORTION = 65536
+PORTION = 98304
 """Rows of a portion: long enough for two threads to work side by side, short enough for its columns to stay in the cache."""
 
 ALONE = (os.cpu_count() or 1) < 2

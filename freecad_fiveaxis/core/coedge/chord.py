@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.records import Bools, Floats, Ints, owners
 
 from .junction import CONCAVE, CONVEX, END, Junctions, Segments, arc_weights, direction, dot
 
@@ -63,8 +63,9 @@ def make_chords(segments: Segments, junctions: Junctions, at: Ints, radius: floa
     behind = np.where(kind == CONVEX, junctions.arcs[at] + 1, np.where(kind == END, quarter + 1, 0))
     count = ahead + 1 + behind
     head = np.cumsum(count) - count
-    where = np.repeat(at, count)
-    step = np.arange(len(where)) - np.repeat(head + ahead, count)  # 0: the segment itself; else the pieces of its arcs
+    owner = owners(count)
+    where = at.take(owner)
+    step = np.arange(len(where)) - (head + ahead).take(owner)  # 0: the segment itself; else the pieces of its arcs
     arcs = np.where((step > 0) & (junctions.kind[where] == CONVEX), junctions.arcs[where], quarter)
     piece = np.where(step > 0, step - 1, step + quarter + 1)  # 0 to k
     real, ghost = step == 0, (step < 0) | ((step > 0) & (junctions.kind[where] == END))

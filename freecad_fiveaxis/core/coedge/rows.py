@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.records import Bools, Ints
+from freecad_fiveaxis.core.records import Bools, Ints, owners
 
 from .junction import Junctions, Rows, Segments, chosen, find_junctions, junction_rows
 from .trimming import Trimmed, find_used_up, trim_polylines
@@ -90,10 +90,10 @@ def _easy(segments: Segments, junctions: Junctions, at: Ints, place: Ints, radiu
     last[segments.first] = segments.last
     low = place[at]
     count = place[at + 1] - low
-    head = np.cumsum(count) - count
-    row = np.arange(count.sum())
-    number, step = row + np.repeat(low - head, count), row - np.repeat(head + (last[at] >= 0), count)
-    at = np.repeat(at, count)
+    head, owner = np.cumsum(count) - count, owners(count)
+    row = np.arange(len(owner))
+    number, step = row + (low - head).take(owner), row - (head + (last[at] >= 0)).take(owner)
+    at = at.take(owner)
     line = segments.line.take(at)
     begin = np.flatnonzero(step < 0)
     first, end = at[begin], last[at[begin]]

@@ -75,10 +75,13 @@ def trim_polylines(
 def _drop_used_up(chords: Chords) -> None:
     """Drop used-up chords, in rounds, until there are none; marks those that are left after all rounds as ``stuck``."""
     fresh, waiting = np.flatnonzero(chords.crosses & (chords.after >= 0)), np.empty(0, np.int64)
+    marked = np.zeros(len(chords.at), bool)
     for _ in range(ROUNDS):
         fresh = fresh[chords.alive[fresh]]
         _cross(chords, fresh)
-        touched = np.unique(np.concatenate([fresh, chords.after[fresh], waiting]))
+        marked[fresh] = marked[chords.after[fresh]] = marked[waiting] = True
+        touched = np.flatnonzero(marked)
+        marked[touched] = False
         used = touched[chords.alive[touched] & (chords.start[touched] - chords.stop[touched] > SAME)]
         if not len(used):
             return

@@ -20,7 +20,7 @@ import numpy as np
 from freecad_fiveaxis.core.cl_path import SAFE_MARGIN, CLPath, Motion
 from freecad_fiveaxis.core.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.kinematics import Chain, Matrix, RotaryPair, cos_sin, inverse_axis, joint_words, mapped, split
+from freecad_fiveaxis.core.kinematics import Chain, Matrix, RotaryPair, inverse_axis, joint_words, mapped, split
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
@@ -211,7 +211,7 @@ def _finish(drive: Drive, links: Chain, findings: tuple[Finding, ...]) -> JointP
         )
     findings += _limit_findings(drive.path, links, q)
     pair = RotaryPair.of(links.direction[3], links.direction[4])
-    sines = on_all(lambda rows: pair.reach * np.abs(cos_sin(q[rows, 4] - pair.best)[1]), portions(len(q)))
+    sines = on_all(lambda rows: pair.reach * np.abs(np.sin(q[rows, 4] - pair.best)), portions(len(q)))
     return JointPath(drive.path, drive.row, q, drive.branch, np.concatenate(sines), findings)
 
 

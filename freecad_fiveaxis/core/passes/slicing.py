@@ -21,10 +21,9 @@ import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import depth_first_order
 
-from freecad_fiveaxis.core.kinematics import chunks
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.portions import on_all, portions
-from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.records import Bools, Floats, Ints, owners
 
 NOWHERE = -(1 << 40)  # base of a facet that is not there; stays negative whatever plane is added
 
@@ -97,21 +96,26 @@ def levels(distance: Floats, offsets: Floats) -> Ints:
 def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]:
     """First node of each facet less its first plane, NOWHERE for facets left out and for row -1; number of nodes."""
     base = np.empty(len(mesh.face) + 1, dtype=np.int64)
-    nodes = 0
-    for part in chunks(len(mesh.face)):
+
+    def count(part: slice) -> int:
+        """First nodes counted from that of the first facet of the part; the number of nodes in it."""
         a, b, c = (level.take(v) for v in mesh.face[part].T)
         low = np.minimum(np.minimum(a, b), c)
-        count = np.maximum(np.maximum(a, b), c) - low
+        number = np.maximum(np.maximum(a, b), c) - low
         if keep is not None:
-            count *= keep[part]
-        last = np.cumsum(count)
-        last += nodes
-        nodes = int(last[-1])
-        np.subtract(last - count, low, out=base[:-1][part])
+            number *= keep[part]
+        last = np.cumsum(number)
+        np.subtract(last - number, low, out=base[:-1][part])
+        return int(last[-1])
+
+    parts = portions(len(mesh.face))
+    counts = on_all(count, parts)
+    for part, before in zip(parts, np.cumsum([0, *counts]).tolist(), strict=False):
+        base[:-1][part] += before
     base[-1] = NOWHERE
     if keep is not None:
         base[:-1][~keep] = NOWHERE
-    return base, nodes
+    return base, sum(counts)
 
 
 def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> list[_Piece]:
@@ -134,7 +138,7 @@ def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> list[_Piece]:
         lower = 2 * cut + number - upper
         low = np.minimum(one, two)
         count = np.maximum(one, two) - low
-        row = np.repeat(np.arange(len(cut)), count)
+        row = owners(count)
         plane = np.arange(len(row)) + (low + count - np.cumsum(count)).take(row)
         made = []
         for piece in portions(len(row)):

@@ -17,8 +17,10 @@ import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.records import Bools, Floats
+from freecad_fiveaxis.core.records import Floats
 
 ANGLES, VECTORS = "angles", "vectors"
 
@@ -187,12 +189,9 @@ def feed_distance(dialect: Dialect | None, change: Floats) -> Floats:
 
     Without a dialect: over X Y Z alone. NIST RS274NGC 3, 2.1.2.5, and LinuxCNC; Fanuc B-63324EN, 4.3 (see ``rotary_in_feed``).
     """
-    linear = change[:, 0] ** 2 + change[:, 1] ** 2 + change[:, 2] ** 2
-    rotary = change[:, 3] ** 2 + change[:, 4] ** 2
-    if dialect is not None and dialect.rotary_in_feed:
-        linear += rotary
-    else:
-        only_rotary: Bools = linear == 0.0
-        linear[only_rotary] = rotary[only_rotary]
-    distance: Floats = linear**0.5
-    return distance
+    square: Floats = change[:, 0] * change[:, 0]
+    for k in (1, 2):
+        square += change[:, k] * change[:, k]
+    rows = slice(None) if dialect is not None and dialect.rotary_in_feed else np.flatnonzero(square == 0.0)
+    square[rows] += (change[rows, 3:] ** 2).sum(axis=1)
+    return np.sqrt(square, out=square)

@@ -176,9 +176,10 @@ class _FeedScale:
     def largest(self) -> float:
         return self.dialect.largest_inverse if self.inverse_time else self.dialect.largest_feed
 
-    def distance(self, words: Floats) -> Floats:
-        """What F times minutes gives in the blocks between rows of ``words`` (n, 5): 1, or what F is measured over, mm (deg)."""
-        return np.ones(len(words) - 1) if self.inverse_time else feed_distance(self.dialect, np.diff(words, axis=0))
+    def distance(self, change: Floats) -> Floats:
+        """What F times minutes gives in blocks that change the words by ``change`` (n, 5) mm and deg: 1, or what F is measured
+        over, mm (deg)."""
+        return np.ones(len(change)) if self.inverse_time else feed_distance(self.dialect, change)
 
     def rounded_down(self, asked: Floats) -> Floats:
         """F at most ``asked`` and at most the controller's largest, but at least one step."""
@@ -207,11 +208,15 @@ def _time_blocks(
     def fill(steps: slice) -> None:
         rows, ends = slice(steps.start + 1, steps.stop + 1), slice(steps.start, steps.stop + 1)
         q, told, rapid = words_to_q(words[ends]), said[ends], np.flatnonzero(motion[rows] == Motion.RAPID)
-        change, wanted, along = np.diff(q, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - rows.start, np.bool_)
+        change, wanted, along = np.diff(told, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - rows.start, np.bool_)
         wanted[rapid], along[rapid] = 1.0, False
-        travel = np.linalg.norm(np.diff(told[:, :3], axis=0), axis=1) if guided else tip_travel(links, q, along)
+        distance = scale.distance(change)
+        travel = np.linalg.norm(change[:, :3], axis=1) if guided else tip_travel(links, q, along)
+        if guided:
+            change = np.diff(q, axis=0)
+        else:
+            change[:, 3:] *= np.pi / 180.0
         minutes, held = feed_minutes(links, change, travel, wanted)
-        distance = scale.distance(told)
         asked = distance / minutes
         asked[rapid] = 0.0
         held[rapid] = False
@@ -241,7 +246,7 @@ def block_findings(findings: tuple[Finding, ...], program: Program) -> tuple[Fin
 
 def _feed_findings(asked: Floats, held: Bools, scale: _FeedScale) -> tuple[Finding, ...]:
     unit, step = "1/min" if scale.inverse_time else "mm/min", 10.0**-scale.decimals
-    above, below = asked > scale.largest, (asked > 0.0) & (asked * (1.0 + FEED_SLACK) < step)
+    above, below = asked > scale.largest, (asked > 0.0) & (asked < step / (1.0 + FEED_SLACK))
     cases = (
         (held, Severity.NOTE, "feed-held-back", "an axis would exceed its maximum rate; they run slower than programmed.",
          float(held.sum()), 0.0, "1"),
