@@ -11,7 +11,8 @@ import math
 
 import numpy as np
 
-from freecad_fiveaxis.core.kinematics import Chain, chunks, forward_tip
+from freecad_fiveaxis.core.kinematics import Chain, forward_tip
+from freecad_fiveaxis.core.portions import portions
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 TRAVEL_ERROR = 1e-3
@@ -52,7 +53,7 @@ def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
     ``(w^2 r + 2 w (chord + s)) / (1 - w)``. Elsewhere the sampled path, extrapolated (Richardson), or parabolas through it.
     """
     tip, travel, curved, pieces = forward_tip(links, q), np.empty(max(len(q) - 1, 0)), [], []
-    for rows in chunks(len(travel)):
+    for rows in portions(len(travel)):
         ends = slice(rows.start, rows.stop + 1)
         chord, turned, bend = _chords(links, q[ends], tip[ends])
         at = np.flatnonzero(wanted[rows] & (bend > EVEN * chord))
