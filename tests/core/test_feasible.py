@@ -73,6 +73,28 @@ def test_the_ball_stops_short_of_a_wall_that_is_left_out(stairs, options):
     assert least_distance_to_the_steps(centres_along_feed(made)).min() > 5.0 - 1e-6
 
 
+@pytest.mark.parametrize("order", ["zigzag", "one_way"])
+@pytest.mark.parametrize("direction", ["0", "180"])
+def test_a_tread_is_cut_up_to_its_wall_whichever_way_the_pass_goes(stairs, direction, order):
+    """Up to where the ball touches the wall that is left out, on every tread of every pass: 5 mm before it."""
+    made = milled(stairs, max_axis_angle="60", direction=direction, order=order)
+    cut = made.path.pass_ >= 0
+    for pass_ in np.unique(made.path.pass_[cut]):
+        for tread, wall in ((STEPS[1], 20.0), (STEPS[2], 40.0)):
+            reach = made.path.contact[cut & (made.path.pass_ == pass_) & (np.abs(made.path.contact[:, 2] - tread) < 1e-6), 0]
+            assert reach.min() == pytest.approx(wall + 5.0, abs=1e-6) and reach.max() == pytest.approx(wall + 20.0, abs=1e-6)
+
+
+def test_a_tool_that_leans_towards_the_wall_stops_before_it_and_says_so(stairs):
+    """Cut towards the wall with a lead, it would retract through the wall; cut away from it, it leans away."""
+    made = milled(stairs, max_axis_angle="60", tool_axis="fixed", lead="5")
+    said = {finding.code: finding for finding in made.findings}["axis-into-part"]
+    assert said.value > 10.0
+    for pass_, back in ((0, False), (1, True)):
+        row = made.path.contact[(made.path.pass_ == pass_) & (np.abs(made.path.contact[:, 2] - STEPS[1]) < 1e-6), 0]
+        assert (row.min() > 30.0) == back
+
+
 def test_without_the_wall_the_ball_would_run_into_it(stairs):
     """The same treads, cut as if nothing stood beside them: the comparison above can fail."""
     made = milled(stairs, max_axis_angle="60")

@@ -139,16 +139,20 @@ def _lasting(found: _Numbered, order: Ints, cut: Bools) -> tuple[Rows, Bools, In
     segment that is not cut."""
     rows = found.rows
     left, right = cut.take(rows.left), cut.take(rows.right)
-    between = (left != right) & ((rows.w2 != 0.0) | (rows.w3 != 0.0))  # on its way round an edge to a left-out facet
-    kept = order[(cut.take(rows.base >> 1) & ~between).take(order)]
+    border, stays = np.flatnonzero(left != right), cut.take(rows.base >> 1)
+    stays[border[(rows.w2[border] != 0.0) | (rows.w3[border] != 0.0)]] = False  # on its way round an edge to a left-out facet
+    kept = order[stays.take(order)]
     begins = row_begins(found.number.take(kept), found.line.take(kept))
     size = np.diff(np.flatnonzero(begins), append=len(kept))
     lasting = np.repeat(size > 1, size)
     kept = kept[lasting]
-    beside = np.flatnonzero(((left != right) & (rows.shift != 0.0)).take(kept))
-    wall = np.where(left, rows.right, rows.left).take(kept[beside])
-    rows = rows._replace(left=np.where(left, rows.left, rows.right), right=np.where(right, rows.right, rows.left))
-    return _picked(rows, kept), begins[lasting], beside, wall
+    one, two, touches = rows.left.copy(), rows.right.copy(), np.zeros(len(left), bool)
+    one[border] = two[border] = np.where(left[border], rows.left[border], rows.right[border])
+    touches[border] = rows.shift[border] != 0.0
+    beside = np.flatnonzero(touches.take(kept))
+    at = kept[beside]
+    wall = np.where(left[at], rows.right[at], rows.left[at])
+    return _picked(rows._replace(left=one, right=two), kept), begins[lasting], beside, wall
 
 
 def row_begins(number: Ints, line: Ints) -> Bools:

@@ -30,7 +30,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.kinematics import chunks
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
@@ -108,7 +107,7 @@ def within_limits(angles: Floats, low: Floats, high: Floats) -> Bools:
 def broken_steps(words: Floats, branch: Bytes, cutting: Bools, crossing: Bools) -> Bools:
     """The breaks (n - 1,) of a way that was chosen."""
     broken = np.empty(len(cutting), bool)
-    for rows in chunks(len(broken)):
+    for rows in portions(len(broken)):
         travel = np.abs(np.diff(words[rows.start : rows.stop + 1], axis=0))
         broken[rows] = np.maximum(travel[:, 0], travel[:, 1]) > math.pi + SLACK
     swap = np.flatnonzero((branch[1:] != branch[:-1]) & ~crossing)
@@ -201,7 +200,7 @@ def _words_of(layers: Layers, state: Ints) -> Floats:
 def _unwind(word: Floats) -> None:
     """Give each value (n,) of an angle the winding that is nearest to the one before; in place."""
     jumps = [np.empty(0, np.int64)]
-    for rows in chunks(len(word) - 1):
+    for rows in portions(len(word) - 1):
         jumps.append(rows.start + np.flatnonzero(np.abs(np.diff(word[rows.start : rows.stop + 1])) > math.pi))
     at = np.concatenate(jumps)
     if len(at):

@@ -90,7 +90,13 @@ class _Piece:
 
 def levels(distance: Floats, offsets: Floats) -> Ints:
     """Number of ascending ``offsets`` (k,) at or below each ``distance`` (v,)."""
-    return np.searchsorted(offsets, distance, side="right").astype(np.int64, copy=False)
+    level = np.empty(len(distance), dtype=np.int64)
+
+    def fill(part: slice) -> None:
+        level[part] = np.searchsorted(offsets, distance[part], side="right")
+
+    on_all(fill, portions(len(distance)))
+    return level
 
 
 def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]:
