@@ -82,7 +82,7 @@ def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_tim
     rotary = tuple(axis.wrap for axis in links.axes[3:])
     wrap = wraps_of(rotary, dialect)
     words, row = _round_words(joints.q, dialect) if dialect.guide is None else _round_guided(joints, dialect.guide, dialect)
-    motion, tip_feed = on_all(lambda column: column.take(row), (joints.path.motion, joints.path.feed))
+    motion, tip_feed = joints.path.motion.take(row), joints.path.feed.take(row)
     findings += _first_findings(motion)
     motion[:1] = Motion.RAPID
     _check_feeds(row, motion, tip_feed)
