@@ -40,7 +40,7 @@ KNIFE = 1e-6
 BROAD = 0.5
 """Length of the sum of two unit normals above which its direction is theirs to the last digits."""
 
-GROUP = 160_000
+GROUP = 400_000
 """Segments that are closed together, at most about so many, half as many as rows: the many calls for the few tight polylines
 among them then cost little beside the work on all."""
 

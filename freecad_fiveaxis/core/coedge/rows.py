@@ -14,7 +14,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.records import Bools, Ints, owners
 
-from .junction import Junctions, Rows, Segments, chosen, find_junctions, junction_rows
+from .junction import CHUNK, Junctions, Rows, Segments, chosen, find_junctions, junction_rows
 from .trimming import Trimmed, find_used_up, trim_polylines
 
 NO_ROWS = np.empty(0, np.int64)
@@ -47,16 +47,18 @@ def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools 
     tight = find_used_up(segments, junctions)
     if not len(tight):
         place = _places(segments, junctions.rows)
-        found, trimmed = _easy(segments, junctions, _near(segments, None, cut), place, radius), None
+        found, trimmed = _easy(segments, junctions, _near(segments, None, cut), place, radius, 0), None
         if cut is None:
             return Closed(found.rows, None, None)
         order = np.arange(len(found.number))
     else:
-        is_tight = np.isin(segments.line, tight)
+        tight_line = np.zeros(len(segments.first), bool)
+        tight_line[tight] = True
+        is_tight = tight_line.take(segments.line)
         trimmed = trim_polylines(segments, junctions, np.flatnonzero(is_tight), radius, tolerance, cut)
-        place = _places(segments, np.where(is_tight, 0, junctions.rows), is_tight[segments.first], trimmed.line)
-        easy = _easy(segments, junctions, _near(segments, is_tight, cut), place, radius)
-        found = _joined(easy, _numbered(segments, place, trimmed))
+        place = _places(segments, np.where(is_tight, 0, junctions.rows), tight_line, trimmed.line)
+        easy = _easy(segments, junctions, _near(segments, is_tight, cut), place, radius, len(trimmed.line))
+        found = _with_tight(easy, segments, place, trimmed)
         order = np.argsort(found.number, kind="stable")
     if cut is None:
         return Closed(_picked(found.rows, order), None, trimmed)
@@ -83,43 +85,58 @@ def _near(segments: Segments, tight: Bools | None, cut: Bools | None) -> Ints:
     return np.flatnonzero(near if tight is None else near & ~tight)
 
 
-def _easy(segments: Segments, junctions: Junctions, at: Ints, place: Ints, radius: float) -> _Numbered:
-    """The rows of junctions at positions ``at`` (k,); step -1 is the row where a polyline begins: its first contact, or the last
-    row of its seam."""
+def _easy(segments: Segments, junctions: Junctions, at: Ints, place: Ints, radius: float, more: int) -> _Numbered:
+    """The rows of junctions at positions ``at`` (k,), and room for ``more`` after them; step -1 is the row where a polyline
+    begins: its first contact, or the last row of its seam."""
     last = np.full(len(segments.live), -1)
     last[segments.first] = segments.last
     low = place[at]
     count = place[at + 1] - low
     head, owner = np.cumsum(count) - count, owners(count)
-    row = np.arange(len(owner))
-    number, step = row + (low - head).take(owner), row - (head + (last[at] >= 0)).take(owner)
+    n, row = len(owner), np.arange(len(owner))
+    found = _room(n + more)
+    np.add(row, (low - head).take(owner), out=found.number[:n])
+    step = row - (head + (last[at] >= 0)).take(owner)
     at = at.take(owner)
-    line = segments.line.take(at)
+    segments.line.take(at, out=found.line[:n], mode="clip")
     begin = np.flatnonzero(step < 0)
     first, end = at[begin], last[at[begin]]
     closed = segments.following[end] >= 0
     at[begin], step[begin] = np.where(closed, end, first), np.where(closed, junctions.rows[end] - 1, 0)
-    rows = junction_rows(segments, junctions, at, step, radius)
+    rows = found.rows
+    for start in range(0, n, CHUNK):
+        part = slice(start, min(start + CHUNK, n))
+        _put(rows, part, junction_rows(segments, junctions, at[part], step[part], radius))
     rows.fill[begin] = False
     opened, segment = begin[~closed], segments.live[first[~closed]]
     for column, value in ((rows.w1, 1.0), (rows.w2, 0.0), (rows.w3, 0.0), (rows.reach, radius), (rows.shift, 0.0)):
         column[opened] = value
     rows.base[opened], rows.left[opened], rows.right[opened] = 2 * segment, segment, segment
-    return _Numbered(number, line, rows)
+    return found
 
 
-def _numbered(segments: Segments, place: Ints, trimmed: Trimmed) -> _Numbered:
+def _room(count: int) -> _Numbered:
+    """Columns of so many rows, yet to be filled."""
+    whole, real = np.empty((6, count), np.int64), np.empty((5, count))
+    number, line, *places = whole
+    return _Numbered(number, line, Rows._make([*places, *real, np.empty(count, bool), NO_ROWS, np.empty((3, 0))]))
+
+
+def _put(rows: Rows, where: slice, made: Rows) -> None:
+    for column, values in zip(rows[:-2], made[:-2], strict=True):
+        column[where] = values
+
+
+def _with_tight(easy: _Numbered, segments: Segments, place: Ints, trimmed: Trimmed) -> _Numbered:
+    """The rows of the tight polylines put into the room behind the others."""
     line = trimmed.line
+    rest = slice(len(easy.number) - len(line), len(easy.number))
     start = np.flatnonzero(np.diff(line, prepend=-1))
     shift = place[segments.first[line[start]]] - start
-    return _Numbered(np.arange(len(line)) + np.repeat(shift, np.diff(start, append=len(line))), line, trimmed.rows)
-
-
-def _joined(one: _Numbered, two: _Numbered) -> _Numbered:
-    """The rows of one and then those of the other."""
-    number, line = np.concatenate([one.number, two.number]), np.concatenate([one.line, two.line])
-    columns = {name: np.concatenate([getattr(one.rows, name), getattr(two.rows, name)]) for name in Rows._fields[:-2]}
-    return _Numbered(number, line, Rows(**columns, lifted=two.rows.lifted + len(one.number), centre=two.rows.centre))
+    easy.number[rest] = np.arange(len(line)) + np.repeat(shift, np.diff(start, append=len(line)))
+    easy.line[rest] = line
+    _put(easy.rows, rest, trimmed.rows)
+    return easy._replace(rows=easy.rows._replace(lifted=trimmed.rows.lifted + rest.start, centre=trimmed.rows.centre))
 
 
 def _picked(rows: Rows, index: Ints) -> Rows:
