@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze
+from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze, owners
 
 from .slicing import Crossings, chain, find_crossings
 
@@ -164,21 +164,21 @@ def _zigzag(chains: _Chains, cross: Crossings, plain: Bools | None) -> _Chains:
 def _contact_path(mesh: Mesh, cross: Crossings, chains: _Chains, planes: Floats, heading: tuple[float, float]) -> ContactPath:
     """Entry and exit of each segment from the chains of crossings."""
     crossing, first, plane, back = chains
-    along, height = cross.along.take(crossing), cross.height.take(crossing)
+    along, height = on_all(lambda column: column.take(crossing), (cross.along, cross.height))
     end, number = _segment_ends(along, height, first)
     used = np.flatnonzero(number)
     number, plane = 2 * number.take(used), plane.take(used)
     # one block for the labels and one for the rest: numpy asks for large memory pages where an array is large
     face, coedge, segment, polyline, pass_ = label = np.empty((5, 2 * len(end)), dtype=np.int64)
     point, normal = np.empty((2, 3, 2 * len(end)))
-    polyline[:] = np.repeat(np.arange(len(used)), number)
-    pass_[:] = np.repeat(plane, number)
+    polyline[:] = owners(number)
 
     def fill(part: slice) -> None:
         rows = slice(2 * part.start, 2 * part.stop)
         exits = end[part]
         at = np.empty(2 * len(exits), dtype=np.int64)
         at[0::2], at[1::2] = exits - 1, exits
+        plane.take(polyline[rows], out=pass_[rows], mode="clip")
         _place(along.take(at), planes.take(pass_[rows]), heading, point[:2, rows])
         height.take(at, out=point[2, rows], mode="clip")
         cross.coedge.take(crossing.take(at), out=coedge[rows], mode="clip")

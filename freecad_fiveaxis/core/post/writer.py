@@ -146,10 +146,22 @@ def _feed(program: Program, dialect: Dialect, feeding: Bools) -> list[Part]:
     inverse = feeding & program.inverse_time
     per_minute = feeding & ~program.inverse_time
     if dialect.modal and per_minute.any():
-        rows = np.flatnonzero(feeding)
-        per_minute[rows] &= _changed(program.feed[rows]) | _changed(program.inverse_time[rows])
+        per_minute &= _feed_changed(program, feeding)
     pairs = ((inverse, dialect.inverse_decimals), (per_minute, dialect.feed_decimals))
     return [Column(b" F", program.feed, decimals, show) for show, decimals in pairs if show.any()]
+
+
+def _feed_changed(program: Program, feeding: Bools) -> Bools:
+    """Where F or its mode is not that of the last block before that had one."""
+    changed = _changed(program.feed)
+    changed |= _changed(program.inverse_time)
+    begin = np.flatnonzero(feeding[1:] & ~feeding[:-1]) + 1  # blocks after rapids
+    end = np.flatnonzero(feeding[:-1] & ~feeding[1:])
+    before = np.searchsorted(end, begin) - 1
+    changed[begin] = True
+    row, last = begin[before >= 0], end[before[before >= 0]]
+    changed[row] = (program.feed[row] != program.feed[last]) | (program.inverse_time[row] != program.inverse_time[last])
+    return changed
 
 
 def _changed(column: NDArray[Any]) -> Bools:

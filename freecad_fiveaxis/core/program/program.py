@@ -246,18 +246,19 @@ def block_findings(findings: tuple[Finding, ...], program: Program) -> tuple[Fin
 
 def _feed_findings(asked: Floats, held: Bools, scale: _FeedScale) -> tuple[Finding, ...]:
     unit, step = "1/min" if scale.inverse_time else "mm/min", 10.0**-scale.decimals
-    above, below = asked > scale.largest, (asked > 0.0) & (asked < step / (1.0 + FEED_SLACK))
+    below = np.flatnonzero(asked < step / (1.0 + FEED_SLACK))
+    below = below[asked[below] > 0.0]  # not those of rapids
     cases = (
-        (held, Severity.NOTE, "feed-held-back", "an axis would exceed its maximum rate; they run slower than programmed.",
-         float(held.sum()), 0.0, "1"),
-        (above, Severity.NOTE, "feed-above-largest", "F would exceed the controller's largest; they run slower than programmed.",
+        (np.flatnonzero(held), Severity.NOTE, "feed-held-back",
+         "an axis would exceed its maximum rate; they run slower than programmed.", float(held.sum()), 0.0, "1"),
+        (np.flatnonzero(asked > scale.largest), Severity.NOTE, "feed-above-largest",
+         "F would exceed the controller's largest; they run slower than programmed.",
          float(asked.max(initial=0.0)), scale.largest, unit),
         (below, Severity.WARNING, "feed-below-step", "F would be below one step; they run faster than programmed. Use G93.",
          float(asked[below].min(initial=step)), step, unit),
     )  # fmt: skip
     found = []
-    for rows, severity, code, text, value, limit, unit_of in cases:
-        blocks = np.flatnonzero(rows)
+    for blocks, severity, code, text, value, limit, unit_of in cases:
         if len(blocks):
             block = int(blocks[0])
             text = f"In {len(blocks)} blocks {text}"
