@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cutter-location path: order, links, retracts."""
+"""The cutter-location path: links, retracts."""
 
 from .cl_path import CLPath, LinkOptions, Motion, link_passes
 from .linking import SAFE_MARGIN, keepout, way_out

@@ -40,10 +40,9 @@ HOLLOW = 1e-12  # volume over that of the box around the part where its sign is 
 class Mesh:
     """A welded triangle mesh, mm.
 
-    ``vertex`` (v, 3); ``face`` (f, 3) vertex rows; ``normal`` (f, 3) unit, by the right-hand rule from the vertices; ``area``
-    (f,) mm2;
-    ``coedge_vertex`` (e, 2) the ends of each co-edge; ``coedge_face`` (e, 2) the facets on its two sides, the second
-    -1 at a border; ``face_coedge`` (f, 3) the co-edges of each facet: column k joins vertices k and k + 1.
+    ``vertex`` (v, 3); ``face`` (f, 3) vertex rows; ``normal`` (f, 3) unit, by the right-hand rule from the vertices;
+    ``area`` (f,) mm2; ``coedge_vertex`` (e, 2) the ends of each co-edge; ``coedge_face`` (e, 2) the facets on its two sides,
+    the second -1 at a border; ``face_coedge`` (f, 3) the co-edges of each facet: column k joins vertices k and k + 1.
 
     The first facet of a co-edge runs along it from ``coedge_vertex[:, 0]`` to ``[:, 1]``, the second one back.
     """

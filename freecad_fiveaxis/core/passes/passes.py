@@ -35,13 +35,12 @@ LEVEL = 1e-12  # two unit normals that differ by no more are one: over ten thous
 class ContactPath:
     """Ordered contact (CC) points: rows 2i and 2i + 1 are entry and exit of facet segment i.
 
-    ``point`` (n, 3) mm; ``normal`` (n, 3) unit normal of the facet; ``face`` (n,) that facet, of several plain ones the last;
-    ``coedge`` (n,) the
-    co-edge on which the point lies, -1 if none; ``segment`` (n,) = i; ``polyline`` (n,) counts the polylines of the whole
-    path; ``pass_`` (n,) counts the planes. Consecutive segments of one polyline share the co-edge where they meet; where a
-    plane passes through a vertex, facets cut at that one point are left out, and the exit and the next entry lie on two
-    co-edges of that vertex. The points are the same bits in any case. In a closed polyline the last exit is the first
-    entry again (same point, and the same co-edge but at a vertex).
+    ``point`` (n, 3) mm; ``normal`` (n, 3) unit normal of the facet; ``face`` (n,) that facet, of several plain ones one;
+    ``coedge`` (n,) the co-edge on which the point lies, -1 if none; ``segment`` (n,) = i; ``polyline`` (n,) counts the
+    polylines of the whole path; ``pass_`` (n,) counts the planes. Consecutive segments of one polyline share the co-edge
+    where they meet; where a plane passes through a vertex, facets cut at that one point are left out, and the exit and the
+    next entry lie on two co-edges of that vertex. The points are the same bits in any case. In a closed polyline the last
+    exit is the first entry again (same point, and the same co-edge but at a vertex).
     """
 
     point: Floats
