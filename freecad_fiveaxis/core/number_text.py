@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from io import BytesIO
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -149,20 +149,32 @@ def _slice(part: Part, start: int) -> Part:
     return Column(part.prefix, part.values[rows], part.decimals, show)
 
 
+class _Piece(NamedTuple):
+    """``entries`` (n,) of one width; at least ``lead`` bytes on the left are pads in all of them."""
+
+    entries: NDArray[Any]
+    lead: int = 0
+
+
 def _chunk(parts: Sequence[Part], rows: int) -> bytes | memoryview:
-    """The text of one chunk."""
-    pieces: list[tuple[Ints | slice, NDArray[Any]]] = []
+    """The text of one chunk.
+
+    A piece's leading pads lie over the end of the piece before it, which is written after it: the rows are shorter then.
+    """
+    pieces: list[tuple[Ints | slice, _Piece]] = []
     for part in parts:
         place, shown = _shown(part)
         found = _pieces(shown, rows)
         if found is None:
             return _by_percent(parts, rows)
         pieces += [(place, piece) for piece in found]
-    width = sum(piece.itemsize for _, piece in pieces)
-    buffer, at = np.zeros(rows * width, np.uint8), 0
-    for place, piece in pieces:
-        np.ndarray((rows,), piece.dtype, buffer.data, at, (width,))[place] = piece
-        at += piece.itemsize
+    starts, width = [], 0
+    for _, (entries, lead) in pieces:
+        starts.append(width - min(lead, width))
+        width = starts[-1] + entries.itemsize
+    buffer = np.zeros(rows * width, np.uint8)
+    for (place, (entries, _)), start in zip(reversed(pieces), reversed(starts), strict=True):
+        np.ndarray((rows,), entries.dtype, buffer.data, start, (width,))[place] = entries
     kept: NDArray[np.uint8] = buffer[buffer != 0]  # bytes.translate would keep the other thread waiting
     return kept.data
 
@@ -178,12 +190,12 @@ def _shown(part: Part) -> tuple[Ints | slice, Part]:
     return place, replace(part, values=values, show=None)
 
 
-def _pieces(part: Part, rows: int) -> list[NDArray[Any]] | None:
+def _pieces(part: Part, rows: int) -> list[_Piece] | None:
     """The pieces of one part, left to right, each (rows,); None where only ``%`` can print a number."""
     if isinstance(part, bytes):
-        return [np.broadcast_to(_texts((part,)), (rows,))] if part else []
+        return [_Piece(np.broadcast_to(_texts((part,)), (rows,)))] if part else []
     if isinstance(part, Choice):
-        return [_texts(tuple(part.texts)).take(part.codes)] if any(part.texts) else []
+        return [_Piece(_texts(tuple(part.texts)).take(part.codes))] if any(part.texts) else []
     scaled = _scaled(part)
     top = float(scaled.view(np.uint64).max(initial=0))  # the least int64 has no absolute value, and comes out huge
     if not top < EXACT:
@@ -195,8 +207,8 @@ def _pieces(part: Part, rows: int) -> list[NDArray[Any]] | None:
     pieces += _decimals(scaled - whole * unit, part.decimals) if part.decimals else []
     if part.show is not None:
         hidden = np.flatnonzero(~part.show)
-        for piece in pieces:
-            piece[hidden] = np.zeros((), piece.dtype)
+        for entries, _ in pieces:
+            entries[hidden] = np.zeros((), entries.dtype)
     return pieces
 
 
@@ -230,7 +242,7 @@ def _settle_ties(rows: Ints, values: Floats, scaled: Floats, nearest: Floats, sc
     nearest[rows] = np.where(error > 0.0, below + 1.0, np.where(error < 0.0, below, nearest[rows]))
 
 
-def _integer_part(prefix: bytes, whole: Ints, top: int, negative: Bools, point: bool) -> list[NDArray[Any]]:
+def _integer_part(prefix: bytes, whole: Ints, top: int, negative: Bools, point: bool) -> list[_Piece]:
     """Prefix, sign, the integer part (``top`` is the largest) by groups of four digits, and the point."""
     groups = 1
     while top >= GROUP**groups:
@@ -238,29 +250,31 @@ def _integer_part(prefix: bytes, whole: Ints, top: int, negative: Bools, point: 
     short = groups == 1
     pieces = []
     if len(prefix) > (2 if short and point else 3):  # no room in a head
-        pieces, prefix = [np.repeat(_texts((prefix,)), len(whole))], b""
+        pieces, prefix = [_Piece(_texts((prefix,)).take(np.zeros(len(whole), np.int64)))], b""
     high = whole if short else whole // GROUP ** (groups - 1)
     index = np.multiply(negative, GROUP, dtype=np.int64)
     index += high
-    pieces.append(_pick(_heads(prefix, short and point, short), index))
+    used = len(prefix) + bool(negative.any()) + len(str(top // GROUP ** (groups - 1))) + (short and point)
+    pieces.append(_Piece(_pick(_heads(prefix, short and point, short), index), 8 - used))
     for k in range(groups - 2, -1, -1):
         digits = whole // GROUP**k if k else whole
-        lead = high == 0  # no digit stands before this group
+        leads = high == 0  # no digit stands before this group
         index = digits - high * GROUP
-        index += np.multiply(lead, GROUP, dtype=np.int64)
+        index += np.multiply(leads, GROUP, dtype=np.int64)
         if k:
-            index[lead & (digits == 0)] = 2 * GROUP
-        pieces.append(_pick(_groups(point and not k), index))
+            index[leads & (digits == 0)] = 2 * GROUP
+        last = point and not k
+        pieces.append(_Piece(_pick(_groups(last), index), 3 if last else 0))
         high = digits
     return pieces
 
 
-def _decimals(fraction: Ints, decimals: int) -> list[NDArray[Any]]:
+def _decimals(fraction: Ints, decimals: int) -> list[_Piece]:
     pieces = []
     for left in range(decimals, 0, -4):
         rest = 10 ** max(left - 4, 0)
         digits = fraction // rest if rest > 1 else fraction
-        pieces.append(_pick(_fixed(min(left, 4)), digits))
+        pieces.append(_Piece(_pick(_fixed(min(left, 4)), digits)))
         if rest > 1:
             fraction = fraction - digits * rest
     return pieces
