@@ -34,17 +34,12 @@ ALONE = (os.cpu_count() or 1) < 2
 _inside = threading.local()
 
 
-def portions(count: int) -> list[slice]:
-    """Slices of PORTION rows, the last one maybe shorter, that make up ``count`` rows."""
-    return [slice(low, min(low + PORTION, count)) for low in range(0, count, PORTION)]
-
-
-def alike(count: int, most: int) -> list[slice]:
-    """Slices of nearly the same length, at most ``most`` rows, that make up ``count`` rows: one for up to PORTION rows, else an
-    even number, so that both threads have as much to do."""
+def portions(count: int, most: int | None = None) -> list[slice]:
+    """Slices of nearly the same length, at most ``most`` rows (None: PORTION), that make up ``count`` rows: one for up to PORTION
+    rows, else an even number, so that both threads have as much to do."""
     if not count:
         return []
-    number = 2 * math.ceil(count / (2 * most)) if count > PORTION else 1
+    number = 2 * math.ceil(count / (2 * (most or PORTION))) if count > PORTION else 1
     ends = [count * part // number for part in range(number + 1)]
     return [slice(*pair) for pair in pairwise(ends)]
 

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.passes import ContactPath
-from freecad_fiveaxis.core.portions import alike, on_all, portions
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 
 END, FLAT, CONVEX, CONCAVE = range(4)
@@ -150,7 +150,7 @@ def groups(segments: Segments) -> list[Segments]:
     """The same in parts of whole polylines: an even number of them, alike, so that both threads have as much to do."""
     ends = np.append(segments.first[1:], len(segments.live))[: len(segments.first)]
     count = len(segments.live)
-    size = max((part.stop - part.start for part in alike(count, GROUP)), default=1)
+    size = max((part.stop - part.start for part in portions(count, GROUP)), default=1)
     bounds = ends[np.diff((ends - 1) // size, append=-1) != 0].tolist()
     parts = []
     for low, high in zip([0, *bounds], bounds, strict=False):

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.joint_path import JointPath
 from freecad_fiveaxis.core.kinematics import Chain, empty_rows, words_to_q
 from freecad_fiveaxis.core.number_text import rounded
-from freecad_fiveaxis.core.portions import alike, on_all, portions
+from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.post.dialect import Dialect, Guide, feed_distance
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze, picked
@@ -227,7 +227,7 @@ def _time_blocks(
         for whole, part in zip(times, (asked, held, feed, seconds), strict=True):
             whole[rows] = part
 
-    on_all(fill, alike(max(count - 1, 0), TIMED), lambda done: progress("feeds", done))
+    on_all(fill, portions(max(count - 1, 0), TIMED), lambda done: progress("feeds", done))
     progress("feeds", 1.0)
     return times
 
