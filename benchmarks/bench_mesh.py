@@ -20,6 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.parts import bumpy
 from benchmarks.timing import print_table, run_seconds
+from freecad_fiveaxis.core.memory import keep_freed_memory
 from freecad_fiveaxis.core.mesh import read_stl, write_stl
 
 COMPARED = (200_000, 1_000_000)  # facets
@@ -87,6 +88,7 @@ def grow(folder: Path) -> None:
 
 
 if __name__ == "__main__":
+    keep_freed_memory()  # as on the command line; the peers in this process have the same
     with tempfile.TemporaryDirectory() as name:
         compare(Path(name))
         grow(Path(name))

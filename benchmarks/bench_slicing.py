@@ -19,6 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.parts import SIDE, bumpy
 from benchmarks.timing import median_seconds, print_table
+from freecad_fiveaxis.core.memory import keep_freed_memory
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.passes import slice_mesh
 from freecad_fiveaxis.core.records import Floats
@@ -107,6 +108,7 @@ def grow() -> None:
 
 
 if __name__ == "__main__":
+    keep_freed_memory()  # as on the command line; the peers in this process have the same
     compare(200_000, 200)
     compare(1_000_000, 500)
     grow()
