@@ -144,7 +144,7 @@ def mill(
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
     keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle, faces)
     planes, spacing = _planes(settings, mesh, keep, progress)
-    contact = slice_mesh(mesh, planes, passes.direction, None, progress, ~keep, settings.links.order)
+    contact = slice_mesh(mesh, planes, passes.direction, progress=progress, plain=~keep, order=settings.links.order)
     closed = close_gaps(
         contact, mesh, corner_radius(cutter), settings.cutter.coedge_tolerance, None if keep.all() else keep, progress
     )

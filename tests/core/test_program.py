@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.joint_path import JointPath
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, inverse
-from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.post.dialect import feed_distance
 from freecad_fiveaxis.core.post.writer import write_nc
@@ -171,6 +171,27 @@ def test_travel_agrees_with_dense_sampling_whatever_the_turn(turn: float) -> Non
     travel = feeds.tip_travel(links, q, np.ones(39, bool))
     dense = np.array([dense_travel(links, q[i], q[i + 1], 4001) for i in range(39)])
     assert np.abs(travel / dense - 1).max() < feeds.TRAVEL_ERROR
+
+
+@pytest.mark.parametrize("name", shipped_machines())
+def test_travel_agrees_with_dense_sampling_on_every_kind_of_chain(name: str) -> None:
+    """Linear axes on one side of the rotary ones or on several: short blocks, of which many are taken for their chords."""
+    links = chain(load_machine(name), Setup(tool_length=120.0))
+    rng = np.random.default_rng(5)
+    lean = (0.3, 0.2) + rng.normal(0, 1, (1500, 2)) * 10.0 ** rng.uniform(-4.0, -1.5, (1500, 1))
+    axis = np.column_stack([lean, np.ones(1500)])
+    axis /= np.linalg.norm(axis, axis=1)[:, None]
+    tip = np.cumsum(rng.normal(0, 1, (1500, 3)) * rng.choice([0.05, 0.5, 3.0], (1500, 1)), axis=0)
+    q = inverse(links, tip, axis)[0][0]
+    q = q[np.isfinite(q).all(axis=1)]
+    q[:, 3:] = np.unwrap(q[:, 3:], axis=0)
+    travel = feeds.tip_travel(links, q, np.ones(len(q) - 1, bool))
+    u = np.linspace(0, 1, 401)[:, None, None]
+    path, _ = forward(links, (q[:-1] * (1 - u) + q[1:] * u).reshape(-1, 5))
+    dense = np.linalg.norm(np.diff(path.reshape(401, -1, 3), axis=0), axis=2).sum(axis=0)
+    chord = np.linalg.norm(np.diff(forward(links, q)[0], axis=0), axis=1)
+    assert 50 < np.count_nonzero(np.isclose(travel, chord, rtol=1e-15, atol=0)) < len(chord) - 50  # some so, some sampled
+    np.testing.assert_allclose(travel, dense, rtol=feeds.TRAVEL_ERROR)
 
 
 def test_the_chord_alone_would_be_far_off() -> None:

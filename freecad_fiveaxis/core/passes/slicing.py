@@ -104,7 +104,7 @@ def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]
     base = np.empty(len(mesh.face) + 1, dtype=np.int64)
 
     def count(part: slice) -> int:
-        """First nodes counted from that of the first facet of the part; the number of nodes in it."""
+        """The number of nodes in the part; its first nodes, yet without those of the parts before it, go into ``base``."""
         a, b, c = (level.take(v) for v in mesh.face[part].T)
         low = np.minimum(np.minimum(a, b), c)
         number = np.maximum(np.maximum(a, b), c) - low
