@@ -24,8 +24,8 @@ from benchmarks.timing import print_table
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.gouge import body_of, facet_tree, find_entries, real_course, straight_course
-from freecad_fiveaxis.core.gouge.bounds import nearest_on_facet
 from freecad_fiveaxis.core.gouge.course import still_course
+from freecad_fiveaxis.core.gouge.deepest import nearest_on_facet
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.settings import build_settings

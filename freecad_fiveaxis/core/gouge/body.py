@@ -91,6 +91,15 @@ def _checked(piece: Piece) -> Piece:
     return piece
 
 
+def support(piece: Piece, along: Floats, loose: Floats | float = 0.0) -> Floats:
+    """The support (n,) mm in unit directions that have ``along`` (n,) of the axis in them, where the axis may be off by a vector
+    as long as ``loose`` (n,)."""
+    low, high = (piece.low, piece.low_radius), (piece.high, piece.high_radius)
+    across = np.sqrt(np.maximum(1.0 - along * along, 0.0)) if piece.low_radius + piece.high_radius > 0.0 else 0.0
+    most = [z * along + r * across + (abs(z) + r) * loose for z, r in ([low] if low == high else [low, high])]
+    return np.asarray((most[0] if len(most) == 1 else np.maximum(*most)) + piece.round)
+
+
 def body_of(cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: Iterable[tuple[float, float]] = ()) -> Body:
     """The body of a cutter up to its length, then shank and holder, after those that the cutter brings itself.
 
@@ -141,6 +150,16 @@ def off_piece(piece: Piece, radius: Floats, height: Floats) -> Off:
     return _rounded(_off_frustum(piece, radius, height), piece.round)
 
 
+def distance_off(piece: Piece, radius: Floats, height: Floats) -> Floats:
+    """The distance (n,) mm of :func:`off_piece` alone."""
+    if piece.low_radius != piece.high_radius:
+        return off_piece(piece, radius, height).distance
+    across, along = radius - piece.low_radius, np.maximum(piece.low - height, height - piece.high)
+    inside = np.minimum(np.maximum(across, along), 0.0)
+    across, along = np.maximum(across, 0.0), np.maximum(along, 0.0)
+    return np.asarray(np.sqrt(across * across + along * along) + inside - piece.round)
+
+
 def _rounded(off: Off, by: float) -> Off:
     return Off(off.distance - by, off.along, off.across)
 
@@ -184,7 +203,7 @@ def depth_of(body: Body, tip: Floats, axis: Floats, point: Floats) -> Floats:
     arm = np.asarray(point, float) - tip
     height = (arm * axis).sum(axis=-1)
     radius = np.linalg.norm(arm - height[..., None] * axis, axis=-1)
-    depths = [-off_piece(piece, radius, height).distance for piece in body.pieces]
+    depths = [-distance_off(piece, radius, height) for piece in body.pieces]
     return np.asarray(np.max(depths, axis=0))
 
 

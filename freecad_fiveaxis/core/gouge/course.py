@@ -26,8 +26,6 @@ from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.records import Floats, Ints
 from freecad_fiveaxis.core.trajectory import Vectors, at, axis, checked_words, frames, motion, tip, to_work
 
-Columns = tuple[Floats, ...]
-
 WIDE = 4
 """Stretches, or clusters, in a cluster."""
 
@@ -141,27 +139,54 @@ def stretches_of(course: Course, blocks: Ints, reach: float, least: float) -> St
 
 
 class Way(NamedTuple):
-    """The straight way between two poses, ``tip`` -+ ``travel`` and ``axis`` -+ ``turn``, columns x, y, z each; ``unit`` is as
-    long as a unit and points as ``axis`` does; ``bend_tip`` (mm), ``bend_axis``: what the way itself leaves this one by."""
+    """The straight way between two poses, from ``tip`` - ``travel`` to ``tip`` + ``travel`` with the axes ``cosine unit`` -+
+    ``turn``, as rows of ``column`` (15, n); where no axis turns there are but 11. ``bend_tip`` (mm), ``bend_axis``: what the way
+    itself leaves this one by."""
 
-    tip: Columns
-    travel: Columns
-    axis: Columns
-    turn: Columns
-    unit: Columns
-    bend_tip: Floats
-    bend_axis: Floats
+    column: Floats
+
+    @property
+    def tip(self) -> Floats:
+        return self.column[0:3]
+
+    @property
+    def unit(self) -> Floats:
+        return self.column[3:6]
+
+    @property
+    def travel(self) -> Floats:
+        return self.column[6:9]
+
+    @property
+    def bend_tip(self) -> Floats:
+        return np.asarray(self.column[9])
+
+    @property
+    def bend_axis(self) -> Floats:
+        return np.asarray(self.column[10])
+
+    @property
+    def turns(self) -> bool:
+        """Whether there are ``turn`` and ``cosine``; they are 0 and 1 where not."""
+        return len(self.column) > 11
+
+    @property
+    def turn(self) -> Floats:
+        return self.column[11:14]
+
+    @property
+    def cosine(self) -> Floats:
+        return np.asarray(self.column[14])
 
     def take(self, rows: Ints) -> Way:
         """Some of them."""
-        tip, travel, axis, turn, unit = (tuple(column.take(rows) for column in part) for part in self[:5])
-        return Way(tip, travel, axis, turn, unit, self.bend_tip.take(rows), self.bend_axis.take(rows))
+        return Way(self.column.take(rows, axis=1))
 
 
 class Clusters(NamedTuple):
-    """Stretches and their clusters in one table, the largest first: ``way`` (n, 17), one in a row, columns as in :class:`Way`;
-    ``size`` (n,) mm, half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the row of the first stretch,
-    ``top`` how many clusters stand at the head."""
+    """Stretches and their clusters in one table, the largest first: ``way`` (n, 11 or 15), one in a row, columns as in
+    :class:`Way`; ``size`` (n,) mm, half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the row of the
+    first stretch, ``top`` how many clusters stand at the head."""
 
     way: Floats
     size: Floats
@@ -172,9 +197,7 @@ class Clusters(NamedTuple):
 
     def ways(self, rows: Ints) -> Way:
         """Those of these clusters (k,)."""
-        column = tuple(np.ascontiguousarray(self.way.take(rows, axis=0).T))
-        tip, travel, axis, turn, unit = (column[k : k + 3] for k in range(0, 15, 3))
-        return Way(tip, travel, axis, turn, unit, column[15], column[16])
+        return Way(np.ascontiguousarray(self.way.take(rows, axis=0).T))
 
 
 def clusters_of(course: Course, parts: Stretches, reach: float, levels: int = 3) -> Clusters:
@@ -182,19 +205,29 @@ def clusters_of(course: Course, parts: Stretches, reach: float, levels: int = 3)
     start, end = course.pose(parts.block, parts.start), course.pose(parts.block, parts.end)
     share = 0.125 * (parts.end - parts.start) ** 2
     bend_tip, bend_axis = share * course.bend_tip[parts.block], share * course.bend_axis[parts.block]
-    rows = [_straight(start, end, np.arange(len(share)), np.arange(len(share)), bend_tip, bend_axis)]
+    rows = [(*_straight(start, end), bend_tip, bend_axis)]
     counts = [len(share)]
-    for level in range(1, levels + 1):
-        width = WIDE**level
-        first = np.arange(0, len(share), width)
-        rows.insert(0, _straight(start, end, first, np.minimum(first + width, len(share)) - 1, bend_tip, bend_axis))
+    for _ in range(levels):
+        first = np.arange(0, counts[0], WIDE)
+        last = np.minimum(first + WIDE, counts[0]) - 1
+        begin, stop = Poses(*(part[:, first] for part in start)), Poses(*(part[:, last] for part in end))
+        straight = _straight(begin, stop)
+        rows.insert(0, (*straight, *_joined(straight, start, end, first, last, *rows[0][4:])))
+        start, end = begin, stop
         counts.insert(0, len(first))
     tip, travel, axis, turn, bend_tip, bend_axis = (np.concatenate(column, axis=-1) for column in zip(*rows, strict=True))
-    size = np.linalg.norm(travel, axis=0) + reach * np.linalg.norm(turn, axis=0) + bend_tip + reach * bend_axis
-    unit = axis / np.maximum(np.linalg.norm(axis, axis=0), 1e-30)
-    way = np.concatenate([tip, travel, axis, turn, unit, bend_tip[None], bend_axis[None]])
-    child, arity = _family(counts)
-    return Clusters(np.ascontiguousarray(way.T), size, child, arity, sum(counts[:-1]), counts[0])
+    cosine, turned = _length(axis), _length(turn)
+    unit = np.where(cosine > STRAIGHT, axis / np.maximum(cosine, STRAIGHT), np.eye(3)[:, 2:])
+    way = [tip, unit, travel, bend_tip[None], bend_axis[None]]
+    if turned.any():
+        way += [turn, cosine[None]]
+    size = _length(travel) + bend_tip + reach * (turned + bend_axis)
+    table, (child, arity) = np.ascontiguousarray(np.concatenate(way).T), _family(counts)
+    return Clusters(table, size, child, arity, sum(counts[:-1]), counts[0])
+
+
+def _length(vector: Floats) -> Floats:
+    return np.asarray(np.sqrt((vector * vector).sum(axis=0)))
 
 
 def _family(counts: list[int]) -> tuple[Ints, Ints]:
@@ -208,26 +241,32 @@ def _family(counts: list[int]) -> tuple[Ints, Ints]:
     return np.concatenate([*child, none]), np.concatenate([*arity, none])
 
 
-def _straight(start: Poses, end: Poses, first: Ints, last: Ints, bend_tip: Floats, bend_axis: Floats) -> tuple[Floats, ...]:
-    """The straight way from the start of stretches ``first`` (k,) to the end of ``last`` (k,), and what those between leave it
-    by: each of their ends is compared with the point of the way at which its tip is nearest."""
-    p, q = start.tip[:, first], end.tip[:, last]
-    a, b = start.axis[:, first], end.axis[:, last]
-    tip, travel, axis, turn = 0.5 * (p + q), 0.5 * (q - p), 0.5 * (a + b), 0.5 * (b - a)
-    bend_tip, bend_axis = (np.maximum.reduceat(bend, first) for bend in (bend_tip, bend_axis))
-    if (first == last).all():
-        return tip, travel, axis, turn, bend_tip, bend_axis
+def _straight(start: Poses, end: Poses) -> tuple[Floats, Floats, Floats, Floats]:
+    """Tip, travel, axis and turn of the straight ways from pose to pose."""
+    travel, turn = 0.5 * (end.tip - start.tip), 0.5 * (end.axis - start.axis)
+    return start.tip + travel, travel, start.axis + turn, turn
+
+
+def _joined(
+    straight: tuple[Floats, ...], start: Poses, end: Poses, first: Ints, last: Ints, bend_tip: Floats, bend_axis: Floats
+) -> tuple[Floats, Floats]:  # fmt: skip
+    """What ways from ``start`` to ``end`` (n,), with their own bends, leave the straight ones (k,) by that lead over those from
+    ``first`` to ``last`` (k,).
+
+    Both their ends are compared with the point of the straight way at which its tip is nearest; what lies between them leaves
+    that by no more than the farther end and its own bend.
+    """
+    tip, travel, axis, turn = straight
     group = np.repeat(np.arange(len(first)), last - first + 1)
     off_tip, off_axis = np.zeros(len(group)), np.zeros(len(group))
-    square = np.maximum((travel * travel).sum(axis=0), 1e-300)
-    even = (np.arange(len(group)) - first[group]) / np.maximum(last - first, 1)[group]
+    square, along = np.maximum((travel * travel).sum(axis=0), 1e-300)[group], travel[:, group]
+    even = 2.0 * (np.arange(len(group)) - first[group]) / np.maximum(last - first, 1)[group] - 1.0
+    turns = (start.axis != axis[:, group]).any() or (end.axis != axis[:, group]).any()
     for pose in (start, end):
         arm = pose.tip - tip[:, group]
-        share = np.clip((arm * travel[:, group]).sum(axis=0) / square[group], -1.0, 1.0)
-        share = np.where(square[group] > 1e-18, share, 2.0 * even - 1.0)
-        off_tip = np.maximum(off_tip, np.linalg.norm(arm - share * travel[:, group], axis=0))
-        off_axis = np.maximum(off_axis, np.linalg.norm(pose.axis - axis[:, group] - share * turn[:, group], axis=0))
-    return (
-        tip, travel, axis, turn,
-        bend_tip + np.maximum.reduceat(off_tip, first), bend_axis + np.maximum.reduceat(off_axis, first),
-    )  # fmt: skip
+        share = np.clip((arm * along).sum(axis=0) / square, -1.0, 1.0)
+        share = np.where(square > 1e-18, share, even)
+        off_tip = np.maximum(off_tip, _length(arm - share * along))
+        if turns:
+            off_axis = np.maximum(off_axis, _length(pose.axis - axis[:, group] - share * turn[:, group]))
+    return np.maximum.reduceat(bend_tip + off_tip, first), np.maximum.reduceat(bend_axis + off_axis, first)

@@ -31,9 +31,9 @@ def is_closed(mesh: Mesh) -> bool:
 
 def inside(tree: FacetTree, points: Floats) -> Bools:
     """Which points (n, 3) mm lie inside the closed part: the facets above them, each counted with the sense in which it looks."""
-    low, high = tree.corner.reshape(3, 3, -1).min(axis=(0, 2)), tree.corner.reshape(3, 3, -1).max(axis=(0, 2))
+    whole = tree.half[:, 0]
     x, y, z = np.asarray(points, float).T
-    x, y = x + ASIDE[0] * (high[0] - low[0]), y + ASIDE[1] * (high[1] - low[1])
+    x, y = x + 2.0 * ASIDE[0] * whole[0], y + 2.0 * ASIDE[1] * whole[1]
     row, node, turns = np.arange(len(x)), np.zeros(len(x), np.int64), np.zeros(len(x))
     while len(row):
         middle, half = tree.middle[:, node], tree.half[:, node]
@@ -53,7 +53,7 @@ def _above(tree: FacetTree, x: Floats, y: Floats, z: Floats, row: Ints, leaf: In
     """+1 for every facet above a point that looks up, -1 for one that looks down, summed up (n,)."""
     first = tree.facet_first[leaf]
     row, leaf = row[first], leaf[first]
-    a, b, c = tree.corner[:, leaf].reshape(3, 3, -1)
+    a, b, c = tree.corners(leaf)
     px, py, pz = x[row], y[row], z[row]
 
     def area(p: Floats, q: Floats) -> Floats:

@@ -21,14 +21,15 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 from .body import Body, Piece
-from .bounds import deepest, end_and_side, facet_bound, least_depth, least_mixed, plate_bound, slab, support_at
-from .course import Clusters, Course, Poses, Stretches, clusters_of, stretches_of
+from .bounds import box_bound, facet_bound, least_depth, pared, plate_bound
+from .course import Clusters, Course, Poses, Stretches, Way, clusters_of, stretches_of
+from .deepest import deepest, end_and_side, least_mixed, support_at
 from .facet_tree import FacetTree
 
-BATCH = 8192
+BATCH = 16384
 """Blocks at a time: their table stays in the processor's cache."""
 
-SLICE = 4096
+SLICE = 12288
 """Pairs at a time."""
 
 ROUNDS = 40
@@ -81,12 +82,13 @@ def find_entries(
     m = len(course)
     found = Entries(np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64))
     wanted = np.arange(m) if blocks is None else blocks
-    search = _Search(tree, course, limit, 0.1 * limit if accuracy is None else accuracy, body.reach, found, np.zeros(m))
+    floors = np.full(m + 1, limit)
+    search = _Search(tree, course, limit, 0.1 * limit if accuracy is None else accuracy, body.reach, found, np.zeros(m), floors)
     for first in range(0, len(wanted), BATCH):
         progress("gouge", first / len(wanted))
         search.batch(body, wanted[first : first + BATCH], _now_and_then(progress, first / len(wanted)))
     progress("gouge", 1.0)
-    found.bound[wanted] = np.maximum(found.bound[wanted], search.floor(wanted))
+    found.bound[wanted] = np.maximum(found.bound[wanted], floors[wanted])
     return found
 
 
@@ -128,6 +130,9 @@ class _TooMany(Exception):
 
 @dataclass(frozen=True, eq=False)
 class _Search:
+    """``known`` (m,) mm: so deep a block is known to be, though not yet where; ``floors`` (m + 1,) mm: what a pair of a block
+    must be able to exceed; that of a cluster, in the last place, is the limit."""
+
     tree: FacetTree
     course: Course
     limit: float
@@ -135,6 +140,7 @@ class _Search:
     reach: float
     found: Entries
     known: Floats
+    floors: Floats
 
     def batch(self, body: Body, blocks: Ints, tick: Callable[[], None]) -> None:
         """Fill in the entries of these blocks; ``tick`` is called again and again."""
@@ -142,26 +148,30 @@ class _Search:
         clusters = clusters_of(self.course, parts, self.reach)
         try:
             for piece in sorted(body.pieces, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
-                self._refine(piece, self._traverse(piece, clusters, parts, tick), tick)
+                if piece.most > self.limit:
+                    self._refine(piece, self._traverse(piece, clusters, parts, tick), tick)
         except _TooMany:
             half = len(blocks) // 2
             for some in (blocks[:half], blocks[half:]):
                 self.batch(body, some, tick)
 
-    def floor(self, block: Ints) -> Floats:
-        """What a pair of these blocks must be able to exceed, mm."""
-        placed, known = self.found.depth.take(block), self.known.take(block)
+    def _raise(self, block: Ints) -> None:
+        """Work out the floors of these blocks anew."""
+        placed, known = self.found.depth[block], self.known[block]
         if self.accuracy == np.inf:  # that it enters is all that is asked
-            return np.where(np.maximum(placed, known) > 0.0, np.inf, self.limit)
-        least = np.maximum(self.limit, known)
-        return np.where(placed > 0.0, np.maximum(least, placed + np.maximum(self.accuracy, RELATIVE * placed)), least)
+            floor = np.where(np.maximum(placed, known) > 0.0, np.inf, self.limit)
+        else:
+            floor = np.maximum(self.limit, known)
+            floor = np.where(placed > 0.0, np.maximum(floor, placed + np.maximum(self.accuracy, RELATIVE * placed)), floor)
+        self.floors[block] = floor
 
     def _traverse(self, piece: Piece, clusters: Clusters, parts: Stretches, tick: Callable[[], None]) -> _Left:
         way, node = np.arange(clusters.top), np.zeros(clusters.top, np.int64)
+        owner = np.concatenate([np.full(clusters.first, len(self.known)), parts.block])
         done: list[tuple[Ints, Ints]] = []
         while len(way):
             tick()
-            way, node, enters = self._pruned(piece, clusters, parts, way, node)
+            way, node, enters = self._pruned(piece, clusters, owner, way, node)
             whole = (clusters.arity.take(way) == 0) & (node >= self.tree.leaf)
             done.append((way[whole] - clusters.first, node[whole]))
             way, node = _divided(clusters, self.tree, way[~whole], node[~whole], enters[~whole])
@@ -169,49 +179,47 @@ class _Search:
                 raise _TooMany
         stretch, leaf = (np.concatenate(column) for column in zip(*done, strict=True))
         leaf = leaf - self.tree.leaf
-        corner = self.tree.corner.take(leaf, axis=1).reshape(3, 3, -1)
-        return _Left(parts.block[stretch], parts.start[stretch], parts.end[stretch], corner, leaf)
+        return _Left(parts.block[stretch], parts.start[stretch], parts.end[stretch], self.tree.corners(leaf), leaf)
 
-    def _pruned(self, piece: Piece, clusters: Clusters, parts: Stretches, way: Ints, node: Ints) -> tuple[Ints, Ints, Bools]:
-        """The pairs that may hold more than is known, and which of them do enter."""
+    def _pruned(self, piece: Piece, clusters: Clusters, owner: Ints, way: Ints, node: Ints) -> tuple[Ints, Ints, Bools]:
+        """The pairs that may hold more than is known, and which of them do enter; ``owner`` (n,) the place of their floors."""
         kept, deep = [], []
         for first in range(0, len(way), SLICE):
-            rows, enters = self._stay(piece, clusters, parts, way[first : first + SLICE], node[first : first + SLICE])
+            some, place = way[first : first + SLICE], owner.take(way[first : first + SLICE])
+            rows, enters = self._stay(piece, clusters.ways(some), place, node[first : first + SLICE])
             kept.append(first + rows)
             deep.append(enters)
         rows = np.concatenate(kept)
         return way[rows], node[rows], np.concatenate(deep)
 
-    def _stay(self, piece: Piece, clusters: Clusters, parts: Stretches, way: Ints, node: Ints) -> tuple[Ints, Bools]:
+    def _stay(self, piece: Piece, ways: Way, place: Ints, node: Ints) -> tuple[Ints, Bools]:
         """:meth:`_pruned` for so many that they stay in the processor's cache: which rows stay."""
-        block, single = parts.block.take(np.maximum(way - clusters.first, 0)), way >= clusters.first
-        floor = np.where(single, self.floor(block), self.limit)
-        ways, plates = clusters.ways(way), self.tree.plates(node)
-        most = plate_bound(piece, ways, plates)
-        rows = np.flatnonzero(np.minimum(most, piece.most) > floor)
-        ways, plates, most, single = ways.take(rows), plates.take(rows), most[rows], single[rows]
-        most = np.minimum(most, slab(piece, ways, plates))
-        facets = np.flatnonzero((most > floor[rows]) & (node[rows] >= self.tree.leaf))
-        corner = self.tree.corner.take(node[rows[facets]] - self.tree.leaf, axis=1)
-        most[facets] = np.minimum(most[facets], facet_bound(piece, ways.take(facets), corner))
-        least = least_depth(piece, ways, plates)
-        block = block[rows]
-        self._learn(block[single], least[single])
-        stay = most > np.where(single, self.floor(block), self.limit)
-        return rows[stay], least[stay] > self.limit
+        core, off = pared(piece, self.limit)
+        rows, floor = np.arange(len(node)), self.floors.take(place) - off
+        most = np.full(len(node), piece.most - off)
+        for bound in (box_bound, plate_bound, facet_bound):
+            most = np.minimum(most, bound(core, ways, self.tree, node))
+            some = np.flatnonzero(most > floor)
+            rows, ways, node, floor, most = rows.take(some), ways.take(some), node.take(some), floor.take(some), most.take(some)
+        least, place = least_depth(piece, ways, self.tree.points(node)), place.take(rows)
+        self._learn(place, least)
+        some = np.flatnonzero(most > self.floors.take(place) - off)
+        return rows.take(some), least.take(some) > self.limit
 
-    def _learn(self, block: Ints, least: Floats) -> None:
+    def _learn(self, place: Ints, least: Floats) -> None:
         """Depths that are known to be reached, though not yet where."""
-        deep = np.flatnonzero(least > self.limit)
+        deep = np.flatnonzero((least > self.limit) & (place < len(self.known)))
         if len(deep):
-            np.maximum.at(self.known, block[deep], SURELY * least[deep])
+            block = place.take(deep)
+            np.maximum.at(self.known, block, SURELY * least.take(deep))
+            self._raise(block)
 
     def _refine(self, piece: Piece, left: _Left, tick: Callable[[], None]) -> None:
         """The depth of the pairs, some of each block at a time: what they tell makes many of the others superfluous."""
         parts = -(-len(left.block) // AT_ONCE)
         for k in range(parts):
             rows = np.arange(k, len(left.block), parts)
-            rows = rows[piece.most > self.floor(left.block.take(rows))]
+            rows = rows[piece.most > self.floors.take(left.block.take(rows))]
             self._refine_some(piece, left.picked(rows), tick)
 
     def _refine_some(self, piece: Piece, left: _Left, tick: Callable[[], None]) -> None:
@@ -224,7 +232,7 @@ class _Search:
             deep = deepest(piece, pose, left.corner)
             self._note(piece, left, middle, -deep.distance, deep.point)
             most, in_time, half_way = self._most(piece, left, pose, deep.point, deep.g)
-            rows = np.flatnonzero(np.minimum(most, piece.most) > self.floor(left.block))
+            rows = np.flatnonzero(np.minimum(most, piece.most) > self.floors.take(left.block))
             left, most = left.picked(rows), most[rows]
             if len(rows) > MOST_PAIRS:
                 break
@@ -241,23 +249,22 @@ class _Search:
         """
         start, end = self.course.pose(left.block, left.start), self.course.pose(left.block, left.end)
         share = 0.125 * (left.end - left.start) ** 2
-        lever = max(abs(piece.low) + piece.low_radius, abs(piece.high) + piece.high_radius)
-        bend = share * (self.course.bend_tip[left.block] + lever * self.course.bend_axis[left.block])
+        bend, loose = share * self.course.bend_tip[left.block], share * self.course.bend_axis[left.block]
 
         def bound(g: Floats) -> tuple[Floats, Floats, Floats]:
-            over = np.maximum(support_at(piece, start, g), support_at(piece, end, g)) + bend
+            over = np.maximum(support_at(piece, start, g, loose), support_at(piece, end, g, loose)) + bend
             begins, half_way = (g * left.corner).sum(axis=1).min(axis=0), support_at(piece, pose, g)
             return over - begins, over - half_way, half_way - begins
 
         most, in_time, flat = bound(g)
-        normal = np.stack(self.tree.plates(self.tree.leaf + left.leaf).normal)
+        normal = self.tree.plates(self.tree.leaf + left.leaf).normal
         for direction in (normal, -normal):
             most = np.minimum(most, bound(direction)[0])
         if piece.round == 0.0:
             ends = []
             for g in end_and_side(piece, pose, point):
                 begins = (g * left.corner).sum(axis=1)
-                ends.append(np.concatenate([support_at(piece, there, g) + bend - begins for there in (start, end)]))
+                ends.append(np.concatenate([support_at(piece, there, g, loose) + bend - begins for there in (start, end)]))
             most = np.minimum(most, least_mixed(*ends))
         return most, in_time, flat
 
@@ -271,6 +278,7 @@ class _Search:
         block = left.block[order]
         found.depth[block], found.u[block], found.place[block] = depth[order], u[order], point.T[order]
         found.facet[block], found.part[block] = self.tree.facet[left.leaf[order]], piece.part
+        self._raise(block)
 
 
 def _divided(clusters: Clusters, tree: FacetTree, way: Ints, node: Ints, enters: Bools) -> tuple[Ints, Ints]:

@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The bounds of the gouge check against dense samples: no point of a node is deeper at any pose of a way."""
+
+import numpy as np
+import pytest
+from gouge_examples import bowl, step
+
+from benchmarks.parts import bumpy
+from freecad_fiveaxis.core.gouge import Body, depth_of, facet_tree, frustum_piece, real_course, round_piece, straight_course
+from freecad_fiveaxis.core.gouge.body import Piece, distance_off, off_piece, support
+from freecad_fiveaxis.core.gouge.bounds import box_bound, facet_bound, least_depth, pared, plate_bound
+from freecad_fiveaxis.core.gouge.course import clusters_of, still_course, stretches_of
+from freecad_fiveaxis.core.gouge.deepest import toward
+from freecad_fiveaxis.core.gouge.edges import nearest_on_edges
+from freecad_fiveaxis.core.kinematics import Setup, chain
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.mesh import from_faces
+
+LIMIT = 0.01
+PIECES = {
+    "ball": round_piece(0.0, 3.0, 3.0),
+    "ball cutter": Piece(3.0, 0.0, 20.0, 0.0, 3.0),
+    "bull nose": Piece(1.0, 4.0, 20.0, 4.0, 1.0),
+    "ring": round_piece(4.0, 1.0, 1.0),
+    "flat": frustum_piece(0.0, 5.0, 20.0, 5.0),
+    "tapered": Piece(1.0, 0.5, 20.0, 4.0, 1.0),
+    "cone": frustum_piece(0.0, 2.0, 12.0, 6.0),
+    "cone upside down": frustum_piece(0.0, 6.0, 12.0, 2.0),
+}
+STRAIGHT = [name for name, piece in PIECES.items() if piece.low_radius == piece.high_radius]
+
+
+def directions(rng, count):
+    way = rng.normal(size=(count, 3))
+    return way / np.linalg.norm(way, axis=1)[:, None]
+
+
+def leaning_axes(rng, count, by):
+    axes = np.array([0.0, 0.0, 1.0]) + by * rng.normal(size=(count, 3))
+    return axes / np.linalg.norm(axes, axis=1)[:, None]
+
+
+def steps(rng, mesh, count):
+    """A walk about a corner of the part, in and out of it."""
+    return mesh.vertex[rng.integers(len(mesh.vertex))] + np.cumsum(rng.normal(0.0, 0.5, (count, 3)), axis=0)
+
+
+def courses(rng, mesh):
+    machine = load_machine("trunnion_ac")
+    words = np.column_stack([steps(rng, mesh, 18), np.cumsum(rng.normal(0.0, 4.0, (18, 2)), axis=0)])
+    return {
+        "still": still_course(steps(rng, mesh, 17), leaning_axes(rng, 17, 0.5)),
+        "upright": straight_course(steps(rng, mesh, 18), np.broadcast_to((0.0, 0.0, 1.0), (18, 3))),
+        "turning": straight_course(steps(rng, mesh, 18), leaning_axes(rng, 18, 0.15)),
+        "anyhow": straight_course(steps(rng, mesh, 18), directions(rng, 18)),
+        "machine": real_course(chain(machine, Setup()), words),
+    }
+
+
+def clusters(course):
+    parts = stretches_of(course, np.arange(len(course)), 30.0, 0.05)
+    return parts, clusters_of(course, parts, 30.0)
+
+
+def stretches_under(table, row):
+    """The stretches of a row of the table."""
+    return _last(table, row) - table.first
+
+
+def facets_under(tree, node):
+    return _last(tree, node) - tree.leaf
+
+
+def _last(table, row):
+    rows = np.array([row])
+    while table.arity[rows[0]]:
+        rows = np.concatenate([table.child[one] + np.arange(table.arity[one]) for one in rows])
+    return rows
+
+
+def depths(piece, course, parts, stretches, tree, facets, rng):
+    """How deep the part goes into the piece, by samples of these facets and stretches."""
+    u = parts.start[stretches, None] + np.linspace(0.0, 1.0, 9) * (parts.end - parts.start)[stretches, None]
+    pose = course.pose(np.repeat(parts.block[stretches], 9), u.ravel())
+    share = np.concatenate([np.eye(3), rng.dirichlet((1.0, 1.0, 1.0), 12)])
+    points = np.einsum("sk,kif->sfi", share, tree.corners(facets)).reshape(-1, 3)
+    return depth_of(Body((piece,)), pose.tip.T[:, None], pose.axis.T[:, None], points[None])
+
+
+def pairs(rng, table, tree):
+    """Rows of clusters and nodes, as many small as large ones, half of the nodes among the nearest."""
+    levels = [(0, table.top), (table.top, table.first), (table.first, len(table.size))]
+    way = np.concatenate([rng.integers(*level, 16) for level in levels if level[1] > level[0]])
+    node = rng.integers(0, len(tree.size), (400, len(way)))
+    off = np.linalg.norm(tree.middle[:, node] - table.ways(way).tip[:, None], axis=0) + tree.size[node] * rng.uniform(
+        0.5, 2.0, node.shape
+    )
+    nearest = np.take_along_axis(node, off.argmin(axis=0)[None], axis=0)[0]
+    return way, np.where(rng.uniform(size=len(way)) < 0.7, nearest, node[0])
+
+
+def lowest_bounds(piece, ways, tree, node):
+    core, off = pared(piece, LIMIT)
+    return {bound.__name__: bound(core, ways, tree, node) + off for bound in (box_bound, plate_bound, facet_bound)}
+
+
+@pytest.mark.parametrize("name", PIECES)
+def test_no_sample_is_deeper_than_any_of_the_bounds(name):
+    rng, piece, near = np.random.default_rng(4), PIECES[name], 0
+    for mesh in (bowl(20.0), step(), bumpy(400)):
+        tree = facet_tree(mesh)
+        for kind, course in courses(rng, mesh).items():
+            parts, table = clusters(course)
+            way, node = pairs(rng, table, tree)
+            bounds = lowest_bounds(piece, table.ways(way), tree, node)
+            for k in range(len(way)):
+                found = depths(piece, course, parts, stretches_under(table, way[k]), tree, facets_under(tree, node[k]), rng).max()
+                for bound, most in bounds.items():
+                    assert found <= max(most[k], LIMIT) + 1e-9, (kind, bound, k)
+                near += found > LIMIT
+    assert near > 30  # enough of them do enter
+
+
+def test_the_samples_see_a_bound_that_forgets_what_the_way_bends():
+    rng, mesh, piece = np.random.default_rng(4), bumpy(400), PIECES["ball cutter"]
+    tree, course = facet_tree(mesh), courses(rng, mesh)["machine"]
+    parts, table = clusters(course)
+    way, node = np.arange(table.top).repeat(40), rng.integers(tree.leaf, len(tree.size), 40 * table.top)
+    ways = table.ways(way)
+    ways.column[9:11] = 0.0
+    assert not ways.bend_tip.any() and not ways.bend_axis.any()
+    most = np.min(list(lowest_bounds(piece, ways, tree, node).values()), axis=0)
+    found = [
+        depths(piece, course, parts, stretches_under(table, row), tree, facets_under(tree, leaf), rng).max()
+        for row, leaf in zip(way, node, strict=True)
+    ]
+    assert (np.array(found) > most + 1e-3).any()
+
+
+def test_a_point_said_to_be_deep_is_so_at_some_pose():
+    rng, mesh, piece, deep = np.random.default_rng(5), bumpy(400), PIECES["bull nose"], 0
+    tree = facet_tree(mesh)
+    for course in [course for _ in range(12) for course in courses(rng, mesh).values()]:
+        parts, table = clusters(course)
+        way, node = pairs(rng, table, tree)
+        points = tree.points(node)
+        least = least_depth(piece, table.ways(way), points)
+        for k in np.flatnonzero(least > 0.0):
+            u = np.linspace(0.0, 1.0, 40)
+            rows = stretches_under(table, way[k])
+            share = parts.start[rows, None] + u * (parts.end - parts.start)[rows, None]
+            pose = course.pose(np.repeat(parts.block[rows], 40), share.ravel())
+            found = depth_of(Body((piece,)), pose.tip.T, pose.axis.T, points[:, k]).max()
+            assert found > least[k] - 0.05
+            deep += 1
+    assert deep > 10
+
+
+# ------------------------------------------------------------------------------------------------ touching
+
+
+def touching(name, count, rng):
+    """Triangles (3, 3, n) that a piece with its tip at 0 and its axis up touches from outside, by sampling their distance."""
+    piece, found = PIECES[name], []
+    share = np.concatenate([np.eye(3), rng.dirichlet((1.0, 1.0, 1.0), 400), _along_edges(200)])
+    for _ in range(count):
+        size = 10.0 ** rng.uniform(-1.0, 1.5)
+        middle = np.array([0.0, 0.0, 4.0]) + rng.normal(0.0, 4.0, 3) * (1.0, 1.0, 0.5)
+        corner = middle + size * rng.normal(size=(3, 3)) * (1.0, 1.0, 0.3)
+        off, g = _nearest(piece, corner, share, rng)
+        if off + piece.round > 1e-3 and g[2] < 1e-3:  # not in the core, and not over the tool
+            found.append(corner - off * g)
+    return piece, np.array(found).transpose(1, 2, 0)
+
+
+def _along_edges(count):
+    t = np.linspace(0.0, 1.0, count)[:, None]
+    return np.concatenate([(1.0 - t) * np.eye(3)[k] + t * np.eye(3)[(k + 1) % 3] for k in range(3)])
+
+
+def _nearest(piece, corner, share, rng):
+    """How far a triangle is from the piece, and which way: samples, ever nearer to the best."""
+    for scale in 0.02 * 0.4 ** np.arange(16):
+        point = (share @ corner).T
+        distance, g = toward(piece, np.broadcast_to([[0.0], [0.0], [1.0]], point.shape), point)
+        k = distance.argmin()
+        best = share[k], distance[k], g[:, k]
+        share = np.maximum(best[0] + scale * rng.normal(size=(150, 3)) * (rng.uniform(size=(150, 3)) < 0.6), 0.0)
+        share = np.concatenate([best[:1], share / share.sum(axis=1)[:, None]])
+    return best[1], best[2]
+
+
+@pytest.mark.parametrize("name", STRAIGHT)
+def test_a_tool_that_touches_a_facet_anywhere_is_cleared_of_it_at_once(name):
+    rng = np.random.default_rng(6)
+    piece, corner = touching(name, 300, rng)
+    assert corner.shape[2] > 25
+    cleared = clearances(piece, corner) <= LIMIT
+    assert cleared.mean() > 0.98
+
+
+def clearances(piece, corner):
+    """The best bound for triangles, each a tree of its own, of a piece that stands at 0."""
+    best = []
+    for k in range(corner.shape[2]):
+        mesh = from_faces(corner[:, :, k], np.array([[0, 1, 2]]))
+        tree, course = facet_tree(mesh), still_course(np.zeros((1, 3)), np.array([[0.0, 0.0, 1.0]]))
+        _, table = clusters(course)
+        row, node = np.array([table.first]), np.array([len(tree.size) - 1])
+        best.append(min(float(bound[0]) for bound in lowest_bounds(piece, table.ways(row), tree, node).values()))
+    return np.array(best)
+
+
+def test_without_the_edges_many_touched_facets_are_not_cleared(monkeypatch):
+    rng = np.random.default_rng(6)
+    piece, corner = touching("bull nose", 300, rng)
+    monkeypatch.setitem(globals(), "facet_bound", plate_bound)
+    assert (clearances(piece, corner) <= LIMIT).mean() < 0.8
+
+
+@pytest.mark.parametrize("name", STRAIGHT)
+def test_the_nearest_place_of_the_edges_is_that_of_dense_samples(name):
+    rng, piece = np.random.default_rng(7), PIECES[name]
+    corner = rng.normal(0.0, 5.0, (3, 3, 400)) + np.array([0.0, 0.0, -3.0])[:, None]
+    axis = np.broadcast_to([[0.0], [0.0], [1.0]], (3, 400))
+    core = piece._replace(round=0.0, high=100.0)
+    place = nearest_on_edges(piece, axis, corner)
+    samples = np.einsum("sk,kin->sin", _along_edges(400), corner)
+    off = [np.maximum(distance_off(core, np.hypot(x, y), z), 0.0) for x, y, z in (place, samples.transpose(1, 0, 2))]
+    close = off[0] <= off[1].min(axis=0) * 1.001 + 1e-3
+    assert close.mean() > 0.985 and (off[0] <= off[1].min(axis=0) * 1.2 + 0.02).all()
+
+
+# ------------------------------------------------------------------------------------------------ pieces and nodes
+
+
+@pytest.mark.parametrize("name", PIECES)
+@pytest.mark.parametrize("by", [0.01, 1.5])
+def test_a_pared_piece_holds_what_is_deeper_by_so_much_less(name, by):
+    rng, piece = np.random.default_rng(8), PIECES[name]
+    core, off = pared(piece, by)
+    radius, height = rng.uniform(0.0, 8.0, 20000), rng.uniform(-2.0, 24.0, 20000)
+    before, after = (-distance_off(one, radius, height) for one in (piece, core))
+    deep = before > off
+    assert off <= by and deep.sum() > (100 if by < 1.0 or piece.most > 2.0 else -1)
+    assert (after[deep] >= before[deep] - off - 1e-12).all()
+    assert (after[~deep] <= 1e-12).all()
+
+
+@pytest.mark.parametrize("name", PIECES)
+def test_support_and_distance_of_a_piece_are_those_of_its_points(name):
+    rng, piece = np.random.default_rng(9), PIECES[name]
+    height, radius = rng.uniform(-1.0, 25.0, 40000), rng.uniform(0.0, 9.0, 40000)
+    distance = off_piece(piece, radius, height).distance
+    np.testing.assert_allclose(distance_off(piece, radius, height), distance, rtol=0.0, atol=1e-12)
+    along = np.linspace(-1.0, 1.0, 21)
+    inside = distance <= 0.0
+    reach = along[:, None] * height[inside] + np.sqrt(1.0 - along[:, None] ** 2) * radius[inside]
+    assert (reach.max(axis=1) <= support(piece, along) + 1e-9).all()
+    assert (reach.max(axis=1) >= support(piece, along) - 0.4).all()
+    assert (support(piece, along, 0.1) >= support(piece, along)).all()
+
+
+@pytest.mark.parametrize("mesh", [bowl(20.0), step(), bumpy(400)], ids=["bowl", "step", "bumpy"])
+def test_every_corner_is_in_the_boxes_and_plates_of_its_nodes(mesh):
+    tree = facet_tree(mesh)
+    for node in range(len(tree.size)):
+        corner = tree.corners(facets_under(tree, node)).transpose(1, 0, 2).reshape(3, -1)
+        box, plate = tree.boxes(np.array([node])), tree.plates(np.array([node]))
+        along = np.einsum("kin,im->km", box.ways, corner - box.middle)
+        assert (np.abs(along) <= box.half + 1e-9).all()
+        height = plate.normal[:, 0] @ corner
+        assert plate.bottom[0] - 1e-9 <= height.min() and height.max() <= plate.top[0] + 1e-9
+        assert np.linalg.norm(corner - tree.middle[:, [node]], axis=0).max() <= tree.size[node] + 1e-9
+
+
+def test_boxes_lie_as_the_facets_do_on_slopes_and_straight_over_walls_and_floors():
+    slope, stairs = facet_tree(bumpy(4000)), facet_tree(step())
+    straight = np.abs(np.abs(stairs.boxes(np.arange(len(stairs.size))).ways).max(axis=1) - 1.0) < 1e-9
+    assert straight[:, :1].all()  # the whole block
+    leaves = slope.boxes(np.arange(slope.leaf, len(slope.size)))
+    assert (leaves.half.min(axis=0) < 1e-9).mean() > 0.9  # no thicker than a facet
