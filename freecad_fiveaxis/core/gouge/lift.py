@@ -34,6 +34,10 @@ from .search import find_entries, which_enter
 AIM = 0.5
 """Of the tolerance."""
 
+ROOM = 0.8
+"""Of the aim: what a row that is lifted may still enter by. Blocks between such rows that are shorter than the rest cannot enter by
+more than the aim, so putting in rows comes to an end."""
+
 GRAZE = 0.1
 """Of the tolerance: entries of a ball below this are none. A level bottom that lies on facets would take long to know so well."""
 
@@ -48,6 +52,9 @@ ROUGHLY = 0.1
 
 SAME = 1e-6
 """mm; places nearer than this are one place."""
+
+INNER = 0.05
+"""Of a block: a row put in at its deepest place is at least so far from its ends."""
 
 SHORT = 0.1
 """Of the cutter's thickness: rows put in only to stay low do not come nearer to each other."""
@@ -184,15 +191,15 @@ class _Lifter:
         return ends[under]
 
     def rows(self, key: Floats, beside: Bools | None = None) -> _Rows:
-        """The rows at these places (k,), lifted until the cutter is nowhere deeper in than the aim; those that stand ``beside``
-        (k,) rows above an overhang until nothing of the part is over them, either."""
+        """The rows at these places (k,), lifted until the cutter is nowhere deeper in than ROOM of the aim; those that stand
+        ``beside`` (k,) rows above an overhang until nothing of the part is over them, either."""
         block = np.minimum(key.astype(np.int64), len(self.given) - 1)
         pose = self.given.pose(block, key - block)
         tip, axis = pose.tip.T.copy(), pose.axis.T.copy()
         start, left = tip.copy(), np.arange(len(key))
         for _ in range(LIFTS):
             still = still_course(tip[left], axis[left])
-            entries = find_entries(self.cutter, self.tree, still, self.aim, ROUGHLY, progress=self.going)
+            entries = find_entries(self.cutter, self.tree, still, ROOM * self.aim, ROUGHLY, progress=self.going)
             deep = np.flatnonzero(entries.depth > 0.0)
             if not len(deep):
                 break
@@ -201,9 +208,12 @@ class _Lifter:
             tip[left] += np.maximum(by, 0.5 * self.aim)[:, None] * axis[left]
         rise = np.zeros(len(key))
         near = np.flatnonzero(beside) if beside is not None else left[:0]
-        rise[near] = rise_above(self.cutter, self.tree, tip[near], axis[near], self.aim, self.going)
+        rise[near] = self._rise(tip[near], axis[near])
         tip += rise[:, None] * axis
         return _Rows(tip, axis, key, ((tip - start) * axis).sum(axis=1), rise > 0.0)
+
+    def _rise(self, tip: Floats, axis: Floats) -> Floats:
+        return rise_above(self.cutter, self.tree, tip, axis, ROOM * self.aim, self.going)
 
     def lower(self, way: _Way, least: float, tolerance: float) -> _Way:
         """Rows put in where the way between two lifted rows stands more than ``tolerance`` mm higher than it must; blocks of up
@@ -221,17 +231,22 @@ class _Lifter:
         return way
 
     def between(self, way: _Way, dirty: Bools) -> _Way:
-        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends."""
-        given = len(way.tip)
+        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends; not where the way given is
+        too short for that: what enters there goes up through the part, and no row between helps."""
+        given, least = len(way.tip), (1.0 - ROOM) * self.aim
         for k in range(ROUNDS):
             self.going.round(k, ROUNDS)
-            course = straight_course(way.tip, way.axis)
-            entries = find_entries(self.cutter, self.tree, course, self.aim, ROUGHLY, np.flatnonzero(dirty), self.going)
+            course, low = straight_course(way.tip, way.axis), way.tip - way.lift[:, None] * way.axis
+            length = np.linalg.norm(np.diff(low, axis=0), axis=1)
+            blocks = np.flatnonzero(dirty & (length > least))
+            entries = find_entries(self.cutter, self.tree, course, self.aim, ROUGHLY, blocks, self.going)
             blocks = np.flatnonzero(entries.depth > 0.0)
             if not len(blocks) or len(way.tip) > MOST_ROWS * given + FEW:
                 break
-            deepest = (k % 2 == 0) & (np.abs(entries.u[blocks] - 0.5) < 0.45)  # before a wall only halving comes near it
-            u = np.where(deepest, entries.u[blocks], 0.5)
+            u = entries.u[blocks]
+            inner = np.minimum(u, 1.0 - u)
+            deepest = (k % 2 == 0) & (inner > INNER) & (inner * length[blocks] > least)  # before a wall only halving comes near it
+            u = np.where(deepest, u, 0.5)
             key = way.key[blocks] + u * (way.key[blocks + 1] - way.key[blocks])
             way, dirty = _put_in(way, blocks, self.rows(key, way.over[blocks] | way.over[blocks + 1]))
         return way
@@ -246,7 +261,7 @@ class _Lifter:
             if not high.any():
                 break
             rise = np.zeros(len(way.tip))
-            rise[high] = rise_above(self.cutter, self.tree, way.tip[high], way.axis[high], self.aim, self.going)
+            rise[high] = self._rise(way.tip[high], way.axis[high])
             way = replace(way, tip=way.tip + rise[:, None] * way.axis, lift=way.lift + rise, over=way.over | high)
             self.going.stage(low + 0.1 / OVERHANGS, low + 0.2 / OVERHANGS)
             way = self.between(way, way.cuts & (high[1:] | high[:-1]))
