@@ -113,6 +113,24 @@ def test_the_rows_between_are_needed():
     assert sampled_depth(body, points, course, 0, 41) > 1.0
 
 
+def cuts_of_no_length(path):
+    cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
+    return int((cuts & (np.linalg.norm(np.diff(path.tip, axis=0), axis=1) < 1e-4)).sum())
+
+
+def test_no_rows_are_put_in_that_stand_on_each_other():
+    made = milled(step(), cutter="flat:8:40", stepover=4, direction=70, gouge="lift")
+    assert any(finding.code == "lifted" for finding in made.findings)
+    assert cuts_of_no_length(made.path) == 0
+
+
+def test_without_room_below_the_aim_rows_are_put_in_for_nothing(monkeypatch):
+    """A row that enters by the whole aim has blocks beside it that enter by a hair more, however short they are."""
+    monkeypatch.setattr(lift, "ROOM", 1.0)
+    made = milled(step(), cutter="flat:8:40", stepover=4, direction=70, gouge="lift")
+    assert cuts_of_no_length(made.path) > 10
+
+
 UNDER_A_ROOF = [(0, -20, 0), (0, -10, 0), (0, 5, 0), (0, 10, 0), (0, 14, 0), (0, 25, 16)]
 """Tips of a short ball of radius 2 that is free on the floor under the shelf's roof, until the wall comes too near."""
 
