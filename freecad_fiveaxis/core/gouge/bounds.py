@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.records import Floats, Ints
 from .body import Piece, distance_off, support
 from .course import Way
 from .deepest import nearest_on_facet, toward
-from .edges import nearest_on_edges
+from .edges import along, nearest_on_edges
 from .facet_tree import FacetTree
 
 NEAR = 1e-12
@@ -47,24 +47,19 @@ def box_bound(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
     arm = box.middle - way.tip
     height = (arm * way.unit).sum(axis=0)
     core = np.minimum(np.maximum(height, piece.low), piece.high) * way.unit - arm  # its place on the axis, from the box's middle
-    off = np.minimum(np.maximum(_along(box.ways, core), -box.half), box.half)
-    g = _away(piece, way.unit, arm + (off[:, None] * box.ways).sum(axis=0))
-    begins = (g * arm).sum(axis=0) - (np.abs(_along(box.ways, g)) * box.half).sum(axis=0)
+    off = np.minimum(np.maximum(along(box.ways, core), -box.half), box.half)
+    g = _away(piece, way.unit, arm + np.einsum("kn,kin->in", off, box.ways))
+    begins = (g * arm).sum(axis=0) - (np.abs(along(box.ways, g)) * box.half).sum(axis=0)
     return np.asarray(_reached(piece, way, g) - begins)
-
-
-def _along(ways: Floats, vector: Floats) -> Floats:
-    """How far (3, n) vectors (3, n) go along three ways each (3, 3, n)."""
-    return np.asarray((ways * vector).sum(axis=1))
 
 
 def plate_bound(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
     """The smaller one of the bounds (n,) mm along the nodes' normals, both ways."""
     plate = tree.plates(node)
     place, go = (plate.normal * way.tip).sum(axis=0), (plate.normal * way.travel).sum(axis=0)
-    along, turn = (plate.normal * way.unit).sum(axis=0), (plate.normal * way.turn).sum(axis=0) if way.turns else None
-    up = _swept(piece, way, go, along, turn) + place - plate.bottom
-    down = _swept(piece, way, -go, -along, None if turn is None else -turn) - place + plate.top
+    lean, turn = (plate.normal * way.unit).sum(axis=0), (plate.normal * way.turn).sum(axis=0) if way.turns else None
+    up = _swept(piece, way, go, lean, turn) + place - plate.bottom
+    down = _swept(piece, way, -go, -lean, None if turn is None else -turn) - place + plate.top
     return np.asarray(np.minimum(up, down))
 
 
@@ -84,7 +79,7 @@ def _triangle_bound(piece: Piece, way: Way, arm: Floats) -> Floats:
         height = (arm.mean(axis=0) * way.unit).sum(axis=0)
         place = nearest_on_facet(arm, np.clip(height, piece.low, piece.high) * way.unit)
     g = _away(piece, way.unit, place)
-    begins = (g * arm).sum(axis=1).min(axis=0)
+    begins = along(arm, g).min(axis=0)
     return np.asarray(_reached(piece, way, g) - begins)
 
 
@@ -99,7 +94,10 @@ def least_depth(piece: Piece, way: Way, point: Floats) -> Floats:
 
 
 def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
-    """The unit direction (3, n) in which the distance from the piece grows at places (3, n) from the tip."""
+    """The unit direction (3, n) in which the distance from the piece grows at places (3, n) from the tip.
+
+    On a core without a room inside, the axis or a disc, it is 0: with it a bound is as large as any.
+    """
     if piece.low_radius != piece.high_radius:
         return toward(piece, axis, place)[1]
     height = (place * axis).sum(axis=0)
@@ -110,22 +108,22 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
     g += (height - np.minimum(np.maximum(height, piece.low), piece.high)) * axis
     distance = np.sqrt((g * g).sum(axis=0))
     g /= np.maximum(distance, NEAR)
-    within = np.flatnonzero(distance <= NEAR)
-    if len(within):
+    if piece.low_radius > 0.0 and piece.high > piece.low:
+        within = np.flatnonzero(distance <= NEAR)
         g[:, within] = toward(piece, axis[:, within], place[:, within])[1]
     return np.asarray(g)
 
 
 def _reached(piece: Piece, way: Way, g: Floats) -> Floats:
     """The support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's middle tip."""
-    go, along = (g * way.travel).sum(axis=0), (g * way.unit).sum(axis=0)
-    return _swept(piece, way, go, along, (g * way.turn).sum(axis=0) if way.turns else None)
+    go, lean = (g * way.travel).sum(axis=0), (g * way.unit).sum(axis=0)
+    return _swept(piece, way, go, lean, (g * way.turn).sum(axis=0) if way.turns else None)
 
 
-def _swept(piece: Piece, way: Way, go: Floats, along: Floats, turn: Floats | None) -> Floats:
+def _swept(piece: Piece, way: Way, go: Floats, lean: Floats, turn: Floats | None) -> Floats:
     """:func:`_reached` from what travel, unit axis and turn are along g; it is largest at one of the ends."""
     if turn is None:
-        return np.asarray(support(piece, along, way.bend_axis) + np.abs(go) + way.bend_tip)
-    middle = way.cosine * along
+        return np.asarray(support(piece, lean, way.bend_axis) + np.abs(go) + way.bend_tip)
+    middle = way.cosine * lean
     start, end = (support(piece, there, way.bend_axis) for there in (middle - turn, middle + turn))
     return np.asarray(np.maximum(start - go, end + go) + way.bend_tip)

@@ -44,8 +44,8 @@ def nearest_on_edges(piece: Piece, axis: Floats, corner: Floats) -> Floats:
     """The place (3, n) of the edges that is nearest to the core, or nearly so; mm from the tip, as ``corner`` (3, 3, n) of the
     triangles are; ``axis`` (3, n) unit."""
     side = corner[[1, 2, 0]] - corner
-    low, rise = (corner * axis).sum(axis=1), (side * axis).sum(axis=1)
-    mixed = (corner * side).sum(axis=1) - low * rise
+    low, rise = along(corner, axis), along(side, axis)
+    mixed = np.einsum("kin,kin->kn", corner, side) - low * rise
     edges = _Edges(low - piece.low, rise, _across(corner, low), mixed, _across(side, rise))
     at, wide = np.arange(axis.shape[1]), piece.low_radius
     t = _nearest_to_spine(edges) if wide == 0.0 else _nearest_to_disc(edges, wide, _clipped(_nearest_to_axis(edges)), FIRST)
@@ -56,8 +56,13 @@ def nearest_on_edges(piece: Piece, axis: Floats, corner: Floats) -> Floats:
     return np.asarray(corner[best, :, at].T + t * side[best, :, at].T)
 
 
-def _across(vector: Floats, along: Floats) -> Floats:
-    return np.asarray(np.maximum((vector * vector).sum(axis=1) - along * along, 0.0))
+def along(vectors: Floats, way: Floats) -> Floats:
+    """How far (3, n) three vectors each (3, 3, n) go along ways (3, n)."""
+    return np.asarray(np.einsum("kin,in->kn", vectors, way))
+
+
+def _across(vector: Floats, height: Floats) -> Floats:
+    return np.asarray(np.maximum(np.einsum("kin,kin->kn", vector, vector) - height * height, 0.0))
 
 
 def _clipped(t: Floats) -> Floats:

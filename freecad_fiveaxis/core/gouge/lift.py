@@ -35,8 +35,8 @@ AIM = 0.5
 """Of the tolerance."""
 
 ROOM = 0.8
-"""Of the aim: what a row that is lifted may still enter by. Blocks between such rows that are shorter than the rest cannot enter by
-more than the aim, so putting in rows comes to an end."""
+"""Of the aim: what a row that is lifted may still enter by. Blocks between such rows that are shorter than the rest cannot enter
+by more than the aim, so putting in rows comes to an end."""
 
 GRAZE = 0.1
 """Of the tolerance: entries of a ball below this are none. A level bottom that lies on facets would take long to know so well."""
@@ -245,8 +245,8 @@ class _Lifter:
                 break
             u = entries.u[blocks]
             inner = np.minimum(u, 1.0 - u)
-            deepest = (k % 2 == 0) & (inner > INNER) & (inner * length[blocks] > least)  # before a wall only halving comes near it
-            u = np.where(deepest, u, 0.5)
+            deepest = (k % 2 == 0) & (inner > INNER) & (inner * length[blocks] > least)
+            u = np.where(deepest, u, 0.5)  # before a wall only halving comes near it
             key = way.key[blocks] + u * (way.key[blocks + 1] - way.key[blocks])
             way, dirty = _put_in(way, blocks, self.rows(key, way.over[blocks] | way.over[blocks + 1]))
         return way
