@@ -4,7 +4,6 @@
 Any unit direction g gives a bound: what a piece reaches along g, less what the node begins at along g. It holds wherever g comes
 from; a well chosen g only makes it close. From the cheapest to the dearest:
 
-ball     from the piece to the middle of the node's ball; the ball is small where the node is.
 box      from the piece to the nearest place of the node's box: clears what is beside or below the tool.
 plate    the node's normal both ways: close where the tool touches a surface.
 edges    from the piece to the nearest place of a facet's edges: close where the tool touches an edge or a corner. A facet whose
