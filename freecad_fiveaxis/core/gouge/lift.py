@@ -231,13 +231,12 @@ class _Lifter:
         return way
 
     def between(self, way: _Way, dirty: Bools) -> _Way:
-        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends; not where the way given is
-        too short for that: what enters there goes up through the part, and no row between helps."""
+        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends; not where these are too near
+        to each other for that: what enters there goes up through the part, and no row between helps."""
         given, least = len(way.tip), (1.0 - ROOM) * self.aim
         for k in range(ROUNDS):
             self.going.round(k, ROUNDS)
-            course, low = straight_course(way.tip, way.axis), way.tip - way.lift[:, None] * way.axis
-            length = np.linalg.norm(np.diff(low, axis=0), axis=1)
+            course, length = straight_course(way.tip, way.axis), _aside(way)
             blocks = np.flatnonzero(dirty & (length > least))
             entries = find_entries(self.cutter, self.tree, course, self.aim, ROUGHLY, blocks, self.going)
             blocks = np.flatnonzero(entries.depth > 0.0)
@@ -277,6 +276,14 @@ class _Lifter:
         beside = blocks + (way.lift[blocks] > way.lift[blocks + 1])
         rows = np.concatenate([beside, self.trapped(way)])
         return under_with(self.cutter, self.tree, way.tip, way.axis, way.cuts, rows, self.aim, self.going)
+
+
+def _aside(way: _Way) -> Floats:
+    """How far (n - 1,) mm the tool goes at most in each block, but for what it is lifted: along the way given, and by the turn of
+    its axis at its height above that."""
+    given = np.linalg.norm(np.diff(way.tip - way.lift[:, None] * way.axis, axis=0), axis=1)
+    turn = np.linalg.norm(np.diff(way.axis, axis=0), axis=1)
+    return np.asarray(given + np.maximum(way.lift[1:], way.lift[:-1]) * turn)
 
 
 def _put_in(way: _Way, blocks: Ints, rows: _Rows) -> tuple[_Way, Bools]:
