@@ -8,6 +8,7 @@ allowed   so much may stay on the part, mm: scallops and tolerance.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -17,6 +18,7 @@ from freecad_fiveaxis.core.coedge import OffsetPath
 from freecad_fiveaxis.core.gouge import (
     AIM,
     CURES,
+    CUTTER,
     Body,
     GougeCheck,
     Remainder,
@@ -27,12 +29,15 @@ from freecad_fiveaxis.core.gouge import (
     leave_out,
     lift_path,
     program_course,
+    real_course,
     straight_course,
     tilt_free,
     too_deep_finding,
     uncut_finding,
+    which_enter,
 )
-from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.joint_path import JointPath
+from freecad_fiveaxis.core.kinematics import Chain, q_to_words
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.program import Program
 
@@ -51,6 +56,16 @@ FINEST = 0.02
 
 SAMPLES = 10_000
 """Squares of the spacing into which the map divides the surface, about; each holds two or three of its triangles."""
+
+
+CURED = frozenset({"lifted", "left-out"})
+"""The codes of findings that tell of a path changed by a cure."""
+
+HALVINGS = 6
+"""Times that blocks of a cured path are halved."""
+
+NEARLY = 0.95
+"""Of the tolerance: what the tool may enter by on its real way before words are rounded."""
 
 
 def tool_body(settings: Settings) -> Body:
@@ -87,10 +102,44 @@ def lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> 
     return path, AIM * tolerance if any(finding.code == "left-out" for finding in path.findings) else 0.0
 
 
+def divided(
+    settings: Settings, path: CLPath, mesh: Mesh, links: Chain, drive: Callable[[CLPath], JointPath], progress: Progress
+) -> CLPath:
+    """The path that a cure has changed, with rows put in half-way where the tool would still enter on its real way between them,
+    because the machine turns the axis otherwise than on a great arc; where blocks may be divided, else the very path given.
+
+    ``drive`` makes the joint path of a CL path. Where the path itself enters no row is put in.
+    """
+    if settings.cure.linearize != "on" or not CURED & {finding.code for finding in path.findings}:
+        return path
+    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(mesh), NEARLY * settings.proof.tolerance
+    for _ in range(HALVINGS):
+        commanded = straight_course(path.tip - back(settings) * path.axis, path.axis)
+        enters = which_enter(cutter, tree, commanded, limit, cutting(path.motion), progress)
+        joints = drive(path)
+        real = real_course(links, q_to_words(joints.q), back(settings))
+        blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, cutting(joints.path.motion), progress))
+        rows = np.unique(joints.row[blocks + 1])
+        rows = rows[~enters[rows - 1]]
+        if not len(rows):
+            break
+        path = _halved(path, rows)
+    return path
+
+
+def _halved(path: CLPath, rows: Ints) -> CLPath:
+    """The path with a row half-way to each of these rows (k,), of which it takes all but its place and axis."""
+    pose = straight_course(path.tip, path.axis).pose(rows - 1, np.full(len(rows), 0.5))
+    given = {name: getattr(path, name) for name in ("motion", "feed", "contact", "normal", "face", "coedge", "pass_")}
+    columns = {name: np.insert(column, rows, column[rows], axis=0) for name, column in given.items()}
+    tip, axis = np.insert(path.tip, rows, pose.tip.T, axis=0), np.insert(path.axis, rows, pose.axis.T, axis=0)
+    return replace(path, tip=tip, axis=axis, **columns)
+
+
 def uncut_by_cure(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Finding, ...]:
     """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance; nothing is looked for where there was no
     cure, or where the map of what is left tells it."""
-    if settings.gouge.left == "on" or not {"lifted", "left-out"} & {finding.code for finding in path.findings}:
+    if settings.gouge.left == "on" or not CURED & {finding.code for finding in path.findings}:
         return ()
     cutter = settings.cutter.cutter
     course = straight_course(path.tip - back(settings) * path.axis, path.axis)

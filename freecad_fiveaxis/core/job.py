@@ -34,7 +34,19 @@ from .faces import facets_on
 from .feasible import feasible_rows
 from .files import read_bytes
 from .findings import Finding
-from .gouge_free import allowed, cutting, entered, left_by, left_out_rows, lifted, said_of, tilted, tool_body, uncut_by_cure
+from .gouge_free import (
+    allowed,
+    cutting,
+    divided,
+    entered,
+    left_by,
+    left_out_rows,
+    lifted,
+    said_of,
+    tilted,
+    tool_body,
+    uncut_by_cure,
+)
 from .post import Dialect
 from .post.head import slot_texts
 from .post.writer import write_nc
@@ -154,6 +166,11 @@ def mill(
     turned, led = tilted(settings, offset, led, mesh, links, progress)
     way = linked(settings, turned, led, mesh, progress)
     path, entering = lifted(settings, way, mesh, progress)
+
+    def drive(path: CLPath) -> JointPath:
+        return _driven(settings, path, low, high, machine, links, dialect, progress, entering)
+
+    path = divided(settings, path, mesh, links, drive, progress)
     uncut = uncut_by_cure(settings, path, mesh, keep, progress)
     found = mesh.findings + left_out + spacing + contact.findings + turned.findings + said + path.findings + uncut
     posted = _posted(settings, path, low, high, machine, links, dialect, found, progress, entering)
@@ -227,12 +244,20 @@ def _posted(
     found: tuple[Finding, ...], progress: Progress, entering: float = 0.0,
 ) -> Posted:  # fmt: skip
     """``entering`` mm: so much of the tolerance the path itself uses up."""
-    joints = solve(path, links, low, high, settings.links.clearance, settings.cutter.cutter.radius, progress)
-    joints = _linearized(settings, joints, machine, links, dialect, settings.proof.tolerance - entering, progress)
+    joints = _driven(settings, path, low, high, machine, links, dialect, progress, entering)
     program = build_program(joints, links, dialect, settings.feeds.feed_mode == "g93", progress)
     nc = write_nc(program, dialect, nc_title(settings, machine), post_options(settings), progress)
     findings = found + block_findings(joints.findings, program) + program.findings
     return Posted(settings, machine, links, dialect, program, findings, path, joints, nc)
+
+
+def _driven(
+    settings: Settings, path: CLPath, low: Floats, high: Floats, machine: Machine, links: Chain, dialect: Dialect,
+    progress: Progress, entering: float,
+) -> JointPath:  # fmt: skip
+    """The joint path through ``path``, its blocks divided where the settings ask for that."""
+    joints = solve(path, links, low, high, settings.links.clearance, settings.cutter.cutter.radius, progress)
+    return _linearized(settings, joints, machine, links, dialect, settings.proof.tolerance - entering, progress)
 
 
 def _linearized(

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 from gouge_examples import bowl, dense_points, prism, round_groove, sampled_depth, shelf, step
 
-from freecad_fiveaxis.core import job, seating
+from freecad_fiveaxis.core import gouge_free, job, seating
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import Cancelled, SettingsError
+from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.gouge import (
     Body,
     body_of,
@@ -129,6 +130,27 @@ def test_without_room_below_the_aim_rows_are_put_in_for_nothing(monkeypatch):
     monkeypatch.setattr(lift, "ROOM", 1.0)
     made = milled(step(), cutter="flat:8:40", stepover=4, direction=70, gouge="lift")
     assert cuts_of_no_length(made.path) > 10
+
+
+def test_rows_half_way_stand_on_the_commanded_way_and_lead_where_the_next_does():
+    path = cl_path([(0, 0, 0), (0, 2, 0), (0, 6, 2)])
+    axes = np.array([(0.0, 0.0, 1.0), (0.0, 0.0, 1.0), (0.0, np.sin(0.4), np.cos(0.4))])
+    path = replace(path, axis=axes, face=np.array([4, 5, 6]))
+    made = gouge_free._halved(path, np.array([2]))
+    assert made.tip.tolist() == [[0, 0, 0], [0, 2, 0], [0, 4, 1], [0, 6, 2]] and made.face.tolist() == [4, 5, 6, 6]
+    np.testing.assert_allclose(made.axis[2], (0.0, np.sin(0.2), np.cos(0.2)), atol=1e-12)
+    assert made.motion.tolist() == [*path.motion.tolist(), Motion.CUT]
+
+
+@pytest.mark.parametrize(("options", "code"), [({}, "uncut"), ({"linearize": "off"}, "lifted")])
+def test_no_rows_are_put_half_way_into_a_path_that_no_cure_has_changed_or_whose_blocks_stay_whole(options, code):
+    settings = build_settings("mill", "part", {**OPTIONS, "stepover": 2, "cutter": "ball:6:20", "gouge": "lift", **options})
+    path = replace(cl_path([(0, 0, 0), (0, 2, 0)]), findings=(Finding(Severity.WARNING, code, "", 0.0, 0.0, "mm"),))
+
+    def drive(path):
+        raise AssertionError("not to be driven")
+
+    assert gouge_free.divided(settings, path, step(), None, drive, lambda *_: None) is path
 
 
 UNDER_A_ROOF = [(0, -20, 0), (0, -10, 0), (0, 5, 0), (0, 10, 0), (0, 14, 0), (0, 25, 16)]

@@ -23,7 +23,7 @@ from .left_map import (
 from .lift import AIM, Lifted, lift_path
 from .outline import Outline, outline
 from .remainder import Remainder, find_remainder, too_deep_finding, uncut_finding
-from .search import Entries, find_entries
+from .search import Entries, find_entries, which_enter
 from .tilt import tilt_free
 
 __all__ = [
@@ -76,4 +76,5 @@ __all__ = [
     "tilt_free",
     "too_deep_finding",
     "uncut_finding",
+    "which_enter",
 ]
