@@ -26,6 +26,7 @@ from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.gouge import body_of, facet_tree, find_entries, real_course, straight_course
 from freecad_fiveaxis.core.gouge.course import still_course
 from freecad_fiveaxis.core.gouge.deepest import nearest_on_facet
+from freecad_fiveaxis.core.gouge.facet_tree import planted
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.settings import build_settings
@@ -86,7 +87,7 @@ def rates(facets: int) -> dict[str, float]:
                 len(blocks) / _seconds(lambda c=course, b=blocks: find_entries(body, tree, c, TOLERANCE, blocks=b))
             )
         found["peer"].append(FEW / _seconds(lambda: peer.depth(centres, 0.5 * DIAMETER)))
-        found["tree"].append(_seconds(lambda: facet_tree(mesh)))
+        found["tree"].append(_seconds(lambda: planted(mesh)))
     return {name: statistics.median(values) for name, values in found.items()}
 
 

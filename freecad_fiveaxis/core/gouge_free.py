@@ -120,7 +120,7 @@ def divided(
         real = real_course(links, q_to_words(joints.q), back(settings))
         blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, cutting(joints.path.motion), progress))
         rows = np.unique(joints.row[blocks + 1])
-        rows = rows[~enters[rows - 1]]
+        rows = rows[(rows > 0) & ~enters[rows - 1]]
         if not len(rows):
             break
         path = _halved(path, rows)

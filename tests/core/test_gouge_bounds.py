@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The bounds of the gouge check against dense samples: no point of a node is deeper at any pose of a way."""
 
+import gc
+import weakref
+
 import numpy as np
 import pytest
 from gouge_examples import bowl, step
@@ -272,6 +275,16 @@ def test_every_corner_is_in_the_boxes_and_plates_of_its_nodes(mesh):
         height = plate.normal[:, 0] @ corner
         assert plate.bottom[0] - 1e-9 <= height.min() and height.max() <= plate.top[0] + 1e-9
         assert np.linalg.norm(corner - tree.middle[:, [node]], axis=0).max() <= tree.size[node] + 1e-9
+
+
+def test_the_tree_of_a_mesh_is_made_once_and_goes_with_it():
+    mesh = step()
+    tree = facet_tree(mesh)
+    assert facet_tree(mesh) is tree and facet_tree(step()) is not tree
+    gone = weakref.ref(tree)
+    del tree, mesh
+    gc.collect()
+    assert gone() is None
 
 
 def test_boxes_lie_as_the_facets_do_on_slopes_and_straight_over_walls_and_floors():

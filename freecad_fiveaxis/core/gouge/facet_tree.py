@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import NamedTuple
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -90,8 +91,18 @@ def _columns(table: Floats, rows: Ints) -> Floats:
     return np.ascontiguousarray(table.take(rows, axis=0).T)
 
 
+_TREES: WeakKeyDictionary[Mesh, FacetTree] = WeakKeyDictionary()
+
+
 def facet_tree(mesh: Mesh) -> FacetTree:
-    """The tree over all facets of a mesh."""
+    """The tree over all facets of a mesh: made once, and kept as long as the mesh is, for cures and checks ask for it in turn."""
+    if mesh not in _TREES:
+        _TREES[mesh] = planted(mesh)
+    return _TREES[mesh]
+
+
+def planted(mesh: Mesh) -> FacetTree:
+    """The tree, made anew."""
     corner = mesh.vertex[mesh.face]  # (f, 3, 3)
     order, depth = _parted(corner.mean(axis=1), mesh.normal)
     corner = np.ascontiguousarray(corner[order].reshape(-1, 9).T)
