@@ -22,6 +22,9 @@ from .body import Piece
 FIRST, THEN = 4, 4
 """Steps along an edge to the place nearest to a core that is a disc: so many along all edges, then along the nearest."""
 
+RIM = 1.0 - 1e-9
+"""Of the disc's radius: from there on the way bends as it does outside, else steps would go to and fro between rim and height."""
+
 TINY = 1e-30
 
 
@@ -95,6 +98,6 @@ def _nearest_to_disc(edges: _Edges, wide: float, t: Floats, steps: int) -> Float
         radius = radius + TINY
         beside, outward = np.maximum(radius - wide, 0.0), (edges.mixed + t * edges.square) / radius
         slope, turn = beside * outward + below * edges.rise, outward * outward
-        bend = (beside > 0.0) * (turn + beside * (edges.square - turn) / radius) + (below < 0.0) * edges.rise * edges.rise
+        bend = (radius > RIM * wide) * (turn + beside * (edges.square - turn) / radius) + (below < 0.0) * edges.rise * edges.rise
         t = _clipped(t - slope / (bend + TINY))
     return t
