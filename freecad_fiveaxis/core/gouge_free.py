@@ -102,29 +102,33 @@ def lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> 
     return path, AIM * tolerance if any(finding.code == "left-out" for finding in path.findings) else 0.0
 
 
-def divided(
+def driven_free(
     settings: Settings, path: CLPath, mesh: Mesh, links: Chain, drive: Callable[[CLPath], JointPath], progress: Progress
-) -> CLPath:
-    """The path that a cure has changed, with rows put in half-way where the tool would still enter on its real way between them,
-    because the machine turns the axis otherwise than on a great arc; where blocks may be divided, else the very path given.
-
-    ``drive`` makes the joint path of a CL path. Where the path itself enters no row is put in.
-    """
+) -> tuple[CLPath, JointPath]:
+    """The path and its joint path, which ``drive`` makes. Where a cure has changed the path and blocks may be divided, rows are
+    put in half-way where the tool still enters on its real way though the path itself does not: the machine turns the axis
+    otherwise than on a great arc."""
+    joints = drive(path)
     if settings.cure.linearize != "on" or not CURED & {finding.code for finding in path.findings}:
-        return path
-    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(mesh), NEARLY * settings.proof.tolerance
+        return path, joints
     for _ in range(HALVINGS):
-        commanded = straight_course(path.tip - back(settings) * path.axis, path.axis)
-        enters = which_enter(cutter, tree, commanded, limit, cutting(path.motion), progress)
-        joints = drive(path)
-        real = real_course(links, q_to_words(joints.q), back(settings))
-        blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, cutting(joints.path.motion), progress))
-        rows = np.unique(joints.row[blocks + 1])
-        rows = rows[(rows > 0) & ~enters[rows - 1]]
+        rows = _entering(settings, path, joints, mesh, links, progress)
         if not len(rows):
             break
         path = _halved(path, rows)
-    return path
+        joints = drive(path)
+    return path, joints
+
+
+def _entering(settings: Settings, path: CLPath, joints: JointPath, mesh: Mesh, links: Chain, progress: Progress) -> Ints:
+    """The rows (k,) of the path to which the machine leads the cutter through the part, and the path itself does not."""
+    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(mesh), NEARLY * settings.proof.tolerance
+    real = real_course(links, q_to_words(joints.q), back(settings))
+    blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, cutting(joints.path.motion), progress))
+    rows = np.unique(joints.row[blocks + 1])
+    rows = rows[rows > 0]
+    commanded = straight_course(path.tip - back(settings) * path.axis, path.axis)
+    return rows[~which_enter(cutter, tree, commanded, limit, rows - 1, progress)[rows - 1]]
 
 
 def _halved(path: CLPath, rows: Ints) -> CLPath:

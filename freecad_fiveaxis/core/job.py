@@ -37,7 +37,7 @@ from .findings import Finding
 from .gouge_free import (
     allowed,
     cutting,
-    divided,
+    driven_free,
     entered,
     left_by,
     left_out_rows,
@@ -170,10 +170,10 @@ def mill(
     def drive(path: CLPath) -> JointPath:
         return _driven(settings, path, low, high, machine, links, dialect, progress, entering)
 
-    path = divided(settings, path, mesh, links, drive, progress)
+    path, joints = driven_free(settings, path, mesh, links, drive, progress)
     uncut = uncut_by_cure(settings, path, mesh, keep, progress)
     found = mesh.findings + left_out + spacing + contact.findings + turned.findings + said + path.findings + uncut
-    posted = _posted(settings, path, low, high, machine, links, dialect, found, progress, entering)
+    posted = _posted(settings, path, joints, machine, links, dialect, found, progress)
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis, keep=keep)
 
 
@@ -226,25 +226,15 @@ def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, p
     settings, path = with_head(settings, file.head), file.path
     feeding = path.tip[path.motion != Motion.RAPID] if (path.motion != Motion.RAPID).any() else path.tip
     low, high = feeding.min(axis=0), feeding.max(axis=0)
-    return _posted(
-        settings,
-        path,
-        low,
-        high,
-        machine,
-        links,
-        dialect,
-        path.findings + cutter_note(file.head, settings.cutter.cutter),
-        progress,
-    )
+    joints = _driven(settings, path, low, high, machine, links, dialect, progress)
+    found = path.findings + cutter_note(file.head, settings.cutter.cutter)
+    return _posted(settings, path, joints, machine, links, dialect, found, progress)
 
 
 def _posted(
-    settings: Settings, path: CLPath, low: Floats, high: Floats, machine: Machine, links: Chain, dialect: Dialect,
-    found: tuple[Finding, ...], progress: Progress, entering: float = 0.0,
+    settings: Settings, path: CLPath, joints: JointPath, machine: Machine, links: Chain, dialect: Dialect,
+    found: tuple[Finding, ...], progress: Progress,
 ) -> Posted:  # fmt: skip
-    """``entering`` mm: so much of the tolerance the path itself uses up."""
-    joints = _driven(settings, path, low, high, machine, links, dialect, progress, entering)
     program = build_program(joints, links, dialect, settings.feeds.feed_mode == "g93", progress)
     nc = write_nc(program, dialect, nc_title(settings, machine), post_options(settings), progress)
     findings = found + block_findings(joints.findings, program) + program.findings
@@ -253,9 +243,10 @@ def _posted(
 
 def _driven(
     settings: Settings, path: CLPath, low: Floats, high: Floats, machine: Machine, links: Chain, dialect: Dialect,
-    progress: Progress, entering: float,
+    progress: Progress, entering: float = 0.0,
 ) -> JointPath:  # fmt: skip
-    """The joint path through ``path``, its blocks divided where the settings ask for that."""
+    """The joint path through ``path``, its blocks divided where the settings ask for that. ``low``, ``high`` (3,) mm: the part's
+    box; ``entering`` mm: so much of the tolerance the path itself uses up."""
     joints = solve(path, links, low, high, settings.links.clearance, settings.cutter.cutter.radius, progress)
     return _linearized(settings, joints, machine, links, dialect, settings.proof.tolerance - entering, progress)
 

@@ -147,10 +147,9 @@ def test_no_rows_are_put_half_way_into_a_path_that_no_cure_has_changed_or_whose_
     settings = build_settings("mill", "part", {**OPTIONS, "stepover": 2, "cutter": "ball:6:20", "gouge": "lift", **options})
     path = replace(cl_path([(0, 0, 0), (0, 2, 0)]), findings=(Finding(Severity.WARNING, code, "", 0.0, 0.0, "mm"),))
 
-    def drive(path):
-        raise AssertionError("not to be driven")
-
-    assert gouge_free.divided(settings, path, step(), None, drive, lambda *_: None) is path
+    driven = []
+    given, joints = gouge_free.driven_free(settings, path, step(), None, lambda path: driven.append(path), lambda *_: None)
+    assert given is path and joints is None and len(driven) == 1
 
 
 UNDER_A_ROOF = [(0, -20, 0), (0, -10, 0), (0, 5, 0), (0, 10, 0), (0, 14, 0), (0, 25, 16)]
