@@ -56,7 +56,7 @@ def plate_bound(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
     """The smaller one of the bounds (n,) mm along the nodes' normals, both ways."""
     plate = tree.plates(node)
     place, go = (plate.normal * way.tip).sum(axis=0), (plate.normal * way.travel).sum(axis=0)
-    lean, turn = (plate.normal * way.unit).sum(axis=0), (plate.normal * way.turn).sum(axis=0) if way.turns else None
+    lean, turn = (plate.normal * way.unit).sum(axis=0), _dot(plate.normal, way.turn)
     up = _swept(piece, way, go, lean, turn) + place - plate.bottom
     down = _swept(piece, way, -go, -lean, None if turn is None else -turn) - place + plate.top
     return np.asarray(np.minimum(up, down))
@@ -88,7 +88,7 @@ def least_depth(piece: Piece, way: Way, point: Floats) -> Floats:
     height = (arm * way.unit).sum(axis=0)
     out = arm - height * way.unit
     off = distance_off(piece, np.sqrt((out * out).sum(axis=0)), height)
-    short = np.abs(1.0 - way.cosine) if way.turns else 0.0
+    short = 0.0 if way.cosine is None else np.abs(1.0 - way.cosine)
     return np.asarray(-off - way.bend_tip - (piece.reach + piece.round) * (way.bend_axis + short))
 
 
@@ -116,13 +116,17 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
 def _reached(piece: Piece, way: Way, g: Floats) -> Floats:
     """The support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's middle tip."""
     go, lean = (g * way.travel).sum(axis=0), (g * way.unit).sum(axis=0)
-    return _swept(piece, way, go, lean, (g * way.turn).sum(axis=0) if way.turns else None)
+    return _swept(piece, way, go, lean, _dot(g, way.turn))
 
 
 def _swept(piece: Piece, way: Way, go: Floats, lean: Floats, turn: Floats | None) -> Floats:
     """:func:`_reached` from what travel, unit axis and turn are along g; it is largest at one of the ends."""
-    if turn is None:
+    if turn is None or way.cosine is None:
         return np.asarray(support(piece, lean, way.bend_axis) + np.abs(go) + way.bend_tip)
     middle = way.cosine * lean
     start, end = (support(piece, there, way.bend_axis) for there in (middle - turn, middle + turn))
     return np.asarray(np.maximum(start - go, end + go) + way.bend_tip)
+
+
+def _dot(one: Floats, two: Floats | None) -> Floats | None:
+    return None if two is None else np.asarray((one * two).sum(axis=0))

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 
 from .body import CUTTER, HOLDER, PARTS, SHANK, Body
 from .course import Course, real_course, straight_course
-from .facet_tree import FacetTree, facet_tree
+from .facet_tree import facet_tree
 from .inside import buried_blocks, crossing_depth, is_closed
 from .search import Entries, find_entries
 
@@ -85,15 +85,14 @@ def _cases(cutter: Entries, above: Entries, motion: Bytes) -> tuple[tuple[str, E
 
 def check_course(
     mesh: Mesh, body: Body, course: Course, motion: Bytes, tolerance: float, where: Where | None = None,
-    tree: FacetTree | None = None, progress: Progress = silent, remedy: str = CURES,
+    progress: Progress = silent, remedy: str = CURES,
 ) -> GougeCheck:  # fmt: skip
     """Check every block of a course against the whole mesh.
 
     ``motion`` (m,) of Motion, what each block does; ``tolerance`` mm: entries up to it are no findings, and none deeper is
-    missed. ``where`` tells blocks and lines of the findings; ``tree``: that of the mesh where it is at hand; ``remedy``: what
-    the findings advise against overcuts.
+    missed. ``where`` tells blocks and lines of the findings; ``remedy``: what the findings advise against overcuts.
     """
-    tree = facet_tree(mesh) if tree is None else tree
+    tree = facet_tree(mesh)
     cutter = find_entries(body.only(CUTTER), tree, course, tolerance, progress=progress)
     above = find_entries(body.only(SHANK, HOLDER), tree, course, tolerance, ROUGHLY, progress=progress)
     buried = np.zeros(len(course), np.bool_)

@@ -140,47 +140,27 @@ def stretches_of(course: Course, blocks: Ints, reach: float, least: float) -> St
 
 class Way(NamedTuple):
     """The straight way between two poses, from ``tip`` - ``travel`` to ``tip`` + ``travel`` with the axes ``cosine unit`` -+
-    ``turn``, as rows of ``column`` (15, n); where no axis turns there are but 11. ``bend_tip`` (mm), ``bend_axis``: what the way
-    itself leaves this one by."""
+    ``turn`` (None where no axis turns: 1 and 0). ``bend_tip`` (mm), ``bend_axis``: what the way itself leaves this one by. All
+    are rows of ``column`` (15 or 11, n)."""
 
     column: Floats
+    tip: Floats
+    unit: Floats
+    travel: Floats
+    bend_tip: Floats
+    bend_axis: Floats
+    turn: Floats | None
+    cosine: Floats | None
 
-    @property
-    def tip(self) -> Floats:
-        return self.column[0:3]
-
-    @property
-    def unit(self) -> Floats:
-        return self.column[3:6]
-
-    @property
-    def travel(self) -> Floats:
-        return self.column[6:9]
-
-    @property
-    def bend_tip(self) -> Floats:
-        return np.asarray(self.column[9])
-
-    @property
-    def bend_axis(self) -> Floats:
-        return np.asarray(self.column[10])
-
-    @property
-    def turns(self) -> bool:
-        """Whether there are ``turn`` and ``cosine``; they are 0 and 1 where not."""
-        return len(self.column) > 11
-
-    @property
-    def turn(self) -> Floats:
-        return self.column[11:14]
-
-    @property
-    def cosine(self) -> Floats:
-        return np.asarray(self.column[14])
+    @classmethod
+    def of(cls, column: Floats) -> Way:
+        """The way whose rows these are."""
+        turn, cosine = (column[11:14], column[14]) if len(column) > 11 else (None, None)
+        return cls(column, column[0:3], column[3:6], column[6:9], column[9], column[10], turn, cosine)
 
     def take(self, rows: Ints) -> Way:
         """Some of them."""
-        return Way(self.column.take(rows, axis=1))
+        return Way.of(self.column.take(rows, axis=1))
 
 
 class Clusters(NamedTuple):
@@ -197,7 +177,7 @@ class Clusters(NamedTuple):
 
     def ways(self, rows: Ints) -> Way:
         """Those of these clusters (k,)."""
-        return Way(np.ascontiguousarray(self.way.take(rows, axis=0).T))
+        return Way.of(np.ascontiguousarray(self.way.take(rows, axis=0).T))
 
 
 def clusters_of(course: Course, parts: Stretches, reach: float, levels: int = 3) -> Clusters:
