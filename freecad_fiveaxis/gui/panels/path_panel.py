@@ -15,7 +15,7 @@ import FreeCAD
 import FreeCADGui
 
 from freecad_fiveaxis.gui.messages import status, warn
-from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, flags, later, translate
+from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, later, translate
 from freecad_fiveaxis.gui.undo import OpenStep
 from freecad_fiveaxis.gui.waiting import waiting
 
@@ -25,9 +25,8 @@ from .summary import Summary
 DRAWN = 500
 """ms after which something new is drawn."""
 
-
-LAID_OUT = (100, 200)
-"""ms, one after the other, until the first panel of a session is laid out, too: how wide it has to be is not known before."""
+FAR = 120 * 1000
+"""A thousand notches of the wheel: to the very top."""
 
 
 class PathPanel:
@@ -158,12 +157,11 @@ class PathPanel:
 
 
 def show(panel: Any) -> Any:
-    """Open a panel in the task view, which is made as wide as the panel needs. Only one panel can be open."""
+    """Open a panel in the task view. Only one panel can be open."""
     if FreeCADGui.Control.activeDialog():
         warn(translate("FiveAxis", "Another task panel is open: close it first."))
         return panel
     FreeCADGui.Control.showDialog(panel)
-    later(lambda: _widen_soon(panel.form, LAID_OUT))
     return panel
 
 
@@ -174,34 +172,22 @@ def fit(name: str) -> None:
 
 
 def reveal(form: Any) -> None:
-    """Scroll the task view to the panel's head, where summary and buttons are, and make room for what the summary says."""
-    area = _above(form, QtWidgets.QScrollArea)
-    if area:
-        later(lambda: area.verticalScrollBar().setValue(0))
-        later(lambda: _widen(form))
+    """Scroll the task view to the panel's head, where summary and buttons are.
+
+    The wheel is turned over the panel and Qt hands it on to whatever scrolls it. FreeCAD's own widgets around the panel are never
+    touched from here: under PySide2 the wrappers of a panel's fields die with those of the widgets around them.
+    """
+    later(lambda: _scroll_up(form))
 
 
-def _widen_soon(form: Any, delays: tuple[int, ...]) -> None:
-    """Now, and after each of the delays; each is begun when the one before is over, however long the window was busy."""
-    _widen(form)
-    if delays:
-        QtCore.QTimer.singleShot(delays[0], lambda: _widen_soon(form, delays[1:]))
-
-
-def _widen(form: Any) -> None:
+def _scroll_up(form: Any) -> None:
     try:
-        form.objectName()
+        middle = QtCore.QPointF(form.rect().center())
+        around = QtCore.QPointF(form.mapToGlobal(form.rect().center()))
     except RuntimeError:  # PySide: already deleted, the panel was closed meanwhile
         return
-    dock, area = _above(form, QtWidgets.QDockWidget), _above(form, QtWidgets.QScrollArea)
-    if dock and area:
-        lacking = area.widget().minimumSizeHint().width() - area.viewport().width()
-        if lacking > 0:
-            FreeCADGui.getMainWindow().resizeDocks([dock], [dock.width() + lacking], QtCore.Qt.Horizontal)
-
-
-def _above(widget: Any, kind: type) -> Any:
-    """The nearest widget of that kind around another one; None where there is none."""
-    while widget is not None and not isinstance(widget, kind):
-        widget = widget.parentWidget()
-    return widget
+    turn = QtGui.QWheelEvent(
+        middle, around, QtCore.QPoint(), QtCore.QPoint(0, FAR), QtCore.Qt.NoButton, QtCore.Qt.NoModifier,
+        QtCore.Qt.NoScrollPhase, False,
+    )  # fmt: skip
+    QtWidgets.QApplication.sendEvent(form, turn)
