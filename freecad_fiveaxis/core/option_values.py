@@ -18,7 +18,7 @@ from .cutter import Cutter, cutter_text, parse_cutter
 from .errors import SettingsError
 from .files import is_name
 
-UNITS = {"length": " mm", "lengths": " mm", "point": " mm", "angle": " deg", "feed": " mm/min"}
+UNITS = {"length": " mm", "height": " mm", "lengths": " mm", "point": " mm", "angle": " deg", "feed": " mm/min"}
 
 
 def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
@@ -80,6 +80,7 @@ def _paths(given: Any, name: str) -> tuple[str, ...]:
 
 READERS: dict[str, Any] = {
     "length": quantity.parse_length,
+    "height": quantity.parse_length,
     "angle": quantity.parse_angle,
     "feed": quantity.parse_feed,
     "point": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),
