@@ -181,4 +181,4 @@ def test_z_stays_where_nobody_says_how_high_the_table_is(table, given, moves):
 def test_the_height_of_the_table_is_the_machine_s_unless_given():
     assert build_settings("setup", "x.stl", {"machine": "trunnion_ac", "table_height": "-2in"}).setup.table_height == -50.8
     assert build_settings("setup", "x.stl", {"machine": "trunnion_ac"}).setup.table_height is None
-    assert load_machine("trunnion_ac").table == -50.0
+    assert load_machine("trunnion_ac").table == -100.0
