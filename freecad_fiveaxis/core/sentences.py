@@ -126,12 +126,15 @@ def measure(value: float, unit: str, form: str = "g", bare: bool = False) -> Mea
 
 @dataclass(frozen=True)
 class Option:
-    """A setting by its name in the core (``max_axis_angle``): ``--max-axis-angle`` on the command line, its label in a window."""
+    """A setting by its name in the core (``max_axis_angle``): ``--max-axis-angle`` on the command line, its label in a window.
+
+    ``flag``: with the two dashes."""
 
     name: str
+    flag: bool = True
 
     def __str__(self) -> str:
-        return "--" + self.name.replace("_", "-")
+        return ("--" if self.flag else "") + self.name.replace("_", "-")
 
     @property
     def label(self) -> str:
