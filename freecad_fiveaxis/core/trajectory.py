@@ -29,6 +29,9 @@ from .records import Floats
 ROUNDED_TO_ZERO = 4e-16
 """A product of unit vectors below this is rounding of a zero; a zero costs no arithmetic."""
 
+PARALLEL = 1e-12
+"""The sine below which two unit vectors are one direction: what is left of it is rounding."""
+
 FARTHEST_WORD = 1e6
 """mm or deg: a kilometre, or 2777 turns. Beyond this a word is a mistake."""
 
@@ -98,9 +101,10 @@ def frames(links: Chain) -> Frames:
 
 
 def _basis(z: Floats, hint: Floats) -> Floats:
-    """Rows x, y, z of a right-handed frame about unit ``z``, its x as near to ``hint`` as can be."""
+    """Rows x, y, z of a right-handed frame about unit ``z``, its x as near to ``hint`` as can be, so that ``hint`` has no y in
+    it however near to ``z`` it lies: :func:`axis` relies on that."""
     across = [v - (v @ z) * z for v in (hint, np.roll(hint, 1))]
-    x = across[0] if np.linalg.norm(across[0]) > 0.5 else across[1]
+    x = across[0] if np.linalg.norm(across[0]) > PARALLEL else across[1]
     x = x / np.linalg.norm(x)
     return _cleaned(np.stack([x, np.cross(z, x), z]))
 

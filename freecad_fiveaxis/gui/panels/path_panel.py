@@ -20,6 +20,7 @@ from freecad_fiveaxis.gui.undo import OpenStep
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
+from .panel_widget import PanelWidget
 from .summary import Summary
 
 DRAWN = 500
@@ -46,14 +47,7 @@ class PathPanel:
         form.edited.connect(self._edited)
 
     def _widget(self, title: str) -> Any:
-        widget = QtWidgets.QWidget()
-        widget.setObjectName("FiveAxisPanel")
-        widget.setWindowTitle(title)
-        column = QtWidgets.QVBoxLayout(widget)
-        for part in (self.calculate_button, self.summary, self.options.error, self.options.widget):
-            column.addWidget(part)
-        column.addStretch()
-        return widget
+        return PanelWidget(title, (self.calculate_button, self.summary, self.options.error), self.options.widget)
 
     def fill(self, values: Mapping[str, Any]) -> None:
         """Show these values; an object that is there shows its last result."""
