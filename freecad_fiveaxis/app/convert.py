@@ -191,9 +191,11 @@ def _signature(corner: Any) -> Any:
 def put_result(obj: Any, figures: Figures, fingerprint: str) -> None:
     """Show the figures in the result properties."""
     told = summary(figures)
+    whole = verdict(figures, told)
     values = {
         "Passes": told["passes"], "Blocks": told["blocks"], "SingularBlocks": told["singular_blocks"],
-        "GuidedBlocks": told["guided_blocks"], "Verdict": verdict(figures, told), "OverTolerance": told["over_tolerance"],
+        "GuidedBlocks": told["guided_blocks"], "Verdict": whole.text, "Light": whole.light.value,
+        "OverTolerance": told["over_tolerance"],
         "WorstLine": told["worst_line"] or 0, "Time": told["time_s"],
         "CutLength": told["cut_length"], "MaxSegmentDeviation": told["max_segment_deviation"],
         "MaxLineDeviation": told["max_line_deviation"], "MaxBound": told["max_bound"], "Proven": told["proven"],

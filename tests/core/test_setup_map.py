@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from setup_examples import CENTRE, cap, milled, posting
+from uncured import UNCURED
 
 from freecad_fiveaxis.core import job, trials
 from freecad_fiveaxis.core.deviation import measure, quick_bound
@@ -109,7 +110,7 @@ def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
     chart = trials.try_setups(build_settings("setup", "cap.stl", given | asked), mesh=off).chart
     row = int(np.flatnonzero((chart.kind == Kind.FOUND) & (np.abs(chart.turn - turn) < 1e-9))[0])
     given |= {"direction": 120.0, "origin": chart.origin[row].tolist()}
-    made = job.make(build_settings("mill", "cap.stl", given), mesh=from_faces(turned(off.vertex, turn), off.face))
+    made = job.make(build_settings("mill", "cap.stl", {**given, **UNCURED}), mesh=from_faces(turned(off.vertex, turn), off.face))
     segment = measure(made.links, made.program.words).segment[feed_blocks(made.program)]
     assert segment.max() == pytest.approx(chart.max_deviation[row], abs=1e-6)
 
