@@ -12,6 +12,7 @@ from pathlib import Path
 
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.machine import Machine, load_machine
+from freecad_fiveaxis.core.sentences import Option, say
 
 from .apt import ClHead
 from .cutter import cutter_name
@@ -42,7 +43,14 @@ def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
     machine = load_machine(given.machine)
     dialect = dialect_for(given.controller, machine)
     if given.tool_length is None and machine.has_head:
-        raise SettingsError(f"machine {machine.name} has a rotary head: give --tool-length, gauge point to tip", None)
+        raise SettingsError(
+            say(
+                "machine {name} has a rotary head: give {tool_length}, gauge point to tip",
+                name=machine.name,
+                tool_length=Option("tool_length"),
+            ),
+            None,
+        )
     length = given.tool_length or 0.0
     if given.control_point == "centre":
         length -= settings.cutter.cutter.corner

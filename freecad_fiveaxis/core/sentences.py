@@ -48,9 +48,13 @@ class Measure:
         """The values, one or several."""
         return self.value if isinstance(self.value, tuple) else (self.value,)
 
+    @property
+    def numbers(self) -> str:
+        """The values alone."""
+        return self.between.join(f"{value:{self.form}}" for value in self.values)
+
     def __str__(self) -> str:
-        text = self.between.join(f"{value:{self.form}}" for value in self.values)
-        return text if self.bare else f"{text} {self.unit}"
+        return self.numbers if self.bare else f"{self.numbers} {self.unit}"
 
 
 class Length(Measure):
@@ -59,10 +63,26 @@ class Length(Measure):
     unit = "mm"
 
 
+@dataclass(frozen=True)
+class Point(Length):
+    """A place or direction of three lengths, in parentheses."""
+
+    form: str = ".6g"
+
+    def __str__(self) -> str:
+        return f"({self.numbers})" if self.bare else f"({self.numbers}) {self.unit}"
+
+
 class Area(Measure):
     """mm2."""
 
     unit = "mm2"
+
+
+class Volume(Measure):
+    """mm3."""
+
+    unit = "mm3"
 
 
 class Angle(Measure):
@@ -95,23 +115,26 @@ class Time(Measure):
     unit = "s"
 
 
-MEASURES: dict[str, type[Measure]] = {kind.unit: kind for kind in (Length, Area, Angle, Feed, TurnRate, Turn, Time)}
+MEASURES: dict[str, type[Measure]] = {kind.unit: kind for kind in (Length, Area, Volume, Angle, Feed, TurnRate, Turn, Time)}
 """The kinds of measures by their unit."""
 
 
-def measure(value: float, unit: str, form: str = "g") -> Measure | Number:
+def measure(value: float, unit: str, form: str = "g", bare: bool = False) -> Measure | Number:
     """A value in ``unit``; a plain number where the unit is no measure's (``1`` or none)."""
-    return MEASURES[unit](value, form) if unit in MEASURES else Number(value, form)
+    return MEASURES[unit](value, form, bare) if unit in MEASURES else Number(value, form)
 
 
 @dataclass(frozen=True)
 class Option:
-    """A setting by its name in the core (``max_axis_angle``): ``--max-axis-angle`` on the command line, its label in a window."""
+    """A setting by its name in the core (``max_axis_angle``): ``--max-axis-angle`` on the command line, its label in a window.
+
+    ``flag``: with the two dashes."""
 
     name: str
+    flag: bool = True
 
     def __str__(self) -> str:
-        return "--" + self.name.replace("_", "-")
+        return ("--" if self.flag else "") + self.name.replace("_", "-")
 
     @property
     def label(self) -> str:

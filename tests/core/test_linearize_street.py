@@ -13,6 +13,7 @@ import pytest
 
 from freecad_fiveaxis.core import asked, cli, job
 from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import forward, q_to_words, words_to_q
 from freecad_fiveaxis.core.post.writer import write_nc
@@ -210,11 +211,15 @@ def test_post_of_the_cl_file_and_the_job_file_give_the_same_divided_program(part
     assert json.loads(report.read_text())["summary"]["over_tolerance"] == 0
     blocks = [path.read_bytes().count(b"\n") for path in out]
     assert blocks[0] == pytest.approx(blocks[1], abs=12)  # the CL file rounds its numbers
-    assert run("mill", part, "--stepover", 12, *words[:2], "--quiet", "-o", out[1]) == cli.DONE_WITH_ERRORS
+    assert run("mill", part, "--stepover", 12, *words[:2], "--linearize", "off", "--quiet", "-o", out[1]) == cli.DONE_WITH_ERRORS
 
 
-def test_the_settings_are_options_of_mill_and_post_and_off_unless_asked_for():
+def test_mill_and_post_divide_unless_asked_not_to_or_the_controller_guides_the_tip():
     for task in ("mill", "post"):
         flat = flat_options(build_settings(task, "x", {"machine": "trunnion_ac"}))
-        assert (flat["linearize"], flat["singularity"]) == ("off", "report")
+        assert (flat["linearize"], flat["singularity"]) == ("on", "report")
+        for given in ({"linearize": "off"}, {"rtcp": "angles"}, {"rtcp": True}, {"rtcp": "vectors", "linearize": None}):
+            assert build_settings(task, "x", {"machine": "trunnion_ac", **given}).cure.linearize == "off"
+        with pytest.raises(SettingsError, match="give one"):
+            build_settings(task, "x", {"machine": "trunnion_ac", "rtcp": "angles", "linearize": "on"})
     assert "linearize" not in flat_options(build_settings("audit", "x", {"machine": "trunnion_ac"}))

@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.program import Guided, Program, rapid_minutes
 from freecad_fiveaxis.core.program.wrapping import wraps_of
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.sentences import say
 
 from . import codes
 from .arcs import Arcs, Chords, chorded
@@ -68,7 +69,7 @@ def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress:
     mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
     at = _motion_lines(lines, grammar, axes, mode, on)
     if not len(at):
-        raise ProgramError("the file holds no motion blocks: no axis word of this machine under G0 or G1", links.letters)
+        raise ProgramError(say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), links.letters)
     wrap = wraps_of([axis.wrap for axis in links.axes[3:]], dialect)
     at, told_moves = _moves(lines, at, _meant(lines, axes, at, grammar), mode, on, links, wrap)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)

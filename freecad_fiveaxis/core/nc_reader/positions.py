@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.kinematics import Chain, forward, inverse_axis, words
 from freecad_fiveaxis.core.program import standing
 from freecad_fiveaxis.core.program.guided import AT_POLE
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.sentences import Number, say
 
 from . import codes
 from .lines import Lines, last_of
@@ -86,7 +87,16 @@ def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
     if len(far):
         at = np.flatnonzero((lines.words.line == far[0]) & (lines.words.letter == ord(letter)))
         place = lines.words.place(int(at[0])) if len(at) else f"line {far[0]}"
-        raise ProgramError(f"{place}: {letter}{value[far[0]]:g} is beyond {FARTHEST:g}; is a decimal point missing?", letter)
+        raise ProgramError(
+            say(
+                "{place}: {letter}{value} is beyond {farthest}; is a decimal point missing?",
+                place=place,
+                letter=letter,
+                value=Number(value[far[0]]),
+                farthest=Number(FARTHEST),
+            ),
+            letter,
+        )
     return value, kind
 
 
@@ -204,8 +214,14 @@ def where_axes_stand(links: Chain, said: Floats, on: Bools) -> Floats:
     if len(lost):
         first, second = said[rows[lost[0]], 3:]
         raise ProgramError(
-            f"with {links.letters[3]}{first:g} {links.letters[4]}{second:g} the linear axes cannot place the tip; is it this "
-            "machine's program?", (first, second),
+            say(
+                "with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?",
+                letter=links.letters[3],
+                first=Number(first),
+                other=links.letters[4],
+                second=Number(second),
+            ),
+            (first, second),
         )  # fmt: skip
     return words
 
