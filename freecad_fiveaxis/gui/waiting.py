@@ -30,9 +30,8 @@ class Waiting:
     """A listener for progress that shows a dialog, after ``delay`` s of work."""
 
     def __init__(self, text: str, delay: float = 0.0) -> None:
-        dialog = QtWidgets.QProgressDialog(text, "", 0, 100, FreeCADGui.getMainWindow())
-        self.button = QtWidgets.QPushButton(translate("FiveAxis", "Cancel"))
-        dialog.setCancelButton(self.button)
+        dialog = QtWidgets.QProgressDialog(text, translate("FiveAxis", "Cancel"), 0, 100, FreeCADGui.getMainWindow())
+        self.button = dialog.findChild(QtWidgets.QPushButton)
         dialog.setObjectName("FiveAxisWaiting")
         dialog.setWindowTitle(text)
         dialog.setWindowModality(QtCore.Qt.ApplicationModal)
