@@ -121,15 +121,15 @@ def _POLE() -> str:
 def _SPLIT() -> str:
     return translate(
         "FiveAxis",
-        "Shorter blocks help: half the length leaves about a quarter of the deviation. Linearize, in the tool path's panel, "
-        "makes as many of them as are needed.",
+        "Shorter blocks help: half the length leaves about a quarter of the deviation. Divide blocks, in the group Safety of "
+        "the tool path's panel, makes as many of them as are needed.",
     )
 
 
 def _AWAY() -> str:
     return translate(
         "FiveAxis",
-        "Let the tool path's panel lead the axis past the pole, lead or tilt the tool by a few degrees, or clamp the part in "
+        "Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp the part in "
         "another position.",
     )
 
