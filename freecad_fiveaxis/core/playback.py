@@ -27,6 +27,7 @@ from freecad_fiveaxis.core.deviation import Deviation
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.report.figures import worst_first
+from freecad_fiveaxis.core.sentences import say
 
 from .errors import ProgramError
 from .records import Floats, Ints
@@ -83,7 +84,7 @@ class Playback:
 
     def __post_init__(self) -> None:
         if not len(self.program.words):
-            raise ProgramError("the program has no block that moves; there is nothing to play", 0)
+            raise ProgramError(say("the program has no block that moves; there is nothing to play"), 0)
         clock = np.cumsum(shown_seconds(self.program))
         clock.flags.writeable = False
         object.__setattr__(self, "clock", clock)
@@ -150,7 +151,10 @@ class Playback:
     def _check(self, rows: NDArray[np.int64]) -> None:
         bad = rows[(rows < 0) | (rows >= len(self.clock))]
         if bad.size:
-            raise ProgramError(f"there is no block {bad.flat[0]}; the last one is {len(self.clock) - 1}", int(bad.flat[0]))
+            raise ProgramError(
+                say("there is no block {flat}; the last one is {count}", flat=bad.flat[0], count=len(self.clock) - 1),
+                int(bad.flat[0]),
+            )
 
 
 def shown_seconds(program: Program) -> Floats:
