@@ -141,9 +141,13 @@ def _GUIDE() -> str:
 # ---------------------------------------------------------------------------------------------------- the view
 
 
-def label_text(deviation: float, line: int) -> str:
-    """What stands at the largest deviation (mm)."""
-    return translate("FiveAxis", "{deviation}, NC line {line}").format(deviation=length_text(deviation), line=line)
+def label_text(deviation: float, line: int, tolerance: float) -> str:
+    """What stands at the largest deviation; mm."""
+    if deviation <= tolerance:
+        text = translate("FiveAxis", "{deviation}, NC line {line}: within {tolerance}")
+    else:
+        text = translate("FiveAxis", "{deviation}, NC line {line}: over {tolerance}")
+    return text.format(deviation=length_text(deviation), line=line, tolerance=length_text(tolerance))
 
 
 def legend_of(label: str, figures: Figures, look: Any, warning: str, kinds: Sequence[str] = ()) -> Any:
@@ -164,7 +168,7 @@ def legend_of(label: str, figures: Figures, look: Any, warning: str, kinds: Sequ
     ]
     notes = [translate("FiveAxis", "Distance of the tip from the commanded line")]
     if said["worst_line"] is not None:
-        largest = label_text(said["max_segment_deviation"], said["worst_line"])
+        largest = label_text(said["max_segment_deviation"], said["worst_line"], figures.tolerance)
         notes.append(translate("FiveAxis", "Largest: {largest}").format(largest=largest))
     if figures.gouge is not None and not figures.gouge.findings:
         notes.append(translate("FiveAxis", "Nothing enters the part"))
