@@ -60,7 +60,7 @@ KINDS = {
     "choice": "App::PropertyEnumeration", "text": "App::PropertyString", "vector": "App::PropertyVector",
     "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance", "counts": "App::PropertyVector",
     "number": "App::PropertyFloat", "count": "App::PropertyInteger", "path": "App::PropertyFile",
-    "stack": "App::PropertyString",
+    "stack": "App::PropertyString", "height": "App::PropertyString",
 }  # fmt: skip
 """FreeCAD's kind of property for each kind of option. A kind that is not here makes no property."""
 _ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRATEGIES)}
@@ -190,7 +190,7 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
     """A value of the core (rad, mm/min) as the property holds it."""
     kind = leaf.metadata["kind"]
     if value is None:
-        none = {"point": (0.0, 0.0, 0.0), "counts": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN, "path": ""}
+        none = {"height": "", "point": (0.0, 0.0, 0.0), "counts": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN, "path": ""}
         return none.get(kind, 0.0)
     if kind == "angle":
         return round(math.degrees(value), 12)
@@ -198,6 +198,8 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
         return value / 60.0
     if kind == "stack":
         return stack_text(value)
+    if kind == "height":
+        return f"{value:.12g}"
     return int(value) if kind == "count" else value
 
 

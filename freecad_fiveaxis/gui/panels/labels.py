@@ -74,6 +74,7 @@ def _of_programs() -> dict[str, str]:
         "max_tilt": translate("FiveAxis", "Largest axis angle"),
         "order": translate("FiveAxis", "Cut pattern"),
         "clearance": translate("FiveAxis", "Clearance"),
+        "table_height": translate("FiveAxis", "Height of the table"),
         "feed": translate("FiveAxis", "Feed"),
         "plunge_feed": translate("FiveAxis", "Plunge feed"),
         "feed_mode": translate("FiveAxis", "Feed mode"),
