@@ -14,6 +14,7 @@ import FreeCAD
 
 from freecad_fiveaxis.core.errors import Cancelled
 from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.sentences import say
 
 _STEPS = 100
 _Indicator = FreeCAD.Base.ProgressIndicator
@@ -73,7 +74,7 @@ class _Bar:
                 self._bar.next(True)
         except FreeCAD.Base.FreeCADAbort as stopped:  # a BaseException: nobody else would catch it
             self.close()
-            raise Cancelled("stopped; nothing was changed") from stopped
+            raise Cancelled(say("stopped; nothing was changed")) from stopped
 
     def close(self) -> None:
         """Take the bar away."""

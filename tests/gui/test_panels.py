@@ -399,7 +399,7 @@ def test_a_double_click_in_the_tree_opens_the_panel_of_the_path(panel, doc, pump
     doc.clearUndos()
     tree_row("Toolpath", double=True)
     pump(300)
-    assert FreeCADGui.Control.activeDialog() and shown("cutter_diameter").property("rawValue") == 6.0
+    assert FreeCADGui.Control.activeDialog() and shown("cutter_diameter").measured() == 6.0
     panel_button("Cancel")
     assert not FreeCADGui.Control.activeDialog() and doc.UndoCount == 0 and doc.Toolpath.Blocks > 100
 
