@@ -414,7 +414,7 @@ def test_inches_show_inches_and_lose_nothing(inches, dome, type_into, pump, scre
     panel = toolpath.create(dome)
     pump(300)
     fields = panel.options.fields
-    assert fields["tolerance"].editor.property("text") == "0.000393701 in" and fields["tolerance"].value() == 0.01
+    assert fields["tolerance"].editor.property("text") == "0.00039 in" and fields["tolerance"].value() == 0.01
     assert fields["feed"].editor.property("text") == "39.3701 in/min" and fields["feed"].value() == 1000.0
     type_into(fields["cutter"].sizes["diameter"].editor, "0.5")
     assert fields["cutter"].value() == "ball:12.7:50.0"
