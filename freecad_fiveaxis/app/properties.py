@@ -237,7 +237,11 @@ RESULTS = (
     ),
     Property(
         "Verdict", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What is proven, in a plain sentence"), "", RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Whether the program is safe to run, and why, in a plain sentence"), "", RESULT,
+    ),
+    Property(
+        "Light", "App::PropertyString", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "The verdict as a traffic light: red, amber or green"), "", RESULT,
     ),
     Property(
         "OverTolerance", "App::PropertyInteger", "Result",

@@ -83,7 +83,8 @@ def post_options(settings: Settings) -> PostOptions:
     """What the head of an NC file is to say."""
     head = settings.head
     tool = None if head.tool is None else int(head.tool)
-    return PostOptions(tool, head.spindle, head.coolant == "on", head.work_offset, blend=head.blend)
+    named, length = cutter_name(settings.cutter.cutter), settings.machine.tool_length
+    return PostOptions(tool, head.spindle, head.coolant == "on", head.work_offset, blend=head.blend, cutter=named, length=length)
 
 
 def cl_head(settings: Settings) -> ClHead:
@@ -103,8 +104,8 @@ def with_head(settings: Settings, said: ClHead) -> Settings:
 
 
 def nc_title(settings: Settings, machine: Machine) -> str:
-    """What the machinist must have ready. No file's name: the same solid and settings give the same bytes from anywhere."""
-    return f"{machine.name}, {cutter_name(settings.cutter.cutter)}"
+    """For whom the program is. No file's name: the same solid and settings give the same bytes from anywhere."""
+    return machine.name
 
 
 def title_of(settings: Settings) -> str:

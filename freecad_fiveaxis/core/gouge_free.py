@@ -106,11 +106,11 @@ def lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> 
 def driven_free(
     settings: Settings, path: CLPath, mesh: Mesh, links: Chain, drive: Callable[[CLPath], JointPath], progress: Progress
 ) -> tuple[CLPath, JointPath]:
-    """The path and its joint path, which ``drive`` makes. Where a cure has changed the path and blocks may be divided, rows are
-    put in half-way where the tool still enters on its real way though the path itself does not: the machine turns the axis
-    otherwise than on a great arc."""
+    """The path and its joint path, which ``drive`` makes. Where a cure is asked for and blocks may be divided, rows are put in
+    half-way where the tool still enters on its real way though the path itself does not: the machine turns the axis otherwise
+    than on a great arc, and with the tip within the tolerance the rest of the cutter may swing farther."""
     joints = drive(path)
-    if settings.cure.linearize != "on" or not CURED & {finding.code for finding in path.findings}:
+    if settings.cure.linearize != "on" or settings.gouge.gouge in ("off", "report"):
         return path, joints
     for _ in range(HALVINGS):
         rows = _entering(settings, path, joints, mesh, links, progress)

@@ -238,8 +238,11 @@ def _underside(piece: Piece, radius: Floats) -> Floats:
     over = np.maximum(radius - r0, 0.0)
     lowest = piece.low - np.sqrt(np.maximum(c * c - over * over, 0.0))
     under = np.where(over <= c, lowest, np.inf)
-    if r1 > r0:
-        slope = (piece.high - piece.low) / (r1 - r0)
-        rise = np.minimum(piece.low + over * slope - c * float(np.hypot(1.0, slope)), piece.high)
-        under = np.minimum(under, np.where((over > 0.0) & (radius <= r1 + c), rise, np.inf))
+    if r1 > r0:  # the flank, moved out by the round, between the arcs about the rims of both discs
+        slope, beyond = (piece.high - piece.low) / (r1 - r0), radius - r1
+        lean = float(np.hypot(1.0, slope))
+        begins = c * slope / lean
+        rim = piece.high - np.sqrt(np.maximum(c * c - beyond * beyond, 0.0))
+        flank = np.where(beyond <= begins, piece.low + over * slope - c * lean, rim)
+        under = np.minimum(under, np.where((over >= begins) & (beyond <= c), flank, np.inf))
     return np.asarray(under)

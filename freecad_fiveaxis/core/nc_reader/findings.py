@@ -9,7 +9,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.program import Program
-from freecad_fiveaxis.core.records import Ints
+from freecad_fiveaxis.core.records import Floats, Ints
 from freecad_fiveaxis.core.sentences import Option, say
 
 from . import codes
@@ -61,15 +61,17 @@ def read_as_finding(language: str, controller: str) -> Finding:
     return Finding(Severity.NOTE, "read-as", text)
 
 
-def code_findings(words: Words, grammar: Grammar) -> list[Finding]:
-    """The codes that are not interpreted, each with its first line and its count."""
-    found = []
+def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
+    """The codes that are not interpreted, each with its first line and its count; ``at`` (m,): the lines of the blocks. A retract
+    to a machine position before the first of them, or after the last, is how a program should begin and end."""
+    found, ends = [], (int(at[0]), int(at[-1]))
     for letter, table in (("G", grammar.codes), ("M", grammar.m_codes)):
         at = np.flatnonzero(words.letter == ord(letter))
-        value_of = words.value[at]
-        number = (
-            tenfold(value_of) if letter == "G" else np.where(np.abs(value_of) < LARGEST_CODE, value_of, -1.0).astype(np.int64)
-        )
+        number = _numbers(words.value[at], letter)
+        retract = [code for code, kind in table.items() if kind is codes.HOME]
+        inside = (words.line[at] >= ends[0]) & (words.line[at] <= ends[1])
+        keep = inside | ~np.isin(number, retract)
+        at, number = at[keep], number[keep]
         for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
             line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
             if value in table:
@@ -91,6 +93,13 @@ def code_findings(words: Words, grammar: Grammar) -> list[Finding]:
                 )
                 found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
     return found
+
+
+def _numbers(value: Floats, letter: str) -> Ints:
+    """The codes as in the grammar's tables: G tenfold, M as they are."""
+    if letter == "G":
+        return tenfold(value)
+    return np.asarray(np.where(np.abs(value) < LARGEST_CODE, value, -1.0).astype(np.int64))
 
 
 def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> list[Finding]:

@@ -31,6 +31,35 @@ NOTHING, ABSOLUTE, STEP, SHORTER = 0, 1, 2, 3
 
 
 @dataclass(eq=False)
+class Start:
+    """Where a program begins: the first ``row`` of its motion lines after which the places of all axes are known, and the words
+    ``said`` (5,) told until there, NaN where none."""
+
+    row: int
+    said: Floats
+
+
+def begun(words: list[tuple[Floats, Bytes]], on: Bools, rapid: Bools, vector: Floats) -> Start:
+    """How the motion lines (m,) begin, given as in :func:`moves`; ``rapid`` (m,).
+
+    A safe start drives Z, the rotary axes, then X and Y, one after the other from an unknown place: these rapids are no blocks.
+    Where other lines than absolute rapids stand before the places of all axes are known, row 0 begins.
+    """
+    rapids = slice(0, len(rapid) if rapid.all() else int(np.argmin(rapid)) + 1)
+    kind, on, vector = np.column_stack([kind[rapids] for _, kind in words]), on[rapids], vector[rapids]
+    row = np.arange(len(kind))[:, None]
+    last = np.maximum.accumulate(np.where((kind == ABSOLUTE) | (kind == SHORTER), row, -1), axis=0)
+    stretch = last_of(np.flatnonzero(np.diff(on, prepend=on[:1])), len(on))
+    by_vector = np.asarray(~np.isnan(vector).all(axis=1))[:, None]
+    known: Bools = np.column_stack([last[:, :3] >= stretch[:, None], (last[:, 3:] >= 0) | by_vector])
+    whole = np.flatnonzero(known.all(axis=1))
+    first = int(whole[0]) if len(whole) and not (kind[: whole[0] + 1] == STEP).any() else 0
+    at = np.where(known[first], last[first], -1)
+    said = np.array([value[source] if source >= 0 else np.nan for (value, _), source in zip(words, at.tolist(), strict=True)])
+    return Start(first, said)
+
+
+@dataclass(eq=False)
 class Moves:
     """One row a motion line, (m,): ``at`` its line; ``before``, ``said`` (m, 5) the words at its start and end; ``on`` whether
     the controller guides the tip; ``told`` (m, 3) the tool axis where a vector told it, else NaN; ``lost``: rows whose vector no
@@ -72,16 +101,23 @@ def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
 
 
 def moves(
-    lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], on: Bools, vector: Floats, links: Chain, wrap: tuple[str, str]
+    at: Ints,
+    words: list[tuple[Floats, Bytes]],
+    on: Bools,
+    vector: Floats,
+    links: Chain,
+    wrap: tuple[str, str],
+    told_before: Floats,
 ) -> Moves:
     """The motion lines ``at`` (m,) with their words (as of :func:`axis_words`, each (m,)), whether they are guided ``on`` (m,),
-    and the vectors ``vector`` (m, 3) that they tell, NaN where none."""
+    and the vectors ``vector`` (m, 3) that they tell, NaN where none; ``told_before`` (5,): as ``Start.said``."""
     count = len(at)
     told = Moves(
         at, np.empty((5, count)).T, np.empty((5, count)).T, on, vector, np.empty(0, np.int64),
         np.column_stack([(kind == ABSOLUTE) | (kind == SHORTER) for _, kind in words]),
     )  # fmt: skip
-    start, lost = np.zeros(5), []
+    start, lost = np.nan_to_num(told_before), []
+    told.named[0] |= ~np.isnan(told_before)
     cuts = np.flatnonzero(on[1:] != on[:-1]) + 1
     for first, last in zip([0, *cuts.tolist()], [*cuts.tolist(), count], strict=True):
         rows = slice(first, last)

@@ -216,7 +216,7 @@ def _without_points(layout: Layout, start: Machine | None, name: str) -> Machine
     axes = {TABLE_TABLE: (first, second, *linear), HEAD_HEAD: (*linear, first, second)}.get(layout.slot, (first, *linear, second))
     if start is None:
         return Machine(name, axes)
-    return Machine(name, axes, start.gauge_point, start.origin, start.singular_cone, controller=start.controller)
+    return replace(start, axes=axes, name=name, description="")
 
 
 def _rotary(layout: Layout, start: Machine | None) -> tuple[Axis, Axis]:

@@ -17,6 +17,8 @@ from .post import nc_files
 class AuditPanel(PathPanel):
     """A new Audit in ``doc``, or the Audit ``obj`` to change."""
 
+    MADE_HERE = False
+
     def __init__(self, doc: Any, obj: Any = None) -> None:
         title, missing = translate("FiveAxis", "Choose an NC file"), translate("FiveAxis", "Choose the NC file to audit.")
         self.file = FileField("nc_file", title, nc_files(), missing=missing)

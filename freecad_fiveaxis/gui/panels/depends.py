@@ -16,6 +16,10 @@ def _is(value: str) -> Callable[[Any], bool]:
     return lambda chosen: bool(chosen == value)
 
 
+def _is_not(value: str) -> Callable[[Any], bool]:
+    return lambda chosen: bool(chosen != value)
+
+
 def _is_path(against: Any) -> bool:
     return bool(against) and not _is_part(against)
 
@@ -31,6 +35,7 @@ DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], 
     ("tool_axis", _is("minimax"), ("max_tilt",), ("lead", "tilt")),
     ("gouge", _is("tilt"), ("max_tilt",), ()),
     ("singularity", _is("deform"), ("max_axis_change",), ()),
+    ("rtcp", _is_not("off"), (), ("linearize",)),
     ("against", _is_path, ("axis_tolerance",), ()),
     ("against", _is_part, ("cutter", "gouge"), ()),
 )
