@@ -11,6 +11,8 @@ from typing import Any
 
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
+
 from .qt import QtCore, QtWidgets, translate
 
 NAME = "FiveAxisComparison"
@@ -70,7 +72,7 @@ class Table:
         self.comparison = comparison
         self.label, self.document = path.Label, path.Document.FileName
         self.dock.setWindowTitle(translate("FiveAxis", "Machines on {label}").format(label=path.Label))
-        self.verdict.setText(verdict(comparison.rows, comparison.settings.proof.tolerance))
+        self.verdict.setText(wording.told(verdict(comparison.rows, comparison.settings.proof.tolerance)))
         self.error.setText("")
         self.table.setSortingEnabled(False)
         self.table.setRowCount(len(comparison.rows))
@@ -138,8 +140,8 @@ def cells(row: Any) -> list[Cell]:
     guided = translate("FiveAxis", "yes") if row.tool_centre else translate("FiveAxis", "no")
     named = [Cell(row.machine), Cell(cure_label(row.cure)), Cell(guided)]
     if row.problem:
-        told = Cell(translate("FiveAxis", "impossible: {why}").format(why=row.problem))
-        told.setToolTip(row.problem)
+        told = Cell(translate("FiveAxis", "impossible: {why}").format(why=wording.told(row.problem)))
+        told.setToolTip(wording.told(row.problem))
         return [*named, *(Cell("–") for _ in range(7)), told]
     linear = max(row.peak_rate[:3])
     within = translate("FiveAxis", "within")

@@ -13,7 +13,7 @@ from typing import Any
 import FreeCADGui
 import numpy as np
 
-from freecad_fiveaxis.app import results
+from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.errors import FiveAxisError
 from freecad_fiveaxis.core.job import Milled
@@ -161,7 +161,7 @@ class PlayPanel:
             self.player = Player(results.figures_of(self.obj))
             self.readout.use(self.player.figures, NCLines(results.nc_of(self.obj)))
         except FiveAxisError as error:
-            status(str(error))
+            status(wording.told(error))
             self._leave()
             return
         self.player.resume(before)
