@@ -113,9 +113,10 @@ class Eyes:
                     yield from self.things(child)
 
     def see(self, role: str, name: str = "", below: Thing | None = None) -> Thing | None:
-        """The first thing of that role whose whole name is matched by the expression ``name`` (empty: any), or None."""
+        """The first thing of that role whose whole name, or what it says of itself where it has none, is matched by the
+        expression ``name`` (empty: any); or None."""
         for thing, its_role in self.things(below):
-            if its_role == role and (not name or _is_called(_there(lambda thing=thing: thing.name, ""), name)):
+            if its_role == role and (not name or _is_called(_there(lambda thing=thing: thing.name or thing.description, ""), name)):
                 return thing
         return None
 
