@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.settings import COMPARE, CureSettings, Settings, build_settings
 
 from . import convert
-from .long_work import listening
+from .long_work import run
 from .selection import SelectionError
 from .setups import write_report
 from .toolpath import Toolpath
@@ -48,9 +48,12 @@ def compare(
     """See :func:`freecad_fiveaxis.app.compare`; this gives the core's whole Comparison."""
     settings = settings_of(toolpath, machines, cures, tool_length)
     task = toolpath.Proxy.task(toolpath)
-    with listening(progress) as listener:
-        mesh = convert.mesh_of(task.data)
-        return trials.try_machines(settings, listener, mesh, convert.facet_mask(task.data, mesh, task.runs))
+
+    def work(told: Progress) -> trials.Comparison:
+        mesh = convert.mesh_of(task.data, told)
+        return trials.try_machines(settings, told, mesh, convert.facet_mask(task.data, mesh, task.runs))
+
+    return run(work, progress, toolpath.Document)
 
 
 def write(comparison: trials.Comparison, file: str | os.PathLike[str], overwrite: bool = False) -> None:

@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.gouge import Body, body_of
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.option_values import read_option
+from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.quantity import parse_stack
 from freecad_fiveaxis.core.records import Bools
 from freecad_fiveaxis.core.report import Figures, summary, verdict
@@ -147,13 +148,14 @@ def stl_bytes(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> bytes:
             return file.read()
 
 
-def mesh_of(stl: bytes) -> Mesh:
+def mesh_of(stl: bytes, progress: Progress = silent) -> Mesh:
     """The core's mesh of a binary STL. Raises MeshError."""
+    progress("weld", 0.0)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "mesh.stl")
         with open(path, "wb") as file:
             file.write(stl)
-        return read_stl(path)
+        return read_stl(path, progress)
 
 
 def facet_mask(stl: bytes, mesh: Mesh, runs: Sequence[int]) -> Bools | None:
@@ -189,9 +191,11 @@ def _signature(corner: Any) -> Any:
 def put_result(obj: Any, figures: Figures, fingerprint: str) -> None:
     """Show the figures in the result properties."""
     told = summary(figures)
+    whole = verdict(figures, told)
     values = {
         "Passes": told["passes"], "Blocks": told["blocks"], "SingularBlocks": told["singular_blocks"],
-        "GuidedBlocks": told["guided_blocks"], "Verdict": verdict(figures, told), "OverTolerance": told["over_tolerance"],
+        "GuidedBlocks": told["guided_blocks"], "Verdict": whole.text, "Light": whole.light.value,
+        "OverTolerance": told["over_tolerance"],
         "WorstLine": told["worst_line"] or 0, "Time": told["time_s"],
         "CutLength": told["cut_length"], "MaxSegmentDeviation": told["max_segment_deviation"],
         "MaxLineDeviation": told["max_line_deviation"], "MaxBound": told["max_bound"], "Proven": told["proven"],
@@ -206,6 +210,11 @@ def clear_result(obj: Any, why: str) -> None:
     for one in RESULTS:
         setattr(obj, one.name, one.default)
     obj.Findings = [why]
-    for user in obj.InList:  # FreeCAD does not recompute what hangs on a failed object: its NC files would look up to date
+    mark_users(obj)
+
+
+def mark_users(obj: Any) -> None:
+    """What hangs on an object that failed is out of date: FreeCAD does not recompute it, and NC files would look up to date."""
+    for user in obj.InList:
         if hasattr(user, "UpToDate"):
             user.UpToDate = False

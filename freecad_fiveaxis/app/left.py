@@ -19,9 +19,10 @@ from freecad_fiveaxis.core.gouge import Remainder
 from freecad_fiveaxis.core.gouge_free import allowed
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.report import Figures
 
 from . import results
-from .long_work import listening
+from .long_work import listening, run
 from .properties import FINGERPRINT, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
 from .schema import Proxy
 from .selection import SelectionError
@@ -144,11 +145,14 @@ def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
     with listening(progress) as listener:
         figures, known = results.figures_of(obj.Path, listener), obj.Path.Proxy.last
         if obj.Proxy.last is None or obj.Proxy.last.fingerprint != known.fingerprint:
-            made = known.result.made
-            left = figures.left or job.what_is_left(made, listener)
-            above = allowed(made.settings, made.mesh, made.keep)
-            obj.Proxy.last = Heights(known.fingerprint, made.mesh, left, figures.tolerance, above)
+            obj.Proxy.last = run(lambda told: _found(figures, known, told), listener, obj.Document)
     return obj.Proxy.last
+
+
+def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights:
+    made = known.result.made
+    left = figures.left or job.what_is_left(made, progress)
+    return Heights(known.fingerprint, made.mesh, left, figures.tolerance, allowed(made.settings, made.mesh, made.keep))
 
 
 def out_of_date(obj: Any) -> str:

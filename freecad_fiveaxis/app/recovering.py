@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.settings import RECOVER, Settings, build_settings
 
 from . import machines
-from .long_work import listening
+from .long_work import run
 
 
 def settings_of(cl_file: Any, nc_file: Any, fcm_file: Any, options: Mapping[str, Any]) -> Settings:
@@ -35,8 +35,7 @@ def recover(
     settings = settings_of(cl_file, nc_file, fcm_file, options)
     if not machines.is_new_folder(settings.recover.machine_file):
         outputs.check_outputs(settings)
-    with listening(progress) as listener:
-        return workshop.recover_machine(settings, listener)
+    return run(lambda told: workshop.recover_machine(settings, told), progress)
 
 
 def write(done: workshop.Recovered) -> str:

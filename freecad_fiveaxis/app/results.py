@@ -14,15 +14,15 @@ from typing import Any
 
 from freecad_fiveaxis import __version__
 from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.errors import FileError, FiveAxisError
+from freecad_fiveaxis.core.errors import Cancelled, FileError, FiveAxisError
 from freecad_fiveaxis.core.files import read_bytes
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.settings import Settings
 
-from .convert import clear_result, put_result
-from .long_work import listening
+from .convert import clear_result, mark_users, put_result
+from .long_work import run
 from .properties import shown_options
 from .selection import SelectionError
 
@@ -94,16 +94,24 @@ def _last(obj: Any, progress: Progress | None) -> Last:
     task = proxy.task(obj)
     fingerprint = task.fingerprint
     if proxy.last is None or proxy.last.fingerprint != fingerprint:
-        with listening(progress) as listener:
-            result = job.prove(proxy.made(task, listener), listener)
-        proxy.last = Last(fingerprint, result, job.figures(result))
+        proxy.last = run(lambda told: _computed(proxy, task, fingerprint, told), progress, obj.Document)
     return proxy.last
 
 
+def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> Last:
+    """The whole work of the core; nothing of FreeCAD's is touched."""
+    result = job.prove(proxy.made(task, progress), progress)
+    return Last(fingerprint, result, job.figures(result))
+
+
 def execute(obj: Any) -> None:
-    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers."""
+    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers; work that
+    was stopped leaves it as it was, and out of date."""
     try:
         last = _last(obj, None)
+    except Cancelled:
+        mark_users(obj)
+        raise
     except FiveAxisError as error:
         clear_result(obj, str(error))
         raise

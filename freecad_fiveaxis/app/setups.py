@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.setup_map import SetupMap as Chart
 from freecad_fiveaxis.core.setup_map import marked_rows, verdict
 
 from . import changes, convert
-from .long_work import listening
+from .long_work import run
 from .properties import (
     FINGERPRINT,
     QT_TRANSLATE_NOOP,
@@ -236,11 +236,14 @@ def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
     task = obj.Proxy.task(obj)
     fingerprint = task.fingerprint
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
-        with listening(progress) as listener:
-            mesh = convert.mesh_of(task.data)
-            faces = convert.facet_mask(task.data, mesh, task.runs)
-            obj.Proxy.last = Last(fingerprint, trials.try_setups(task.settings, listener, mesh, faces))
+        obj.Proxy.last = run(lambda told: _tried(task, fingerprint, told), progress, obj.Document)
     return obj.Proxy.last.trial
+
+
+def _tried(task: Task, fingerprint: str, progress: Progress) -> Last:
+    mesh = convert.mesh_of(task.data, progress)
+    faces = convert.facet_mask(task.data, mesh, task.runs)
+    return Last(fingerprint, trials.try_setups(task.settings, progress, mesh, faces))
 
 
 def is_up_to_date(obj: Any) -> bool:

@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.errors import FileError
 from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.settings import PROVE, Settings, build_settings
 
-from .long_work import listening
+from .long_work import run
 
 
 def settings_of(nc_file: Any, options: Mapping[str, Any], sheet: Any = None) -> Settings:
@@ -25,8 +25,7 @@ def prove(nc_file: Any, options: Mapping[str, Any], sheet: Any = None, progress:
     """Program and sheet, not yet written. Raises FiveAxisError where the limits leave no room."""
     settings = settings_of(nc_file, options, sheet)
     outputs.check_outputs(settings)
-    with listening(progress) as listener:
-        return workshop.prove(settings, listener)
+    return run(lambda told: workshop.prove(settings, told), progress)
 
 
 def targets(done: workshop.Proof) -> list[str]:

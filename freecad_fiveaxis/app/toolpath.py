@@ -47,8 +47,7 @@ class Toolpath(Proxy):
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The program, not yet proven."""
-        progress("weld", 0.0)
-        mesh = convert.mesh_of(task.data)
+        mesh = convert.mesh_of(task.data, progress)
         return job.make(task.settings, progress, mesh=mesh, faces=convert.facet_mask(task.data, mesh, task.runs))
 
     def execute(self, obj: Any) -> None:

@@ -64,8 +64,9 @@ def register() -> None:
     """Start watching, and look at what is open already. A second call does nothing."""
     if _watching:
         return
-    from . import findings_panel
+    from . import findings_panel, waiting
 
+    waiting.register()
     _watching.extend((Observer(), findings_panel.register()))
     FreeCAD.addDocumentObserver(_watching[0])
     for doc in FreeCAD.listDocuments().values():

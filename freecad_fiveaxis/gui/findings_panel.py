@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The list of findings, a window at the side: what a result says about itself, and where.
+"""The list of findings, a window at the side: the verdict, what a result says about itself, and where.
 
 row       a finding of the result, or a marker that no finding tells of.
 Picking a row moves the view to its place; picking a marker in the view selects its row. Below the list stands, in plain words,
@@ -15,6 +15,7 @@ import FreeCAD
 import FreeCADGui
 
 from .qt import QtCore, QtWidgets, translate
+from .verdict_label import VerdictLabel
 
 NAME = "FiveAxisFindings"
 _docks: dict[str, Any] = {}
@@ -108,7 +109,12 @@ class Panel:
         split = QtWidgets.QSplitter(QtCore.Qt.Vertical)
         split.addWidget(self.table)
         split.addWidget(self.text)
-        dock.setWidget(split)
+        self.verdict = VerdictLabel(NAME + "Verdict")
+        whole = QtWidgets.QWidget()
+        column = QtWidgets.QVBoxLayout(whole)
+        column.addWidget(self.verdict)
+        column.addWidget(split, 1)
+        dock.setWidget(whole)
         dock.setMinimumWidth(360)
 
     def show_path(self, path: Any) -> None:
@@ -118,6 +124,7 @@ class Panel:
         figures = path.Proxy.last.figures
         self.path, self.document = path, path.Document
         self.dock.setWindowTitle(translate("FiveAxis", "Findings of {label}").format(label=path.Label))
+        self.verdict.show_verdict(path)
         if figures is self.figures:
             return
         self.figures = figures
@@ -132,6 +139,7 @@ class Panel:
         self.path = self.document = self.figures = None
         self.rows, self.row_of_marker = [], []
         self._fill()
+        self.verdict.show_verdict(None)
         self.text.clear()
         self.dock.setWindowTitle(translate("FiveAxis", "Findings"))
         self.dock.hide()

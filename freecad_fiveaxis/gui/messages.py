@@ -23,15 +23,18 @@ def warn(text: str) -> None:
     execute(box)
 
 
-def ask(text: str, yes: str) -> bool:
-    """Whether the user answers with ``yes``, the text of that button; the other one is Cancel."""
+def ask(text: str, yes: str, no: str = "") -> bool:
+    """Whether the user answers with ``yes``, the text of that button; the other one, which Enter and Esc mean, is ``no``, or
+    Cancel."""
     box = QtWidgets.QMessageBox(FreeCADGui.getMainWindow())
     box.setObjectName("FiveAxisQuestion")
     box.setIcon(QtWidgets.QMessageBox.Question)
     box.setWindowTitle(translate("FiveAxis", "Five-axis"))
     box.setText(text)
     agreed = box.addButton(yes, QtWidgets.QMessageBox.AcceptRole)
-    box.addButton(QtWidgets.QMessageBox.Cancel)
+    other = box.addButton(no, QtWidgets.QMessageBox.RejectRole) if no else box.addButton(QtWidgets.QMessageBox.Cancel)
+    box.setDefaultButton(other)
+    box.setEscapeButton(other)
     execute(box)
     return box.clickedButton() is agreed or box.clickedButton() == agreed
 

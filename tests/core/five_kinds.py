@@ -28,6 +28,18 @@ KINDS = {
     "linear_axes_everywhere": (_TABLE_X, _C, _TABLE_Y, Axis("A", True, "head", (1, 0, 0), (0, 3, 150)), _Z),
 }
 
+NUTATIONS = (5.0, 15.0, 29.0, 29.9, 31.0, 60.0)
+
+
+def nutating(degrees: float, side: str) -> Chain:
+    """A table-table or head-head machine whose second rotary axis leans by so much from the spindle, in a plane of its own; the
+    two rotary axes do not meet."""
+    lean, about = np.deg2rad(degrees), 0.7
+    direction = (np.sin(lean) * np.cos(about), np.sin(lean) * np.sin(about), np.cos(lean))
+    first, second = Axis("C", True, side, (0, 0, 1), (5, 6, 0)), Axis("B", True, side, direction, (3, 4, 150))
+    axes = (first, second, _X, _Y, _Z) if side == "table" else (_X, _Y, _Z, first, second)
+    return chain(Machine(f"nutating {degrees:g}", axes), Setup((10.0, 20.0, 30.0), 150.0))
+
 
 def links_of(kind: str) -> Chain:
     """The chain of one of the machines."""

@@ -9,12 +9,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from setup_examples import CENTRE, cap, milled, posting
+from uncured import UNCURED
 
 from freecad_fiveaxis.core import job, trials
-from freecad_fiveaxis.core.deviation import measure
+from freecad_fiveaxis.core.deviation import measure, quick_bound
 from freecad_fiveaxis.core.errors import Cancelled, ReachError, SettingsError
 from freecad_fiveaxis.core.joint_path import solve
-from freecad_fiveaxis.core.kinematics import Setup, chain
+from freecad_fiveaxis.core.kinematics import Setup, chain, linear_words
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.mesh import from_faces
 from freecad_fiveaxis.core.program import build_program
@@ -36,7 +37,7 @@ from freecad_fiveaxis.core.setup_map import (
     turned_path,
     verdict,
 )  # fmt: skip
-from freecad_fiveaxis.core.setup_map.driven import drive_turned, turned
+from freecad_fiveaxis.core.setup_map.driven import FIRST_BATCH, drive_turned, turned, worst_blocks
 from freecad_fiveaxis.core.setup_map.setups import MOST_SETUPS, recommended
 
 COARSE = {"stepover": 12.0, "rings": 8}
@@ -109,7 +110,7 @@ def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
     chart = trials.try_setups(build_settings("setup", "cap.stl", given | asked), mesh=off).chart
     row = int(np.flatnonzero((chart.kind == Kind.FOUND) & (np.abs(chart.turn - turn) < 1e-9))[0])
     given |= {"direction": 120.0, "origin": chart.origin[row].tolist()}
-    made = job.make(build_settings("mill", "cap.stl", given), mesh=from_faces(turned(off.vertex, turn), off.face))
+    made = job.make(build_settings("mill", "cap.stl", {**given, **UNCURED}), mesh=from_faces(turned(off.vertex, turn), off.face))
     segment = measure(made.links, made.program.words).segment[feed_blocks(made.program)]
     assert segment.max() == pytest.approx(chart.max_deviation[row], abs=1e-6)
 
@@ -273,3 +274,20 @@ def test_progress_runs_from_0_to_1_and_may_be_cancelled():
 
     with pytest.raises(Cancelled):
         setup_map(made.path, made.machine, Setup(), region, posting(made), progress=stop)
+
+
+def test_the_worst_block_is_found_behind_many_whose_bound_promises_more():
+    """Turns that the linear axes make up for deviate by a third of their quick bound, a turn alone by all of it."""
+    machine = load_machine("trunnion_ac")
+    links = chain(machine, Setup(machine.origin))
+    made_up, alone, count = np.radians(7.0), np.radians(9.5), FIRST_BATCH + 40
+    place = links.point1 + (200.0, 0.0, 20.0)
+    turns = np.array([[0.0, 0.0], [made_up, 0.0]])
+    pair = np.column_stack([linear_words(links, np.tile(place, (2, 1)), turns), np.degrees(turns)])
+    still = np.column_stack([linear_words(links, links.point1[None] + (120.0, 0.0, 20.0), np.zeros((1, 2))), np.zeros((1, 2))])
+    words = np.concatenate([np.tile(pair, (count, 1)), still, still + (0.0, 0.0, 0.0, np.degrees(alone), 0.0)])
+    feeds = np.arange(1, len(words), 2)
+    bound, segment = quick_bound(links, words)[feeds], measure(links, words).segment[feeds]
+    assert segment.argmax() == count and (bound[:-1] > bound[-1]).all() and segment[:-1].max() > 0.3 * bound[-1]
+    worst = worst_blocks(links, words, feeds)
+    assert worst.row[0] == feeds[-1] and worst.segment[0] == pytest.approx(120.0 * (1.0 - np.cos(0.5 * alone)), rel=1e-6)

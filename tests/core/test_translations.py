@@ -8,6 +8,7 @@ import struct
 import pytest
 from translation_script import ROOT, translations
 
+from freecad_fiveaxis.core.sentences import CONTEXT, OPTIONS
 from freecad_fiveaxis.core.settings import option_fields
 
 LANGUAGES = sorted(translations.FOLDER.glob("FiveAxis_*.ts"))
@@ -159,6 +160,27 @@ hint = translate("App::Property", leaf.metadata["text"])
 def test_a_text_put_together_at_run_time_is_refused(text):
     with pytest.raises(translations.NotLiteral, match=r"tool\.py:1"):
         list(translations.texts_of_source(f'translate("FiveAxis", {text})', "tool.py"))
+
+
+def test_templates_of_sentences_are_found():
+    source = """
+finding = Finding(WARNING, "code", say("one {count}", count=3))
+text = plural(n, "{count} row", "{count} rows") + say("by " "{depth}", depth=Length(3.0))
+TABLE = {1: Template("a table's {name}")}
+later = TABLE[1].say(name="C")
+"""
+    found = {"one {count}", "{count} row", "{count} rows", "by {depth}", "a table's {name}"}
+    assert set(translations.texts_of_sentences(source)) == {(translations.CORE, text) for text in found}
+
+
+def test_the_context_of_sentences_is_that_of_the_core():
+    assert translations.CORE == CONTEXT and translations.PROPERTY == OPTIONS
+
+
+@pytest.mark.parametrize("call", ['say(f"{count} blocks")', "say(text)", 'plural(n, "{count} row", many)'])
+def test_a_sentence_put_together_at_run_time_is_refused(call):
+    with pytest.raises(translations.NotLiteral, match=r"tool\.py:1"):
+        list(translations.texts_of_sentences(call, "tool.py"))
 
 
 def test_names_and_groups_of_properties_are_found():

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panels, used as a user uses them: fields typed into, buttons clicked, what stands on the screen read."""
 
-import dataclasses
 import gc
 import json
 from pathlib import Path
@@ -290,13 +289,14 @@ def test_what_a_cure_of_gouges_did_is_in_the_summary(code):
     assert summary.cured(SimpleNamespace(Proxy=SimpleNamespace(last=last))) == ["Something was done."]
 
 
-def test_the_gouge_section_has_every_option_of_its_settings(panel):
-    from freecad_fiveaxis.core.settings import GougeSettings
+def test_every_option_stands_in_the_group_that_the_property_editor_has_it_in_or_under_more(panel):
+    from freecad_fiveaxis.app.properties import group_of, shown_options
 
-    box = FreeCADGui.getMainWindow().findChild(QtWidgets.QGroupBox, "section_gouge")
-    assert box.title() == "Where the tool enters the part"
-    for leaf in dataclasses.fields(GougeSettings):
-        assert box.isAncestorOf(panel.options.fields[leaf.name].editor), leaf.name
+    for cls, leaf in shown_options("mill"):
+        name = {"scallop": "spacing", "stepover": "spacing"}.get(leaf.name, leaf.name)
+        editor = panel.options.fields[name].editor
+        (group,) = [group for group in panel.options.groups.values() if group.isAncestorOf(editor)]
+        assert group.title in (group_of(cls, leaf), "More settings"), leaf.name
 
 
 def test_largest_tilt_is_asked_for_where_either_choice_needs_it(panel, field):
@@ -421,11 +421,11 @@ def test_inches_show_inches_and_lose_nothing(inches, dome, type_into, pump, scre
     screenshot("panel_inches")
 
 
-def test_what_is_typed_is_what_is_milled(millimetres, dome, type_into, pump):
+def test_what_is_typed_is_what_is_milled(millimetres, dome, field, type_into, pump):
     panel = toolpath.create(dome)
     pump(300)
     for name, text, value in (("tolerance", "0.0125", 0.0125), ("feed", "1234.5", 1234.5), ("lead", "2.5", 2.5)):
-        area = panel.options.fields[name].editor
+        area = field(name)
         qt_scroll(area, pump)
         type_into(area, text)
         assert panel.options.fields[name].value() == pytest.approx(value, rel=1e-12), name

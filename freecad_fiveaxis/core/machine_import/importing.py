@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.sentences import say
 
 from .trt import machine_of_ini
 
@@ -45,11 +46,11 @@ def import_machine(path: str) -> Imported:
     elif suffix == ".fcm":
         machine, findings = _of_freecad(path)
     else:
-        raise MachineError(f"{path} has no ending that is known; give LinuxCNC's .ini or FreeCAD's .fcm", path)
+        raise MachineError(say("{path} has no ending that is known; give LinuxCNC's .ini or FreeCAD's .fcm", path=path), path)
     try:
         chain(machine, Setup(machine.origin))
     except MachineError as error:
-        raise MachineError(f"{path}: {error}", error.value) from error
+        raise MachineError(say("{path}: {error}", path=path, error=error), error.value) from error
     return Imported(machine, findings)
 
 
@@ -58,17 +59,19 @@ def _of_freecad(path: str) -> tuple[Machine, tuple[Finding, ...]]:
     data = json.loads(read_bytes(path, "machine file").decode("utf-8-sig"))
     extra, found = data.get("fiveaxis", {}), []
     if lacking := [f"{key} {value}" for key, value in DEFAULTS.items() if key not in extra]:
-        text = f"FreeCAD's file does not say everything; taken: {', '.join(lacking)}. Correct them under fiveaxis."
+        text = say(
+            "FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.", lacking=", ".join(lacking)
+        )
         found.append(Finding(Severity.NOTE, "machine-default", text))
     if not extra:
-        text = (
+        text = say(
             "The joint axes are taken as the way the tool moves relative to the work (ISO 841). Prove the signs before cutting."
         )
         found.append(Finding(Severity.WARNING, "sign-unproven", text))
     kinematics = data["machine"].get("kinematics")
     frame = kinematics.get("base_frame") if isinstance(kinematics, dict) else None
     if isinstance(frame, dict) and any(frame.get(key, value) != value for key, value in UPRIGHT.items()):
-        text = "The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame."
+        text = say("The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.")
         found.append(Finding(Severity.ERROR, "base-frame-not-used", text))
     return replace(machine, controller=machine.controller or _controller(data)), tuple(found)
 

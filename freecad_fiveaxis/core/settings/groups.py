@@ -12,6 +12,7 @@ task      ``mill``: from an STL to a program; ``post``: from a CL file to a prog
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -47,11 +48,13 @@ def option(
     most: float = math.inf,
     above: float = -math.inf,
     bare: str = "",
+    by_task: Mapping[str, Any] | None = None,
 ) -> Any:
     """A field of a settings dataclass. ``kind``: how it is read (core/option_values.py); the range is in the core's units.
-    ``bare``: what the option means on the command line without a value, and as ``true`` in a job file."""
+    ``bare``: what the option means on the command line without a value, and as ``true`` in a job file; ``by_task``: the default
+    in a task that has one of its own."""
     metadata = {"kind": kind, "text": text, "tasks": tasks, "choices": choices, "least": least, "most": most, "above": above}
-    return field(default=default, metadata=metadata | {"bare": bare})
+    return field(default=default, metadata=metadata | {"bare": bare, "by_task": dict(by_task or {})})
 
 
 @dataclass(frozen=True)
@@ -186,8 +189,9 @@ class CureSettings:
     """What is done against deviation and needless turning."""
 
     linearize: Literal["on", "off"] = option(
-        "off", "choice", "divide feed blocks over tolerance into the fewest that hold it", (MILL, POST), choices=("on", "off")
-    )
+        "off", "choice", "divide feed blocks over tolerance into the fewest that hold it; off with rtcp", (MILL, POST),
+        choices=("on", "off"), by_task={MILL: "on", POST: "on"},
+    )  # fmt: skip
     singularity: str = option(
         "report", "choice", "near the pole: only report, divide blocks over tolerance, or lead the tool axis past it (deform)",
         (MILL, POST), choices=SINGULARITY,
@@ -210,7 +214,7 @@ class GougeSettings:
         "off", "choice",
         "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within max-tilt and "
         "lift where the cutter still enters; off: no check",
-        (MILL, AUDIT), choices=GOUGE,
+        (MILL, AUDIT), choices=GOUGE, by_task={MILL: "lift"},
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
         (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge", (MILL, AUDIT)

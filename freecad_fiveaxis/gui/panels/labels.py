@@ -23,9 +23,14 @@ def choice_label(name: str) -> str:
     return _choices().get(name) or name.replace("_", " ")
 
 
+def choice_hint(option: str, choice: str) -> str:
+    """What a choice of an option does, in a sentence; empty where its name says it."""
+    return _choice_hints().get((option, choice), "")
+
+
 def group_label(name: str) -> str:
-    """The title of a group of options, by the name of its settings class."""
-    return _groups().get(name) or name.replace("Settings", "")
+    """The title of a group of options in a panel, by its name in the property editor."""
+    return _groups().get(name) or translate("App::Property", name)
 
 
 def controller_label(name: str) -> str:
@@ -71,7 +76,7 @@ def _of_programs() -> dict[str, str]:
         "plunge_feed": translate("FiveAxis", "Plunge feed"),
         "feed_mode": translate("FiveAxis", "Feed mode"),
         "tool": translate("FiveAxis", "Tool number"),
-        "spindle": translate("FiveAxis", "Spindle, 1/min"),
+        "spindle": translate("FiveAxis", "Spindle speed"),
         "coolant": translate("FiveAxis", "Coolant"),
         "work_offset": translate("FiveAxis", "Work offset"),
         "blend": translate("FiveAxis", "Corner rounding"),
@@ -118,6 +123,8 @@ def _of_machines_and_places() -> dict[str, str]:
         "linear_deflection": translate("FiveAxis", "Mesh deflection"),
         "angular_deflection": translate("FiveAxis", "Mesh angle"),
         "work_zero": translate("FiveAxis", "Work zero"),
+        "spacing": translate("FiveAxis", "Spacing by"),
+        "spacing_kind": translate("FiveAxis", "Spacing by"),
         "cutter_kind": translate("FiveAxis", "Kind"),
         "cutter_diameter": translate("FiveAxis", "Diameter"),
         "cutter_corner": translate("FiveAxis", "Corner radius"),
@@ -161,21 +168,14 @@ def _choices() -> dict[str, str]:
     }
 
 
+def _choice_hints() -> dict[tuple[str, str], str]:
+    return {}
+
+
 def _groups() -> dict[str, str]:
+    """Groups that no property editor shows, or not by a name for a panel."""
     return {
-        "PassSettings": translate("FiveAxis", "Passes"),
-        "CutterSettings": translate("FiveAxis", "Cutter"),
-        "ToolAxisSettings": translate("FiveAxis", "Tool axis"),
-        "LinkSettings": translate("FiveAxis", "Between passes"),
-        "FeedSettings": translate("FiveAxis", "Feeds"),
-        "HeadSettings": translate("FiveAxis", "Head of the NC file"),
-        "MachineSettings": translate("FiveAxis", "Machine"),
-        "CureSettings": translate("FiveAxis", "Against deviation"),
-        "GougeSettings": translate("FiveAxis", "Where the tool enters the part"),
-        "ProofSettings": translate("FiveAxis", "Proof"),
-        "SetupSettings": translate("FiveAxis", "Setup"),
-        "CompareSettings": translate("FiveAxis", "Comparison"),
-        "AuditSettings": translate("FiveAxis", "CL path or part"),
-        "RecoverSettings": translate("FiveAxis", "Recover"),
-        "ProveSettings": translate("FiveAxis", "Moves"),
+        "Compare": translate("FiveAxis", "Comparison"),
+        "Recover": translate("FiveAxis", "Recover"),
+        "Prove": translate("FiveAxis", "Moves"),
     }

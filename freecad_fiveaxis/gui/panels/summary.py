@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a path came to, in a few lines, in the user's units: passes, blocks, time, deviation, poor blocks."""
+"""What a path came to, in the user's units: the verdict as a traffic light, then passes, blocks, time, deviation, poor blocks."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import html
 from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
+from freecad_fiveaxis.gui.verdict_label import VerdictLabel
 
 from .fields import quantity
 
@@ -74,14 +75,18 @@ class Summary(QtWidgets.QGroupBox):
 
     def __init__(self) -> None:
         super().__init__(translate("FiveAxis", "Summary"))
+        self.verdict = VerdictLabel("verdict")
         self.text = QtWidgets.QLabel()
         self.text.setObjectName("summary")
         self.text.setWordWrap(True)
-        QtWidgets.QVBoxLayout(self).addWidget(self.text)
+        column = QtWidgets.QVBoxLayout(self)
+        column.addWidget(self.verdict)
+        column.addWidget(self.text)
         self.forget()
 
     def forget(self) -> None:
         """The settings have changed since the last calculation."""
+        self.verdict.show_verdict(None)
         self.text.setText(translate("FiveAxis", "Press Calculate to see what these settings come to."))
 
     def show_result(self, obj: Any) -> None:
@@ -89,6 +94,7 @@ class Summary(QtWidgets.QGroupBox):
         cells = "".join(
             f"<tr><td>{label}&nbsp;</td><td><b>{html.escape(value)}</b></td></tr>" for label, value in summary_lines(obj)
         )
-        sentences = dict.fromkeys((obj.Verdict if obj.GuidedBlocks else "", *cured(obj), gravest(obj)))
+        sentences = dict.fromkeys((*cured(obj), gravest(obj)))
         found = "".join(f"<p>{html.escape(text)}</p>" for text in sentences if text)
+        self.verdict.show_verdict(obj)
         self.text.setText(f"<table>{cells}</table>{found}")

@@ -20,6 +20,7 @@ from freecad_fiveaxis.gui.qt import QtWidgets, flags, later, translate
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
+from .panel_widget import PanelWidget
 from .path_panel import reveal, show
 
 TALL, LOW = 300, 60
@@ -48,14 +49,8 @@ class WorkPanel:
         self._edited()
 
     def _widget(self, title: str) -> Any:
-        widget = QtWidgets.QWidget()
-        widget.setObjectName("FiveAxisPanel")
-        widget.setWindowTitle(title)
-        column = QtWidgets.QVBoxLayout(widget)
-        for part in (self.calculate_button, self.result, *self.buttons, self.options.error, self.options.widget):
-            column.addWidget(part)
-        column.addStretch()
-        return widget
+        head = (self.calculate_button, self.result, *self.buttons, self.options.error)
+        return PanelWidget(title, head, self.options.widget)
 
     @property
     def stale(self) -> bool:

@@ -7,7 +7,8 @@ that FreeCAD draws after it as the table turns the work. No document object is t
 leaves the view as it was.
 
 over the part   the part stands still and the tool moves over it.
-on the machine  everything moves as it really will: the table with the part on it, and the tool on its head.
+on the machine  everything moves as it really will: the table with the part on it, and the tool on its head; the machine itself
+                is sketched about them.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from freecad_fiveaxis.core.playback import Pose, rotary_lines
 from freecad_fiveaxis.gui.scene import nodes
 from freecad_fiveaxis.gui.scene.overlay import label_node
 
+from .machine import DrawnMachine
 from .tool import DrawnTool, tool_node
 
 CHORD, CURVE, TIP = (1.0, 1.0, 1.0), (0.90, 0.30, 0.0), (0.0, 0.0, 0.0)
@@ -35,7 +37,10 @@ class Stage:
     ``letters``: of the two rotary axes; ``centre`` (3,) and ``reach`` mm: middle of the path and how far the axes are
     drawn. ``tip`` (3,) mm: where the tip is drawn, document coordinates."""
 
-    def __init__(self, graph: Any, tool: DrawnTool, zero: np.ndarray, letters: str, centre: np.ndarray, reach: float) -> None:
+    def __init__(
+        self, graph: Any, tool: DrawnTool, machine: DrawnMachine, zero: np.ndarray, letters: str, centre: np.ndarray, reach: float
+    ) -> None:
+        self.machine = machine
         self.zero, self.centre, self.reach = np.asarray(zero, float), np.asarray(centre, float), reach
         self.tool, self.work, self.turn = (coin.SoMatrixTransform() for _ in range(3))
         self.axes, self.chord, self.curve, self.gap, self.dots = (_vertices() for _ in range(5))
@@ -60,6 +65,9 @@ class Stage:
         _put(self.work, scene_from_work)
         _put(self.tool, scene_from_machine @ pose.machine_from_tool)
         _put(self.turn, _about(scene_from_work, self.zero))
+        nodes.turn(self.sketch, on_machine)
+        if on_machine:
+            self.machine.show(pose.machine_from_carried)
         self._draw_axes(rotary_lines(pose, self.centre, self.reach), scene_from_machine)
         if curve is not None:
             _fill(self.curve, curve)
@@ -91,6 +99,8 @@ class Stage:
         zero.translation.setValue(*self.zero)
         root = nodes.separate(nodes.unpickable(), zero, nodes.separate(self.tool, tool_node(tool)))
         root.setName("FiveAxisPlay")
+        self.sketch = nodes.switch(self.machine.root, False)
+        root.addChild(self.sketch)
         root.addChild(nodes.without_box(self._axis_lines(letters)))
         over = coin.SoAnnotation()
         for child in (nodes.flat(), self.work, *self._block_lines()):
