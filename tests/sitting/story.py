@@ -181,9 +181,23 @@ def leave(user: Sitting) -> None:
 
 DISCARD = "(Discard|Close without|Don.t Save).*"
 STEPS = [
-    ("Install", install), ("Start", start), ("Workbench", workbench), ("Open a part", open_part), ("Select it", select),
-    ("Tool path", tool_path), ("Calculate", calculate), ("OK", ok), ("Play", play), ("Post-process", post_process),
-    ("Audit", audit), ("Undo, redo", undo), ("Recompute", recompute), ("Save", save), ("Close", close), ("Reopen", reopen), ("Quit", leave),
+    ("Install", install),
+    ("Start", start),
+    ("Workbench", workbench),
+    ("Open a part", open_part),
+    ("Select it", select),
+    ("Tool path", tool_path),
+    ("Calculate", calculate),
+    ("OK", ok),
+    ("Play", play),
+    ("Post-process", post_process),
+    ("Audit", audit),
+    ("Undo, redo", undo),
+    ("Recompute", recompute),
+    ("Save", save),
+    ("Close", close),
+    ("Reopen", reopen),
+    ("Quit", leave),
 ]
 
 

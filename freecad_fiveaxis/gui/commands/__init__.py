@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import FreeCADGui
 
+from freecad_fiveaxis.gui.failures import guarded
+
 from .annotate import Annotate
 from .audit import Audit
 from .compare import Compare
@@ -27,4 +29,6 @@ NAMES = [command.NAME for command in COMMANDS]
 def register() -> None:
     """Make the commands known to FreeCAD."""
     for command in COMMANDS:
-        FreeCADGui.addCommand(command.NAME, command())
+        made = command()
+        made.Activated = guarded(made.Activated)
+        FreeCADGui.addCommand(command.NAME, made)

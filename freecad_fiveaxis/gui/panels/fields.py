@@ -15,6 +15,7 @@ import FreeCAD
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, create, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
+from freecad_fiveaxis.gui.wheel import leave_wheel
 
 from .labels import option_hint, option_label
 
@@ -54,6 +55,7 @@ class Field(QtCore.QObject):
         editor.setAccessibleName(self.label)
         editor.setToolTip(hint)
         editor.setMinimumWidth(NARROW)
+        leave_wheel(editor)
         self.error = error_line(name + "_error")
         self.warning = warning_line(name + "_warning")
         self.note = note_line(name + "_note")
@@ -393,6 +395,7 @@ def error_line(name: str) -> Any:
     """A line in red, hidden until it says something."""
     label = QtWidgets.QLabel()
     label.setObjectName(name)
+    label.setAccessibleDescription(translate("FiveAxis", "Error"))
     label.setWordWrap(True)
     label.setStyleSheet("color: #d0342c;")
     label.hide()
