@@ -24,7 +24,15 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.minimax import minimax_axes
 from freecad_fiveaxis.core.nc_reader import dialect_of_text, read_nc
-from freecad_fiveaxis.core.passes import ContactPath, place_planes, reachable_facets, slice_mesh
+from freecad_fiveaxis.core.passes import (
+    ContactPath,
+    flat_interval,
+    place_planes,
+    reachable_facets,
+    side_findings,
+    slice_mesh,
+    untouched_sides,
+)
 from freecad_fiveaxis.core.program import Program, block_findings, build_program
 from freecad_fiveaxis.core.report import Figures, judge
 
@@ -159,6 +167,7 @@ def mill(
     keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle, faces)
     planes, spacing = _planes(settings, mesh, keep, progress)
     contact = slice_mesh(mesh, planes, passes.direction, progress=progress, plain=~keep, order=settings.links.order)
+    spacing = _with_sides(settings, mesh, keep, planes, contact, spacing)
     closed = close_gaps(
         contact, mesh, corner_radius(cutter), settings.cutter.coedge_tolerance, None if keep.all() else keep, progress
     )
@@ -190,6 +199,17 @@ def _planes(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> 
         mesh, passes.direction, radius, stepover=passes.stepover, scallop=scallop, least=passes.least_interval, keep=keep,
         progress=progress, **more,
     )  # fmt: skip
+
+
+def _with_sides(
+    settings: Settings, mesh: Mesh, keep: Bools, planes: Floats, contact: ContactPath, spacing: tuple[Finding, ...]
+) -> tuple[Finding, ...]:
+    """What was poor about the planes, and the sides of the part that they leave out."""
+    passes, scallop, radius = settings.passes, scallop_asked(settings), settings.cutter.cutter.radius
+    interval = passes.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
+    sides = untouched_sides(mesh, keep, contact.face, planes, passes.direction, interval)
+    finer = "a smaller stepover" if scallop is None else f"a smaller least interval than {passes.least_interval:g} mm"
+    return side_findings(sides, mesh, keep, passes.direction, spacing, passes.least_interval, finer)
 
 
 def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress = silent) -> CLPath:

@@ -148,7 +148,7 @@ def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[str]:
         yield f"tolerance {figures.tolerance:g} mm not proven in {numbers['unproven']} of {feeds} feed blocks"
     for code, found in _of_severity(figures, Severity.WARNING).items():
         if code != UNPROVEN:
-            yield _warning(code, found[0], numbers)
+            yield _warning(code, found, numbers)
 
 
 WARNED = {
@@ -162,7 +162,11 @@ WARNED = {
 """What a warning says in the verdict; one that is not here gives its first clause."""
 
 
-def _warning(code: str, worst: Finding, numbers: Mapping[str, Any]) -> str:
+def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> str:
+    worst = found[0]
+    if code == "side-not-machined":
+        sides = "a side is" if len(found) == 1 else f"{len(found)} sides are"
+        return f"{sides} not machined ({sum(one.value or 0.0 for one in found):.4g} mm2)"
     if code == SINGULAR:
         count = numbers["singular_blocks"]
         return f"{count} block{'' if count == 1 else 's'} near the pole"
