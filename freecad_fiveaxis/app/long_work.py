@@ -26,6 +26,7 @@ import FreeCAD
 
 from freecad_fiveaxis.core.errors import Cancelled
 from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.sentences import say
 
 T = TypeVar("T")
 
@@ -98,7 +99,7 @@ def _float_rules() -> AbstractContextManager[None]:
 
 def _check_open(doc: Any) -> None:
     if doc is not None and not is_open(doc):
-        raise Cancelled("the document was closed; nothing was changed")
+        raise Cancelled(say("the document was closed; nothing was changed"))
 
 
 def _is_main() -> bool:
@@ -179,7 +180,7 @@ class Worker(threading.Thread, Generic[T]):
 
     def _tell(self, stage: str, fraction: float) -> None:
         if self._stopped:
-            raise Cancelled("stopped; nothing was changed")
+            raise Cancelled(say("stopped; nothing was changed"))
         self._heard.append((stage, fraction))
 
     def _leave(self) -> None:

@@ -10,6 +10,7 @@ from typing import Any
 from freecad_fiveaxis.core import outputs, workshop
 from freecad_fiveaxis.core.errors import FileError
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import PROVE, Settings, build_settings
 
 from .long_work import run
@@ -45,5 +46,5 @@ def write(done: workshop.Proof, overwrite: bool = False) -> list[str]:
     """Write program and sheet; returns their names. Raises FileError for a file that is there, unless ``overwrite``."""
     there = [] if overwrite else [name for name in targets(done) if os.path.lexists(name)]
     if there:
-        raise FileError(f"{there[0]} exists; choose another name, or ask for it to be overwritten", there[0])
+        raise FileError(say("{file} exists; choose another name, or ask for it to be overwritten", file=there[0]), there[0])
     return workshop.write_outputs(done)

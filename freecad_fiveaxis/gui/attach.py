@@ -11,6 +11,8 @@ from typing import Any
 
 import FreeCAD
 
+from .failures import guards
+
 VIEWS = {
     "freecad_fiveaxis.app.tessellation": "view_providers.TessellationView",
     "freecad_fiveaxis.app.toolpath": "view_providers.PathView",
@@ -23,6 +25,7 @@ VIEWS = {
 """The module of a document object's proxy, and module and class of the view that shows it."""
 
 
+@guards
 class Observer:
     """Watches all documents."""
 

@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.app import left
+from freecad_fiveaxis.app import left, wording
 from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.gouge import HeightScale, height_scale
 
@@ -64,7 +64,7 @@ class LeftPicture:
             except Cancelled:
                 self.failed = translate("FiveAxis", "Not drawn, as you stopped it: recompute to draw it")
             except FiveAxisError as error:
-                self.failed = str(error)
+                self.failed = wording.told(error)
                 self.obj.touch()
                 FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
         return known

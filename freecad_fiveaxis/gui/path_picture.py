@@ -7,7 +7,7 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.app import results
+from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.report import Drawing, Figures, draw
 
@@ -71,7 +71,7 @@ class Picture:
         except Cancelled:
             self.failed = translate("FiveAxis", "Not drawn, as you stopped it: recompute to draw it")
         except FiveAxisError as error:
-            self.failed = str(error)
+            self.failed = wording.told(error)
             self.obj.touch()
             FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
         return self.obj.Proxy.last

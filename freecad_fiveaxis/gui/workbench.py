@@ -39,8 +39,9 @@ class FiveAxisWorkbench(FreeCADGui.Workbench):
 
 def start() -> None:
     """Make the workbench known, and what other workbenches need of it too: commands, preferences, view providers."""
-    from . import attach, commands, preferences
+    from . import attach, commands, failures, preferences
 
+    failures.watch()
     FreeCADGui.addWorkbench(FiveAxisWorkbench())
     commands.register()
     preferences.register()

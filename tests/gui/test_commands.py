@@ -176,7 +176,7 @@ def test_compound_body_and_mesh_can_be_milled(box, make, select, press, panel_bu
     form = FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, "FiveAxisPanel")
     kind = form.findChild(QtWidgets.QComboBox, "spacing_kind")
     kind.setCurrentIndex(kind.findData("stepover"))
-    form.findChild(QtWidgets.QWidget, "stepover").setProperty("rawValue", 6.0)
+    form.findChild(QtWidgets.QWidget, "stepover").show_measured(6.0)
     panel_button("OK", wait=500)
     assert doc.Toolpath.Blocks > 0 and not FreeCADGui.Control.activeDialog()
     assert (doc.Toolpath.Mesh is base) == (make is a_mesh)

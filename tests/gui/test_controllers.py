@@ -201,7 +201,7 @@ def test_a_new_group_of_settings_gets_its_section_its_fields_and_its_properties(
     pump(300)
     box = panel_form().findChild(QtWidgets.QWidget, "section_surface")
     assert box is not None and box.title == "Surface"
-    assert field("surface_browse").isVisible() and field("sideways").property("rawValue") == 0.5
+    assert field("surface_browse").isVisible() and field("sideways").measured() == 0.5
     field("surface").setText(str(tmp_path / "gone.stl"))
     assert "does not exist" in field("surface_error").text()
     kinds = {one.name: one.kind for one in properties.setting_properties(AUDIT)}

@@ -26,7 +26,6 @@ from freecad_fiveaxis.gui.scene import (
     on_screen,
     overlay,
     path_nodes,
-    units,
     words,
 )
 
@@ -93,21 +92,6 @@ def test_each_half_of_the_map_darkens_evenly():
         steps = np.diff(half)
         assert (steps < 0).all()
         assert steps.min() > 3.0 * steps.mean()
-
-
-@pytest.mark.parametrize(
-    "schema, mm, text", [(0, 2.12642, "2.126 mm"), (0, 0.0123, "12.3 µm"), (3, 2.12642, "in"), (2, 0.5, "thou")]
-)
-def test_lengths_are_shown_in_the_users_units(schema, mm, text):
-    before = FreeCAD.Units.getSchema() if hasattr(FreeCAD.Units, "getSchema") else 0
-    try:
-        FreeCAD.Units.setSchema(schema)
-        said = units.length_text(mm)
-        assert said.endswith(text)
-        assert float(said.split()[0]) * FreeCAD.Units.Quantity(1, FreeCAD.Units.Unit()).Value > 0
-        assert FreeCAD.Units.Quantity(said).Value == pytest.approx(mm, rel=1e-3)
-    finally:
-        FreeCAD.Units.setSchema(before)
 
 
 def test_the_path_is_seen_in_its_colours(dome, scene, screenshot, pixels, view_box):

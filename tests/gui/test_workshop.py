@@ -250,8 +250,8 @@ def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc
     assert field("machine").currentText() == "trunnion_bc"
     click(field("mark_pick"))
     view_click((40, 0, 12))
-    until(lambda: field("mark_x").property("rawValue") == pytest.approx(30, abs=1e-6), 5000, "the corner, from the work zero")
-    mark = [field(f"mark_{letter}").property("rawValue") for letter in "xyz"]
+    until(lambda: field("mark_x").measured() == pytest.approx(30, abs=1e-6), 5000, "the corner, from the work zero")
+    mark = [field(f"mark_{letter}").measured() for letter in "xyz"]
     assert mark == pytest.approx([30, -5, 12], abs=1e-6)
     panel_button("OK", 800)
     made = [one.name for one in tmp_path.iterdir()]

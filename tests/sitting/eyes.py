@@ -7,6 +7,7 @@ silence   how long the program gave no answer: every question is answered by the
 
 from __future__ import annotations
 
+import contextlib
 import re
 import subprocess
 import threading
@@ -113,9 +114,12 @@ class Eyes:
                     yield from self.things(child)
 
     def see(self, role: str, name: str = "", below: Thing | None = None) -> Thing | None:
-        """The first thing of that role whose whole name is matched by the expression ``name`` (empty: any), or None."""
+        """The first thing of that role whose whole name, or what it says of itself where it has none, is matched by the
+        expression ``name`` (empty: any); or None."""
         for thing, its_role in self.things(below):
-            if its_role == role and (not name or _is_called(_there(lambda thing=thing: thing.name, ""), name)):
+            if its_role == role and (
+                not name or _is_called(_there(lambda thing=thing: thing.name or thing.description, ""), name)
+            ):
                 return thing
         return None
 
@@ -170,10 +174,8 @@ class Watch(threading.Thread):
     def run(self) -> None:
         while self.running:
             self.asked = time.monotonic()
-            try:
+            with contextlib.suppress(GLib.Error):  # the program has gone
                 self.bus.ask(self.name_on_bus, ROOT, ACCESSIBLE, "GetRole")
-            except GLib.Error:
-                pass
             took = time.monotonic() - self.asked
             self.silences.append((self.asked, took))
             time.sleep(max(0.0, self.EVERY - took))

@@ -13,7 +13,7 @@ import time
 from dataclasses import dataclass
 
 from desk import Desk, run_quietly
-from eyes import FOCUSED, SHOWING, Eyes, Thing, Watch, picture
+from eyes import Eyes, Thing, Watch, picture
 from hands import Hands
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -78,9 +78,13 @@ class Sitting:
             time.sleep(0.1)
         return found
 
+    def has_left(self) -> bool:
+        """Whether FreeCAD has ended."""
+        return self.program.poll() is not None
+
     def alive(self) -> None:
-        """Raises Unseen where FreeCAD has gone by itself."""
-        if self.program is not None and self.program.poll() is not None:
+        """Raises Unseen where FreeCAD has ended with a code that is not 0, or was killed by a signal."""
+        if self.program is not None and self.program.poll():
             raise Unseen(f"FreeCAD has ended by itself (code {self.program.returncode})")
 
     # ------------------------------------------------------------------------------------------ steps
@@ -104,7 +108,7 @@ class Sitting:
         picture(stem + ".png")
         if row.failed:
             self.write_tree(stem + ".txt")
-        elif self.watch and self.watch.running:
+        elif self.watch and not self.has_left():
             self.collect()
         print(
             f"sitting: {name:<28} {row.clicks:>3} clicks {row.seconds:6.1f} s, silent {row.silence:5.2f} s"
@@ -115,7 +119,7 @@ class Sitting:
 
     def look(self) -> None:
         """Raises Unseen where anything has gone wrong that a user could see: a red line, or an error in what FreeCAD says."""
-        self.alive_or_left()
+        self.alive()
         said = self.new_in_log()
         bad = [line for line in said.splitlines() if BAD.search(line) and not any(one.search(line) for one in NOT_OURS)]
         if bad:
@@ -123,11 +127,6 @@ class Sitting:
         red = self.red_lines() if self.eyes and self.program.poll() is None else []
         if red:
             raise Unseen("a red line: " + red[0])
-
-    def alive_or_left(self) -> None:
-        """FreeCAD is there, or was left by the user with code 0."""
-        if self.program is not None and self.program.poll() not in (None, 0):
-            raise Unseen(f"FreeCAD has ended by itself (code {self.program.returncode})")
 
     def new_in_log(self) -> str:
         """What FreeCAD has said since the last look, on its terminal and in the report view."""
@@ -154,7 +153,9 @@ class Sitting:
 
     def press_tool(self, name: str) -> None:
         """Click a button of a tool bar."""
-        self.hands.click(self.eyes.find("push button", name))
+        roles = ("push button", "button menu")
+        found = lambda: next((one for role in roles if (one := self.eyes.see(role, name))), None)  # noqa: E731
+        self.hands.click(self.until(found, 20, f"a button {name}"))
 
     def press(self, name: str, seconds: float = 20) -> None:
         """Click a push button of a panel or a dialog."""
@@ -162,15 +163,24 @@ class Sitting:
 
     def in_tree(self, label: str, seconds: float = 10) -> Thing:
         """The row of the model tree."""
-        return self.eyes.find("table cell", label, seconds)
+        return self.until(lambda: self._row(label), seconds, f"{label} in the tree")
+
+    def not_in_tree(self, label: str) -> None:
+        """Wait until the tree is shown without that row."""
+        self.until(lambda: self._model() and not self._row(label), 20, f"{label} gone from the tree")
+
+    def _model(self) -> list[Thing]:
+        """The model tree, and what else FreeCAD draws as a tree but the lists of properties."""
+        return [tree for tree in self.eyes.all("tree") if not self.eyes.see("column header", "Property", tree)]
+
+    def _row(self, label: str) -> Thing | None:
+        return next((row for tree in self._model() if (row := self.eyes.see("table cell", label, tree))), None)
 
     def collect(self) -> None:
         """Have Python's garbage collected: typed into FreeCAD's own console. The focus goes back to where it was by no click."""
         self.hands.counting = False
         try:
             console = self.console()
-            if console is None:
-                return
             before = console.text.count("collected")
             self.hands.click(console, (0.5, 0.9))
             self.hands.press("ctrl+End")
@@ -180,10 +190,12 @@ class Sitting:
         finally:
             self.hands.counting = True
 
-    def console(self) -> Thing | None:
-        """The text of the Python console, where it is showing and no dialog lies before it."""
-        frame = self.eyes.see("frame", "Python console") or self.eyes.see("dock", "Python console")
-        return self.eyes.see("text", below=frame) if frame else None
+    def console(self) -> Thing:
+        """The text of the Python console."""
+        dock = next((one for role in ("frame", "panel") if (one := self.eyes.see(role, "Python [Cc]onsole"))), None)
+        if dock is None:
+            raise Unseen("no Python console is shown")
+        return self.eyes.find("text", below=dock)
 
 
 def make_part(path: str) -> str:

@@ -56,11 +56,15 @@ def open_part(user: Sitting) -> None:
     user.hands.press("Return")
     user.in_tree("Rounded")
     user.in_tree("Body")
+    user.hands.click_at(900, 600)
+    user.hands.press("0")
 
 
 def select(user: Sitting) -> None:
     """Click the part in the tree; where it is not drawn, Space draws it."""
     user.hands.click(user.in_tree("Rounded"))
+    user.hands.press("space")
+    user.press_tool("Fit [Aa]ll")
     user.until(lambda: user.eyes.find("push button", "Tool path.*").has(ENABLED), 5, "Tool path can be pressed")
 
 
@@ -87,10 +91,95 @@ def play(user: Sitting) -> None:
     """Play the path, stop it, go one block on, close."""
     user.hands.click(user.in_tree("Toolpath"))
     user.press_tool("Play.*")
-    user.eyes.find("slider")
-    raise Unseen("look")
+    time_played = user.eyes.find("label", r"[\d:.]+ of [\d:.]+")  # as 0:00.00 of 4:58.81; looked up now, for while it plays
+    button, on = user.eyes.find("check box", "Play and pause"), user.eyes.find("push button", "One block on")  # answers are slow
+    begun = time_played.name
+    user.hands.click(button)
+    user.until(lambda: time_played.name != begun, 10, "the tool moves")
+    user.hands.click(button)
+    time.sleep(0.5)
+    stopped = time_played.name
+    user.hands.click(on)
+    user.until(lambda: time_played.name != stopped, 10, "one block on")
+    user.press("Close")
+    user.eyes.gone("slider", "")
 
 
+def post_process(user: Sitting) -> None:
+    """Write the NC file where the panel proposes."""
+    user.hands.click(user.in_tree("Toolpath"))
+    user.press_tool("Post-process.*")
+    user.nc_file = user.eyes.find("text", "The NC file to write").text
+    user.press("OK")
+    user.until(lambda: os.path.isfile(user.nc_file), 60, user.nc_file)
+    user.eyes.gone("push button", "OK")
+
+
+def audit(user: Sitting) -> None:
+    """Audit the file that was written."""
+    user.press_tool("Audit an NC file.*")
+    user.eyes.find("push button", "Calculate")
+    user.hands.click(user.eyes.find("text", "NC file"))
+    user.hands.press("ctrl+a")
+    user.hands.write(user.nc_file)
+    user.hands.press("Tab")
+    user.press("Calculate")
+    user.eyes.find("label", ".*Blocks.*", 60)
+    user.press("OK")
+    user.eyes.gone("push button", "Calculate", 60)
+    user.in_tree("Audit")
+
+
+def undo(user: Sitting) -> None:
+    """Undo takes the audit back, redo brings it again."""
+    user.hands.click(user.in_tree("Toolpath"))
+    user.press_tool("Undo")
+    user.not_in_tree("Audit")
+    user.press_tool("Redo")
+    user.in_tree("Audit")
+
+
+def recompute(user: Sitting) -> None:
+    """Mark the path to be computed anew, and Refresh."""
+    user.hands.click(user.in_tree("Toolpath"))
+    user.press_tool("Refresh|Recompute")
+    user.in_tree("Toolpath")
+
+
+def save(user: Sitting) -> None:
+    """Save."""
+    before = os.path.getmtime(user.part)
+    user.hands.press("ctrl+s")
+    user.until(lambda: os.path.getmtime(user.part) > before, 30, "the file saved")
+
+
+def close(user: Sitting) -> None:
+    """Close the document; after saving nothing is asked."""
+    user.hands.press("ctrl+w")
+    user.not_in_tree("Toolpath")
+
+
+def reopen(user: Sitting) -> None:
+    """Open it again: path and audit are there, and the panel comes with the path's result."""
+    open_part(user)
+    user.in_tree("Audit")
+    user.hands.click(user.in_tree("Toolpath"), double=True)
+    user.eyes.find("push button", "Calculate")
+    user.eyes.find("label", ".*Blocks.*", 60)
+    user.hands.click(user.eyes.find("push button", "Cancel"), at=(0.2, 0.5))  # its right half may be cut off
+    user.eyes.gone("push button", "Calculate")
+
+
+def leave(user: Sitting) -> None:
+    """Quit; what was changed since is not kept."""
+    user.hands.press("ctrl+q")
+    left = user.until(lambda: user.has_left() or user.eyes.see("push button", DISCARD), 20, "FreeCAD to leave or to ask")
+    if left is not True:
+        user.hands.click(left)
+    user.until(user.has_left, 30, "FreeCAD to leave")
+
+
+DISCARD = "(Discard|Close without|Don.t Save).*"
 STEPS = [
     ("Install", install),
     ("Start", start),
@@ -101,6 +190,14 @@ STEPS = [
     ("Calculate", calculate),
     ("OK", ok),
     ("Play", play),
+    ("Post-process", post_process),
+    ("Audit", audit),
+    ("Undo, redo", undo),
+    ("Recompute", recompute),
+    ("Save", save),
+    ("Close", close),
+    ("Reopen", reopen),
+    ("Quit", leave),
 ]
 
 

@@ -119,7 +119,7 @@ def _rows(path: CLPath, where: Station, name: str, cure: Cure, guided: Sequence[
     except Cancelled:
         raise
     except FiveAxisError as error:
-        return [Row(where.name, name, one, letters, problem=str(error)) for one in guided]
+        return [Row(where.name, name, one, letters, problem=error.text) for one in guided]
     deviation = measure(where.links, program.words)
     return [
         (_guided if one else _unguided)(where, name, joints, program, deviation)  # columns that depend on tool-centre control

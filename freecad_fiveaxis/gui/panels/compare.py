@@ -7,6 +7,7 @@ from typing import Any
 
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui import comparison_table
 from freecad_fiveaxis.gui.messages import status
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, flags, translate
@@ -94,7 +95,7 @@ class ComparePanel:
             return False
         except (FiveAxisError, ReferenceError) as error:
             gone = translate("FiveAxis", "The tool path was deleted meanwhile: close this panel.")
-            self.show_error(gone if isinstance(error, ReferenceError) else str(error))
+            self.show_error(gone if isinstance(error, ReferenceError) else wording.told(error))
             return False
         comparison_table.show(self.path, comparison)
         return True

@@ -11,19 +11,18 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-import FreeCAD
-
-from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, create, translate
+from freecad_fiveaxis.app.units import INCH, inches
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
+from freecad_fiveaxis.gui.wheel import leave_wheel
 
 from .labels import option_label
 from .lines import error_line, note_line, warning_line
+from .measure_box import MeasureBox
 
-UNITS = {"length": ("mm", "Length"), "angle": ("deg", "Angle")}
-"""FreeCAD's unit of a kind of option, which is the core's too, and its quantity."""
+UNITS = {"length": "mm", "angle": "deg"}
+"""The core's unit of a kind of option."""
 DIGITS = 6
-SHOWN = {"Precision": DIGITS, "NumberFormat": "g", "Denominator": 8}
-"""Six digits, so that 0.01 mm in inches does not read 0.00 in."""
 
 FLAGS, CHOSEN = int(QtCore.Qt.UserRole) - 1, 33
 """The role under which a list's items keep their flags (as QStandardItem.setFlags does), and those of one that can be chosen:
@@ -52,6 +51,7 @@ class Field(QtCore.QObject):
         editor.setAccessibleName(self.label)
         editor.setToolTip(hint)
         editor.setMinimumWidth(NARROW)
+        leave_wheel(editor)
         self.error = error_line(name + "_error")
         self.warning = warning_line(name + "_warning")
         self.note = note_line(name + "_note")
@@ -103,24 +103,23 @@ class QuantityField(Field):
     """A length (mm) or an angle (degrees) in the user's units. ``optional``: 0 means not given."""
 
     def __init__(self, name: str, kind: str, hint: str = "", optional: bool = False) -> None:
-        super().__init__(name, create("Gui::QuantitySpinBox"), hint)
-        self.unit, self.quantity = UNITS[kind]
-        self.optional, self._given, self._text = optional, 0.0, None
-        self.editor.setProperty("unit", self.unit)
+        super().__init__(name, MeasureBox(kind), hint)
+        self.unit = UNITS[kind]
+        self.optional, self._given, self._shown = optional, 0.0, 0.0
         self.show_value(0.0)
         self.editor.valueChanged.connect(self._changed)
 
     def value(self) -> float | None:
         """mm or degrees."""
-        untouched = self.editor.property("text") == self._text
-        value = self._given if untouched else self.editor.property("rawValue")
+        shown = self.editor.measured()
+        value = self._given if shown == self._shown else shown
         return None if self.optional and value == 0.0 else value
 
     def show_value(self, value: float | None) -> None:
         """mm or degrees; None: not given."""
         self._given = float(value or 0.0)
-        self.editor.setProperty("value", quantity(self._given, self.quantity))
-        self._text = self.editor.property("text")
+        self.editor.show_measured(self._given)
+        self._shown = self.editor.measured()
 
     def room(self) -> int:
         """Six digits with their unit."""
@@ -171,8 +170,7 @@ def feed_unit() -> tuple[str, float]:
 
     FreeCAD's own boxes take a plain number for mm/s, and refuse "mm/min" letter by letter.
     """
-    inches = FreeCAD.Units.Quantity("1 mm/s").getUserPreferred()[2].startswith(("in", "ft", "mil"))
-    return (" in/min", 60.0 / 25.4) if inches else (" mm/min", 60.0)
+    return (" in/min", 60.0 / INCH) if inches() else (" mm/min", 60.0)
 
 
 class ChoiceField(Field):
@@ -303,13 +301,6 @@ class TextField(Field):
     def words(self) -> str:
         """Label and text."""
         return f"{self.label} {self.value()}" if self.value() else ""
-
-
-def quantity(value: float, kind: str) -> Any:
-    """A value in FreeCAD's own unit as a quantity that shows six digits. ``kind``: Length, Angle, Velocity, TimeSpan ..."""
-    made = FreeCAD.Units.Quantity(value, getattr(FreeCAD.Units, kind))
-    made.Format = dict(SHOWN)
-    return made
 
 
 def width_of(editor: Any, text: str) -> int:

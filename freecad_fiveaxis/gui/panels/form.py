@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .abilities import LACKING, check_guide, reasons, unknown_choices
@@ -233,7 +234,7 @@ class Form(QtCore.QObject):
             try:
                 self.check_together(options)
             except FiveAxisError as error:
-                self.show_error(str(error))
+                self.show_error(wording.told(error))
                 return False
         return all(good)
 
@@ -253,7 +254,7 @@ class Form(QtCore.QObject):
             field.check()
             self._try(name, options)
         except FiveAxisError as error:
-            field.show_error(str(error))
+            field.show_error(wording.told(error))
             return False
         return True
 

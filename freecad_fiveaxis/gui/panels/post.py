@@ -13,6 +13,7 @@ from typing import Any
 
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtWidgets, flags, translate
 from freecad_fiveaxis.gui.undo import transaction
@@ -109,7 +110,7 @@ class PostPanel:
             status(translate("FiveAxis", "Stopped; the document is as it was."))
             return False
         except FiveAxisError as error:
-            self.show_error(str(error))
+            self.show_error(wording.told(error))
             return False
         status(translate("FiveAxis", "Written: {}").format(self.file.value()))
         FreeCADGui.Control.closeDialog()

@@ -10,6 +10,7 @@ import html
 import os
 from typing import Any
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
@@ -183,7 +184,7 @@ def write_asking(file: str, write: Any, tell: Any) -> bool:
         status(translate("FiveAxis", "Stopped; the document is as it was."))
         return False
     except FiveAxisError as error:
-        tell(str(error))
+        tell(wording.told(error))
         return False
     status(translate("FiveAxis", "Written: {}").format(file))
     return True

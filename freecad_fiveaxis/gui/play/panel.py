@@ -13,11 +13,12 @@ from typing import Any
 import FreeCADGui
 import numpy as np
 
-from freecad_fiveaxis.app import results
+from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.errors import FiveAxisError
 from freecad_fiveaxis.core.job import Milled
 from freecad_fiveaxis.core.playback import NCLines
+from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import status
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, icon, later, translate
 
@@ -161,7 +162,7 @@ class PlayPanel:
             self.player = Player(results.figures_of(self.obj))
             self.readout.use(self.player.figures, NCLines(results.nc_of(self.obj)))
         except FiveAxisError as error:
-            status(str(error))
+            status(wording.told(error))
             self._leave()
             return
         self.player.resume(before)
@@ -286,6 +287,7 @@ def open_panel(obj: Any) -> PlayPanel:
     RuntimeError where another task panel is open."""
     panel = PlayPanel(obj, _view_of(obj))
     try:
+        attend(panel)
         FreeCADGui.Control.showDialog(panel)
     except RuntimeError:
         panel.close()
