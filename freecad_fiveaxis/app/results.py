@@ -107,8 +107,8 @@ def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> L
 
 
 def execute(obj: Any) -> None:
-    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers; work that
-    was stopped leaves it as it was, and out of date."""
+    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers; work
+    that was stopped leaves it as it was, and out of date."""
     try:
         last = _last(obj, None)
     except Cancelled:
