@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.markers import MARKERS, Marker
 from freecad_fiveaxis.core.report.text import duration, number
+from freecad_fiveaxis.core.sentences import Angle, Length, Number, Sentence, say
 
 from .heat_map import heat_maps
 from .setups import Kind, SetupMap
@@ -28,20 +29,40 @@ WIDTH = 100
 HEAD = ("setup", "X, mm", "Y, mm", "Z, mm", "turn, deg", "deviation, mm", "rotary travel, deg", "time", "rewinds", "limits")
 
 
-def verdict(chart: SetupMap) -> str:
+def verdict(chart: SetupMap) -> Sentence:
     """One plain sentence: where the part should stand, and what that brings."""
     if chart.best is None:
-        return "No setup of the region keeps all axes within their limits."
-    x, y, z = chart.origin[chart.best] + 0.0  # no -0
+        return say("No setup of the region keeps all axes within their limits.")
     best, now = float(chart.max_deviation[chart.best]), float(chart.max_deviation[0])
-    turn = math.degrees(chart.turn[chart.best])
-    place = f"the work zero at X {x:.3f} Y {y:.3f} Z {z:.3f} mm of the machine"
-    place += f" and the part turned by {turn:g} deg" if turn else ""
+    place, deviation = _place(chart, chart.best), Length(best, ".4g")
     if not math.isfinite(now) or not chart.within_limits[0]:
-        return f"Stand {place}: largest deviation {best:.4g} mm. In the present setup the axes leave their limits."
+        return say(
+            "Stand {place}: largest deviation {deviation}. In the present setup the axes leave their limits.",
+            place=place,
+            deviation=deviation,
+        )
     if now <= LEAST_GAIN * best:
-        return f"The present setup is as good as any of the region: largest deviation {now:.4g} mm."
-    return f"Stand {place}: largest deviation {best:.4g} mm instead of {now:.4g} mm, {now / max(best, 1e-9):.3g} times less."
+        text = Length(now, ".4g")
+        return say("The present setup is as good as any of the region: largest deviation {deviation}.", deviation=text)
+    return say(
+        "Stand {place}: largest deviation {deviation} instead of {now}, {times} times less.",
+        place=place,
+        deviation=deviation,
+        now=Length(now, ".4g"),
+        times=Number(now / max(best, 1e-9), ".3g"),
+    )
+
+
+def _place(chart: SetupMap, row: int) -> Sentence:
+    x, y, z = (chart.origin[row] + 0.0).tolist()  # no -0
+    said = say(
+        "the work zero at X {x} Y {y} Z {z} of the machine",
+        x=Length(x, ".3f", bare=True),
+        y=Length(y, ".3f", bare=True),
+        z=Length(z, ".3f"),
+    )
+    turn = math.degrees(chart.turn[row])
+    return said + say(" and the part turned by {turn}", turn=Angle(turn)) if turn else said
 
 
 def advice(chart: SetupMap) -> tuple[str, ...]:
