@@ -14,6 +14,7 @@ Nothing here imports numpy before there is work: the window asks for this module
 from __future__ import annotations
 
 import ctypes
+import sys
 import threading
 import time
 from collections import deque
@@ -31,6 +32,8 @@ T = TypeVar("T")
 
 TICK = 0.03
 """s between two looks at the window's events."""
+TURN = 0.001
+"""s after which Python leaves the worker for this thread when it wants to go on: it does so several times in each look."""
 POLITE, PATIENCE = 0.15, 0.25
 """s that a stopped worker gets to the next word of progress, and then to the next step of Python; after both it is abandoned."""
 
@@ -105,6 +108,8 @@ def _is_main() -> bool:
 
 def _followed(worker: Worker[T], told: Any, doc: Any) -> T:
     """The worker's result. Meanwhile the listener hears all news and handles the window's events."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(TURN)
     worker.start()
     try:
         while not worker.done.wait(TICK):
@@ -118,6 +123,8 @@ def _followed(worker: Worker[T], told: Any, doc: Any) -> T:
     except BaseException:
         worker.stop()
         raise
+    finally:
+        sys.setswitchinterval(before)
     return worker.result()
 
 

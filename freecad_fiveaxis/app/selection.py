@@ -17,6 +17,8 @@ from freecad_fiveaxis.core.errors import FiveAxisError
 from freecad_fiveaxis.core.sentences import say
 
 WHAT = say("select a solid, faces of a solid, a body, a compound of solids, or a mesh")
+CHECKED = 100
+"""Faces of a shape that is looked at for being valid as soon as it is selected: some 0.1 s."""
 _FACE = re.compile(r"Face[1-9]\d*")
 
 
@@ -71,22 +73,29 @@ def check_mesh(obj: Any) -> None:
 
 
 def solids(obj: Any, faces: Sequence[str] = ()) -> tuple[Any, list[int]]:
-    """The object's solids as one shape in the document's coordinates, each with its outside out; and which of its Faces
-    (counted from 0) the names of the object's ``faces`` mean. Raises SelectionError.
+    """The object's solids as one shape in the document's coordinates, and which of its Faces (counted from 0) the names of the
+    object's ``faces`` mean. Raises SelectionError.
+
+    A shape of very many faces is not looked at for being valid: that takes seconds, and the mesher does it.
     """
     shape = _shape(obj)
-    if not shape.isValid():
-        raise SelectionError(
-            say("The shape of {label} is invalid, so its mesh would have cracks: repair it (Part workbench: Check "
-"geometry shows where), or select another solid.", label=obj.Label), obj.Label,
-        )  # fmt: skip
-    outward = [solid if solid.Volume > 0 else solid.reversed() for solid in shape.Solids]
-    if not outward:
-        raise SelectionError(
-            say("{label} ({kind}) has no solid: {what}.", label=obj.Label, kind=_kind(obj, shape), what=WHAT), obj.Label
-        )
-    whole = outward[0] if len(outward) == 1 else Part.makeCompound(outward)
+    if len(shape.Faces) <= CHECKED and not shape.isValid():
+        raise invalid(obj.Label)
+    found = shape.Solids
+    if not found:
+        text = say("{label} ({kind}) has no solid: {what}.", label=obj.Label, kind=_kind(obj, shape), what=WHAT)
+        raise SelectionError(text, obj.Label)
+    whole = found[0] if len(found) == 1 else Part.makeCompound(found)
     return whole, [_face_row(obj.Label, shape, whole, name) for name in faces]
+
+
+def invalid(label: str) -> SelectionError:
+    """What to say of a shape that OpenCASCADE calls invalid."""
+    text = say(
+        "The shape of {label} is invalid, so its mesh would have cracks: repair it (Part workbench: Check geometry shows where), "
+        "or select another solid.", label=label,
+    )  # fmt: skip
+    return SelectionError(text, label)
 
 
 def _face_row(label: str, shape: Any, whole: Any, name: str) -> int:

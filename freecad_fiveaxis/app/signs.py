@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from freecad_fiveaxis.core import outputs, workshop
@@ -27,6 +27,13 @@ def prove(nc_file: Any, options: Mapping[str, Any], sheet: Any = None, progress:
     settings = settings_of(nc_file, options, sheet)
     outputs.check_outputs(settings)
     return run(lambda told: workshop.prove(settings, told), progress)
+
+
+def top_of(objects: Iterable[Any]) -> float | None:
+    """The highest Z of the solids and meshes among the objects, mm in the document; None where there is none."""
+    solids = [one.Shape for one in objects if getattr(getattr(one, "Shape", None), "Solids", ())]
+    meshes = [one.Mesh for one in objects if getattr(getattr(one, "Mesh", None), "CountFacets", 0)]
+    return max((shape.BoundBox.ZMax for shape in (*solids, *meshes)), default=None)
 
 
 def targets(done: workshop.Proof) -> list[str]:

@@ -216,6 +216,21 @@ def first_clause(text: str) -> Sentence:
     return Sentence("{clause}", {"clause": Clause(text)}, translated=False)
 
 
+@dataclass(frozen=True)
+class Beginning:
+    """A text that begins a sentence: with a capital letter."""
+
+    text: str
+
+    def __str__(self) -> str:
+        return str(self.text)[:1].upper() + str(self.text)[1:]
+
+
+def beginning(text: str) -> Sentence:
+    """A text with a capital letter, as a sentence of its own."""
+    return Sentence("{text}", {"text": Beginning(text)}, translated=False)
+
+
 def render(text: str, translate: Translate, units: Units) -> str:
     """A sentence in another language and other units. A text that is no sentence comes back as it is."""
     if not isinstance(text, Sentence):
@@ -227,8 +242,8 @@ def render(text: str, translate: Translate, units: Units) -> str:
 def _render_value(value: Any, translate: Translate, units: Units) -> str:
     if isinstance(value, Option):
         return translate(OPTIONS, value.label)
-    if isinstance(value, Clause):
-        return str(Clause(render(value.text, translate, units)))
+    if isinstance(value, Clause | Beginning):
+        return str(type(value)(render(value.text, translate, units)))
     return (
         units(value) if isinstance(value, Measure) else render(value, translate, units) if isinstance(value, str) else str(value)
     )

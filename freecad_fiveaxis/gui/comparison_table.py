@@ -124,7 +124,7 @@ def _join(window: Any, dock: Any) -> None:
 def heads() -> list[str]:
     """The titles of the columns."""
     return [
-        translate("FiveAxis", "Machine"), translate("FiveAxis", "Cure"), translate("FiveAxis", "Tip guided (RTCP)"),
+        translate("FiveAxis", "Machine"), translate("FiveAxis", "Correction"), translate("FiveAxis", "Tip guided (RTCP)"),
         translate("FiveAxis", "Largest deviation"), translate("FiveAxis", "Proven bound"), translate("FiveAxis", "Blocks"),
         translate("FiveAxis", "Time"), translate("FiveAxis", "Peak of X, Y, Z"), translate("FiveAxis", "Peak of 1st rotary"),
         translate("FiveAxis", "Peak of 2nd rotary"), translate("FiveAxis", "Limits"),

@@ -30,9 +30,8 @@ class Waiting:
     """A listener for progress that shows a dialog, after ``delay`` s of work."""
 
     def __init__(self, text: str, delay: float = 0.0) -> None:
-        dialog = QtWidgets.QProgressDialog(text, "", 0, 100, FreeCADGui.getMainWindow())
-        self.button = QtWidgets.QPushButton(translate("FiveAxis", "Cancel"))
-        dialog.setCancelButton(self.button)
+        dialog = QtWidgets.QProgressDialog(text, translate("FiveAxis", "Cancel"), 0, 100, FreeCADGui.getMainWindow())
+        self.button = dialog.findChild(QtWidgets.QPushButton)
         dialog.setObjectName("FiveAxisWaiting")
         dialog.setWindowTitle(text)
         dialog.setWindowModality(QtCore.Qt.ApplicationModal)
@@ -102,8 +101,8 @@ def stage_words() -> dict[str, str]:
         "joint path": translate("FiveAxis", "turning the axes"),
         "linearize": translate("FiveAxis", "dividing blocks"),
         "minimax axes": translate("FiveAxis", "seeking the axes of least deviation"),
-        "leading past the pole": translate("FiveAxis", "leading the axis past the pole"),
-        "driving what is led": translate("FiveAxis", "driving what is led"),
+        "leading past the pole": translate("FiveAxis", "turning the axis past the pole"),
+        "driving what is led": translate("FiveAxis", "driving the turned axes"),
         "trade of axis change": translate("FiveAxis", "comparing axis changes"),
         "gouge": translate("FiveAxis", "looking where the tool enters the part"),
         "lift": translate("FiveAxis", "lifting the tool out of the part"),

@@ -70,7 +70,7 @@ def test_what_a_controller_lacks_is_idle_with_the_reason(dome, press, tree_row, 
     choose(field("controller"), "Haas")
     assert items(field("rtcp")) == {"off": True, "angles": True, "vectors": False}
     assert "no RTCP by vectors" in field("rtcp_error").text()
-    choose(field("rtcp"), "by rotary words")
+    choose(field("rtcp"), "by rotary axes")
     assert "the number of the tool" in field("rtcp_error").text()
     click(field("calculate"))
     pump(300)
@@ -83,7 +83,7 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
     tree_row("Dome")
     press("FiveAxis_Toolpath")
     choose(field("controller"), "Heidenhain TNC (TCPM)")
-    choose(field("rtcp"), "by rotary words")
+    choose(field("rtcp"), "by rotary axes")
     click(field("calculate"))
     until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
     text = field("summary").text()

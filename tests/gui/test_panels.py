@@ -236,13 +236,13 @@ def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_i
 def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made(
     panel, doc, field, choose, type_into, screenshot, pump
 ):
-    choose(field("cutter_kind"), "bull nose")
+    choose(field("cutter_kind"), "bull nose mill")
     type_into(field("cutter_corner"), "4 mm")
     assert "corner radius is 4 mm; give 0 to 3 mm" in shown("cutter_error").text() and shown("cutter_error").isVisible()
     assert not panel.calculate() and names(doc) == ["Dome"]
     qt_scroll(field("cutter_kind"), pump)
     screenshot("panel_cutter_error")
-    choose(field("cutter_kind"), "flat end")  # which has no corner: what was typed does not count
+    choose(field("cutter_kind"), "flat end mill")  # which has no corner: what was typed does not count
     assert not shown("cutter_error").isVisible() and panel.options.options()["cutter"] == "flat:6.0:30.0"
 
 
@@ -250,7 +250,7 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
                                                                                   screenshot, pump, tmp_path):  # fmt: skip
     from test_clicks import command_line
 
-    choose(field("cutter_kind"), "bull nose")
+    choose(field("cutter_kind"), "bull nose mill")
     type_into(field("cutter_corner"), "1.5 mm")
     type_into(field("stepover"), "12 mm")
     type_into(field("lead"), "60 deg")

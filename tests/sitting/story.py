@@ -88,12 +88,19 @@ def play(user: Sitting) -> None:
     user.hands.click(user.in_tree("Toolpath"))
     user.press_tool("Play.*")
     user.eyes.find("slider")
-    raise Unseen('look')
+    raise Unseen("look")
 
 
 STEPS = [
-    ("Install", install), ("Start", start), ("Workbench", workbench), ("Open a part", open_part), ("Select it", select),
-    ("Tool path", tool_path), ("Calculate", calculate), ("OK", ok), ("Play", play),
+    ("Install", install),
+    ("Start", start),
+    ("Workbench", workbench),
+    ("Open a part", open_part),
+    ("Select it", select),
+    ("Tool path", tool_path),
+    ("Calculate", calculate),
+    ("OK", ok),
+    ("Play", play),
 ]
 
 

@@ -9,6 +9,7 @@ within reach  one branch of the inverse kinematics has both rotary words within 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ from freecad_fiveaxis.core.kinematics import BEYOND, Chain, chunks, dot, inverse
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Bools, Floats
-from freecad_fiveaxis.core.sentences import Angle, Area, Number, Sentence, Template, say
+from freecad_fiveaxis.core.sentences import Angle, Area, Length, Number, Sentence, Template, say
 
 LEVEL = 1e-4
 """rad: STL files keep coordinates to 1e-7 of their size, so the normals of small facets, those of walls too, are this far off."""
@@ -32,8 +33,14 @@ FLAT = 1e-8
 
 TURN = 2.0 * math.pi
 
+NEARLY = 0.99
+"""Of the area that faces away: where so much is the level underside, the rest is not worth a word."""
 
-_DOWN = Template("{count} facets of {area} ({share} % of the part) look down and are left out; turn the part over to cut them.")
+
+_DOWN = Template(
+    "{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to "
+    "cut them."
+)
 _STEEP = Template(
     "{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise the largest axis "
     "angle to cut them."
@@ -133,7 +140,20 @@ def _turned_within(word: Floats, low: float, high: float) -> Bools:
 
 
 def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
-    return _left_out(Severity.NOTE, "facets-looking-down", _DOWN, mesh, area, out)
+    found = _left_out(Severity.NOTE, "facets-looking-down", _DOWN, mesh, area, out)
+    low, size = float(mesh.vertex[:, 2].min()), float(np.ptp(mesh.vertex))
+    level = out & (mesh.vertex[mesh.face, 2].max(axis=1) <= low + LEVEL * size)
+    if found is None or area[level].sum() < NEARLY * area[out].sum():
+        return found
+    lost, share = float(area[out].sum()), 100.0 * float(area[out].sum() / area.sum())
+    text = say(
+        "The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the spindle. Turn the part "
+        "over to cut it.",
+        height=Length(round(low, 3) + 0.0, bare=True),
+        area=Area(lost, ".6g"),
+        share=Number(share, ".3g"),
+    )
+    return replace(found, text=text)
 
 
 def _too_steep(mesh: Mesh, area: Floats, out: Bools, most: float) -> Finding | None:

@@ -16,7 +16,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.sentences import Length, Number, Sentence, Template, first_clause, joined, measure, plural, say
+from freecad_fiveaxis.core.sentences import Area, Length, Number, Sentence, Template, first_clause, joined, measure, plural, say
 
 from .judgement import OVER, SINGULAR, UNPROVEN
 
@@ -160,7 +160,7 @@ def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
         )
     for code, found in _of_severity(figures, Severity.WARNING).items():
         if code != UNPROVEN:
-            yield _warning(code, found[0], numbers)
+            yield _warning(code, found, numbers)
 
 
 WARNED = {
@@ -174,7 +174,11 @@ WARNED = {
 """What a warning says in the verdict; one that is not here gives its first clause."""
 
 
-def _warning(code: str, worst: Finding, numbers: Mapping[str, Any]) -> Sentence:
+def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> Sentence:
+    worst = found[0]
+    if code == "side-not-machined":
+        area = Area(sum(one.value or 0.0 for one in found), ".4g")
+        return plural(len(found), "a side is not machined ({area})", "{count} sides are not machined ({area})", area=area)
     if code == SINGULAR:
         return plural(numbers["singular_blocks"], "{count} block near the pole", "{count} blocks near the pole")
     said = WARNED.get(code)

@@ -15,7 +15,7 @@ import FreeCADGui
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, later, translate
 
-from .fields import TripleField
+from .triple import TripleField
 
 Point = tuple[float, float, float]
 

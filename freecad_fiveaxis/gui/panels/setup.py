@@ -66,9 +66,10 @@ class SetupPanel(PathPanel):
         self.path, self.base, self.faces = path, base, faces
         doc = (path or base).Document
         machine = path.Machine if path else preferences.machine()
-        section = ("setup", translate("FiveAxis", "Setup"), ["region", "grid", "turns"])
+        section = ("setup", translate("FiveAxis", "Setup"), ["region", "grid", "turns", "table_height"])
         form = Form("setup", doc, [section], group="SetupSettings", given={"machine": machine})
         super().__init__(doc, translate("FiveAxis", "Where to clamp"), form, obj)
+        form.fields["table_height"].editor.setPlaceholderText(_table_of(machine))
 
     def _widget(self, title: str) -> Any:
         widget = super()._widget(title)
@@ -143,6 +144,18 @@ class SetupPanel(PathPanel):
         file = ask_file(self.form, self.doc.FileName, self.path.Label + " " + translate("FiveAxis", "setups"))
         if file:
             write_asking(file, lambda agreed: setups.write_page(self.obj, file, agreed), self.options.show_error)
+
+
+def _table_of(machine: str) -> str:
+    """What the empty field of the table's height says: the machine's own, where its file has one."""
+    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.core.machine import load_machine
+
+    try:
+        table = load_machine(machine).table
+    except FiveAxisError:  # the form says what is wrong with the machine
+        table = None
+    return translate("FiveAxis", "not known") if table is None else f"{table:g} mm"
 
 
 def ask_file(parent: Any, document: str, name: str) -> str:

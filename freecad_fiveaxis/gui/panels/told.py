@@ -57,16 +57,12 @@ def parameter_label(name: str) -> str:
 
 def sheet(proof: Any) -> str:
     """What must be seen at each stop; ``proof`` is the core's Proof."""
-    from freecad_fiveaxis.core.prove_signs import READY, STAND, rows, verdict
+    from freecad_fiveaxis.core.prove_signs import READY, STAND, notices, rows, verdict
 
     plan = proof.plan
-    parts = [paragraph(wording.told(verdict(plan)), bold=True), heading(translate("FiveAxis", "Before you start"))]
-    parts += [
-        items(map(wording.told, READY)),
-        paragraph(wording.told(STAND)),
-        findings(plan.findings),
-        heading(translate("FiveAxis", "Stops")),
-    ]
+    parts = [paragraph(wording.told(one), bold=True) for one in (*notices(plan), verdict(plan))]
+    parts += [heading(translate("FiveAxis", "Before you start")), items(map(wording.told, READY)), paragraph(wording.told(STAND))]
+    parts += [findings(plan.findings), heading(translate("FiveAxis", "Stops"))]
     parts += [_stop(row) for row in rows(plan, proof.program)]
     parts.append(heading(translate("FiveAxis", "If the tool does not point at the cross, it is off by")))
     parts.append(

@@ -129,7 +129,10 @@ class PlayPanel:
         tool = tool_of(self.obj, settings.machine.control_point == "centre")
         reach = max(REACH * float(np.linalg.norm(high - low)), LEAST_REACH)
         zero, letters = np.array(self.obj.WorkZero), figures.program.letters[3:]
-        machine = machine_of(self.player.playback, *self._part_box(), tool)
+        made = results.result_of(self.obj).made
+        origin = made.settings.machine.origin or made.machine.origin
+        table = None if made.machine.table is None else made.machine.table - origin[2]
+        machine = machine_of(self.player.playback, *self._part_box(), tool, table)
         return Stage(self.view.getSceneGraph(), tool, machine, zero, letters, (low + high) / 2.0, reach)
 
     def _part_box(self) -> tuple[np.ndarray, np.ndarray]:
