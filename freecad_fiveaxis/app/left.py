@@ -159,7 +159,7 @@ def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights
 def out_of_date(obj: Any) -> str:
     """Why the map does not show what its toolpath leaves now; an empty text where it does."""
     if obj.Path is None:
-        return f"The toolpath of {obj.Label} was deleted"
+        return wording.told(say("The toolpath of {label} was deleted", label=obj.Label))
     if said := results.out_of_date(obj.Path):
         return said
     return "" if obj.UpToDate and obj.Fingerprint == obj.Path.Fingerprint else f"{obj.Label} is old: recompute the document"

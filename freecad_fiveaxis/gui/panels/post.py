@@ -166,11 +166,11 @@ class PostPanel:
         if whole.light is not Light.RED:
             return True
         poor = _poor(figures)
-        parts = [whole.text]
+        parts = [wording.told(whole.text)]
         for severity, title in (
             (Severity.ERROR, translate("FiveAxis", "Errors")), (Severity.WARNING, translate("FiveAxis", "Warnings")),
         ):  # fmt: skip
-            texts = [f"• {one.text}" for one in poor if one.severity is severity]
+            texts = [f"• {wording.told(one.text)}" for one in poor if one.severity is severity]
             more = [f"• {translate('FiveAxis', 'and {count} more').format(count=len(texts) - NAMED)}"] * (len(texts) > NAMED)
             parts += [title + "\n" + "\n".join(texts[:NAMED] + more)] * bool(texts)
         return ask("\n\n".join(parts), translate("FiveAxis", "Write anyway"))
