@@ -105,8 +105,8 @@ def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> L
 
 
 def execute(obj: Any) -> None:
-    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers; work that
-    was stopped leaves it as it was, and out of date."""
+    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers.
+    Work that was stopped leaves it as it was, and out of date."""
     try:
         last = _last(obj, None)
     except Cancelled:
@@ -120,6 +120,8 @@ def execute(obj: Any) -> None:
 
 def out_of_date(obj: Any) -> str:
     """Why the object does not show the result of its base and settings; an empty text where it does."""
+    if _base_is_gone(obj):
+        return f"The part that {obj.Mesh.Label} was made of was deleted: undo that, or choose another one in its property Base"
     before = [one for one in (_base(obj), getattr(obj, "Mesh", None)) if one is not None]
     for one in (*before, obj):
         if "Invalid" in one.State:
@@ -131,6 +133,11 @@ def out_of_date(obj: Any) -> str:
     except FiveAxisError as error:
         return str(error)
     return "" if same else f"{obj.Label} shows the result of other settings, or of another version: recompute the document"
+
+
+def _base_is_gone(obj: Any) -> bool:
+    mesh = getattr(obj, "Mesh", None)
+    return mesh is not None and hasattr(mesh, "Base") and _base(obj) is None
 
 
 def _base(obj: Any) -> Any:

@@ -104,7 +104,7 @@ def _face(shape: Any, name: str) -> Any:
 def _shape(obj: Any) -> Any:
     """The object's shape in the document's coordinates."""
     if obj is None:
-        raise SelectionError(f"The base was deleted: {WHAT}, or undo the deletion.", None)
+        raise SelectionError("The part was deleted: undo that, or choose another one in the property Base.", None)
     shape = Part.getShape(obj)
     if shape.isNull():
         raise SelectionError(f"{obj.Label} ({obj.TypeId}) has no solid: {WHAT}.", obj.Label)

@@ -38,7 +38,7 @@ class Toolpath(Proxy):
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
         if obj.Mesh is None:
-            raise SelectionError(f"The mesh of {obj.Label} was deleted: choose another one in its property Mesh.", obj.Label)
+            raise mesh_is_gone(obj)
         if not is_mesh(obj.Mesh):
             raise SelectionError(f"{obj.Mesh.Label} is no mesh: choose a tessellation or a mesh.", obj.Mesh.Label)
         settings = convert.settings_of(obj, MILL, f"{obj.Mesh.Label}.stl")
@@ -53,6 +53,12 @@ class Toolpath(Proxy):
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         results.execute(obj)
+
+
+def mesh_is_gone(obj: Any) -> SelectionError:
+    """What to say of a Toolpath whose mesh was deleted."""
+    text = f"The mesh of {obj.Label} was deleted: undo that, or choose another one in its property Mesh."
+    return SelectionError(text, obj.Label)
 
 
 def make(doc: Any, mesh: Any, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:
