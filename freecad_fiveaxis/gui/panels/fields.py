@@ -405,6 +405,7 @@ def error_line(name: str) -> Any:
 def warning_line(name: str) -> Any:
     """A line in amber, hidden until it says something."""
     label = error_line(name)
+    label.setAccessibleDescription(translate("FiveAxis", "Warning"))
     label.setStyleSheet("color: #b06000;")
     return label
 
