@@ -13,7 +13,8 @@ from .qt import QtCore
 
 WAIT = 1000
 """ms after the workbench was opened, when FreeCAD is done with it."""
-NEEDED = ("freecad_fiveaxis.core.job", "freecad_fiveaxis.core.report", "freecad_fiveaxis.app.results", "freecad_fiveaxis.app.setups")
+NEEDED = ("core.job", "core.report", "app.results", "app.setups", "gui.panels.toolpath")
+"""Modules of the package, in the order in which they are imported."""
 
 _begun: list[threading.Thread] = []
 
@@ -27,4 +28,4 @@ def soon() -> None:
 
 def _import() -> None:
     for name in NEEDED:
-        import_module(name)
+        import_module("freecad_fiveaxis." + name)

@@ -19,10 +19,7 @@ from hands import Hands
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROJECT = os.path.dirname(os.path.dirname(HERE))
 BAD = re.compile(r"Traceback|\w*Error\b|\w*Exception\b|Segmentation fault|SIGSEGV|already deleted|[Uu]nhandled|resizeDocks")
-NOT_OURS = (
-    re.compile(r"Addon Manager|QtWebEngine|zygote|libEGL|MESA|dconf|dbus|GLib|Gtk-", re.I),
-    re.compile(r"^\s*$"),
-)
+NOT_OURS = re.compile(r"Addon Manager|QtWebEngine|zygote|libEGL|MESA|dconf|dbus|GLib|Gtk-", re.IGNORECASE)
 """What FreeCAD or the machine says by itself, with no add-on too."""
 RED = "Error"
 """How a red line describes itself to a screen reader."""
@@ -124,8 +121,7 @@ class Sitting:
     def look(self) -> None:
         """Raises Unseen where anything has gone wrong that a user could see: a red line, or an error in what FreeCAD says."""
         self.alive()
-        said = self.new_in_log()
-        bad = [line for line in said.splitlines() if BAD.search(line) and not any(one.search(line) for one in NOT_OURS)]
+        bad = wrong(self.new_in_log())
         if bad:
             raise Unseen("FreeCAD says: " + bad[-1].strip()[:200])
         red = self.red_lines() if self.eyes and self.program.poll() is None else []
@@ -209,6 +205,11 @@ class Sitting:
         if dock is None:
             raise Unseen("no Python console is shown")
         return self.eyes.find("text", below=dock)
+
+
+def wrong(said: str) -> list[str]:
+    """The lines that tell of an error which is not FreeCAD's own, nor the machine's."""
+    return [line for line in said.splitlines() if BAD.search(line) and not NOT_OURS.search(line)]
 
 
 def table(rows: list[Row], version: str) -> str:
