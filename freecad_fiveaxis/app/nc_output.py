@@ -18,6 +18,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.errors import FileError, FiveAxisError
 from freecad_fiveaxis.core.files import check_writable, read_bytes, write_whole
+from freecad_fiveaxis.core.sentences import say
 
 from . import results
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
@@ -64,7 +65,7 @@ def post_process(toolpath: Any, nc_path: str | os.PathLike[str], overwrite: bool
     and the core's errors for one that cannot be computed; the file then stays as it was.
     """
     if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
-        raise SelectionError("only a toolpath can be post-processed: select a toolpath", toolpath)
+        raise SelectionError(say("only a toolpath can be post-processed: select a toolpath"), toolpath)
     path = Path(nc_path).expanduser().absolute()
     check_replaceable(toolpath.Document, path, overwrite)
     nc = results.nc_of(toolpath)
@@ -79,7 +80,7 @@ def check_replaceable(doc: Any, nc_path: str | os.PathLike[str], overwrite: bool
     """Before the long work: the file can be written, and replaces nothing of the user's unasked. Raises FileError."""
     check_writable(nc_path)
     if not overwrite and os.path.lexists(nc_path) and not is_ours(doc, nc_path):
-        raise FileError(f"{nc_path} exists; choose another name, or ask for it to be overwritten", nc_path)
+        raise FileError(say("{nc_path} exists; choose another name, or ask for it to be overwritten", nc_path=nc_path), nc_path)
 
 
 def is_ours(doc: Any, nc_path: str | os.PathLike[str]) -> bool:

@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.sentences import Number, say
 
 from .errors import ProgramError
 from .records import Floats
@@ -147,12 +148,23 @@ def checked_words(words: ArrayLike) -> Floats:
     """``words`` as floats (m, 5). Raises ProgramError for another shape, and for words that are no numbers or too large."""
     rows = np.asarray(words, float)
     if rows.ndim != 2 or rows.shape[1] != 5:
-        raise ProgramError(f"words have shape {rows.shape}; give one row of five words for each block", rows.shape)
+        raise ProgramError(
+            say("words have shape {shape}; give one row of five words for each block", shape=rows.shape), rows.shape
+        )
     good = np.abs(rows) <= FARTHEST_WORD  # False for NaN
     if not good.all():
         row, word = (int(i) for i in np.argwhere(~good)[0])
         value = float(rows[row, word])
-        raise ProgramError(f"word {word + 1} of row {row} is {value:g}; words are numbers up to {FARTHEST_WORD:g}", value)
+        raise ProgramError(
+            say(
+                "word {word} of row {row} is {value}; words are numbers up to {farthest_word}",
+                word=word + 1,
+                row=row,
+                value=Number(value),
+                farthest_word=Number(FARTHEST_WORD),
+            ),
+            value,
+        )
     return rows
 
 

@@ -226,10 +226,10 @@ def test_the_label_honours_the_users_units(audit, schema, value):
 
     try:
         FreeCAD.Units.setSchema(schema)
-        said = words.label_text(audit.MaxSegmentDeviation.Value, audit.WorstLine)
+        said = words.label_text(audit.MaxSegmentDeviation.Value, audit.WorstLine, audit.Tolerance.Value)
     finally:
         FreeCAD.Units.setSchema(0)
-    assert said == f"{value}, NC line 3"
+    assert said.startswith(f"{value}, NC line 3: over ")
 
 
 def test_a_document_that_is_opened_again_shows_its_picture(path, doc, pump, tmp_path, screenshot):

@@ -27,6 +27,7 @@ from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.trajectory import (
     Frames,
     Motion,
@@ -94,7 +95,14 @@ def measure(links: Chain, words: ArrayLike, method: str = "exact", progress: Pro
     ProgramError for words that cannot be used (``trajectory.checked_words``), SettingsError for an unknown method.
     """
     if method not in METHODS:
-        raise SettingsError(f"unknown method {method!r} of the line deviation; use one of {', '.join(METHODS)}", method)
+        raise SettingsError(
+            say(
+                "unknown method {method} of the line deviation; use one of {methods}",
+                method=repr(method),
+                methods=", ".join(METHODS),
+            ),
+            method,
+        )
     rows = checked_words(words)
     result = _exact(frames(links), rows, paced(progress))
     if method == "exact":

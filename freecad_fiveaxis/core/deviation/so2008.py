@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.trajectory import (
     Frames,
     Motion,
@@ -183,8 +184,10 @@ def _farthest(frame: Frames, move: Motion, poses: Pose, u: Floats, valid: Bools)
 def _rootless_finding(rootless: int, blocks: int) -> tuple[Finding, ...]:
     if not rootless:
         return ()
-    text = (
-        f"The model of So et al. finds no farthest point in {rootless} of {blocks} blocks and takes the middle there; "
-        "use the exact line deviation."
+    text = say(
+        "The model of So et al. finds no farthest point in {rootless} of {blocks} blocks and takes the middle"
+        " there; use the exact line deviation.",
+        rootless=rootless,
+        blocks=blocks,
     )
     return (Finding(Severity.NOTE, "so2008-no-root", text, float(rootless), 0.0, "1"),)

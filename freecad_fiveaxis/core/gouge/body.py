@@ -22,9 +22,10 @@ import numpy as np
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.sentences import Length, say
 
 CUTTER, SHANK, HOLDER = 0, 1, 2
-PARTS = ("cutter", "shank", "holder")
+PARTS = (say("cutter"), say("shank"), say("holder"))
 """What a piece belongs to."""
 
 LARGEST = 1e4
@@ -85,9 +86,23 @@ def frustum_piece(low: float, low_radius: float, high: float, high_radius: float
 def _checked(piece: Piece) -> Piece:
     sizes = piece[:5]
     if not all(0.0 <= abs(size) <= LARGEST for size in sizes) or min(piece.low_radius, piece.high_radius, piece.round) < 0.0:
-        raise SettingsError(f"a piece of the tool has sizes {sizes}; give radii of at least 0, up to {LARGEST:g} mm", sizes)
+        raise SettingsError(
+            say(
+                "a piece of the tool has sizes {sizes}; give radii of at least 0, up to {largest}",
+                sizes=sizes,
+                largest=Length(LARGEST),
+            ),
+            sizes,
+        )
     if piece.high < piece.low or max(piece.low_radius, piece.high_radius, piece.round) == 0.0:
-        raise SettingsError(f"a piece of the tool from height {piece.low:g} to {piece.high:g} mm has no volume", sizes)
+        raise SettingsError(
+            say(
+                "a piece of the tool from height {low} to {high} has no volume",
+                low=Length(piece.low, bare=True),
+                high=Length(piece.high),
+            ),
+            sizes,
+        )
     return piece
 
 

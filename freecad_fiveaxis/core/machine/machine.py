@@ -20,6 +20,8 @@ from typing import Literal
 
 from freecad_fiveaxis.core.errors import MachineError
 
+from .safe_start import SafeStart
+
 Vector = tuple[float, float, float]
 
 LINEAR_LETTERS = ("X", "Y", "Z")
@@ -89,8 +91,9 @@ class Machine:
 
     ``singular_cone`` rad: half angle about the first rotary axis within which a block counts as near the pole.
     ``origin``: where the work zero stands unless the setup says otherwise, machine frame, mm. ``controller``: name of the
-    dialect that the machine speaks unless the settings say otherwise, or empty. Raises MachineError for axes that do not
-    make a five-axis machine.
+    dialect that the machine speaks unless the settings say otherwise, or empty. ``safe_start``: how its programs begin and end.
+    ``table`` mm: height of the table's face in the machine frame, all joints zero; None where it is not known. Raises
+    MachineError for axes that do not make a five-axis machine.
     """
 
     name: str
@@ -100,6 +103,8 @@ class Machine:
     singular_cone: float = math.radians(5.0)
     description: str = ""
     controller: str = ""
+    safe_start: SafeStart = SafeStart()
+    table: float | None = None
     letters: str = field(init=False)
 
     def __post_init__(self) -> None:
@@ -107,6 +112,8 @@ class Machine:
         object.__setattr__(self, "letters", "".join(axis.letter for axis in self.axes))
         for name in ("gauge_point", "origin"):
             object.__setattr__(self, name, finite_vector(getattr(self, name), name, FARTHEST))
+        if self.table is not None and not abs(self.table) <= FARTHEST:
+            raise MachineError(f"machine {self.name}: table {self.table:g} mm is beyond {FARTHEST:g}", self.table)
         self._check_axes()
         if not 0.0 <= self.singular_cone <= math.pi / 2:
             cone = math.degrees(self.singular_cone)

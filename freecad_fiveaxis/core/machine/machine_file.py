@@ -7,7 +7,9 @@ parent    the axis that carries this one, null for the base. The axes of the tab
           lie nearer to the base; two rotary ones side by side leave the chain open and are refused.
 unlimited a limit of 99999 mm or degrees or beyond means that the axis has none (JSON knows no infinity).
 fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and ``origin`` (machine frame),
-          ``singular_cone`` (degrees) and ``controller``. FreeCAD drops it when it saves; each has a default.
+          ``singular_cone`` (degrees), ``controller``, ``safe_start`` (an object: ``retract`` and, for a retract to a machine
+          coordinate, ``Z``) and ``table`` (height of its face, machine frame). FreeCAD drops it when it saves; each has a
+          default.
 
 What the program does not use (tool heads, output, post-processor, base frame) is not read. Every key that it uses must be
 there and make sense: a guess about a machine is worse than a question.
@@ -29,6 +31,7 @@ from freecad_fiveaxis.core.errors import FileError, MachineError
 from freecad_fiveaxis.core.files import read_bytes, write_whole
 
 from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector, finite_vector
+from .safe_start import BY_MACHINE, RETRACTS, SafeStart
 
 SUFFIX = ".fcm"
 VERSION = 1
@@ -200,8 +203,18 @@ def _extra(data: _Object, unit: float) -> dict[str, Any]:
         "origin": lambda key: _as_vector(extra[key], where + key, unit),
         "singular_cone": lambda key: math.radians(_number(extra, where, key)),
         "controller": lambda key: _text(extra, where, key),
+        "safe_start": lambda key: _safe_start(_object(extra, where, key), f"{where}{key}.", unit),
+        "table": lambda key: unit * _number(extra, where, key),
     }
     return {key: read(key) for key, read in readers.items() if key in extra}
+
+
+def _safe_start(given: _Object, where: str, unit: float) -> SafeStart:
+    retract = _choice(given, where, "retract", RETRACTS)
+    spare = [key for key in given if key not in ("retract", *(("Z",) if retract == BY_MACHINE else ()))]
+    if spare:
+        raise _fail(where + spare[0], f"retract {retract} takes no such key; leave it out", given[spare[0]])
+    return SafeStart(retract, unit * _number(given, where, "Z") if retract == BY_MACHINE else None)
 
 
 def _axis(letter: str, axes: _Object, unit: float) -> Axis:
@@ -320,8 +333,14 @@ def _data(machine: Machine) -> dict[str, Any]:
             "origin": list(machine.origin),
             "singular_cone": _degrees(machine.singular_cone),
             "controller": machine.controller,
+            "safe_start": _safe_start_data(machine.safe_start),
+            **({} if machine.table is None else {"table": machine.table}),
         },
     }
+
+
+def _safe_start_data(start: SafeStart) -> dict[str, Any]:
+    return {"retract": start.retract} | ({} if start.z is None else {"Z": start.z})
 
 
 def _axis_data(machine: Machine, letter: str) -> dict[str, Any]:

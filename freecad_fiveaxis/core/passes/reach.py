@@ -9,6 +9,7 @@ within reach  one branch of the inverse kinematics has both rotary words within 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -29,6 +30,9 @@ FLAT = 1e-8
 """Where a cosine is so near to 1 or -1, its rounding (1e-16) is worth more than WORD_ERROR / 100 of angle."""
 
 TURN = 2.0 * math.pi
+
+NEARLY = 0.99
+"""Of the area that faces away: where so much is the level underside, the rest is not worth a word."""
 
 
 def reachable_facets(
@@ -119,8 +123,18 @@ def _turned_within(word: Floats, low: float, high: float) -> Bools:
 
 
 def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
-    text = "look down and are left out; turn the part over to cut them."
-    return _left_out(Severity.NOTE, "facets-looking-down", text, mesh, area, out)
+    text = "face away from the spindle and are left out; turn the part over to cut them."
+    found = _left_out(Severity.NOTE, "facets-looking-down", text, mesh, area, out)
+    low, size = float(mesh.vertex[:, 2].min()), float(np.ptp(mesh.vertex))
+    level = out & (mesh.vertex[mesh.face, 2].max(axis=1) <= low + LEVEL * size)
+    if found is None or area[level].sum() < NEARLY * area[out].sum():
+        return found
+    lost, share = float(area[out].sum()), 100.0 * float(area[out].sum() / area.sum())
+    text = (
+        f"The underside at Z {round(low, 3) + 0.0:g} is not machined: {lost:.6g} mm2 ({share:.3g} % of the part) face away from "
+        "the spindle. Turn the part over to cut it."
+    )
+    return replace(found, text=text)
 
 
 def _too_steep(mesh: Mesh, area: Floats, out: Bools, most: float) -> Finding | None:

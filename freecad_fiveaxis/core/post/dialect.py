@@ -65,6 +65,8 @@ class Dialect:
     ``shorter_on``, ``shorter_off``: the line that tells it so, or not; ``shorter_word``: what stands before and after the number.
     ``high_speed``: lines that switch the high-speed mode on and off, empty where there is none.
     ``metric``, ``absolute``: the words of the head for mm and for absolute words.
+    ``machine_retract``: the lines that drive Z to the machine coordinate ``{z}``; ``reference_return``: those that drive it to
+    its reference point (:mod:`.start`).
     ``speed_call``: the line that sets the speed where no tool is called, if it is not the spindle's.
     ``suffix``: how the names of its NC files end.
     """
@@ -117,6 +119,8 @@ class Dialect:
     shorter_off: str = ""
     shorter_word: tuple[str, str] = ("", "")
     high_speed: tuple[tuple[str, ...], tuple[str, ...]] = ((), ())
+    machine_retract: tuple[str, ...] = ("G53 G0 Z{z}",)
+    reference_return: tuple[str, ...] = ("G28 G91 Z0", "G90")
     tool_call: str = "T{tool} M6"
     tool_length: str = "G43 H{tool}"
     speed_call: str = ""
@@ -140,7 +144,8 @@ class Dialect:
             raise SettingsError(self._no_guide(how), how)
         guide = self.guides[how]
         return replace(
-            self, guide=guide, head=_with(self.guided_head, guide.on), tail=_with(self.guided_tail, guide.off),
+            self, guide=guide, head=_with(_with(self.guided_head, guide.off, "{guide_off}"), guide.on),
+            tail=_with(self.guided_tail, guide.off),
             rotary_in_feed=guide.rotary_in_feed, rapid=guide.straight or self.rapid, straight=guide.straight or self.straight,
         )  # fmt: skip
 
@@ -179,9 +184,9 @@ class Dialect:
         return self.comment[0] + (plain.upper() if self.upper_case else plain) + self.comment[1]
 
 
-def _with(lines: tuple[str, ...], guide: tuple[str, ...]) -> tuple[str, ...]:
-    """The lines with those of a guide for ``{guide}``."""
-    return tuple(one for line in lines for one in (guide if line == "{guide}" else (line,)))
+def _with(lines: tuple[str, ...], guide: tuple[str, ...], slot: str = "{guide}") -> tuple[str, ...]:
+    """The lines with those of a guide for ``slot``."""
+    return tuple(one for line in lines for one in (guide if line == slot else (line,)))
 
 
 def feed_distance(dialect: Dialect | None, change: Floats) -> Floats:

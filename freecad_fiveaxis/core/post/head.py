@@ -3,14 +3,16 @@
 
 slot   ``{title}`` a comment: what it is for; ``{program}`` the program number; ``{path}`` the path control mode; ``{offset}`` the
        work offset; ``{tool}``, ``{length}``, ``{spindle}``, ``{coolant}``; ``{feed_mode}``; ``{axes}`` the letters of the
-       words with commas; ``{shorter}`` how rotary words are taken; in a guide's and a high-speed mode's lines ``{number}``,
-       the tool's number, and ``{tolerance}``, mm.
+       words with commas; ``{shorter}`` how rotary words are taken; ``{cutter}`` tool, cutter and length; the words of a safe
+       start (:mod:`.start`); in a guide's and a high-speed mode's lines ``{number}``, the tool's number, and ``{tolerance}``, mm.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from freecad_fiveaxis.core.errors import SettingsError
 
@@ -18,8 +20,9 @@ from .dialect import Dialect
 
 SLOTS = (
     "title", "program", "path", "offset", "tool", "length", "spindle", "coolant", "feed_mode", "axes", "shorter", "number",
-    "tolerance",
+    "tolerance", "cutter", "height", "rotaries", "over", "over_tip",
 )  # fmt: skip
+NO_START: Mapping[str, str] = MappingProxyType(dict.fromkeys(("height", "rotaries", "over", "over_tip"), ""))
 USUAL_TOLERANCE = 0.01
 """mm, of the high-speed mode where no blend tolerance is asked for."""
 
@@ -28,7 +31,8 @@ USUAL_TOLERANCE = 0.01
 class PostOptions:
     """What the head of a program says. ``tool`` number, None: the operator has set tool and length; ``speed`` of the spindle
     1/min, 0: off; ``coolant``; ``offset`` one of the dialect's ``work_offsets``; ``program`` number; ``blend`` mm: how far
-    corners may be rounded, 0: exact path (where the controller has the choice)."""
+    corners may be rounded, 0: exact path (where the controller has the choice). What the head names: ``cutter``, and the tool's
+    ``length`` mm, None where that is not known."""
 
     tool: int | None = None
     speed: float = 0.0
@@ -36,6 +40,8 @@ class PostOptions:
     offset: str = "G54"
     program: int = 1
     blend: float = 0.0
+    cutter: str = ""
+    length: float | None = None
 
     def __post_init__(self) -> None:
         if self.tool is not None and not 0 < self.tool < 100_000:
@@ -53,9 +59,11 @@ class PostOptions:
 
 
 def slot_texts(
-    dialect: Dialect, title: str, options: PostOptions, inverse_time: bool, letters: str = "XYZAC", modulo: bool = False
-) -> dict[str, str]:
-    """The text of every slot. ``letters`` of the words; ``modulo``: some rotary word is taken by the shorter way.
+    dialect: Dialect, title: str, options: PostOptions, inverse_time: bool, letters: str = "XYZAC", modulo: bool = False,
+    start: Mapping[str, str] = NO_START,
+) -> dict[str, str]:  # fmt: skip
+    """The text of every slot. ``letters`` of the words; ``modulo``: some rotary word is taken by the shorter way; ``start``: the
+    words of a safe start.
 
     Raises SettingsError where the controller has no such work offset, or needs a tool number and there is none.
     """
@@ -77,7 +85,17 @@ def slot_texts(
         "shorter": dialect.shorter_on if modulo else dialect.shorter_off,
         "number": "" if options.tool is None else str(options.tool),
         "tolerance": f"{options.blend or USUAL_TOLERANCE:.4f}",
+        "cutter": _cutter(dialect, options),
+        **start,
     }
+
+
+def _cutter(dialect: Dialect, options: PostOptions) -> str:
+    """A comment as ``(T3 BALL 10 MM, L 120.000)``. Its commas are harmless: no instruction begins with a tool or a cutter."""
+    number = "" if options.tool is None else f"T{options.tool} "
+    length = "" if options.length is None else f", L {options.length:.3f}"
+    text = (number + (options.cutter or "cutter as the operator has set it") + length).upper()
+    return dialect.comment[0] + text + dialect.comment[1]
 
 
 def _tool(dialect: Dialect, options: PostOptions) -> str:

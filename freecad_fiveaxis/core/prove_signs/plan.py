@@ -30,19 +30,27 @@ PIECES = 33
 """Poses looked at along each move."""
 RAISES, STEP = 200, 5.0
 """mm; heights and distances are raised in whole steps, so that they are easy to measure."""
+USUAL_MARK = (30.0, 20.0, 0.0)
+"""mm; at the height of the work zero: with nothing on the table that is higher."""
 VISIBLE = 3.0
 """mm that nobody overlooks at the last stop."""
 
 
 @dataclass(frozen=True)
 class Wishes:
-    """``mark`` (3,) mm in the work frame; ``gap``, ``travel`` mm; ``angle`` rad; ``feed`` mm/min and deg/min."""
+    """``mark`` (3,) mm in the work frame, None: nobody has said where, so nothing may stand above the work zero; ``gap``,
+    ``travel`` mm; ``angle`` rad; ``feed`` mm/min and deg/min."""
 
-    mark: Vector = (30.0, 20.0, 0.0)
+    mark: Vector | None = None
     gap: float = 20.0
     travel: float = 20.0
     angle: float = math.radians(10.0)
     feed: float = 200.0
+
+    @property
+    def place(self) -> Vector:
+        """The mark, or the usual one."""
+        return USUAL_MARK if self.mark is None else self.mark
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +96,8 @@ def make_plan(machine: Machine, setup: Setup, wishes: Wishes) -> Plan:
     last = _last_pose(links, wishes, both, distance)[None]
     right = forward(links, last)[0][0]
     foretold = tuple((one.text, one.reached(last)[0][0] - right) for one in wrong)
-    return Plan(machine, links, wishes, stops, height, distance, foretold, tuple(_findings(foretold)))
+    findings = (*_unasked(wishes), *_findings(foretold))
+    return Plan(machine, links, wishes, stops, height, distance, foretold, findings)
 
 
 def _turn(links: Chain, k: int, angle: float) -> float:
@@ -108,21 +117,21 @@ def _unlike(links: Chain, angles: Floats) -> float:
 
 
 def _base(wishes: Wishes, height: float) -> Floats:
-    x, y, z = wishes.mark
+    x, y, z = wishes.place
     return np.array([x, y, z + height, 0.0, 0.0])
 
 
 def _last_pose(links: Chain, wishes: Wishes, angles: Floats, distance: float) -> Floats:
     """The tip on the line through the mark along the tool, ``distance`` from it, both rotary axes turned."""
     axis = forward(links, np.array([[0.0, 0.0, 0.0, *angles]]))[1]
-    tip = np.array([wishes.mark]) + distance * axis
+    tip = np.array([wishes.place]) + distance * axis
     return np.asarray(joint_words(links, tip, angles[None])[0])
 
 
 def _over(links: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, q: Floats) -> float:
     """How high over the mark's level the lowest tip of all machines stands, mm."""
     tips = [forward(links, q)[0], *(one.reached(q)[0] for one in wrong)]
-    return float(min(tip[:, 2].min() for tip in tips)) - wishes.mark[2]
+    return float(min(tip[:, 2].min() for tip in tips)) - wishes.place[2]
 
 
 def _distance(links: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angles: Floats) -> float:
@@ -210,6 +219,15 @@ def _check_limits(links: Chain, q: Floats) -> None:
         unit, factor = ("mm", 1.0) if k < 3 else ("deg", 180.0 / math.pi)
         text = f"{links.letters[k]} would leave its limits by {over[k] * factor:.4g} {unit}"
         raise SettingsError(f"{text}; give another --origin or --mark, or less --gap, --travel or --angle", float(over[k]))
+
+
+def _unasked(wishes: Wishes) -> list[Finding]:
+    """What must be true where nobody has said how high part and clamps reach."""
+    if wishes.mark is not None:
+        return []
+    z = wishes.place[2]
+    text = f"Nothing may stand above Z {z:g} of the work zero: remove the part, or give --mark as high as part and clamps reach."
+    return [Finding(Severity.WARNING, "mark-not-given", text, z, None, "mm")]
 
 
 def _findings(foretold: tuple[tuple[str, Floats], ...]) -> list[Finding]:

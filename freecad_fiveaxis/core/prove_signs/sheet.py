@@ -38,6 +38,11 @@ def verdict(plan: Plan) -> str:
     )
 
 
+def notices(plan: Plan) -> list[str]:
+    """What stands on the sheet's first line: that nobody has said how high part and clamps reach."""
+    return [one.text for one in plan.findings if one.code == "mark-not-given"]
+
+
 def rows(plan: Plan, program: Program) -> list[dict[str, object]]:
     """One for each stop: number, title, line, words (mm and degrees), see, bad."""
     ends = np.cumsum([len(stop.q) for stop in plan.stops]) - 1
@@ -53,7 +58,8 @@ def rows(plan: Plan, program: Program) -> list[dict[str, object]]:
 
 def sheet_text(plan: Plan, program: Program) -> str:
     """For the terminal, or to print."""
-    lines = [*textwrap.wrap(verdict(plan), WIDTH), "", *textwrap.wrap(STAND, WIDTH), "", "Before you start"]
+    first = [line for one in notices(plan) for line in (*textwrap.wrap(one, WIDTH), "")]
+    lines = [*first, *textwrap.wrap(verdict(plan), WIDTH), "", *textwrap.wrap(STAND, WIDTH), "", "Before you start"]
     lines += [part for one in READY for part in textwrap.wrap(one, WIDTH, initial_indent="  - ", subsequent_indent="    ")]
     for row in rows(plan, program):
         lines += ["", f"[ ] stop {row['number']}, line {row['line']}: {row['title']}", f"    {_words(row['words'])}"]
@@ -96,7 +102,8 @@ def sheet_html(plan: Plan, program: Program) -> str:
         section("If the tool does not point at the cross", f'<p class="note">{note}</p>' + table(_foretold(plan))),
         section("Findings", findings_list(plan.findings)),
     ]
-    return page("Proving the signs", f"{plan.machine.name}, before anything is cut", verdict(plan), "open", body)
+    told, said = notices(plan), f"{plan.machine.name}, before anything is cut"
+    return page("Proving the signs", said, " ".join([*told, verdict(plan)]), "bad" if told else "open", body)
 
 
 def _words(words: object) -> str:

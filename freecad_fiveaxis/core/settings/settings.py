@@ -13,7 +13,8 @@ import dataclasses
 import difflib
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, fields
+from copy import copy
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from freecad_fiveaxis.core.errors import SettingsError
@@ -81,12 +82,22 @@ class Settings:
 
 
 def option_fields(task: str | None = None) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
-    """Every option with the group that it belongs to, in order; of one task, or of all."""
+    """Every option with the group that it belongs to, in order; of one task with the defaults there, or of all."""
     for top in fields(Settings):
         if "group" in top.metadata:
             for leaf in fields(top.metadata["group"]):
                 if task is None or task in leaf.metadata["tasks"]:
-                    yield top.metadata["group"], leaf
+                    yield top.metadata["group"], _in_task(leaf, task)
+
+
+def _in_task(leaf: dataclasses.Field[Any], task: str | None) -> dataclasses.Field[Any]:
+    """The field with the default that it has in the task."""
+    own = leaf.metadata["by_task"]
+    if task not in own:
+        return leaf
+    made = copy(leaf)
+    made.default = own[task]
+    return made
 
 
 def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settings:
@@ -101,14 +112,18 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
         if name not in known:
             close = difflib.get_close_matches(name, known, 1)
             raise SettingsError(f"unknown option {name!r} for {task}" + (f"; do you mean {close[0]!r}?" if close else ""), name)
-    groups = {top.name: _build(top.metadata["group"], options) for top in fields(Settings) if "group" in top.metadata}
+    given = {name: value for name, value in options.items() if value is not None}
+    groups = {top.name: _build(top.metadata["group"], task, given) for top in fields(Settings) if "group" in top.metadata}
     settings = Settings(task=task, source=source, **groups)
+    if settings.head.rtcp != "off" and "linearize" not in given:  # a default gives way to what is asked for
+        settings = replace(settings, cure=replace(settings.cure, linearize="off"))
     _check_together(settings)
     return settings
 
 
-def _build(cls: type, options: Mapping[str, Any]) -> Any:
-    return cls(**{leaf.name: read_option(leaf, options[leaf.name]) for leaf in fields(cls) if options.get(leaf.name) is not None})
+def _build(cls: type, task: str, given: Mapping[str, Any]) -> Any:
+    leaves = [_in_task(leaf, task) for leaf in fields(cls)]
+    return cls(**{leaf.name: read_option(leaf, given[leaf.name]) if leaf.name in given else leaf.default for leaf in leaves})
 
 
 def _check_together(settings: Settings) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
 
-from .driven import Cost, Driven, Posting, drive_turned
+from .driven import Cost, Driven, Posting, drive_turned, part_box
 from .search import Found, best_origin
 from .setups import Kind, Region, SetupMap, recommended
 
@@ -25,6 +25,8 @@ SEARCH_WORTH = 16
 """Setups of the grid that take as long as one search: for the progress only."""
 SET_DECIMALS = 3
 """Of a work zero, mm: nobody sets one finer than a micrometre."""
+BELOW = 1e-6
+"""mm below the table that are rounding."""
 NOWHERE = Cost(math.nan, math.nan, math.nan, math.nan)
 
 
@@ -39,13 +41,14 @@ class _Row:
 
 def setup_map(
     path: CLPath, machine: Machine, base: Setup, region: Region, posting: Posting, enough: float = 0.0,
-    progress: Progress = silent,
+    progress: Progress = silent, table: float | None = None,
 ) -> SetupMap:  # fmt: skip
     """What the program of ``path`` costs wherever the part may stand, and where it should.
 
     ``path`` in the work frame of the present setup ``base``, turn 0; the tool length is that of ``base``. Each setup of the grid
     is posted, rounded and measured as a full run would; then the least deviation of each turn is searched over the whole
     region, with a proof (module ``search``). ``enough`` mm: setups below this deviation are equally good, and time decides.
+    ``table`` mm: height of the table's face in the machine frame; no setup below it is searched or recommended.
     Raises SettingsError for a path without rows and a negative ``enough``, ReachError where no turn is within the rotary limits.
     """
     if not len(path.tip):
@@ -54,7 +57,8 @@ def setup_map(
         raise SettingsError(f"a deviation of {enough:g} mm cannot be enough; give 0 or more", enough)
     steps = 1 + region.size + SEARCH_WORTH * len(region.turns)
     rows, found, lost = _Rows(progress, steps), [], []
-    present = np.array(base.origin, float)
+    present, stand = np.array(base.origin, float), _Stand(table, float(part_box(path, posting.part)[0][2]))
+    searched, reached = stand.above(region), False
     for turn, kind in [(0.0, Kind.PRESENT), *((turn, Kind.GRID) for turn in region.turns)]:
         zeros = present[None] if kind == Kind.PRESENT else region.grid()
         try:
@@ -64,11 +68,32 @@ def setup_map(
             rows.nowhere(zeros, turn, kind)
             continue
         rows.measure(driven, zeros, kind)
-        if kind == Kind.GRID:
-            found.append(rows.search(driven, region, present, enough))
-    if not found:
+        reached |= kind == Kind.GRID
+        if kind == Kind.GRID and searched is not None:
+            found.append(rows.search(driven, searched, present, enough))
+    if not reached:
         raise lost[-1][1]
-    return _mapped(machine, base, region, enough, rows, found, lost)
+    return _mapped(machine, base, region, enough, rows, found, lost, stand)
+
+
+@dataclass(frozen=True)
+class _Stand:
+    """``table`` mm: height of its face, machine frame, None: not known; ``bottom`` mm: the part's lowest place, work frame."""
+
+    table: float | None
+    bottom: float
+
+    @property
+    def least(self) -> float:
+        """The least Z of a work zero, mm."""
+        return -math.inf if self.table is None else self.table - self.bottom
+
+    def above(self, region: Region) -> Region | None:
+        """What of the region is not below the table; None where nothing is."""
+        low, high = region.low, region.high
+        if high[2] < self.least - BELOW:
+            return None
+        return replace(region, low=(low[0], low[1], min(max(low[2], self.least), high[2])))
 
 
 class _Rows:
@@ -121,21 +146,23 @@ def _to_set(driven: Driven, region: Region, found: Floats) -> tuple[Floats, Cost
 
 def _mapped(
     machine: Machine, base: Setup, region: Region, enough: float, made: _Rows, found: list[Found],
-    lost: list[tuple[float, ReachError]],
+    lost: list[tuple[float, ReachError]], stand: _Stand,
 ) -> SetupMap:  # fmt: skip
     rows = made.all()
     origin, costs = np.array([row.origin for row in rows]), [row.cost for row in rows]
     deviation, time = np.array([cost.deviation for cost in costs]), np.array([cost.time for cost in costs])
     rewinds, within = np.array([row.rewinds for row in rows]), np.array([cost.within for cost in costs])
-    eligible = within & _inside(origin, region)
+    stands = origin[:, 2] >= stand.least - BELOW
+    eligible = within & stands & _inside(origin, region)
     best = recommended(origin, base.origin, deviation, time, rewinds, eligible, enough)
     least = min((one.least for one in found if one.origin is not None), default=math.nan)
+    findings = (*_findings(region, origin, best, found), *_table_findings(stand, stands), *_lost_findings(lost))
     return SetupMap(
         machine=machine.name, base=base, region=region, origin=origin, turn=np.array([row.turn for row in rows]),
         max_deviation=deviation, rotary_travel=np.array([cost.travel for cost in costs]), time=time,
-        over=np.array([cost.over for cost in costs]), within_limits=within, rewinds=rewinds,
-        kind=np.array([row.kind for row in rows], np.int8), best=best, least=least,
-        findings=(*_findings(region, origin, best, found), *_lost_findings(lost)),
+        over=np.array([cost.over for cost in costs]), within_limits=within, stands=stands, rewinds=rewinds,
+        kind=np.array([row.kind for row in rows], np.int8), best=best, least=least, table=stand.table,
+        bottom=stand.bottom, findings=findings,
     )  # fmt: skip
 
 
@@ -144,6 +171,10 @@ def _inside(origin: Floats, region: Region) -> Bools:
 
 
 def _findings(region: Region, origin: Floats, best: int | None, found: list[Found]) -> Iterator[Finding]:
+    if best is None and not found:
+        text = "No work zero of the setup region puts the part on the table. Move the region up (--origin), or widen it."
+        yield Finding(Severity.ERROR, "no-setup-on-the-table", text)
+        return
     if best is None:
         over = min(one.over for one in found)
         text = (
@@ -162,6 +193,18 @@ def _findings(region: Region, origin: Floats, best: int | None, found: list[Foun
     if edges:
         text = f"The recommended setup lies on the edge of the region ({', '.join(edges)}); beyond it may be a better one."
         yield Finding(Severity.NOTE, "setup-at-edge", text, float(len(edges)), None, "1")
+
+
+def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
+    if stand.table is None:
+        text = "The height of the table is not known: check that the part stands on it, or give --table-height."
+        yield Finding(Severity.WARNING, "table-unknown", text)
+    elif not stands[0]:
+        text = (
+            f"In the present setup the part reaches below the table: its work zero must stand at Z {stand.least:g} mm or higher. "
+            "Give another --origin."
+        )
+        yield Finding(Severity.WARNING, "part-below-table", text, stand.least, None, "mm")
 
 
 def _lost_findings(lost: list[tuple[float, ReachError]]) -> Iterator[Finding]:

@@ -31,17 +31,28 @@ HEAD = ("setup", "X, mm", "Y, mm", "Z, mm", "turn, deg", "deviation, mm", "rotar
 def verdict(chart: SetupMap) -> str:
     """One plain sentence: where the part should stand, and what that brings."""
     if chart.best is None:
-        return "No setup of the region keeps all axes within their limits."
+        return "No setup of the region keeps all axes within their limits and the part on the table."
     x, y, z = chart.origin[chart.best] + 0.0  # no -0
     best, now = float(chart.max_deviation[chart.best]), float(chart.max_deviation[0])
     turn = math.degrees(chart.turn[chart.best])
     place = f"the work zero at X {x:.3f} Y {y:.3f} Z {z:.3f} mm of the machine"
     place += f" and the part turned by {turn:g} deg" if turn else ""
-    if not math.isfinite(now) or not chart.within_limits[0]:
-        return f"Stand {place}: largest deviation {best:.4g} mm. In the present setup the axes leave their limits."
+    on_table = _on_table(chart, chart.best)
+    if not math.isfinite(now) or not chart.able[0]:
+        why = "the axes leave their limits" if not chart.within_limits[0] else "the part reaches below the table"
+        return f"Stand {place}: largest deviation {best:.4g} mm. In the present setup {why}. {on_table}"
     if now <= LEAST_GAIN * best:
-        return f"The present setup is as good as any of the region: largest deviation {now:.4g} mm."
-    return f"Stand {place}: largest deviation {best:.4g} mm instead of {now:.4g} mm, {now / max(best, 1e-9):.3g} times less."
+        return f"The present setup is as good as any of the region: largest deviation {now:.4g} mm. {_on_table(chart, 0)}"
+    less = f"{now / max(best, 1e-9):.3g} times less"
+    return f"Stand {place}: largest deviation {best:.4g} mm instead of {now:.4g} mm, {less}. {on_table}"
+
+
+def _on_table(chart: SetupMap, row: int) -> str:
+    """How high over the table the part then stands."""
+    if chart.table is None:
+        return "The height of the table is not known: check that the part stands on it."
+    above = float(chart.origin[row, 2]) + chart.bottom - chart.table
+    return f"The part's lowest place is then {max(above, 0.0):.3f} mm above the table."
 
 
 def advice(chart: SetupMap) -> tuple[str, ...]:
@@ -83,12 +94,13 @@ def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> s
     columns = {
         "origin": chart.origin, "turn_deg": np.degrees(chart.turn), "max_deviation": chart.max_deviation,
         "rotary_travel_deg": np.degrees(chart.rotary_travel), "time_s": chart.time, "over_limits": chart.over,
-        "within_limits": chart.within_limits, "rewinds": chart.rewinds,
+        "within_limits": chart.within_limits, "on_table": chart.stands, "rewinds": chart.rewinds,
     }  # fmt: skip
     kinds = [Kind(kind).name.lower() for kind in chart.kind]
     setups = [{"kind": kinds[row]} | {name: plain(column[row]) for name, column in columns.items()} for row in range(len(kinds))]
     record = {
-        "version": VERSION, "machine": chart.machine, "tool_length": chart.base.tool_length, "best": chart.best,
+        "version": VERSION, "machine": chart.machine, "tool_length": chart.base.tool_length, "table": chart.table,
+        "bottom": chart.bottom, "best": chart.best,
         "least": chart.least, "setups": setups, "findings": chart.findings, "inputs": inputs or {},
     }  # fmt: skip
     return json_text(record)
@@ -132,7 +144,7 @@ def marked_rows(chart: SetupMap) -> tuple[tuple[int, str], ...]:
     at = chart.turn[chart.best] if chart.best is not None else chart.region.turns[0]
     rows = np.flatnonzero((chart.kind == Kind.GRID) & (chart.turn == at) & np.isfinite(chart.max_deviation))
     rows = rows[np.argsort(chart.max_deviation[rows], kind="stable")][:MARKERS]
-    grid = [(row, "setup" if chart.within_limits[row] else "setup-beyond-limits") for row in rows.tolist()]
+    grid = [(row, "setup" if chart.able[row] else "setup-beyond-limits") for row in rows.tolist()]
     return (*best, (0, "setup-present"), *grid)
 
 
@@ -157,7 +169,8 @@ def _turn_table(chart: SetupMap) -> Table:
 
 
 def _cells(chart: SetupMap, name: str, row: int) -> list[str]:
-    limits = "within" if chart.within_limits[row] else f"over by {number(float(chart.over[row]), 3)} mm"
+    limits = "within" if chart.stands[row] else "below the table"
+    limits = limits if chart.within_limits[row] else f"over by {number(float(chart.over[row]), 3)} mm"
     if not math.isfinite(chart.max_deviation[row]):
         return [name, *(number(value, 3) for value in chart.origin[row]), f"{math.degrees(chart.turn[row]):g}", *"----", "rotary"]
     return [
@@ -176,7 +189,8 @@ def _proven(chart: SetupMap) -> str:
     if not math.isfinite(chart.least):
         return ""
     turns = "at the turns tried" if len(chart.region.turns) > 1 else "at this turn"
-    return f"Proven: no work zero of the region has less than {chart.least:.4g} mm {turns}, but for the rounding of words."
+    where = "" if chart.table is None else " above the table"
+    return f"Proven: no work zero of the region{where} has less than {chart.least:.4g} mm {turns}, but for the rounding of words."
 
 
 WORDS = """<dl><dt>Work zero</dt><dd>The zero of the program's coordinates, as it stands in the machine's frame: what a work

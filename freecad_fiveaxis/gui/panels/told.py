@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.qt import translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
 from freecad_fiveaxis.gui.scene.words import severity_name
@@ -27,7 +28,7 @@ def recovered(found: Any) -> str:
     worst = length_text(float(found.fit.miss[found.fit.good].max(initial=0.0)), 3)
     residual = translate("FiveAxis", "Largest residual of the rows used: {length}").format(length=worst)
     rows = table([head, *(_cells(one, compared) for one in told)])
-    return paragraph(verdict(found), bold=True) + paragraph(residual) + rows + findings(found.findings)
+    return paragraph(wording.told(verdict(found)), bold=True) + paragraph(residual) + rows + findings(found.findings)
 
 
 def _cells(one: Any, compared: bool) -> list[str]:
@@ -56,10 +57,11 @@ def parameter_label(name: str) -> str:
 
 def sheet(proof: Any) -> str:
     """What must be seen at each stop; ``proof`` is the core's Proof."""
-    from freecad_fiveaxis.core.prove_signs import READY, STAND, rows, verdict
+    from freecad_fiveaxis.core.prove_signs import READY, STAND, notices, rows, verdict
 
     plan = proof.plan
-    parts = [paragraph(verdict(plan), bold=True), heading(translate("FiveAxis", "Before you start"))]
+    parts = [paragraph(wording.told(one), bold=True) for one in (*notices(plan), verdict(plan))]
+    parts += [heading(translate("FiveAxis", "Before you start"))]
     parts += [items(READY), paragraph(STAND), findings(plan.findings), heading(translate("FiveAxis", "Stops"))]
     parts += [_stop(row) for row in rows(plan, proof.program)]
     parts.append(heading(translate("FiveAxis", "If the tool does not point at the cross, it is off by")))
@@ -133,6 +135,6 @@ def findings(found: Iterable[Any]) -> str:
     ordered = sorted(found, key=lambda one: -one.severity)
     return "".join(
         f"<p><span style='color: {COLOURS[one.severity]}'><b>{html.escape(severity_name(one.severity))}:</b> "
-        f"{html.escape(one.text)}</span></p>"
+        f"{html.escape(wording.told(one.text))}</span></p>"
         for one in ordered
     )

@@ -13,7 +13,8 @@ from freecad_fiveaxis.core.report import Drawing
 from freecad_fiveaxis.core.report.drawing import CURVE_POINTS
 
 from . import colours, nodes
-from .marks import Marks
+from .marks import Marks, largest_colour
+from .on_screen import Labels, LegendBox
 
 PARTS = ("strokes", "rapids", "axes", "curves", "marks", "label", "legend")
 """What can be switched on and off by itself, in the order in which it is drawn."""
@@ -42,19 +43,21 @@ class PathNodes:
 
     def __init__(self) -> None:
         self.root, self.origin = coin.SoSeparator(), coin.SoTranslation()
-        self.marks = Marks()
+        self.marks, self.labels, self.legend = Marks(), Labels(), LegendBox()
         self.groups = {name: coin.SoSeparator() for name in PARTS}
         self.switches = {name: nodes.switch(group) for name, group in self.groups.items()}
-        self.groups["marks"].addChild(self.marks.root)
+        for name, own in (("marks", self.marks), ("label", self.labels), ("legend", self.legend)):
+            self.groups[name].addChild(own.root)
         for node in (self.origin, nodes.flat(), *self.switches.values()):
             self.root.addChild(node)
 
     def clear(self) -> None:
         """Show nothing."""
-        for name, group in self.groups.items():
-            if name != "marks":
-                group.removeAllChildren()
-        self.marks.show(np.zeros((0, 3)), (), (0, 0, 0), (0, 0, 0), 1.0)
+        for name in ("strokes", "rapids", "axes", "curves"):
+            self.groups[name].removeAllChildren()
+        self.marks.show(np.zeros((0, 3)), (), None, (0, 0, 0), (0, 0, 0), 1.0)
+        self.labels.show(())
+        self.legend.show(None)
 
     def turn(self, name: str, on: bool) -> None:
         """Switch one of PARTS."""
@@ -79,11 +82,8 @@ class PathNodes:
     def show_marks(self, drawing: Drawing, look: Look) -> None:
         """Draw the markers."""
         places = np.array([one.place for one in drawing.markers], float).reshape(-1, 3)
-        self.marks.show(places, [one.kind for one in drawing.markers], look.bad, look.singular, look.mark_size)
-
-    def show_overlay(self, name: str, node: Any | None) -> None:
-        """The label or the legend; None for none."""
-        self._fill(name, *([] if node is None else [node]))
+        largest = largest_colour(float(drawing.deviation.max(initial=0.0)), drawing.tolerance, look.good, look.bad)
+        self.marks.show(places, [one.kind for one in drawing.markers], largest, look.bad, look.singular, look.mark_size)
 
     def _fill(self, name: str, *children: Any) -> None:
         self.groups[name].removeAllChildren()
