@@ -289,9 +289,7 @@ def test_round_sharp_edges_of_convex_parts_no_cure_touches_a_ring_cutter(parts, 
 @pytest.mark.parametrize("options", RINGS[:2], ids=["lead 8", "lead 0"])
 def test_divided_within_the_tolerance_of_the_tip_the_ring_swings_farther_and_is_kept_out_all_the_same(parts, options):
     """Blocks that are short enough for the tip are not for the ring: that takes rows half-way, though no row is lifted."""
-    report, lift = (
-        job.prove(over_sharp_edges(parts, "dome", gouge, linearize="on", **options)) for gouge in ("report", "lift")
-    )
+    report, lift = (job.prove(over_sharp_edges(parts, "dome", gouge, linearize="on", **options)) for gouge in ("report", "lift"))
     assert report.gouge.cutter.depth.max() > 1.2 * report.made.settings.proof.tolerance
     assert not lift.gouge.cutter.depth.any() and "lifted" not in {finding.code for finding in lift.findings}
     assert len(lift.made.path.tip) < 1.05 * len(report.made.path.tip)

@@ -13,6 +13,8 @@ from .summary import clock
 
 NAME = "FiveAxisWritten"
 _dialogs: dict[str, Written] = {}
+open_url = QtGui.QDesktopServices.openUrl
+"""What the user's desktop opens files and folders with."""
 
 
 class Written(QtWidgets.QDialog):
@@ -51,10 +53,10 @@ class Written(QtWidgets.QDialog):
 
     def _open(self) -> None:
         """In the program that the user's desktop has for such files."""
-        QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(self.file))
+        open_url(QtCore.QUrl.fromLocalFile(self.file))
 
     def _show_folder(self) -> None:
-        QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(os.path.dirname(self.file)))
+        open_url(QtCore.QUrl.fromLocalFile(os.path.dirname(self.file)))
 
 
 def tell(file: str, lines: int, seconds: float) -> Written:
