@@ -36,6 +36,7 @@ class Written(QtWidgets.QDialog):
         ):
             button = QtWidgets.QPushButton(text)
             button.setObjectName(NAME + name)
+            button.setAutoDefault(name == "Close")
             button.clicked.connect(lambda *_, act=act: act())
             row.addWidget(button)
         column = QtWidgets.QVBoxLayout(self)
