@@ -15,10 +15,11 @@ from typing import Any
 from freecad_fiveaxis.core import trials
 from freecad_fiveaxis.core.cures import CURES
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import COMPARE, CureSettings, Settings, build_settings
 
 from . import convert
-from .long_work import listening
+from .long_work import run
 from .selection import SelectionError
 from .setups import write_report
 from .toolpath import Toolpath
@@ -32,7 +33,7 @@ def cures() -> tuple[str, ...]:
 def settings_of(toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (), tool_length: float | None = None) -> Settings:
     """What is asked of the core: the toolpath's settings without its own cure, on other machines. Raises FiveAxisError."""
     if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
-        raise SelectionError("machines are compared on a toolpath: select a toolpath", toolpath)
+        raise SelectionError(say("machines are compared on a toolpath: select a toolpath"), toolpath)
     path = toolpath.Proxy.task(toolpath).settings
     given = {"machines": list(machines), "cures": list(cures), "tool_length": tool_length or path.machine.tool_length}
     own = build_settings(COMPARE, path.source, given)
@@ -48,9 +49,12 @@ def compare(
     """See :func:`freecad_fiveaxis.app.compare`; this gives the core's whole Comparison."""
     settings = settings_of(toolpath, machines, cures, tool_length)
     task = toolpath.Proxy.task(toolpath)
-    with listening(progress) as listener:
-        mesh = convert.mesh_of(task.data)
-        return trials.try_machines(settings, listener, mesh, convert.facet_mask(task.data, mesh, task.runs))
+
+    def work(told: Progress) -> trials.Comparison:
+        mesh = convert.mesh_of(task.data, told)
+        return trials.try_machines(settings, told, mesh, convert.facet_mask(task.data, mesh, task.runs))
+
+    return run(work, progress, toolpath.Document)
 
 
 def write(comparison: trials.Comparison, file: str | os.PathLike[str], overwrite: bool = False) -> None:

@@ -22,11 +22,14 @@ from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.gouge import Body, body_of
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.option_values import read_option
+from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.quantity import parse_stack
 from freecad_fiveaxis.core.records import Bools
 from freecad_fiveaxis.core.report import Figures, summary, verdict
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import Settings, build_settings
 
+from . import wording
 from .properties import MACHINES_OWN, RESULTS, cutter_values, default_value, property_name, property_value, shown_options
 from .selection import check_mesh, holder_of
 
@@ -100,7 +103,10 @@ def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
     fields = {leaf.name: leaf for _, leaf in shown_options(task)}
     for name in options:
         if name not in fields:
-            raise SettingsError(f"{name} is no setting of a document object; it is not one of {', '.join(fields)}", name)
+            raise SettingsError(
+                say("{name} is no setting of a document object; it is not one of {fields}", name=name, fields=", ".join(fields)),
+                name,
+            )
     given = {name: value for name, value in options.items() if value is not None}
     read = {name: read_option(fields[name], value) for name, value in given.items()}
     for name, value in read.items():
@@ -126,7 +132,12 @@ def _choice(option: str, value: str, choices: Sequence[str]) -> str:
     found = [one for one in choices if one.lower() == value.lower()]
     if not found:
         known = ", ".join(one for one in choices if one != MACHINES_OWN)
-        raise SettingsError(f"unknown {option.replace('_', ' ')} {value!r}; choose one of {known}", value)
+        raise SettingsError(
+            say(
+                "unknown {option} {value}; choose one of {known}", option=option.replace("_", " "), value=repr(value), known=known
+            ),
+            value,
+        )
     return found[0]
 
 
@@ -147,13 +158,14 @@ def stl_bytes(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> bytes:
             return file.read()
 
 
-def mesh_of(stl: bytes) -> Mesh:
+def mesh_of(stl: bytes, progress: Progress = silent) -> Mesh:
     """The core's mesh of a binary STL. Raises MeshError."""
+    progress("weld", 0.0)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "mesh.stl")
         with open(path, "wb") as file:
             file.write(stl)
-        return read_stl(path)
+        return read_stl(path, progress)
 
 
 def facet_mask(stl: bytes, mesh: Mesh, runs: Sequence[int]) -> Bools | None:
@@ -192,12 +204,12 @@ def put_result(obj: Any, figures: Figures, fingerprint: str) -> None:
     whole = verdict(figures, told)
     values = {
         "Passes": told["passes"], "Blocks": told["blocks"], "SingularBlocks": told["singular_blocks"],
-        "GuidedBlocks": told["guided_blocks"], "Verdict": whole.text, "Light": whole.light.value,
+        "GuidedBlocks": told["guided_blocks"], "Verdict": wording.told(whole.text), "Light": whole.light.value,
         "OverTolerance": told["over_tolerance"],
         "WorstLine": told["worst_line"] or 0, "Time": told["time_s"],
         "CutLength": told["cut_length"], "MaxSegmentDeviation": told["max_segment_deviation"],
         "MaxLineDeviation": told["max_line_deviation"], "MaxBound": told["max_bound"], "Proven": told["proven"],
-        "Findings": [finding.text for finding in figures.findings], "Fingerprint": fingerprint,
+        "Findings": [wording.told(finding.text) for finding in figures.findings], "Fingerprint": fingerprint,
     }  # fmt: skip
     for name, value in values.items():
         setattr(obj, name, UNKNOWN if isinstance(value, float) and not math.isfinite(value) else value)
@@ -208,6 +220,11 @@ def clear_result(obj: Any, why: str) -> None:
     for one in RESULTS:
         setattr(obj, one.name, one.default)
     obj.Findings = [why]
-    for user in obj.InList:  # FreeCAD does not recompute what hangs on a failed object: its NC files would look up to date
+    mark_users(obj)
+
+
+def mark_users(obj: Any) -> None:
+    """What hangs on an object that failed is out of date: FreeCAD does not recompute it, and NC files would look up to date."""
+    for user in obj.InList:
         if hasattr(user, "UpToDate"):
             user.UpToDate = False

@@ -2,22 +2,48 @@
 """Who listens while long work goes on, and how it is stopped.
 
 listener  a function ``(stage, fraction)`` that shows how far the work is; it raises Cancelled to stop it.
-bar       FreeCAD's own progress bar in the status line: the listener where nobody else listens and there is a window.
+window    a listener that shows a dialog and handles the window's events (``pump``). For it the core works in a thread of its own,
+          while this one, which FreeCAD's documents belong to, keeps the window alive. Nothing of FreeCAD's is touched in there.
+
+Cancel reaches the worker at its next word of progress, a little later between any two steps of Python. Where it sits in one
+long call of numpy it is abandoned: it ends after that call, and nobody takes what it made.
+
+Nothing here imports numpy before there is work: the window asks for this module when FreeCAD starts.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+import ctypes
+import sys
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
+from typing import Any, Generic, TypeVar
 
 import FreeCAD
 
 from freecad_fiveaxis.core.errors import Cancelled
 from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.sentences import say
 
-_STEPS = 100
-_Indicator = FreeCAD.Base.ProgressIndicator
+T = TypeVar("T")
+
+TICK = 0.03
+"""s between two looks at the window's events."""
+TURN = 0.001
+"""s after which Python leaves the worker for this thread when it wants to go on: it does so several times in each look."""
+POLITE, PATIENCE = 0.15, 0.25
+"""s that a stopped worker gets to the next word of progress, and then to the next step of Python; after both it is abandoned."""
+
 _listeners: list[Progress] = []
+_windows: list[Callable[[], AbstractContextManager[Progress]]] = []
+
+
+def show_in(window: Callable[[], AbstractContextManager[Progress]]) -> None:
+    """From now on long work that nobody else listens to, as that of a recompute, is shown by ``window()``."""
+    _windows[:] = [window]
 
 
 @contextmanager
@@ -32,51 +58,137 @@ def reporting(listener: Progress) -> Iterator[Progress]:
 
 @contextmanager
 def listening(listener: Progress | None = None) -> Iterator[Progress]:
-    """The listener of one piece of work: the given one, else the current one, else FreeCAD's bar for as long as it lasts."""
+    """The listener of one piece of work: the given one, else the current one, else the window's for as long as it lasts."""
     if listener is not None:
         with reporting(listener):
             yield listener
-        return
-    shown = progress()
-    try:
-        yield shown
-    finally:
-        if isinstance(shown, _Bar):
-            shown.close()
+    elif _listeners or not _windows or not _is_main():
+        yield progress()
+    else:
+        with _windows[-1]() as shown, reporting(shown):
+            yield shown
 
 
 def progress() -> Progress:
-    """The current listener. Without one: FreeCAD's bar where there is a window, else nobody."""
-    if _listeners:
-        return _listeners[-1]
-    return _Bar() if _has_window() else silent
+    """The current listener, or nobody."""
+    return _listeners[-1] if _listeners else silent
 
 
-def _has_window() -> bool:
-    return bool(FreeCAD.GuiUp)
+def run(work: Callable[[Progress], T], listener: Progress | None = None, doc: Any = None) -> T:
+    """What ``work(progress)`` gives; ``work`` must touch nothing of FreeCAD's.
+
+    Raises what the work raises, and Cancelled where the listener stops it or ``doc``, if one is given, is closed meanwhile.
+    """
+    with listening(listener) as told:
+        if not hasattr(told, "pump") or not _is_main():
+            return work(told)
+        return _followed(Worker(work), told, doc)
 
 
-class _Bar:
-    """FreeCAD's progress bar, begun anew at each stage; Esc stops the work."""
+def is_open(doc: Any) -> bool:
+    """Whether a document is still open."""
+    return any(one is doc for one in FreeCAD.listDocuments().values())
 
-    def __init__(self) -> None:
-        self._bar, self._stage, self._done = None, "", 0
 
-    def __call__(self, stage: str, fraction: float) -> None:
-        if self._bar is None or stage != self._stage:
-            self.close()
-            self._bar, self._stage, self._done = _Indicator(), stage, 0
-            self._bar.start(f"Five-axis: {stage}", _STEPS)
+def _float_rules() -> AbstractContextManager[None]:
+    """What numpy does here at an overflow and the like, for another thread."""
+    import numpy as np
+
+    return np.errstate(**np.geterr())
+
+
+def _check_open(doc: Any) -> None:
+    if doc is not None and not is_open(doc):
+        raise Cancelled(say("the document was closed; nothing was changed"))
+
+
+def _is_main() -> bool:
+    return threading.current_thread() is threading.main_thread()
+
+
+def _followed(worker: Worker[T], told: Any, doc: Any) -> T:
+    """The worker's result. Meanwhile the listener hears all news and handles the window's events."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(TURN)
+    worker.start()
+    try:
+        while not worker.done.wait(TICK):
+            for news in worker.news():
+                told(*news)
+            told.pump()
+            _check_open(doc)
+        for news in worker.news():
+            told(*news)
+        _check_open(doc)
+    except BaseException:
+        worker.stop()
+        raise
+    finally:
+        sys.setswitchinterval(before)
+    return worker.result()
+
+
+class Worker(threading.Thread, Generic[T]):
+    """A thread that does one piece of work of the core, under the same rules for floating-point errors.
+
+    ``done`` is set when it has ended, whichever way.
+    """
+
+    def __init__(self, work: Callable[[Progress], T]) -> None:
+        super().__init__(name="FiveAxis", daemon=True)  # FreeCAD quits without waiting for one that was abandoned
+        self.done = threading.Event()
+        self._work, self._rules = work, _float_rules()
+        self._heard: deque[tuple[str, float]] = deque()
+        self._stopped = self._left = False
+        self._leaving = threading.Lock()
+        self._made: list[T] = []
+        self._error: BaseException | None = None
+
+    def run(self) -> None:
+        """Do the work."""
         try:
-            while self._done < min(_STEPS - 1, round(_STEPS * fraction)):
-                self._done += 1
-                self._bar.next(True)
-        except FreeCAD.Base.FreeCADAbort as stopped:  # a BaseException: nobody else would catch it
-            self.close()
-            raise Cancelled("stopped; nothing was changed") from stopped
+            with self._rules:
+                self._made.append(self._work(self._tell))
+        except BaseException as error:
+            self._error = error
+        self._leave()
 
-    def close(self) -> None:
-        """Take the bar away."""
-        if self._bar is not None:
-            self._bar.stop()
-            self._bar = None
+    def news(self) -> list[tuple[str, float]]:
+        """What was said since the last call: each stage once, with its last fraction."""
+        latest = {}
+        while self._heard:
+            stage, fraction = self._heard.popleft()
+            latest[stage] = fraction
+        return list(latest.items())
+
+    def result(self) -> T:
+        """What the work gave, or the error it raised."""
+        if self._error is not None:
+            raise self._error
+        return self._made[0]
+
+    def stop(self) -> None:
+        """End the work as soon as that can be; returns within POLITE + PATIENCE seconds, with the worker ended or abandoned."""
+        self._stopped = True
+        if self.done.wait(POLITE):
+            return
+        end = time.monotonic() + PATIENCE
+        while not self.done.wait(TICK) and time.monotonic() < end:
+            with self._leaving:
+                if not self._left:
+                    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.ident or 0), ctypes.py_object(Cancelled))
+
+    def _tell(self, stage: str, fraction: float) -> None:
+        if self._stopped:
+            raise Cancelled(say("stopped; nothing was changed"))
+        self._heard.append((stage, fraction))
+
+    def _leave(self) -> None:
+        """A stop that is still on its way arrives here at the latest."""
+        while not self.done.is_set():
+            try:
+                with self._leaving:
+                    self._left = True
+                self.done.set()
+            except Cancelled:
+                continue

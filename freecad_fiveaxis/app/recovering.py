@@ -15,10 +15,11 @@ from freecad_fiveaxis.core import outputs, workshop
 from freecad_fiveaxis.core.errors import FileError
 from freecad_fiveaxis.core.files import check_writable, write_whole
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import RECOVER, Settings, build_settings
 
 from . import machines
-from .long_work import listening
+from .long_work import run
 
 
 def settings_of(cl_file: Any, nc_file: Any, fcm_file: Any, options: Mapping[str, Any]) -> Settings:
@@ -35,8 +36,7 @@ def recover(
     settings = settings_of(cl_file, nc_file, fcm_file, options)
     if not machines.is_new_folder(settings.recover.machine_file):
         outputs.check_outputs(settings)
-    with listening(progress) as listener:
-        return workshop.recover_machine(settings, listener)
+    return run(lambda told: workshop.recover_machine(settings, told), progress)
 
 
 def write(done: workshop.Recovered) -> str:
@@ -49,8 +49,8 @@ def write_report(done: workshop.Work, file: str | os.PathLike[str], overwrite: b
     """What was found, as a page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file that is there."""
     ending = os.path.splitext(os.fspath(file))[1].lower()
     if ending not in workshop.REPORTS:
-        raise FileError(f"{file} needs one of the endings {', '.join(workshop.REPORTS)}", file)
+        raise FileError(say("{file} needs one of the endings {reports}", file=file, reports=", ".join(workshop.REPORTS)), file)
     check_writable(file)
     if not overwrite and os.path.lexists(file):
-        raise FileError(f"{file} exists; choose another name, or ask for it to be overwritten", file)
+        raise FileError(say("{file} exists; choose another name, or ask for it to be overwritten", file=file), file)
     write_whole(file, workshop.REPORTS[ending](done).encode("utf-8", "backslashreplace"))

@@ -15,11 +15,11 @@ from collections.abc import Sequence
 from itertools import accumulate
 from typing import Any
 
-import MeshPart
-
 from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import Angle, Length, say
 
-from . import selection
+from . import meshing, selection
 from .long_work import listening
 from .properties import HIDDEN, OUTPUT, QT_TRANSLATE_NOOP, RESULT, Property
 from .schema import Proxy
@@ -66,8 +66,7 @@ class Tessellation(Proxy):
         """Make the mesh now. Raises SelectionError, SettingsError, Cancelled; the recompute that follows does no work again."""
         base, faces = chosen(obj)
         with listening() as progress:
-            progress("tessellate", 0.0)
-            mesh, runs = _meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value)
+            mesh, runs = _meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress)
             progress("tessellate", 1.0)
         obj.Mesh, obj.FacetRuns, obj.Facets = mesh, runs, mesh.CountFacets
         self.built = True
@@ -92,19 +91,25 @@ def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
     return base, tuple(name for name in names if name)
 
 
-def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float) -> tuple[Any, list[int]]:
+def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float, progress: Progress) -> tuple[Any, list[int]]:
+    progress("tessellate", 0.0)
     if base is not None and selection.is_mesh(base):
         return _copied(base, faces), []
     if linear <= 0.0 or angular <= 0.0:
-        raise SettingsError(f"the deflections are {linear:g} mm and {angular:g} deg; both must be above 0", (linear, angular))
+        raise SettingsError(
+            say(
+                "the deflections are {linear} and {angular}; both must be above 0", linear=Length(linear), angular=Angle(angular)
+            ),
+            (linear, angular),
+        )
     whole, rows = selection.solids(base, faces)
-    mesh = MeshPart.meshFromShape(
-        Shape=whole.copy(), LinearDeflection=linear, AngularDeflection=math.radians(angular), Relative=False, Segments=True
-    )
-    counts = [len(mesh.getSegment(i)) for i in range(mesh.countSegments())]
+    made = meshing.meshed(whole, linear, math.radians(angular), progress)
+    if made is None:
+        raise selection.invalid(base.Label)
+    mesh, counts = made
     if not mesh.CountFacets or len(counts) != len(whole.Faces) or sum(counts) != mesh.CountFacets:
         raise selection.SelectionError(
-            f"FreeCAD could not mesh {base.Label}: check its geometry, or choose other deflections.", base
+            say("FreeCAD could not mesh {label}: check its geometry, or choose other deflections.", label=base.Label), base
         )
     stop = list(accumulate(counts))
     return mesh, [bound for row in sorted(set(rows)) for bound in (stop[row] - counts[row], stop[row])]
@@ -112,7 +117,9 @@ def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float) -> t
 
 def _copied(base: Any, faces: Sequence[str]) -> Any:
     if faces:
-        raise selection.SelectionError(f"{base.Label} is a mesh and has no faces to choose: select the whole of it.", base.Label)
+        raise selection.SelectionError(
+            say("{label} is a mesh and has no faces to choose: select the whole of it.", label=base.Label), base.Label
+        )
     selection.check_mesh(base)
     mesh = base.Mesh.copy()
     mesh.Placement = selection.holder_of(base).multiply(mesh.Placement)

@@ -10,6 +10,7 @@ import FreeCAD
 
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import MILL
 
 from . import convert, results
@@ -38,17 +39,20 @@ class Toolpath(Proxy):
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
         if obj.Mesh is None:
-            raise SelectionError(f"The mesh of {obj.Label} was deleted: choose another one in its property Mesh.", obj.Label)
+            raise SelectionError(
+                say("The mesh of {label} was deleted: choose another one in its property Mesh.", label=obj.Label), obj.Label
+            )
         if not is_mesh(obj.Mesh):
-            raise SelectionError(f"{obj.Mesh.Label} is no mesh: choose a tessellation or a mesh.", obj.Mesh.Label)
+            raise SelectionError(
+                say("{label} is no mesh: choose a tessellation or a mesh.", label=obj.Mesh.Label), obj.Mesh.Label
+            )
         settings = convert.settings_of(obj, MILL, f"{obj.Mesh.Label}.stl")
         stl = convert.stl_bytes(obj.Mesh, obj.WorkZero)
         return results.Task(settings, stl, tuple(getattr(obj.Mesh, "FacetRuns", ())))
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The program, not yet proven."""
-        progress("weld", 0.0)
-        mesh = convert.mesh_of(task.data)
+        mesh = convert.mesh_of(task.data, progress)
         return job.make(task.settings, progress, mesh=mesh, faces=convert.facet_mask(task.data, mesh, task.runs))
 
     def execute(self, obj: Any) -> None:

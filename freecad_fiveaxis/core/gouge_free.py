@@ -40,6 +40,7 @@ from freecad_fiveaxis.core.joint_path import JointPath
 from freecad_fiveaxis.core.kinematics import Chain, q_to_words
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.sentences import say
 
 from .asked import axis_options, back, scallop_asked
 from .findings import Finding
@@ -188,8 +189,8 @@ def _remedy(settings: Settings) -> str:
     if settings.gouge.gouge == "report":
         return CURES
     divisible = settings.cure.linearize == "off" and settings.head.rtcp == "off"  # a guided tip excludes division
-    way = "let blocks be divided (linearize on)" if divisible else "ask for a smaller tolerance"
-    return f"The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}."
+    way = say("let blocks be divided (linearize on)") if divisible else say("ask for a smaller tolerance")
+    return say("The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.", way=way)
 
 
 def left_by(settings: Settings, mesh: Mesh, keep: Bools, links: Chain, program: Program, progress: Progress) -> Remainder:

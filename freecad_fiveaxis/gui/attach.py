@@ -11,6 +11,8 @@ from typing import Any
 
 import FreeCAD
 
+from .failures import guards
+
 VIEWS = {
     "freecad_fiveaxis.app.tessellation": "view_providers.TessellationView",
     "freecad_fiveaxis.app.toolpath": "view_providers.PathView",
@@ -23,6 +25,7 @@ VIEWS = {
 """The module of a document object's proxy, and module and class of the view that shows it."""
 
 
+@guards
 class Observer:
     """Watches all documents."""
 
@@ -64,8 +67,9 @@ def register() -> None:
     """Start watching, and look at what is open already. A second call does nothing."""
     if _watching:
         return
-    from . import findings_panel
+    from . import findings_panel, waiting
 
+    waiting.register()
     _watching.extend((Observer(), findings_panel.register()))
     FreeCAD.addDocumentObserver(_watching[0])
     for doc in FreeCAD.listDocuments().values():

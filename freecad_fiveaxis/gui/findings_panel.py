@@ -14,13 +14,17 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
-from .qt import QtCore, QtWidgets, translate
+from freecad_fiveaxis.app import wording
+
+from .failures import guards
+from .qt import QtCore, QtWidgets, main_window, translate
 from .verdict_label import VerdictLabel
 
 NAME = "FiveAxisFindings"
 _docks: dict[str, Any] = {}
 
 
+@guards
 class Watcher:
     """Watches the selection: a marker that is picked shows its finding."""
 
@@ -77,7 +81,7 @@ def show(path: Any, marker: int | None = None) -> Any:
 def _panel() -> Panel:
     """The one panel; made when it is first asked for."""
     if "panel" not in _docks:
-        window = FreeCADGui.getMainWindow()
+        window = main_window()
         dock = QtWidgets.QDockWidget(translate("FiveAxis", "Findings"), window)
         dock.setObjectName(NAME)
         _docks["panel"] = Panel(dock)
@@ -208,7 +212,7 @@ class Panel:
         if finding.line is not None:
             title = translate("FiveAxis", "{what}, NC line {line}").format(what=title, line=finding.line)
         if told is None:
-            return _html([("", finding.text)], title)
+            return _html([("", wording.told(finding.text))], title)
         heads = (translate("FiveAxis", "What happens"), translate("FiveAxis", "Why"), translate("FiveAxis", "What helps"))
         parts = list(zip(heads, told, strict=True))
         return _html([("", words.count_text(row.kind, summary(self.figures))), *parts] if row.whole else parts, title)

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Long work in the window: stage, percent and a Cancel button, while the window goes on being painted.
 
-The work runs in the main thread, because FreeCAD's documents belong to it; whenever it says where it stands, the
-window's events are handled. Cancel and Esc raise ``Cancelled`` out of that call. The dialog is modal, so that nothing can be
-changed under the work.
+The work runs in a thread of its own (:mod:`freecad_fiveaxis.app.long_work`); the window's thread shows what is told of it and
+handles events. Cancel and Esc raise ``Cancelled`` out of ``pump``. The dialog is modal, so that nothing can be changed under the
+work.
+
+FreeCAD keeps keys and mouse from all windows while it recomputes a document. Esc still comes, as a shortcut of the dialog; where
+the mouse is pressed is asked for instead.
 """
 
 from __future__ import annotations
@@ -12,19 +15,22 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-import FreeCADGui
+import FreeCAD
 
-from .qt import QtCore, QtWidgets, translate
+from .qt import QtCore, QtGui, QtWidgets, main_window, translate
 
 REPAINT = 0.05
 """s between two looks at the window's events; more often would cost more than the work."""
+UNSEEN = 0.2
+"""s of work that nobody asked for, as a recompute, before the dialog comes up."""
 
 
 class Waiting:
-    """A listener for progress that shows a dialog."""
+    """A listener for progress that shows a dialog, after ``delay`` s of work."""
 
-    def __init__(self, text: str) -> None:
-        dialog = QtWidgets.QProgressDialog(text, translate("FiveAxis", "Cancel"), 0, 100, FreeCADGui.getMainWindow())
+    def __init__(self, text: str, delay: float = 0.0) -> None:
+        dialog = QtWidgets.QProgressDialog(text, translate("FiveAxis", "Cancel"), 0, 100, main_window())
+        self.button = dialog.findChild(QtWidgets.QPushButton)
         dialog.setObjectName("FiveAxisWaiting")
         dialog.setWindowTitle(text)
         dialog.setWindowModality(QtCore.Qt.ApplicationModal)
@@ -32,10 +38,13 @@ class Waiting:
         dialog.setMinimumWidth(420)
         dialog.setAutoClose(False)
         dialog.setAutoReset(False)
+        dialog.reset()  # Qt would show it by itself after a while
         self.dialog, self.text, self._due, self._stage = dialog, text, 0.0, ""
+        self._shown, self._pressed, self._show_at = False, False, time.monotonic() + delay
 
     def start(self) -> None:
         """Show the dialog before the work begins."""
+        self._shown = True
         self.dialog.setValue(0)
         self.dialog.show()
         QtWidgets.QApplication.processEvents()
@@ -47,12 +56,30 @@ class Waiting:
             return
         self._due, self._stage = now + REPAINT, stage
         self.dialog.setLabelText(f"{self.text}\n{stage_words().get(stage, stage)}")
-        self.dialog.setValue(round(100 * min(max(fraction, 0.0), 1.0)))
+        if self._shown:
+            self.dialog.setValue(round(100 * min(max(fraction, 0.0), 1.0)))
+        self.pump()
+
+    def pump(self) -> None:
+        """Handle the window's events. Raises Cancelled once the user wants to stop."""
+        if not self._shown:
+            if time.monotonic() < self._show_at:
+                return
+            self.start()
         QtWidgets.QApplication.processEvents()
-        if self.dialog.wasCanceled():
+        if self.dialog.wasCanceled() or self._clicked_in_recompute():
             from freecad_fiveaxis.core.errors import Cancelled
 
             raise Cancelled(translate("FiveAxis", "stopped by the user"))
+
+    def _clicked_in_recompute(self) -> bool:
+        """Whether the mouse was pressed and let go over Cancel while FreeCAD keeps its events from all windows."""
+        if not any(doc.Recomputing for doc in FreeCAD.listDocuments().values()):
+            return False
+        over = self.button.rect().contains(self.button.mapFromGlobal(QtGui.QCursor.pos()))
+        pressed = bool(QtWidgets.QApplication.mouseButtons() & QtCore.Qt.LeftButton)
+        clicked, self._pressed = self._pressed and over and not pressed, over and pressed
+        return clicked
 
     def stop(self) -> None:
         """Take the dialog away."""
@@ -73,8 +100,8 @@ def stage_words() -> dict[str, str]:
         "joint path": translate("FiveAxis", "turning the axes"),
         "linearize": translate("FiveAxis", "dividing blocks"),
         "minimax axes": translate("FiveAxis", "seeking the axes of least deviation"),
-        "leading past the pole": translate("FiveAxis", "leading the axis past the pole"),
-        "driving what is led": translate("FiveAxis", "driving what is led"),
+        "leading past the pole": translate("FiveAxis", "turning the axis past the pole"),
+        "driving what is led": translate("FiveAxis", "driving the turned axes"),
         "trade of axis change": translate("FiveAxis", "comparing axis changes"),
         "gouge": translate("FiveAxis", "looking where the tool enters the part"),
         "lift": translate("FiveAxis", "lifting the tool out of the part"),
@@ -105,3 +132,20 @@ def waiting(text: str) -> Iterator[Waiting]:
             yield listener
     finally:
         listener.stop()
+
+
+@contextmanager
+def recomputing() -> Iterator[Waiting]:
+    """The dialog of long work that no command began, as of a recompute; short work shows none."""
+    listener = Waiting(translate("FiveAxis", "Recompute"), UNSEEN)
+    try:
+        yield listener
+    finally:
+        listener.stop()
+
+
+def register() -> None:
+    """Long work that nobody else listens to is shown here."""
+    from freecad_fiveaxis.app.long_work import show_in
+
+    show_in(recomputing)

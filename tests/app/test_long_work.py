@@ -1,47 +1,67 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who hears how far the work is, and how FreeCAD's own bar stops it."""
+"""Who hears how far the work is, in which thread it is done, and how it is stopped.
 
-from typing import ClassVar
+Dialog: stands in for the window's dialog, which there is none of without a window.
+"""
+
+import threading
+import time
 
 import FreeCAD
+import numpy as np
 import pytest
 from conftest import FAST
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import long_work, results
-from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.core.errors import Cancelled, MeshError
 from freecad_fiveaxis.core.progress import silent
 
-
-class Bar:
-    """Stands in for FreeCAD's bar, which shows nothing without a window."""
-
-    made: ClassVar[list] = []
-    stop_at = 10**9
-
-    def __init__(self):
-        self.steps, self.running = 0, False
-        Bar.made.append(self)
-
-    def start(self, text, steps):
-        self.text, self.running = text, True
-
-    def next(self, can_stop):
-        assert can_stop and self.running
-        self.steps += 1
-        if self.steps >= Bar.stop_at:
-            raise FreeCAD.Base.FreeCADAbort("Esc")
-
-    def stop(self):
-        self.running = False
+SOON = 1.0
+"""s within which a stopped caller has its thread back."""
 
 
-@pytest.fixture
-def bar(monkeypatch):
-    Bar.made, Bar.stop_at = [], 10**9
-    monkeypatch.setattr(long_work, "_Indicator", Bar)
-    monkeypatch.setattr(long_work, "_has_window", lambda: True)
-    return Bar
+class Dialog:
+    """Hears like the window's dialog; ``stop_after`` s it is cancelled. ``gap``: the longest that nobody pumped, s."""
+
+    def __init__(self, stop_after=1e9, then=None):
+        self.heard, self.threads, self.gap, self.pumps = [], set(), 0.0, 0
+        self.begin = self.last = time.monotonic()
+        self.stop_after, self.then, self.stopped_at = stop_after, then, None
+
+    def __call__(self, stage, fraction):
+        self.heard.append((stage, fraction))
+        self.pump()
+
+    def pump(self):
+        now = time.monotonic()
+        self.threads.add(threading.current_thread())
+        self.gap, self.last, self.pumps = max(self.gap, now - self.last), now, self.pumps + 1
+        if now - self.begin > self.stop_after:
+            if self.then:
+                self.then()
+                return
+            self.stopped_at = now
+            raise Cancelled("stopped")
+
+
+def in_python(told):
+    """Work that says nothing and goes on for a minute, step by step."""
+    end = time.monotonic() + 60
+    while time.monotonic() < end:
+        sum(range(1000))
+
+
+def in_one_call(told):
+    """Work that sits in one call for four seconds."""
+    time.sleep(4)
+
+
+def talking(told):
+    """Work that says where it stands, and does not end by itself."""
+    for step in range(6000):
+        told("step", step / 6000)
+        time.sleep(0.01)
 
 
 def test_without_a_window_nobody_listens():
@@ -76,24 +96,102 @@ def test_the_work_is_told_stage_by_stage(doc, ball):
     assert heard and long_work.progress() is silent
 
 
-def test_freecads_bar_runs_and_is_taken_away(doc, ball, bar):
-    app.create_toolpath(doc, ball, **FAST)
-    assert len(bar.made) > 5 and not any(one.running for one in bar.made)
-    assert bar.made[0].text == "Five-axis: tessellate" and all(one.steps < 100 for one in bar.made)
+def test_the_core_works_in_a_thread_and_the_dialog_in_the_one_that_asked():
+    dialog, threads = Dialog(), set()
+
+    def work(told):
+        threads.add(threading.current_thread())
+        for step in range(10):
+            told("weld", step / 10)
+            time.sleep(0.05)
+        return np.geterr()["over"]
+
+    with np.errstate(over="raise"):
+        assert long_work.run(work, dialog) == "raise"
+    assert dialog.threads == {threading.main_thread()} and not threads & dialog.threads
+    assert dialog.heard[-1] == ("weld", 0.9) and dialog.pumps > 5
 
 
-def test_esc_stops_the_work_and_leaves_the_document_as_it_was(doc, ball, bar):
-    bar.stop_at = 20
-    with pytest.raises(Cancelled, match="stopped") as stopped:
-        app.create_toolpath(doc, ball, **FAST)
-    assert isinstance(stopped.value, FiveAxisError) and isinstance(stopped.value.__cause__, BaseException)
-    assert [one.Name for one in doc.Objects] == ["Ball"] and not any(one.running for one in bar.made)
+def test_a_listener_without_a_window_is_told_in_the_same_thread():
+    assert long_work.run(lambda told: threading.current_thread(), lambda *told: None) is threading.main_thread()
 
 
-def test_the_real_bar_of_this_freecad_counts(monkeypatch):
-    monkeypatch.setattr(long_work, "_has_window", lambda: True)
-    with long_work.listening() as listen:
-        for step in range(11):
-            listen("weld", step / 10)
-        listen("passes", 0.5)
-    assert long_work.progress() is not silent
+def test_what_the_work_raises_reaches_the_caller():
+    def fail(told):
+        raise MeshError("no facets", 0)
+
+    with pytest.raises(MeshError, match="no facets"):
+        long_work.run(fail, Dialog())
+
+
+@pytest.mark.parametrize("work", [in_python, in_one_call, talking])
+def test_a_stop_gives_the_thread_back_at_once(work):
+    dialog = Dialog(stop_after=0.3)
+    with pytest.raises(Cancelled):
+        long_work.run(work, dialog)
+    assert time.monotonic() - dialog.stopped_at < SOON and long_work.progress() is silent
+
+
+def test_a_stopped_worker_ends():
+    before = threading.active_count()
+    for work in (in_python, talking):
+        with pytest.raises(Cancelled):
+            long_work.run(work, Dialog(stop_after=0.1))
+        assert threading.active_count() == before, work.__name__
+
+
+def test_an_abandoned_worker_ends_after_its_call_and_goes_no_further():
+    went_on = []
+
+    def work(told):
+        time.sleep(1.5)
+        went_on.append(1)
+        told("never", 1.0)
+        went_on.append(2)
+
+    with pytest.raises(Cancelled):
+        long_work.run(work, Dialog(stop_after=0.1))
+    time.sleep(2.0)
+    assert not went_on and not [one for one in threading.enumerate() if one.name == "FiveAxis"]
+
+
+def test_stopping_over_and_over_while_the_work_ends_does_no_harm():
+    for _ in range(200):
+        dialog = Dialog(stop_after=0.0)
+        try:
+            assert long_work.run(lambda told: [told("a", 0.5), sum(range(20000))][1], dialog) == 199990000
+        except Cancelled:
+            assert dialog.stopped_at
+    assert not [one for one in threading.enumerate() if one.name == "FiveAxis"]
+
+
+def test_a_recompute_that_nobody_listens_to_is_shown_by_the_window(doc, ball, monkeypatch):
+    path, dialog = app.create_toolpath(doc, ball, **FAST), Dialog()
+    monkeypatch.setattr(long_work, "_windows", [lambda: long_work.reporting(dialog)])
+    path.Stepover = 3
+    doc.recompute()
+    assert "Up-to-date" in path.State and dict(dialog.heard)["deviation"] == 1.0 and long_work.progress() is silent
+
+
+def test_a_stopped_recompute_keeps_the_last_result_and_says_that_it_is_old(doc, ball, monkeypatch):
+    path, dialog = app.create_toolpath(doc, ball, **FAST), Dialog(stop_after=0.0)
+    monkeypatch.setattr(long_work, "_windows", [lambda: long_work.reporting(dialog)])
+    blocks, nc = path.Blocks, results.nc_of(path)
+    path.Stepover = 3
+    doc.recompute()
+    assert path.Blocks == blocks and results.out_of_date(path)
+    path.Stepover = 4
+    assert results.nc_of(path) == nc
+    monkeypatch.setattr(long_work, "_windows", [])
+    path.Stepover = 3
+    doc.recompute()
+    assert path.Blocks > blocks and not results.out_of_date(path)
+
+
+def test_a_document_that_is_closed_under_the_work_stops_it(doc, ball):
+    path = app.create_toolpath(doc, ball, **FAST)
+    path.Stepover = 0.05
+    name = doc.Name
+    dialog = Dialog(0.0, then=lambda: name in FreeCAD.listDocuments() and FreeCAD.closeDocument(name))
+    with pytest.raises(Cancelled, match="closed"):
+        results.result_of(path, dialog)

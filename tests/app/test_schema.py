@@ -131,6 +131,18 @@ def test_an_audit_of_version_3_keeps_the_holder_that_is_drawn(doc, reopen, tmp_p
     assert (judged.SchemaVersion, judged.CutterKind, judged.Holder) == (4, "ball", "50x25.5")
 
 
+def test_the_groups_of_an_older_document_get_the_names_of_the_trade(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8})
+    before = {name: path.getPropertyByName(name) for name in ("Spindle", "Clearance", "Feed")}
+    for name, group in (("Linearize", "Cure"), ("Spindle", "Head"), ("Clearance", "Link"), ("WorkZero", "Machine")):
+        path.setGroupOfProperty(name, group)
+    again = reopen(doc).Toolpath
+    groups = [again.getGroupOfProperty(name) for name in ("Linearize", "Spindle", "Clearance", "WorkZero")]
+    assert groups == ["Safety", "Tool", "Safety", "Part"] and "Touched" not in again.State
+    assert {name: again.getPropertyByName(name) for name in before} == before
+    assert not {"Cure", "Head", "Link"} & set(map(again.getGroupOfProperty, again.PropertiesList))
+
+
 def test_every_version_has_its_step():
     assert sorted(schema.STEPS) == list(range(schema.SCHEMA))
 

@@ -294,16 +294,18 @@ def test_stopped_halfway_the_document_is_as_it_was(doc, ball, stage):
     assert [one.Name for one in doc.Objects] == ["Ball"] and ball.State == ["Up-to-date"]
 
 
-def test_stopped_in_a_recompute_the_object_says_so_and_can_go_on(path):
+def test_stopped_in_a_recompute_the_object_keeps_its_result_says_so_and_can_go_on(path, tmp_path):
     def stop(name, fraction):
         raise Cancelled("stopped by the user")
 
+    file, blocks = app.post_process(path, tmp_path / "part.ngc"), path.Blocks
     path.Stepover = 3
     with long_work.reporting(stop):
         path.Document.recompute()
-    assert "Invalid" in path.State and "stopped by the user" in path.getStatusString() and path.Blocks == 0
+    assert "Invalid" in path.State and "Touched" in path.State and path.Blocks == blocks and not file.UpToDate
+    assert "stopped by the user" in path.getStatusString() and "stopped by the user" in results.out_of_date(path)
     path.Document.recompute()
-    assert path.State == ["Up-to-date"] and path.Blocks > 100
+    assert path.State == ["Up-to-date"] and path.Blocks > blocks and not results.out_of_date(path)
 
 
 def test_a_tessellation_that_is_there_is_milled_and_not_copied(doc, ball):

@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.kinematics import forward, q_to_words, words_to_q
 from freecad_fiveaxis.core.post.writer import write_nc
 from freecad_fiveaxis.core.program import block_findings, build_program
 from freecad_fiveaxis.core.program.feeds import STILL, least_minutes
+from freecad_fiveaxis.core.safe_start import start_plane
 from freecad_fiveaxis.core.settings import build_settings, flat_options
 from freecad_fiveaxis.core.singularity import in_cone
 
@@ -142,12 +143,12 @@ def test_off_is_the_street_without_it_byte_for_byte(part, machine, milled):
     made = milled(part, machine).made
     assert milled(part, machine, linearize="off", singularity="report").made.nc == made.nc
     settings = made.settings
-    bare = job.solve(
-        made.path, made.links, made.mesh.vertex.min(axis=0), made.mesh.vertex.max(axis=0), settings.links.clearance,
-        settings.cutter.cutter.radius,
-    )  # fmt: skip
+    low, high = made.mesh.vertex.min(axis=0), made.mesh.vertex.max(axis=0)
+    bare = job.solve(made.path, made.links, low, high, settings.links.clearance, settings.cutter.cutter.radius)
     program = build_program(bare, made.links, made.dialect, True)
-    assert write_nc(program, made.dialect, asked.nc_title(settings, made.machine), asked.post_options(settings)) == made.nc
+    height, _ = start_plane(settings, made.machine, made.links, program, (low, high))
+    title, options = asked.nc_title(settings, made.machine), asked.post_options(settings)
+    assert write_nc(program, made.dialect, title, options, height=height) == made.nc
     assert milled(part, machine, linearize="on").made.nc != made.nc
 
 

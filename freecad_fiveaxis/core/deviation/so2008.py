@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.trajectory import (
     Frames,
     Motion,
@@ -159,7 +160,8 @@ def _farthest(frame: Frames, move: Motion, poses: Pose, u: Floats, valid: Bools)
     vector = tuple(np.diff(p) for p in start)
     square = dot((vector[0], vector[1], vector[2]), (vector[0], vector[1], vector[2]))
     x, y, z = (p - q[:-1] for p, q in zip(tip(frame, at(move, u)), start, strict=True))
-    share = np.where(square > POINT**2, x * vector[0] + y * vector[1] + z * vector[2], 0.0) / np.maximum(square, POINT**2)
+    foot = (x * vector[0] + y * vector[1] + z * vector[2]) / np.maximum(square, POINT**2)
+    share = np.where(square > POINT**2, foot, u)
     across = (x - share * vector[0], y - share * vector[1], z - share * vector[2])
     distance = np.where(valid, np.sqrt(dot(across, across)), -1.0)
     distance[0] = np.where(valid.any(axis=0), distance[0], np.sqrt(dot(across, across))[0])
@@ -170,8 +172,10 @@ def _farthest(frame: Frames, move: Motion, poses: Pose, u: Floats, valid: Bools)
 def _rootless_finding(rootless: int, blocks: int) -> tuple[Finding, ...]:
     if not rootless:
         return ()
-    text = (
-        f"The model of So et al. finds no farthest point in {rootless} of {blocks} blocks and takes the middle there; "
-        "use the exact line deviation."
+    text = say(
+        "The model of So et al. finds no farthest point in {rootless} of {blocks} blocks and takes the middle"
+        " there; use the exact line deviation.",
+        rootless=rootless,
+        blocks=blocks,
     )
     return (Finding(Severity.NOTE, "so2008-no-root", text, float(rootless), 0.0, "1"),)

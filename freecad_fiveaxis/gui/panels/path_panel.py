@@ -14,12 +14,15 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import ask, status, warn
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, later, translate
 from freecad_fiveaxis.gui.undo import OpenStep
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
+from .panel_widget import PanelWidget
 from .summary import Summary
 
 DRAWN = 500
@@ -48,14 +51,7 @@ class PathPanel:
         form.edited.connect(self._edited)
 
     def _widget(self, title: str) -> Any:
-        widget = QtWidgets.QWidget()
-        widget.setObjectName("FiveAxisPanel")
-        widget.setWindowTitle(title)
-        column = QtWidgets.QVBoxLayout(widget)
-        for part in (self.calculate_button, self.summary, self.options.error, self.options.widget):
-            column.addWidget(part)
-        column.addStretch()
-        return widget
+        return PanelWidget(title, (self.calculate_button, self.summary, self.options.error), self.options.widget)
 
     def fill(self, values: Mapping[str, Any]) -> None:
         """Show these values; an object that is there shows its last result."""
@@ -111,7 +107,7 @@ class PathPanel:
         if not isinstance(error, (FiveAxisError, ReferenceError)):
             raise error
         gone = translate("FiveAxis", "The part was deleted meanwhile: press Cancel, and select another one.")
-        self.options.show_error(gone if isinstance(error, ReferenceError) else str(error))
+        self.options.show_error(gone if isinstance(error, ReferenceError) else wording.told(error))
         reveal(self.form)
 
     def _edited(self) -> None:
@@ -170,6 +166,7 @@ def show(panel: Any) -> Any:
     if FreeCADGui.Control.activeDialog():
         warn(translate("FiveAxis", "Another task panel is open: close it first."))
         return panel
+    attend(panel)
     FreeCADGui.Control.showDialog(panel)
     return panel
 

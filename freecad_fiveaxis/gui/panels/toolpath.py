@@ -3,15 +3,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from freecad_fiveaxis.gui.qt import translate
 
 from .fields import QuantityField
-from .form import SPACING, Form, group_sections
+from .form import SPACING, Form, Section
+from .labels import group_label
 from .path_panel import PathPanel, show
 from .picking import PointField
+
+EXTRAS = ("work_zero", "linear_deflection", "angular_deflection")
+"""Fields that are no options of the core."""
 
 
 class ToolpathPanel(PathPanel):
@@ -20,7 +24,9 @@ class ToolpathPanel(PathPanel):
     def __init__(self, doc: Any, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
         self.base, self.faces = base, faces
         meshed = _tessellation(obj) is None if obj else hasattr(base, "Mesh")
-        form = Form("mill", doc, _sections(), self._extras(not meshed))
+        extras = self._extras(not meshed)
+        part = base if obj is None else obj.Mesh
+        form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
         super().__init__(doc, translate("FiveAxis", "Tool path"), form, obj)
 
     @staticmethod
@@ -85,14 +91,35 @@ def _tessellation(obj: Any) -> Any:
     return obj.Mesh if base and hasattr(obj.Mesh, "LinearDeflection") and not hasattr(base[0], "Mesh") else None
 
 
-def _sections() -> list[tuple[str, str, list[str]]]:
-    return [
-        ("machine", translate("FiveAxis", "Machine"), ["machine", "controller", "rtcp", "high_speed", "tool_length"]),
-        ("cutter", translate("FiveAxis", "Cutter"), ["cutter"]),
-        ("passes", translate("FiveAxis", "Passes"), [SPACING, "direction", "tolerance"]),
-        ("axis", translate("FiveAxis", "Tool axis"), ["tool_axis", "axis", "lead", "tilt", "max_tilt"]),
-        ("cure", translate("FiveAxis", "Against deviation"), ["linearize", "singularity", "max_axis_change"]),
-        *group_sections("mill", only="GougeSettings"),
-        ("feeds", translate("FiveAxis", "Feeds"), ["feed", "plunge_feed", "feed_mode"]),
-        ("zero", translate("FiveAxis", "Work zero"), ["work_zero"]),
-    ]
+SECTIONS = {
+    "Part": ("work_zero", "linear_deflection", "angular_deflection"),
+    "Machine": ("machine", "controller", "tool_length"),
+    "Tool": ("cutter", "tool", "spindle", "feed", "plunge_feed", "shank", "holder"),
+    "Passes": (SPACING, "direction", "order"),
+    "Axis": ("tool_axis", "axis", "lead", "tilt", "max_tilt"),
+    "Safety": ("gouge", "linearize", "singularity", "max_axis_change", "tolerance", "clearance", "left"),
+    "Output": ("rtcp", "high_speed", "feed_mode", "blend", "work_offset", "coolant"),
+}
+"""The fields of each group; what is not here stands under More settings."""
+TOLD = {
+    "Part": ("work_zero",),
+    "Machine": ("machine", "controller"),
+    "Tool": ("cutter", "spindle", "feed"),
+    "Passes": (SPACING, "direction"),
+    "Axis": ("tool_axis", "lead", "tilt"),
+    "Safety": ("gouge", "linearize", "tolerance"),
+    "Output": ("rtcp", "feed_mode", "work_offset"),
+}
+"""What stands in the title of each group."""
+OPEN = ("Machine", "Tool", "Passes")
+"""What a novice needs."""
+
+
+def _sections(part: str, extras: Sequence[str]) -> list[Section]:
+    """The groups of the panel over the object labelled ``part``; of the extras those that there are."""
+    made = []
+    for name, names in SECTIONS.items():
+        there = [one for one in names if one in extras or one not in EXTRAS]
+        about = part if name == "Part" else ""
+        made.append(Section(name.lower(), group_label(name), there, TOLD[name], name in OPEN, about))
+    return made
