@@ -203,16 +203,16 @@ SLANTING = Template("passes in direction {angle}")
 
 def _remedy(side: Side, mesh: Mesh, keep: Bools, angle: float, finer: str) -> Sentence:
     """The direction of passes that cuts the side and has the least area along its planes, the first of TURNS among equals, where
-    that is a gain; nearer planes, where those cut it."""
+    that is a gain or nothing else helps; nearer planes, where those cut it."""
     turned = [(math.degrees(angle) + turn) % 180.0 for turn in TURNS]
     able = [one for one in turned if abs(side.normal @ _directions(math.radians(one))[1]) < ALONG]
     lost = [_area_along(mesh, keep, math.radians(one)) for one in able]
     best, rest = min(zip(able, lost, strict=True), key=lambda pair: round(pair[1], DECIMALS))
     named = {0.0: ALONG_X, 90.0: ALONG_Y}.get(round(best, DECIMALS), SLANTING)
-    ways: list[str] = [named.say(angle=Angle(best, ".4g"))] * (rest <= BETTER * _area_along(mesh, keep, angle))
-    ways += [finer] * (side.leans or not ways)
+    turn = not side.leans or rest <= BETTER * _area_along(mesh, keep, angle)
+    ways: list[str] = [named.say(angle=Angle(best, ".4g"))] * turn + [finer] * side.leans
     either = say("{one} or {other}", one=ways[0], other=ways[1]) if len(ways) > 1 else ways[0]
-    if rest == 0.0 or len(ways) == side.leans:
+    if rest == 0.0 or not turn:
         return say("{ways} would cut it.", ways=beginning(either))
     return say(
         "{ways} would cut it; cut the {area} that lie along those passes with another path.",

@@ -75,6 +75,7 @@ class PostPanel:
         label = QtWidgets.QLabel(
             translate("FiveAxis", "{name} (0: the program leaves it off)").format(name=option_label("spindle"))
         )
+        label.setWordWrap(True)
         label.setBuddy(self.spindle.editor)
         return [label, self.spindle.editor, self.spindle.error]
 
