@@ -16,6 +16,7 @@ from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
 
 from . import auditing, markers, selection, tessellation, toolpath
 from .convert import stl_bytes
+from .long_work import take_back
 from .properties import drawn_tool, property_name
 from .results import result_of
 from .tessellation import Tessellation
@@ -187,6 +188,5 @@ def _all_or_nothing(doc: Any) -> Iterator[list[Any]]:
     try:
         yield added
     except BaseException:
-        for obj in reversed(added):
-            doc.removeObject(obj.Name)
+        take_back(doc, *added)
         raise

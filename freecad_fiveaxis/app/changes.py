@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.cutter import cutter_text
 from freecad_fiveaxis.core.quantity import LENGTHS, parse_triple
 from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
 
-from . import convert, properties
+from . import convert, properties, toolpath
 from .auditing import asked
 from .properties import default_value, property_name
 from .results import result_of
@@ -29,6 +29,8 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     """
     options = {name: value for name, value in settings.items() if name not in (*_OF_MESH, "work_zero")}
     build_settings(MILL, "mesh", options)
+    if obj.Mesh is None:
+        raise toolpath.mesh_is_gone(obj)
     _put_mesh(obj.Mesh, settings)
     _put(obj, MILL, options, settings.get("work_zero"))
     return compute(obj)

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.sentences import Area, Length, joined, say
 
 from . import results, wording
-from .long_work import listening, run
+from .long_work import listening, run, take_back
 from .properties import FINGERPRINT, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
 from .schema import Proxy
 from .selection import SelectionError
@@ -113,20 +113,20 @@ def of(path: Any) -> Any:
 def left_map(path: Any) -> Any:
     """See :func:`freecad_fiveaxis.app.left_map`."""
     _check(path)
-    obj = of(path)
+    obj, doc = of(path), path.Document
     new = obj is None
     if new:
-        obj = path.Document.addObject("App::FeaturePython", "LeftMap")
+        obj = doc.addObject("App::FeaturePython", "LeftMap")
         LeftMap(obj)
         obj.Label = "What is left"
     try:
         obj.Path = path
         heights_of(obj)  # errors reach the caller; the recompute then finds the work done
         obj.touch()
-        path.Document.recompute([obj])
+        doc.recompute([obj])
     except BaseException:
         if new:
-            path.Document.removeObject(obj.Name)
+            take_back(doc, obj)
         raise
     return obj
 

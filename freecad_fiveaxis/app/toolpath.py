@@ -39,9 +39,7 @@ class Toolpath(Proxy):
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
         if obj.Mesh is None:
-            raise SelectionError(
-                say("The mesh of {label} was deleted: choose another one in its property Mesh.", label=obj.Label), obj.Label
-            )
+            raise mesh_is_gone(obj)
         if not is_mesh(obj.Mesh):
             raise SelectionError(
                 say("{label} is no mesh: choose a tessellation or a mesh.", label=obj.Mesh.Label), obj.Mesh.Label
@@ -58,6 +56,12 @@ class Toolpath(Proxy):
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         results.execute(obj)
+
+
+def mesh_is_gone(obj: Any) -> SelectionError:
+    """What to say of a Toolpath whose mesh was deleted."""
+    text = say("The mesh of {label} was deleted: undo that, or choose another one in its property Mesh.", label=obj.Label)
+    return SelectionError(text, obj.Label)
 
 
 def make(doc: Any, mesh: Any, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:

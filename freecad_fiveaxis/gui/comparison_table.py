@@ -9,11 +9,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import FreeCADGui
-
 from freecad_fiveaxis.app import wording
 
-from .qt import QtCore, QtWidgets, translate
+from .qt import QtCore, QtWidgets, main_window, translate
 
 NAME = "FiveAxisComparison"
 NUMBER = QtCore.Qt.UserRole
@@ -99,26 +97,17 @@ class Table:
 
 def show(path: Any, comparison: Any) -> Table:
     """Open the window with the rows of a comparison."""
-    window = FreeCADGui.getMainWindow()
+    window = main_window()
     if "table" not in _docks:
         dock = QtWidgets.QDockWidget(translate("FiveAxis", "Machines"), window)
         dock.setObjectName(NAME)
         _docks["table"] = Table(dock)
-        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, dock)
-        _join(window, dock)
+        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, dock, QtCore.Qt.Vertical)  # the whole width
     shown = _docks["table"]
     shown.show_rows(path, comparison)
     shown.dock.show()
     shown.dock.raise_()
     return shown
-
-
-def _join(window: Any, dock: Any) -> None:
-    """Share the place of what stands below the view already, so that the table has the whole width."""
-    for other in window.findChildren(QtWidgets.QDockWidget):
-        if other is not dock and other.isVisible() and window.dockWidgetArea(other) == QtCore.Qt.BottomDockWidgetArea:
-            window.tabifyDockWidget(other, dock)
-            return
 
 
 def heads() -> list[str]:

@@ -16,13 +16,15 @@ import FreeCADGui
 
 from freecad_fiveaxis.app import wording
 
-from .qt import QtCore, QtWidgets, translate
+from .failures import guards
+from .qt import QtCore, QtWidgets, main_window, translate
 from .verdict_label import VerdictLabel
 
 NAME = "FiveAxisFindings"
 _docks: dict[str, Any] = {}
 
 
+@guards
 class Watcher:
     """Watches the selection: a marker that is picked shows its finding."""
 
@@ -79,7 +81,7 @@ def show(path: Any, marker: int | None = None) -> Any:
 def _panel() -> Panel:
     """The one panel; made when it is first asked for."""
     if "panel" not in _docks:
-        window = FreeCADGui.getMainWindow()
+        window = main_window()
         dock = QtWidgets.QDockWidget(translate("FiveAxis", "Findings"), window)
         dock.setObjectName(NAME)
         _docks["panel"] = Panel(dock)

@@ -7,14 +7,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import FreeCAD
-import FreeCADGui
 
-from .qt import QtWidgets, execute, translate
+from .qt import QtWidgets, execute, main_window, translate
 
 
 def warn(text: str) -> None:
     """A message box with one sentence that says what to do."""
-    box = QtWidgets.QMessageBox(FreeCADGui.getMainWindow())
+    box = QtWidgets.QMessageBox(main_window())
     box.setObjectName("FiveAxisMessage")
     box.setIcon(QtWidgets.QMessageBox.Warning)
     box.setWindowTitle(translate("FiveAxis", "Five-axis"))
@@ -26,7 +25,7 @@ def warn(text: str) -> None:
 def ask(text: str, yes: str, no: str = "") -> bool:
     """Whether the user answers with ``yes``, the text of that button; the other one, which Enter and Esc mean, is ``no``, or
     Cancel."""
-    box = QtWidgets.QMessageBox(FreeCADGui.getMainWindow())
+    box = QtWidgets.QMessageBox(main_window())
     box.setObjectName("FiveAxisQuestion")
     box.setIcon(QtWidgets.QMessageBox.Question)
     box.setWindowTitle(translate("FiveAxis", "Five-axis"))
@@ -41,7 +40,7 @@ def ask(text: str, yes: str, no: str = "") -> bool:
 
 def status(text: str) -> None:
     """A few seconds in the status bar."""
-    FreeCADGui.getMainWindow().statusBar().showMessage(text, 8000)
+    main_window().statusBar().showMessage(text, 8000)
 
 
 @contextmanager

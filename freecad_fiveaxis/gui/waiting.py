@@ -16,9 +16,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import FreeCAD
-import FreeCADGui
 
-from .qt import QtCore, QtGui, QtWidgets, translate
+from .qt import QtCore, QtGui, QtWidgets, main_window, translate
 
 REPAINT = 0.05
 """s between two looks at the window's events; more often would cost more than the work."""
@@ -30,7 +29,7 @@ class Waiting:
     """A listener for progress that shows a dialog, after ``delay`` s of work."""
 
     def __init__(self, text: str, delay: float = 0.0) -> None:
-        dialog = QtWidgets.QProgressDialog(text, translate("FiveAxis", "Cancel"), 0, 100, FreeCADGui.getMainWindow())
+        dialog = QtWidgets.QProgressDialog(text, translate("FiveAxis", "Cancel"), 0, 100, main_window())
         self.button = dialog.findChild(QtWidgets.QPushButton)
         dialog.setObjectName("FiveAxisWaiting")
         dialog.setWindowTitle(text)

@@ -324,3 +324,21 @@ def test_a_base_that_waits_for_its_recompute_is_computed_first(doc):
     box = doc.addObject("Part::Box", "Box")
     path = app.create_toolpath(doc, box, stepover=3)
     assert path.Blocks > 10 and path.State == box.State == ["Up-to-date"]
+
+
+def test_by_default_the_path_keeps_its_tolerance_and_stays_out_of_the_part(doc, ball):
+    path = app.create_toolpath(doc, ball, **FAST)
+    assert (path.Linearize, path.Gouge) == ("on", "lift")
+    assert path.Proven and path.OverTolerance == 0 and path.MaxBound.Value <= path.Tolerance.Value
+    assert path.Light == "amber" and path.Verdict.startswith("CHECK: ") and "near the pole" in path.Verdict
+    path.Linearize, path.Gouge = "off", "off"
+    doc.recompute()
+    assert path.Light == "red" and path.Verdict.startswith("NOT SAFE: ") and not path.Proven
+    assert f"{path.OverTolerance} of" in path.Verdict
+
+
+def test_a_guided_tip_and_the_default_do_not_contradict_each_other(doc, ball):
+    path = app.create_toolpath(doc, ball, **FAST, controller="heidenhain", rtcp="angles")
+    assert path.GuidedBlocks > 0 and path.Light == "amber" and "the controller guides the tip" in path.Verdict
+    with pytest.raises(FiveAxisError, match="give one"):
+        app.create_toolpath(doc, ball, **FAST, controller="heidenhain", rtcp="angles", linearize="on")

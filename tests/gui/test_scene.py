@@ -26,6 +26,7 @@ from freecad_fiveaxis.gui.scene import (
     on_screen,
     overlay,
     path_nodes,
+    units,
     words,
 )
 
@@ -262,12 +263,29 @@ def test_the_largest_deviation_is_loud_only_over_the_tolerance(deviation, colour
     assert not said or ("within" in said[0].text) == (colour == GOOD)
 
 
-def test_a_kind_of_markers_has_one_label_which_counts_the_others():
-    kinds = [marks.LARGEST, marks.OVER, marks.SINGULAR, "side-not-machined", "side-not-machined", marks.OVERCUT, "unit-suspected"]
-    places = np.arange(21.0).reshape(-1, 3).tolist()
-    said = labels.of_marks(places, kinds, [None] * 5 + [0.4, None], labels.Told(0.02, 12, 0.01, GOOD, BAD))
-    assert [one.place for one in said] == [places[5], places[0], places[3], places[6]], "what scraps the part comes first"
-    assert said[2].text.endswith(": 2 places") and "0.4" in said[0].text and "over" in said[1].text
+@pytest.mark.parametrize("factor, seen", [(0.5, {BAD}), (2.0, {GOOD}), (None, {GOOD, BAD})])
+def test_the_real_curves_are_loud_only_over_the_tolerance(dome, factor, seen):
+    from dataclasses import replace
+
+    drawing = draw(dome)
+    off = np.linalg.norm(drawing.spoke[1::2] - drawing.spoke[0::2], axis=1)
+    tolerance = factor * (off.min() if factor < 1.0 else off.max()) if factor else float(np.median(off))
+    made = path_nodes._curves(replace(drawing, tolerance=tolerance), LOOK)
+    (lines,) = [made[2].getChild(i) for i in range(made[2].getNumChildren()) if hasattr(made[2].getChild(i), "numVertices")]
+    codes = np.array(lines.vertexProperty.getValue().orderedRGBA.getValues()).reshape(len(off), -1)
+    assert {int(code) for code in codes.ravel()} == {colours.pack(colour) for colour in seen}
+    assert ((codes[:, 0] == colours.pack(GOOD)) == (off <= tolerance)).all()
+
+
+def test_a_kind_of_markers_has_one_label_and_each_side_that_is_not_machined_its_own():
+    kinds = [marks.LARGEST, marks.OVER, marks.SINGULAR, "side-not-machined", "side-not-machined", marks.OVERCUT,
+             "corner-not-reached", "corner-not-reached", "unit-suspected"]  # fmt: skip
+    places = np.arange(27.0).reshape(-1, 3).tolist()
+    values = [None, None, None, 2100.0, None, 0.4, None, None, None]
+    said = labels.of_marks(places, kinds, values, labels.Told(0.02, 12, 0.01, GOOD, BAD))
+    assert [one.place for one in said] == [places[5], places[0], places[3], places[4], places[6]]  # first what scraps the part
+    assert "0.4" in said[0].text and "over" in said[1].text and units.area_text(2100.0) in said[2].text
+    assert said[3].text == words.name_of("side-not-machined") and said[4].text.endswith(": 2 places")
 
 
 @pytest.mark.parametrize("behind", ["nothing", "a legend"])

@@ -7,6 +7,7 @@ silence   how long the program gave no answer: every question is answered by the
 
 from __future__ import annotations
 
+import contextlib
 import re
 import subprocess
 import threading
@@ -113,9 +114,9 @@ class Eyes:
                     yield from self.things(child)
 
     def see(self, role: str, name: str = "", below: Thing | None = None) -> Thing | None:
-        """The first thing of that role whose whole name is matched by the expression ``name`` (empty: any), or None."""
+        """The first thing of that role whose whole name or description is matched by the expression ``name`` (empty: any)."""
         for thing, its_role in self.things(below):
-            if its_role == role and (not name or _is_called(_there(lambda thing=thing: thing.name, ""), name)):
+            if its_role == role and (not name or _there(lambda thing=thing: _is_called(thing, name), False)):
                 return thing
         return None
 
@@ -153,8 +154,9 @@ def _there(asked, otherwise):
         return otherwise  # gone between two questions
 
 
-def _is_called(name: str, wanted: str) -> bool:
-    return bool(re.fullmatch(wanted, name.replace("&", ""), re.DOTALL))
+def _is_called(thing: Thing, wanted: str) -> bool:
+    match = re.compile(wanted, re.DOTALL).fullmatch
+    return bool(match(thing.name.replace("&", "")) or match(thing.description))
 
 
 class Watch(threading.Thread):
@@ -170,10 +172,8 @@ class Watch(threading.Thread):
     def run(self) -> None:
         while self.running:
             self.asked = time.monotonic()
-            try:
+            with contextlib.suppress(GLib.Error):  # the program has gone
                 self.bus.ask(self.name_on_bus, ROOT, ACCESSIBLE, "GetRole")
-            except GLib.Error:
-                pass
             took = time.monotonic() - self.asked
             self.silences.append((self.asked, took))
             time.sleep(max(0.0, self.EVERY - took))

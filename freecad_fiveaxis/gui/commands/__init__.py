@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import FreeCADGui
 
+from freecad_fiveaxis.gui.failures import guarded
+
 from .annotate import Annotate
 from .audit import Audit
 from .compare import Compare
@@ -45,4 +47,6 @@ def machine_names() -> list[str]:
 def register() -> None:
     """Make the commands known to FreeCAD."""
     for command in COMMANDS:
-        FreeCADGui.addCommand(command.NAME, command())
+        made = command()
+        made.Activated = guarded(made.Activated)
+        FreeCADGui.addCommand(command.NAME, made)

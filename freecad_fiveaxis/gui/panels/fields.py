@@ -14,6 +14,7 @@ from typing import Any
 from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
+from freecad_fiveaxis.gui.wheel import leave_wheel
 
 from .labels import option_label
 from .lines import error_line, note_line, warning_line
@@ -50,6 +51,7 @@ class Field(QtCore.QObject):
         editor.setAccessibleName(self.label)
         editor.setToolTip(hint)
         editor.setMinimumWidth(NARROW)
+        leave_wheel(editor)
         self.error = error_line(name + "_error")
         self.warning = warning_line(name + "_warning")
         self.note = note_line(name + "_note")

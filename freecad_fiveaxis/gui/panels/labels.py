@@ -166,6 +166,7 @@ def _choices() -> dict[str, str]:
         "taperbull": translate("FiveAxis", "tapered bull nose"),
         "exact": translate("FiveAxis", "exact"),
         "so2008": translate("FiveAxis", "model of So et al. 2008"),
+        "so2008-printed": translate("FiveAxis", "model of So et al. 2008 as printed"),
         "scallop": translate("FiveAxis", "Scallop"),
         "stepover": translate("FiveAxis", "Stepover"),
     }

@@ -5,13 +5,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from freecad_fiveaxis.gui.qt import QtWidgets
+from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 
 def error_line(name: str) -> Any:
     """A line in red, hidden until it says something."""
     label = QtWidgets.QLabel()
     label.setObjectName(name)
+    label.setAccessibleDescription(translate("FiveAxis", "Error"))
     label.setWordWrap(True)
     label.setStyleSheet("color: #d0342c;")
     label.hide()
@@ -21,6 +22,7 @@ def error_line(name: str) -> Any:
 def warning_line(name: str) -> Any:
     """A line in amber, hidden until it says something."""
     label = error_line(name)
+    label.setAccessibleDescription(translate("FiveAxis", "Warning"))
     label.setStyleSheet("color: #b06000;")
     return label
 

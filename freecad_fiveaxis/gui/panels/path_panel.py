@@ -15,6 +15,7 @@ import FreeCAD
 import FreeCADGui
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import ask, status, warn
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, later, translate
 from freecad_fiveaxis.gui.undo import OpenStep
@@ -165,6 +166,7 @@ def show(panel: Any) -> Any:
     if FreeCADGui.Control.activeDialog():
         warn(translate("FiveAxis", "Another task panel is open: close it first."))
         return panel
+    attend(panel)
     FreeCADGui.Control.showDialog(panel)
     return panel
 

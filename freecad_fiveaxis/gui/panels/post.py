@@ -21,8 +21,9 @@ from freecad_fiveaxis.gui.verdict_label import VerdictLabel
 from freecad_fiveaxis.gui.waiting import waiting
 
 from . import written
-from .fields import TextField, error_line, option_field
+from .fields import TextField, error_line
 from .labels import option_label
+from .option_fields import option_field
 from .path_panel import show
 from .told import findings
 

@@ -26,8 +26,8 @@ from .path_panel import reveal, show
 
 TALL, LOW = 300, 60
 """Pixels of the result, and of the line that says there is none."""
-OVERLAY = "Gui::OverlayTabWidget"
-"""The class of what FreeCAD lays over a view."""
+OVERLAYS = (1, 0)
+"""The version of FreeCAD from which on the task view may lie over a view, as the user likes."""
 
 
 class WorkPanel:
@@ -151,21 +151,15 @@ class WorkPanel:
 
 def open_panel(panel: WorkPanel) -> WorkPanel:
     """Open the panel in the task view; with a lent document where it would be hidden without one."""
-    if not FreeCADGui.Control.activeDialog() and not FreeCAD.listDocuments() and _lies_over_a_view():
+    if not FreeCADGui.Control.activeDialog() and not FreeCAD.listDocuments() and may_lie_over_a_view():
         panel.lent = FreeCAD.newDocument().Name
     return show(panel)
 
 
-def _lies_over_a_view() -> bool:
-    """Whether the task view is one of the windows that FreeCAD lays over a view."""
-    for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget):
-        if dock.objectName() in ("Tasks", "Combo View"):
-            around = dock.parentWidget()
-            while around is not None and around.metaObject().className() != OVERLAY:
-                around = around.parentWidget()
-            if around is not None:
-                return True
-    return False
+def may_lie_over_a_view() -> bool:
+    """Whether this FreeCAD may hide the task view where there is no view. It is not asked of its windows: under PySide2 a panel's
+    fields die with the wrappers of the windows around them."""
+    return tuple(int(part) for part in FreeCAD.Version()[:2]) >= OVERLAYS
 
 
 def _give_back(name: str) -> None:

@@ -5,9 +5,7 @@ from __future__ import annotations
 
 import os
 
-import FreeCADGui
-
-from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, translate
+from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, main_window, translate
 
 from .summary import clock
 
@@ -19,7 +17,7 @@ class Written(QtWidgets.QDialog):
     """A window beside the work: nothing waits for it."""
 
     def __init__(self) -> None:
-        super().__init__(FreeCADGui.getMainWindow())
+        super().__init__(main_window())
         self.setObjectName(NAME)
         self.setWindowTitle(translate("FiveAxis", "NC file written"))
         self.file, self.text = "", QtWidgets.QLabel()

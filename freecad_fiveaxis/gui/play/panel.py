@@ -18,6 +18,7 @@ from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.errors import FiveAxisError
 from freecad_fiveaxis.core.job import Milled
 from freecad_fiveaxis.core.playback import NCLines
+from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import status
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, icon, later, translate
 
@@ -286,6 +287,7 @@ def open_panel(obj: Any) -> PlayPanel:
     RuntimeError where another task panel is open."""
     panel = PlayPanel(obj, _view_of(obj))
     try:
+        attend(panel)
         FreeCADGui.Control.showDialog(panel)
     except RuntimeError:
         panel.close()

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 LARGEST, OVER, SINGULAR, UNPROVEN = "largest-deviation", "deviation-over-tolerance", "singular-block", "bound-over-tolerance"
 """The codes that have words of their own; of every other finding the core's own sentence is shown."""
+SIDE = "side-not-machined"
+"""Each side has a marker and a label of its own."""
 
 Told = tuple[str, str, str]
 
@@ -32,7 +34,19 @@ def name_of(code: str) -> str:
         SINGULAR: translate("FiveAxis", "Near the pole"),
         UNPROVEN: translate("FiveAxis", "Not proven"),
     }
-    return (names | gouge_words.names()).get(code, code.replace("-", " ").capitalize())
+    return (names | short_names() | gouge_words.names()).get(code, code.replace("-", " ").capitalize())
+
+
+def short_names() -> dict[str, str]:
+    """A few words for each finding that stands at a place of the part: what its marker is labelled with."""
+    return {
+        SIDE: translate("FiveAxis", "Not machined"),
+        "corner-not-reached": translate("FiveAxis", "Corner not reached"),
+        "heel-in-hollow": translate("FiveAxis", "Heel of the cutter in the part"),
+        "not-freed": translate("FiveAxis", "Shank or holder not freed"),
+        "retract-below-part": translate("FiveAxis", "Retract below the part"),
+        "start-through-part": translate("FiveAxis", "Start through the part"),
+    }
 
 
 def severity_name(severity: int) -> str:
