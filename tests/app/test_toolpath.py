@@ -11,7 +11,7 @@ import pytest
 from conftest import FAST, ROOT, half_ball
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import long_work, results
+from freecad_fiveaxis.app import long_work, results, wording
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.errors import Cancelled, FileError, FiveAxisError
 from freecad_fiveaxis.core.machine import load_machine, save_machine
@@ -44,7 +44,7 @@ def test_it_is_computed_and_shows_the_cores_figures(path):
     assert path.MaxBound.Value == told["max_bound"] >= path.MaxSegmentDeviation.Value
     assert path.CutLength.Value == told["cut_length"] > 100
     assert getattr(path.Time, "Value", path.Time) == told["time_s"] > 1
-    assert list(path.Findings) == [finding.text for finding in results.figures_of(path).findings] and path.Findings
+    assert list(path.Findings) == [wording.told(finding.text) for finding in results.figures_of(path).findings] and path.Findings
 
 
 @pytest.mark.parametrize(
