@@ -94,7 +94,7 @@ class Sitting:
         try:
             self._try(step, row, begun, limit)
         except Exception as error:
-            row.failed = str(error) or type(error).__name__
+            row.failed = "; FreeCAD says: ".join([str(error) or type(error).__name__, *wrong(self.new_in_log())[-1:]])
         self.rows.append(row)
         stem = os.path.join(self.folder, f"{len(self.rows):02d}-{re.sub('[^a-z0-9]+', '-', name.lower()).strip('-')}")
         picture(stem + ".png")

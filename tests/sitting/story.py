@@ -13,7 +13,7 @@ from desk import Desk, run_quietly
 from eyes import ENABLED
 from sitting import HERE, PROJECT, Sitting, Unseen, make_part, table
 
-LIMIT = 1.5
+LIMIT = 3.0
 """s that the window may stay without an answer in a step of ours."""
 
 
