@@ -2403,6 +2403,10 @@
         <translation>Modell von So u. a. 2008</translation>
     </message>
     <message>
+        <source>model of So et al. 2008 as printed</source>
+        <translation>Modell von So u. a. 2008 wie gedruckt</translation>
+    </message>
+    <message>
         <source>near the pole: {count} blocks</source>
         <translation>nahe am Pol: {count} NC-Sätze</translation>
     </message>
