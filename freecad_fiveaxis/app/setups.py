@@ -265,7 +265,7 @@ def apply(obj: Any) -> Any:
     if turn:
         text = f"turn the part by {turn:g} deg about Z through its zero first, counter-clockwise, and try one turn only"
         raise SettingsError(text, turn)
-    convert.put_options(obj.Path, MILL, {"origin": convert.plain(obj.Recommended)})
+    convert.put_options(obj.Path.Setup or obj.Path, MILL, {"origin": convert.plain(obj.Recommended)})
     return changes.compute(obj.Path)
 
 

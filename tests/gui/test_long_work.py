@@ -4,18 +4,16 @@
 Watchdog: a timer of the window's own thread; the longest time between two of its beats is how long the window was blocked.
 """
 
-import sys
 import time
 from pathlib import Path
 
-import FreeCAD
 import numpy as np
 import pytest
 from conftest import QtCore, QtWidgets
 from test_clicks import look
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import comparing, convert, long_work, results
+from freecad_fiveaxis.app import comparing, results
 from freecad_fiveaxis.core.errors import Cancelled
 from freecad_fiveaxis.gui.waiting import waiting
 

@@ -12,9 +12,8 @@ import subprocess
 import tempfile
 import time
 
-from gi.repository import Gio, GLib
-
 from eyes import Bus
+from gi.repository import Gio, GLib
 
 SIZE = (1920, 1080)
 

@@ -13,7 +13,7 @@ import time
 from dataclasses import dataclass
 
 from desk import Desk, run_quietly
-from eyes import FOCUSED, SHOWING, Eyes, Thing, Watch, picture
+from eyes import Eyes, Thing, Watch, picture
 from hands import Hands
 
 HERE = os.path.dirname(os.path.abspath(__file__))
