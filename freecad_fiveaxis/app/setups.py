@@ -273,7 +273,7 @@ def apply(obj: Any) -> Any:
             "turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only", turn=Angle(turn)
         )
         raise SettingsError(text, turn)
-    convert.put_options(obj.Path, MILL, {"origin": convert.plain(obj.Recommended)})
+    convert.put_options(obj.Path.Setup or obj.Path, MILL, {"origin": convert.plain(obj.Recommended)})
     return changes.compute(obj.Path)
 
 

@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import MILL
 
-from . import convert, results
+from . import convert, job_setup, results
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
 from .schema import Proxy
 from .selection import SelectionError, is_mesh
@@ -34,7 +34,7 @@ class Toolpath(Proxy):
     @classmethod
     def properties(cls) -> Sequence[Property]:
         """The mesh, the settings of task ``mill``, the work zero and the results."""
-        return (MESH, *setting_properties(MILL), WORK_ZERO, *RESULTS)
+        return (MESH, job_setup.LINK, *setting_properties(MILL), WORK_ZERO, *RESULTS)
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
@@ -52,6 +52,17 @@ class Toolpath(Proxy):
         """The program, not yet proven."""
         mesh = convert.mesh_of(task.data, progress)
         return job.make(task.settings, progress, mesh=mesh, faces=convert.facet_mask(task.data, mesh, task.runs))
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """What its setup says cannot be edited."""
+        super().onDocumentRestored(obj)
+        job_setup.follow(obj)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Another setup has other values."""
+        super().onChanged(obj, name)
+        if name == job_setup.LINK.name:
+            job_setup.follow(obj)
 
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""

@@ -125,6 +125,8 @@ def _of_machines_and_places() -> dict[str, str]:
         "source": translate("FiveAxis", "File to import"),
         "linear_deflection": translate("FiveAxis", "Mesh deflection"),
         "angular_deflection": translate("FiveAxis", "Mesh angle"),
+        "setup": translate("FiveAxis", "Setup"),
+        "setup_name": translate("FiveAxis", "Name"),
         "work_zero": translate("FiveAxis", "Work zero"),
         "spacing": translate("FiveAxis", "Spacing by"),
         "spacing_kind": translate("FiveAxis", "Spacing by"),
