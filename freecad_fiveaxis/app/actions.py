@@ -14,8 +14,9 @@ from freecad_fiveaxis.core.quantity import ANGLES, LENGTHS, parse, parse_length,
 from freecad_fiveaxis.core.sentences import Number, say
 from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
 
-from . import auditing, markers, selection, tessellation, toolpath
+from . import auditing, job_setup, markers, selection, tessellation, toolpath
 from .convert import stl_bytes
+from .long_work import take_back
 from .properties import drawn_tool, property_name
 from .results import result_of
 from .tessellation import Tessellation
@@ -47,7 +48,7 @@ def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, 
 
 def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.create_toolpath`."""
-    settings = _with_holder(settings)
+    settings, setup = _with_setup(doc, _with_holder(settings))
     extra = _extra(settings, _EXTRA)
     options = {name: value for name, value in settings.items() if name not in _OF_MESH and name not in _EXTRA}
     options["machine"] = options.get("machine") or DEFAULT_MACHINE
@@ -70,6 +71,7 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
             )
         path = toolpath.make(doc, mesh, options, extra)
         added.append(path)
+        path.Setup = setup
         _compute(path)
     return path
 
@@ -104,6 +106,14 @@ _OF_MESH = {"linear_deflection", "angular_deflection", "faces"}
 _EXTRA = {"work_zero"}
 _OLD_HOLDER = {"holder_diameter": 40.0, "holder_length": 60.0}
 """mm; one cylinder, as macros gave the holder before there were stacks, with what the other of them was if one was given."""
+
+
+def _with_setup(doc: Any, settings: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
+    """The settings with those of the Setup, and that. Where none is given and nothing that it says, the document's only one."""
+    rest = {name: value for name, value in settings.items() if name != "setup"}
+    shared = {name for name in (*job_setup.OPTIONS, "work_zero") if rest.get(name) is not None}
+    setup = settings.get("setup") if "setup" in settings or shared else job_setup.only_setup(doc)
+    return (rest | job_setup.options_of(setup), setup) if setup is not None else (rest, None)
 
 
 def _with_holder(settings: Mapping[str, Any]) -> dict[str, Any]:
@@ -187,6 +197,5 @@ def _all_or_nothing(doc: Any) -> Iterator[list[Any]]:
     try:
         yield added
     except BaseException:
-        for obj in reversed(added):
-            doc.removeObject(obj.Name)
+        take_back(doc, *added)
         raise

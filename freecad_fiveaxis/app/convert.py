@@ -69,7 +69,7 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
             if not getattr(obj, property_name(leaf.name) + "FromMachine"):
                 options[leaf.name] = plain(getattr(obj, property_name(leaf.name)))
         elif (value := plain(getattr(obj, property_name(leaf.name)))) != plain(default_value(leaf)):
-            options[leaf.name] = plain(value * 60.0) if kind == "feed" else value
+            options[leaf.name] = float(f"{value * 60.0:.11g}") if kind == "feed" else value  # of mm/s 12 digits are known
     return options
 
 

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.sentences import Area, Length, joined, say
 
 from . import results, wording
-from .long_work import listening, run
+from .long_work import listening, run, take_back
 from .properties import FINGERPRINT, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
 from .schema import Proxy
 from .selection import SelectionError
@@ -113,20 +113,20 @@ def of(path: Any) -> Any:
 def left_map(path: Any) -> Any:
     """See :func:`freecad_fiveaxis.app.left_map`."""
     _check(path)
-    obj = of(path)
+    obj, doc = of(path), path.Document
     new = obj is None
     if new:
-        obj = path.Document.addObject("App::FeaturePython", "LeftMap")
+        obj = doc.addObject("App::FeaturePython", "LeftMap")
         LeftMap(obj)
         obj.Label = "What is left"
     try:
         obj.Path = path
         heights_of(obj)  # errors reach the caller; the recompute then finds the work done
         obj.touch()
-        path.Document.recompute([obj])
+        doc.recompute([obj])
     except BaseException:
         if new:
-            path.Document.removeObject(obj.Name)
+            take_back(doc, obj)
         raise
     return obj
 
@@ -159,7 +159,7 @@ def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights
 def out_of_date(obj: Any) -> str:
     """Why the map does not show what its toolpath leaves now; an empty text where it does."""
     if obj.Path is None:
-        return f"The toolpath of {obj.Label} was deleted"
+        return wording.told(say("The toolpath of {label} was deleted", label=obj.Label))
     if said := results.out_of_date(obj.Path):
         return said
     return "" if obj.UpToDate and obj.Fingerprint == obj.Path.Fingerprint else f"{obj.Label} is old: recompute the document"

@@ -97,6 +97,13 @@ def _float_rules() -> AbstractContextManager[None]:
     return np.errstate(**np.geterr())
 
 
+def take_back(doc: Any, *objects: Any) -> None:
+    """Remove what work that failed had made, unless the document was closed meanwhile."""
+    if is_open(doc):
+        for obj in reversed(objects):
+            doc.removeObject(obj.Name)
+
+
 def _check_open(doc: Any) -> None:
     if doc is not None and not is_open(doc):
         raise Cancelled(say("the document was closed; nothing was changed"))

@@ -30,6 +30,8 @@ from .long_work import run
 
 QUICK = 10000
 """Facets that are meshed here: some 0.2 s."""
+MANY = 200
+"""Faces; it would take long only to look at more of them."""
 PER_CHORD = 6.0
 """Facets that OpenCASCADE makes in a square as long as the chord of the deflection."""
 CURVED = 4
@@ -51,8 +53,9 @@ def meshed(shape: Any, linear: float, angular: float, progress: Progress) -> tup
 
 
 def expected(shape: Any, linear: float, angular: float) -> float:
-    """About how many facets the mesh will have, those that take longer counted more than once."""
-    return sum(_expected(face, linear, angular) for face in shape.Faces)
+    """About how many facets the mesh will have, those that take longer counted more than once; infinite for very many faces."""
+    faces = shape.Faces
+    return math.inf if len(faces) > MANY else sum(_expected(face, linear, angular) for face in faces)
 
 
 def _expected(face: Any, linear: float, angular: float) -> float:

@@ -88,6 +88,10 @@ TEXTS = {
     ),
     "region": QT_TRANSLATE_NOOP("App::Property", "How far the work zero may move to either side along X, Y, Z; 0: it stays"),
     "grid": QT_TRANSLATE_NOOP("App::Property", "How many places along X, Y, Z the map shows"),
+    "mark": QT_TRANSLATE_NOOP("App::Property", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach"),
+    "table_height": QT_TRANSLATE_NOOP(
+        "App::Property", "Height of the table's face in the machine's coordinates; empty: that of the machine's file"
+    ),
     "turns": QT_TRANSLATE_NOOP(
         "App::Property", "How many turns of the part about Z are tried, evenly over 360°; 1: as it stands"
     ),

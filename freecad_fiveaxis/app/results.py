@@ -107,8 +107,8 @@ def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> L
 
 
 def execute(obj: Any) -> None:
-    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers; work that
-    was stopped leaves it as it was, and out of date."""
+    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers.
+    Work that was stopped leaves it as it was, and out of date."""
     try:
         last = _last(obj, None)
     except Cancelled:
@@ -122,17 +122,30 @@ def execute(obj: Any) -> None:
 
 def out_of_date(obj: Any) -> str:
     """Why the object does not show the result of its base and settings; an empty text where it does."""
+    if _base_is_gone(obj):
+        return wording.told(
+            say(
+                "The part that {label} was made of was deleted: undo that, or choose another one in its property Base",
+                label=obj.Mesh.Label,
+            )
+        )
     before = [one for one in (_base(obj), getattr(obj, "Mesh", None)) if one is not None]
     for one in (*before, obj):
         if "Invalid" in one.State:
-            return f"{one.Label} could not be computed: {one.getStatusString()}"
+            return wording.told(say("{label} could not be computed: {why}", label=one.Label, why=one.getStatusString()))
         if "Touched" in one.State and one is not obj:
-            return f"{one.Label} was changed: recompute the document"
+            return wording.told(say("{label} was changed: recompute the document", label=one.Label))
     try:
         same = obj.Proxy.task(obj).fingerprint == obj.Fingerprint
     except FiveAxisError as error:
         return wording.told(error)
-    return "" if same else f"{obj.Label} shows the result of other settings, or of another version: recompute the document"
+    text = say("{label} shows the result of other settings, or of another version: recompute the document", label=obj.Label)
+    return "" if same else wording.told(text)
+
+
+def _base_is_gone(obj: Any) -> bool:
+    mesh = getattr(obj, "Mesh", None)
+    return mesh is not None and hasattr(mesh, "Base") and _base(obj) is None
 
 
 def _base(obj: Any) -> Any:

@@ -114,7 +114,7 @@ def _face(shape: Any, name: str) -> Any:
 def _shape(obj: Any) -> Any:
     """The object's shape in the document's coordinates."""
     if obj is None:
-        raise SelectionError(say("The base was deleted: {what}, or undo the deletion.", what=WHAT), None)
+        raise SelectionError(say("The part was deleted: undo that, or choose another one in the property Base."), None)
     shape = Part.getShape(obj)
     if shape.isNull():
         raise SelectionError(

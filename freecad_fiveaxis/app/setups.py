@@ -32,7 +32,7 @@ from freecad_fiveaxis.core.setup_map import SetupMap as Chart
 from freecad_fiveaxis.core.setup_map import marked_rows, verdict
 
 from . import changes, convert, wording
-from .long_work import run
+from .long_work import is_open, run, take_back
 from .properties import (
     FINGERPRINT,
     QT_TRANSLATE_NOOP,
@@ -192,10 +192,10 @@ def setup_map(path: Any, settings: Mapping[str, Any]) -> Any:
     if not isinstance(getattr(path, "Proxy", None), Toolpath):
         raise SelectionError(say("setups are tried for a toolpath: select a toolpath"), path)
     build_settings(SETUP, "part.stl", {"machine": path.Machine, **settings})
-    obj = of(path)
+    obj, doc = of(path), path.Document
     new = obj is None
     if new:
-        obj = path.Document.addObject("App::FeaturePython", "SetupMap")
+        obj = doc.addObject("App::FeaturePython", "SetupMap")
         SetupMap(obj)
         obj.Label = "Setup map"
     try:
@@ -205,23 +205,24 @@ def setup_map(path: Any, settings: Mapping[str, Any]) -> Any:
             setattr(obj, property_name(leaf.name), FreeCAD.Vector(*value) if isinstance(value, tuple) else value)
         convert.put_options(obj, SETUP, settings)
         try_out(obj)
-        path.Document.recompute([obj])
+        doc.recompute([obj])
     except BaseException:
         if new:
-            path.Document.removeObject(obj.Name)
+            take_back(doc, obj)
         raise
     return obj
 
 
 def try_out(obj: Any) -> None:
     """Try the setups about the toolpath's present work zero. Raises FiveAxisError, and then the old map is out of date."""
-    before = obj.Centre
+    before, doc = obj.Centre, obj.Document
     obj.UpToDate = False
     try:
         obj.Centre = FreeCAD.Vector(*present_zero(obj.Path))
         trial = trial_of(obj)
     except BaseException:
-        obj.Centre = before
+        if is_open(doc):
+            obj.Centre = before
         raise
     _show(obj, trial.chart, obj.Proxy.last.fingerprint)
     obj.Proxy.asked = False
@@ -272,7 +273,7 @@ def apply(obj: Any) -> Any:
             "turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only", turn=Angle(turn)
         )
         raise SettingsError(text, turn)
-    convert.put_options(obj.Path, MILL, {"origin": convert.plain(obj.Recommended)})
+    convert.put_options(obj.Path.Setup or obj.Path, MILL, {"origin": convert.plain(obj.Recommended)})
     return changes.compute(obj.Path)
 
 

@@ -10,6 +10,7 @@ many times as long and makes more facets.
 
 from __future__ import annotations
 
+import hashlib
 import math
 from collections.abc import Sequence
 from itertools import accumulate
@@ -20,7 +21,7 @@ from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.sentences import Angle, Length, say
 
 from . import meshing, selection
-from .long_work import listening
+from .long_work import listening, take_back
 from .properties import HIDDEN, OUTPUT, QT_TRANSLATE_NOOP, RESULT, Property
 from .schema import Proxy
 
@@ -43,6 +44,11 @@ PROPERTIES = (
     Property(
         "FacetRuns", "App::PropertyIntegerList", "Result",
         QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets on the chosen faces"), [], RESULT | HIDDEN | OUTPUT,
+    ),
+    Property(
+        "MadeOf", "App::PropertyString", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Checksum of the base and the deflections that the mesh is made of"), "",
+        RESULT | HIDDEN | OUTPUT,
     ),
 )  # fmt: skip
 
@@ -68,7 +74,7 @@ class Tessellation(Proxy):
         with listening() as progress:
             mesh, runs = _meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress)
             progress("tessellate", 1.0)
-        obj.Mesh, obj.FacetRuns, obj.Facets = mesh, runs, mesh.CountFacets
+        obj.Mesh, obj.FacetRuns, obj.Facets, obj.MadeOf = mesh, runs, mesh.CountFacets, made_of(obj)
         self.built = True
 
     def onChanged(self, obj: Any, name: str) -> None:
@@ -81,6 +87,20 @@ class Tessellation(Proxy):
         if not self.built:
             self.build(obj)
         self.built = False
+
+
+def made_of(obj: Any) -> str:
+    """A checksum of the base, as far as its vertices tell, the chosen faces and the deflections; empty without a base."""
+    base, faces = chosen(obj)
+    if base is None:
+        return ""
+    if selection.is_mesh(base):
+        box, shape = base.Mesh.BoundBox, (base.Mesh.CountFacets, base.Mesh.CountPoints)
+    else:
+        whole = selection.solids(base)[0]
+        box, shape = whole.BoundBox, tuple(tuple(corner.Point) for corner in whole.Vertexes)
+    said = (shape, str(box), selection.holder_of(base).Matrix.A, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value)
+    return hashlib.sha256(repr(said).encode()).hexdigest()
 
 
 def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
@@ -139,6 +159,6 @@ def make(doc: Any, base: Any, faces: Sequence[str] = (), linear: float = LINEAR,
         obj.Proxy.build(obj)
         doc.recompute([obj])
     except BaseException:
-        doc.removeObject(obj.Name)
+        take_back(doc, obj)
         raise
     return obj

@@ -35,6 +35,7 @@ from freecad_fiveaxis.core.passes import (
 )
 from freecad_fiveaxis.core.program import Program, block_findings, build_program
 from freecad_fiveaxis.core.report import Figures, judge
+from freecad_fiveaxis.core.sentences import Length, say
 
 from .apt import cutter_note, read_cl_file
 from .asked import axis_options, machine_of, nc_title, post_options, reach, scallop_asked, title_of, with_head
@@ -208,7 +209,9 @@ def _with_sides(
     passes, scallop, radius = settings.passes, scallop_asked(settings), settings.cutter.cutter.radius
     interval = passes.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
     sides = untouched_sides(mesh, keep, contact.face, planes, passes.direction, interval)
-    finer = "a smaller stepover" if scallop is None else f"a smaller least interval than {passes.least_interval:g} mm"
+    finer = say("a smaller stepover")
+    if scallop is not None:
+        finer = say("a smaller least interval than {interval}", interval=Length(passes.least_interval))
     return side_findings(sides, mesh, keep, passes.direction, spacing, passes.least_interval, finer)
 
 

@@ -61,7 +61,7 @@ class SetupPicture:
             (good, translate("FiveAxis", "within tolerance")),
             (nodes.WHITE, translate("FiveAxis", "recommended")),
             (PRESENT_COLOUR, translate("FiveAxis", "where the work zero stood")),
-            (BEYOND_COLOUR, translate("FiveAxis", "the axes leave their limits")),
+            (BEYOND_COLOUR, translate("FiveAxis", "beyond limits, or below the table")),
         )
         old = translate("FiveAxis", "The tool path was changed since: double-click the map to try again")
         marks = [(level, length_text(value)) for level, value in scale.marks]

@@ -21,7 +21,7 @@ from .qt import QtCore, QtGui, QtWidgets, main_window, translate
 
 REPAINT = 0.05
 """s between two looks at the window's events; more often would cost more than the work."""
-UNSEEN = 0.2
+UNSEEN = 0.1
 """s of work that nobody asked for, as a recompute, before the dialog comes up."""
 
 

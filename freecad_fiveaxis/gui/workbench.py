@@ -26,6 +26,12 @@ class FiveAxisWorkbench(FreeCADGui.Workbench):
         self.appendToolbar(MACHINES, machine_names())
         self.appendMenu(TITLE, [*work_names(), SEPARATOR, *machine_names()])
 
+    def Activated(self) -> None:
+        """FreeCAD calls this whenever the workbench is opened."""
+        from . import warm_up
+
+        warm_up.soon()
+
     def ContextMenu(self, recipient: str) -> None:
         """FreeCAD calls this before it shows a context menu, of the tree or of the 3D view."""
         from .commands import NAMES

@@ -127,3 +127,20 @@ def test_the_underside_is_a_note_by_its_name():
     (one,) = [one for one in made(block()).findings if one.code == "facets-looking-down"]
     assert one.severity is Severity.NOTE and one.value == pytest.approx(2100.0) and one.place[2] == 0.0
     assert one.text.startswith("The underside at Z 0 is not machined: 2100 mm2 (26.2 % of the part) face away from the spindle.")
+
+
+def test_where_every_direction_leaves_as_much_out_the_rest_is_named():
+    """A round part of plane walls: a plumb wall is cut by no finer planes, and each direction has walls of its own."""
+    turn = np.radians(np.arange(5.0, 365.0, 10.0))
+    ring = 40.0 * np.column_stack([np.cos(turn), np.sin(turn)])
+    low, high = (np.column_stack([ring, np.full(36, z)]) for z in (0.0, 20.0))
+    after = np.roll(np.arange(36), -1)
+    walls = [np.stack([low, low[after], high[after]], axis=1), np.stack([low, high[after], high], axis=1)]
+    lids = [
+        np.stack([np.tile((0.0, 0.0, z), (36, 1)), a, b], axis=1) for z, a, b in ((20, high, high[after]), (0, low[after], low))
+    ]
+    told = sides(made(from_triangles(np.concatenate([*walls, *lids])), stepover=1))
+    assert len(told) == 2
+    for one in told:
+        assert "in direction" in one.text and "smaller" not in one.text
+        assert re.search(r"cut the [\d.]+ mm2 that lie along those passes with another path", one.text)

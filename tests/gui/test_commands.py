@@ -60,7 +60,7 @@ def test_the_menu_lists_all_commands(window):
 
 
 ORDER = [
-    ["Tessellate", "Toolpath", "Setup", "Compare"], ["Play", "Left", "Annotate"], ["PostProcess", "Audit"],
+    ["JobSetup", "Tessellate", "Toolpath", "Setup", "Compare"], ["Play", "Left", "Annotate"], ["PostProcess", "Audit"],
     ["ProveSigns", "Recover", "ImportMachine"],
 ]  # fmt: skip
 """Of the work: plan, look, write and judge; then what is about machines."""
@@ -91,7 +91,7 @@ def test_commands_are_enabled_when_they_can_apply(doc, tool_button):
     assert enabled(tool_button) == FILES_ONLY
     part = doc.addObject("Part::Box", "Box")
     doc.recompute()
-    assert enabled(tool_button) == FILES_ONLY | {"Tessellate", "Toolpath", "Setup"}
+    assert enabled(tool_button) == FILES_ONLY | {"JobSetup", "Tessellate", "Toolpath", "Setup"}
     app.create_toolpath(doc, part, **COARSE)
     assert enabled(tool_button) == {command.removeprefix("FiveAxis_") for command in commands.NAMES}
 

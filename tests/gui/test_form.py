@@ -48,10 +48,11 @@ def open_panel(dome, doc, pump):
 
 
 @pytest.fixture
-def panel(open_panel):
+def panel(open_panel, pump):
     """The panel of a new, coarse path over the dome."""
     opened = open_panel("toolpath")
     opened.options.show_options(OPTIONS)
+    pump(400)
     return opened
 
 

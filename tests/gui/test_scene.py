@@ -27,6 +27,7 @@ from freecad_fiveaxis.gui.scene import (
     on_screen,
     overlay,
     path_nodes,
+    units,
     words,
 )
 

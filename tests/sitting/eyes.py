@@ -114,12 +114,9 @@ class Eyes:
                     yield from self.things(child)
 
     def see(self, role: str, name: str = "", below: Thing | None = None) -> Thing | None:
-        """The first thing of that role whose whole name, or what it says of itself where it has none, is matched by the
-        expression ``name`` (empty: any); or None."""
+        """The first thing of that role whose whole name or description is matched by the expression ``name`` (empty: any)."""
         for thing, its_role in self.things(below):
-            if its_role == role and (
-                not name or _is_called(_there(lambda thing=thing: thing.name or thing.description, ""), name)
-            ):
+            if its_role == role and (not name or _there(lambda thing=thing: _is_called(thing, name), False)):
                 return thing
         return None
 
@@ -157,8 +154,9 @@ def _there(asked, otherwise):
         return otherwise  # gone between two questions
 
 
-def _is_called(name: str, wanted: str) -> bool:
-    return bool(re.fullmatch(wanted, name.replace("&", ""), re.DOTALL))
+def _is_called(thing: Thing, wanted: str) -> bool:
+    match = re.compile(wanted, re.DOTALL).fullmatch
+    return bool(match(thing.name.replace("&", "")) or match(thing.description))
 
 
 class Watch(threading.Thread):

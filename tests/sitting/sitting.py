@@ -19,10 +19,7 @@ from hands import Hands
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROJECT = os.path.dirname(os.path.dirname(HERE))
 BAD = re.compile(r"Traceback|\w*Error\b|\w*Exception\b|Segmentation fault|SIGSEGV|already deleted|[Uu]nhandled|resizeDocks")
-NOT_OURS = (
-    re.compile(r"Addon Manager|QtWebEngine|zygote|libEGL|MESA|dconf|dbus|GLib|Gtk-", re.I),
-    re.compile(r"^\s*$"),
-)
+NOT_OURS = re.compile(r"Addon Manager|QtWebEngine|zygote|libEGL|MESA|dconf|dbus|GLib|Gtk-", re.IGNORECASE)
 """What FreeCAD or the machine says by itself, with no add-on too."""
 RED = "Error"
 """How a red line describes itself to a screen reader."""
@@ -41,15 +38,15 @@ class Row:
     keys: int = 0
     seconds: float = 0.0
     silence: float = 0.0
-    watched: bool = True
     failed: str = ""
 
 
 class Sitting:
     """What the steps have in their hands. ``folder``: where pictures go; ``home``: the user's."""
 
-    def __init__(self, desk: Desk, folder: str) -> None:
-        self.desk, self.folder, self.home = desk, folder, os.environ["HOME"]
+    def __init__(self, desk: Desk, folder: str, part: str) -> None:
+        self.desk, self.folder, self.home, self.part = desk, folder, os.environ["HOME"], part
+        self.nc_file = ""
         self.hands, self.rows = Hands(), []
         self.eyes: Eyes | None = None
         self.watch: Watch | None = None
@@ -89,39 +86,42 @@ class Sitting:
 
     # ------------------------------------------------------------------------------------------ steps
 
-    def do(self, name: str, step, watched: bool = True) -> bool:
-        """Do a step, look at everything, make a picture; whether it went well. ``watched``: its silence counts."""
-        row = Row(name, watched=watched)
+    def do(self, name: str, step, limit: float | None = None) -> bool:
+        """Do a step, look at everything, make a picture; whether it went well. ``limit``: s that the window may be silent."""
+        row = Row(name)
         self.hands.clicks = self.hands.keys = 0
         begun = time.monotonic()
         try:
-            step(self)
-            row.seconds = time.monotonic() - begun
-            self.look()
+            self._try(step, row, begun, limit)
         except Exception as error:
-            row.seconds = row.seconds or time.monotonic() - begun
-            row.failed = str(error) or type(error).__name__
-        row.clicks, row.keys = self.hands.clicks, self.hands.keys
-        row.silence = self.watch.longest(begun) if self.watch else 0.0
+            row.failed = "; FreeCAD says: ".join([str(error) or type(error).__name__, *wrong(self.new_in_log())[-1:]])
         self.rows.append(row)
         stem = os.path.join(self.folder, f"{len(self.rows):02d}-{re.sub('[^a-z0-9]+', '-', name.lower()).strip('-')}")
         picture(stem + ".png")
         if row.failed:
             self.write_tree(stem + ".txt")
-        elif self.watch and not self.has_left():
-            self.collect()
-        print(
-            f"sitting: {name:<28} {row.clicks:>3} clicks {row.seconds:6.1f} s, silent {row.silence:5.2f} s"
-            + (f"  FAILED: {row.failed}" if row.failed else ""),
-            flush=True,
-        )
+        print(f"sitting: {name:<24} {row.clicks:>3} clicks {row.seconds:6.1f} s, silent {row.silence:5.2f} s", flush=True)
+        if row.failed:
+            print(f"sitting: FAILED: {row.failed}", flush=True)
         return not row.failed
+
+    def _try(self, step, row: Row, begun: float, limit: float | None) -> None:
+        try:
+            step(self)
+        finally:
+            row.seconds, row.clicks, row.keys = time.monotonic() - begun, self.hands.clicks, self.hands.keys
+            row.silence = self.watch.longest(begun) if self.watch else 0.0
+        self.look()
+        if limit is not None and row.silence > limit:
+            raise Unseen(f"the window was silent for {row.silence:.2f} s, allowed are {limit:g} s")
+        if self.watch and not self.has_left():
+            self.collect()
+            self.look()
 
     def look(self) -> None:
         """Raises Unseen where anything has gone wrong that a user could see: a red line, or an error in what FreeCAD says."""
         self.alive()
-        said = self.new_in_log()
-        bad = [line for line in said.splitlines() if BAD.search(line) and not any(one.search(line) for one in NOT_OURS)]
+        bad = wrong(self.new_in_log())
         if bad:
             raise Unseen("FreeCAD says: " + bad[-1].strip()[:200])
         red = self.red_lines() if self.eyes and self.program.poll() is None else []
@@ -177,18 +177,27 @@ class Sitting:
         return next((row for tree in self._model() if (row := self.eyes.see("table cell", label, tree))), None)
 
     def collect(self) -> None:
-        """Have Python's garbage collected: typed into FreeCAD's own console. The focus goes back to where it was by no click."""
+        """Have Python's garbage collected, by typing into FreeCAD's own console; it counts as no work of the user's."""
         self.hands.counting = False
+        for _ in range(3):  # a window that is just being closed swallows keys
+            if self._type_collect():
+                break
+        else:
+            raise Unseen("the garbage could not be collected")
+        self.hands.counting = True
+
+    def _type_collect(self) -> bool:
+        console = self.console()
+        before = console.text.count("collected")
+        self.hands.click(console, (0.5, 0.9))
+        self.hands.press("ctrl+End")
+        self.hands.write("import gc; print('collec' + 'ted', gc.collect())")
+        self.hands.press("Return")
         try:
-            console = self.console()
-            before = console.text.count("collected")
-            self.hands.click(console, (0.5, 0.9))
-            self.hands.press("ctrl+End")
-            self.hands.write("import gc; print('collec' + 'ted', gc.collect())")
-            self.hands.press("Return")
-            self.until(lambda: self.console().text.count("collected") > before, 20, "the garbage to be collected")
-        finally:
-            self.hands.counting = True
+            return bool(self.until(lambda: console.text.count("collected") > before, 8, "collected"))
+        except Unseen:
+            self.alive()
+            return False
 
     def console(self) -> Thing:
         """The text of the Python console."""
@@ -196,6 +205,20 @@ class Sitting:
         if dock is None:
             raise Unseen("no Python console is shown")
         return self.eyes.find("text", below=dock)
+
+
+def wrong(said: str) -> list[str]:
+    """The lines that tell of an error which is not FreeCAD's own, nor the machine's."""
+    return [line for line in said.splitlines() if BAD.search(line) and not NOT_OURS.search(line)]
+
+
+def table(rows: list[Row], version: str) -> str:
+    """The rows as Markdown."""
+    head = f"| FreeCAD {version} | clicks | keys | seconds | longest silence, s |\n|---|---|---|---|---|\n"
+    lines = [f"| {row.step} | {row.clicks} | {row.keys} | {row.seconds:.1f} | {row.silence:.2f} |\n" for row in rows]
+    clicks, seconds = sum(row.clicks for row in rows), sum(row.seconds for row in rows)
+    keys, silence = sum(row.keys for row in rows), max(row.silence for row in rows)
+    return head + "".join(lines) + f"| **all** | {clicks} | {keys} | {seconds:.1f} | {silence:.2f} |\n"
 
 
 def make_part(path: str) -> str:

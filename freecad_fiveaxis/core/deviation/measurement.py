@@ -82,15 +82,15 @@ class Deviation:
         freeze(self, None, line="f", u_line="f", segment="f", u_segment="f", bound="f", axis="f", place="f3")
 
 
-METHODS = ("exact", "so2008")
-"""Of the line deviation; everything else is exact with either."""
+METHODS = ("exact", "so2008", "so2008-printed")
+"""Of the line deviation; everything else is exact with each."""
 
 
 def measure(links: Chain, words: ArrayLike, method: str = "exact", progress: Progress = silent) -> Deviation:
     """The deviation of every block of a program, from its words as rounded for the controller.
 
-    ``words`` (m, 5) mm and **degrees** in the chain's word order, turns not folded. ``method``: ``exact``, or ``so2008`` for
-    ``line`` and ``u_line`` by the model of So et al. (module ``so2008``); every other column is exact with either. Distances
+    ``words`` (m, 5) mm and **degrees** in the chain's word order, turns not folded. ``method``: ``exact``, or ``so2008`` or
+    ``so2008-printed`` for ``line`` and ``u_line`` by the model of So et al. (module ``so2008``); all else is exact. Distances
     are within 1e-5 of their value or 1e-6 mm; ``bound`` is no more than that above ``segment``, but for rounding. Raises
     ProgramError for words that cannot be used (``trajectory.checked_words``), SettingsError for an unknown method.
     """
@@ -107,7 +107,7 @@ def measure(links: Chain, words: ArrayLike, method: str = "exact", progress: Pro
     result = _exact(frames(links), rows, paced(progress))
     if method == "exact":
         return result
-    line, u_line, findings = so2008.line_deviation(links, rows, paced(progress))
+    line, u_line, findings = so2008.line_deviation(links, rows, method == "so2008-printed", paced(progress))
     return replace(result, line=line, u_line=u_line, findings=findings)
 
 

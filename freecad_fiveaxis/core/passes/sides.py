@@ -21,6 +21,7 @@ from scipy.sparse.csgraph import connected_components
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import Angle, Area, Length, Point, Sentence, Template, beginning, joined, say
 
 from .scallop import CREASE
 
@@ -173,40 +174,51 @@ def _is_beside(one: Finding, sides: tuple[Side, ...], angle: float, near: float)
 def _finding(side: Side, mesh: Mesh, keep: Bools, angle: float, beside: list[Finding], finer: str) -> Finding:
     x, y, z = side.place.tolist()
     name = side_name(mesh, side.normal, side.place)
-    text = f"{name[0].upper()}{name[1:]} is not machined: {side.area:.4g} mm2. {_remedy(side, mesh, keep, angle, finer)}"
+    lost = say("{side} is not machined: {area}.", side=beginning(name), area=Area(side.area, ".4g"))
+    text = joined((lost, _remedy(side, mesh, keep, angle, finer)))
     if beside and beside[0].value is not None:
-        text += f" Beside it scallops up to {beside[0].value:.4g} mm are left."
+        text += say(" Beside it scallops up to {height} are left.", height=Length(beside[0].value, ".4g"))
     return Finding(Severity.WARNING, "side-not-machined", text, side.area, 0.0, "mm2", place=(x, y, z))
 
 
-def side_name(mesh: Mesh, normal: Floats, place: Floats) -> str:
+def side_name(mesh: Mesh, normal: Floats, place: Floats) -> Sentence:
     """What a side is called by its normal (3,) and a place (3,) mm on it: the side, or a wall, at a coordinate, or the way it
     faces."""
     axis = int(np.abs(normal[:2]).argmax())
     if abs(normal[axis]) < STRAIGHT:
         facing = math.degrees(math.atan2(normal[1], normal[0])) % 360.0
-        return f"the side that faces {facing:.0f} deg at ({', '.join(f'{value:.4g}' for value in place.tolist())}) mm"
+        x, y, z = place.tolist()
+        return say("the side that faces {way} at {place}", way=Angle(facing, ".0f"), place=Point((x, y, z), ".4g"))
     at = round(float(place[axis]), DECIMALS) + 0.0
     outermost = float(mesh.vertex[:, axis].max() if normal[axis] > 0.0 else mesh.vertex[:, axis].min())
     outer = abs(outermost - at) <= OUTER * float(np.ptp(mesh.vertex[:, axis]))
-    return f"the {'side' if outer else 'wall'} at {'XY'[axis]} {at:g}"
+    values = {"letter": "XY"[axis], "at": Length(at, bare=True)}
+    return say("the side at {letter} {at}", **values) if outer else say("the wall at {letter} {at}", **values)
 
 
-def _remedy(side: Side, mesh: Mesh, keep: Bools, angle: float, finer: str) -> str:
+ALONG_X = Template("passes along X, in direction {angle}")
+ALONG_Y = Template("passes along Y, in direction {angle}")
+SLANTING = Template("passes in direction {angle}")
+
+
+def _remedy(side: Side, mesh: Mesh, keep: Bools, angle: float, finer: str) -> Sentence:
     """The direction of passes that cuts the side and has the least area along its planes, the first of TURNS among equals, where
-    that is a gain; nearer planes, where those cut it."""
+    that is a gain or nothing else helps; nearer planes, where those cut it."""
     turned = [(math.degrees(angle) + turn) % 180.0 for turn in TURNS]
     able = [one for one in turned if abs(side.normal @ _directions(math.radians(one))[1]) < ALONG]
     lost = [_area_along(mesh, keep, math.radians(one)) for one in able]
     best, rest = min(zip(able, lost, strict=True), key=lambda pair: round(pair[1], DECIMALS))
-    named = {0.0: "along X, ", 90.0: "along Y, "}.get(round(best, DECIMALS), "")
-    ways = [f"passes {named}in direction {best:.4g} deg"] * (rest <= BETTER * _area_along(mesh, keep, angle))
-    ways += [finer] * (side.leans or not ways)
-    text = f"{' or '.join(ways)} would cut it"
-    text = f"{text[0].upper()}{text[1:]}"
-    if rest == 0.0 or len(ways) == side.leans:
-        return f"{text}."
-    return f"{text}; cut the {rest:.4g} mm2 that lie along those passes with another path."
+    named = {0.0: ALONG_X, 90.0: ALONG_Y}.get(round(best, DECIMALS), SLANTING)
+    turn = not side.leans or rest <= BETTER * _area_along(mesh, keep, angle)
+    ways: list[str] = [named.say(angle=Angle(best, ".4g"))] * turn + [finer] * side.leans
+    either = say("{one} or {other}", one=ways[0], other=ways[1]) if len(ways) > 1 else ways[0]
+    if rest == 0.0 or not turn:
+        return say("{ways} would cut it.", ways=beginning(either))
+    return say(
+        "{ways} would cut it; cut the {area} that lie along those passes with another path.",
+        ways=beginning(either),
+        area=Area(rest, ".4g"),
+    )
 
 
 def _area_along(mesh: Mesh, keep: Bools, angle: float) -> float:

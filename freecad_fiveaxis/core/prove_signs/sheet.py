@@ -10,6 +10,7 @@ from html import escape
 import numpy as np
 
 from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.sentences import Length, Sentence, say
 from freecad_fiveaxis.core.setup_map.sheet import Table, findings_list, json_text, page, section, table, text_table
 
 from .plan import Plan
@@ -17,24 +18,25 @@ from .plan import Plan
 VERSION = 1
 """Of the JSON record: raised when a key changes its meaning."""
 WIDTH = 100
-STAND = (
+STAND = say(
     "Right is +X of the machine, back is +Y (away from you), up is +Z. If your machine's axes point elsewhere, stand so that "
     "they do."
 )
 READY = (
-    "Spindle off and locked; no cutter that can hurt: a pointed rod of the tool's length.",
-    "Work offset and tool length set as for the real program; tool centre point control off.",
-    "Feed override at its lowest, single block on, a hand on feed hold. The program waits (M0) after every line below.",
-    "Jog the tool high above the part, rotary axes at 0, before the first line.",
+    say("Spindle off and locked; no cutter that can hurt: a pointed rod of the tool's length."),
+    say("Work offset and tool length set as for the real program; tool centre point control off."),
+    say("Feed override at its lowest, single block on, a hand on feed hold. The program waits (M0) after every line below."),
+    say("Jog the tool high above the part, rotary axes at 0, before the first line."),
 )
 STYLE = "<style>@media print{section{break-inside:avoid}} td{white-space:normal;text-align:left}</style>"
 
 
-def verdict(plan: Plan) -> str:
+def verdict(plan: Plan) -> Sentence:
     """One plain sentence."""
-    return (
-        f"At every stop compare what you see with this sheet, and stop for good if it differs. The tip stays at least "
-        f"{plan.wishes.gap:g} mm above the level of the mark, even if a rotary axis turns the wrong way or the two are exchanged."
+    return say(
+        "At every stop compare what you see with this sheet, and stop for good if it differs. The tip stays at least {gap} above "
+        "the level of the mark, even if a rotary axis turns the wrong way or the two are exchanged.",
+        gap=Length(plan.wishes.gap),
     )
 
 

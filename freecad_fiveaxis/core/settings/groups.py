@@ -235,9 +235,10 @@ class ProofSettings:
     tolerance: float = option(
         0.01, "length", "largest deviation of the tip from the commanded segment", (*FROM_PATH, AUDIT), above=0, most=LONGEST
     )
-    method: Literal["exact", "so2008"] = option(
-        "exact", "choice", "line deviation: exact, or the model of So et al. 2008", ONE_PROGRAM, choices=("exact", "so2008")
-    )
+    method: Literal["exact", "so2008", "so2008-printed"] = option(
+        "exact", "choice", "line deviation: exact, or the model of So et al. 2008", ONE_PROGRAM,
+        choices=("exact", "so2008", "so2008-printed"),
+    )  # fmt: skip
 
 
 USUAL_REGION = (100.0, 100.0, 100.0)

@@ -16,6 +16,7 @@ from freecad_fiveaxis.core.kinematics import Setup
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
+from freecad_fiveaxis.core.sentences import Angle, Length, Option, say
 
 from .driven import Cost, Driven, Posting, drive_turned, part_box
 from .search import Found, best_origin
@@ -52,9 +53,9 @@ def setup_map(
     Raises SettingsError for a path without rows and a negative ``enough``, ReachError where no turn is within the rotary limits.
     """
     if not len(path.tip):
-        raise SettingsError("there is no path to set up: it has no rows", 0)
+        raise SettingsError(say("there is no path to set up: it has no rows"), 0)
     if not enough >= 0.0:
-        raise SettingsError(f"a deviation of {enough:g} mm cannot be enough; give 0 or more", enough)
+        raise SettingsError(say("a deviation of {enough} cannot be enough; give 0 or more", enough=Length(enough)), enough)
     steps = 1 + region.size + SEARCH_WORTH * len(region.turns)
     rows, found, lost = _Rows(progress, steps), [], []
     present, stand = np.array(base.origin, float), _Stand(table, float(part_box(path, posting.part)[0][2]))
@@ -172,14 +173,18 @@ def _inside(origin: Floats, region: Region) -> Bools:
 
 def _findings(region: Region, origin: Floats, best: int | None, found: list[Found]) -> Iterator[Finding]:
     if best is None and not found:
-        text = "No work zero of the setup region puts the part on the table. Move the region up (--origin), or widen it."
+        text = say(
+            "No work zero of the setup region puts the part on the table. Move the region up ({origin}), or widen it.",
+            origin=Option("origin"),
+        )
         yield Finding(Severity.ERROR, "no-setup-on-the-table", text)
         return
     if best is None:
         over = min(one.over for one in found)
-        text = (
-            f"No work zero of the setup region keeps the linear axes within their limits: they are exceeded by {over:.4g} mm at "
-            "least. Widen the region, turn the part, or take a larger machine."
+        text = say(
+            "No work zero of the setup region keeps the linear axes within their limits: they are exceeded by "
+            "{over} at least. Widen the region, turn the part, or take a larger machine.",
+            over=Length(over, ".4g"),
         )
         yield Finding(Severity.ERROR, "no-setup-within-limits", text, over, 0.0, "mm")
         return
@@ -191,18 +196,26 @@ def _findings(region: Region, origin: Floats, best: int | None, found: list[Foun
         if high[axis] > low[axis] and abs(origin[best, axis] - end[axis]) < 1e-6
     ]
     if edges:
-        text = f"The recommended setup lies on the edge of the region ({', '.join(edges)}); beyond it may be a better one."
+        text = say(
+            "The recommended setup lies on the edge of the region ({edges}); beyond it may be a better one.",
+            edges=", ".join(edges),
+        )
         yield Finding(Severity.NOTE, "setup-at-edge", text, float(len(edges)), None, "1")
 
 
 def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
     if stand.table is None:
-        text = "The height of the table is not known: check that the part stands on it, or give --table-height."
+        text = say(
+            "The height of the table is not known: check that the part stands on it, or give {table_height}.",
+            table_height=Option("table_height"),
+        )
         yield Finding(Severity.WARNING, "table-unknown", text)
     elif not stands[0]:
-        text = (
-            f"In the present setup the part reaches below the table: its work zero must stand at Z {stand.least:g} mm or higher. "
-            "Give another --origin."
+        text = say(
+            "In the present setup the part reaches below the table: its work zero must stand at Z {least} or higher. Give "
+            "another {origin}.",
+            least=Length(stand.least),
+            origin=Option("origin"),
         )
         yield Finding(Severity.WARNING, "part-below-table", text, stand.least, None, "mm")
 
@@ -210,5 +223,5 @@ def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
 def _lost_findings(lost: list[tuple[float, ReachError]]) -> Iterator[Finding]:
     for turn, error in lost:
         angle = math.degrees(turn)
-        text = f"With the part turned by {angle:g} deg the rotary limits allow no way: {error}."
+        text = say("With the part turned by {angle} the rotary limits allow no way: {error}.", angle=Angle(angle), error=error)
         yield Finding(Severity.WARNING, "turn-out-of-reach", text, angle, None, "deg")

@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.markers import MARKERS, Marker
 from freecad_fiveaxis.core.report.text import duration, number
+from freecad_fiveaxis.core.sentences import Angle, Length, Number, Sentence, joined, say
 
 from .heat_map import heat_maps
 from .setups import Kind, SetupMap
@@ -28,31 +29,49 @@ WIDTH = 100
 HEAD = ("setup", "X, mm", "Y, mm", "Z, mm", "turn, deg", "deviation, mm", "rotary travel, deg", "time", "rewinds", "limits")
 
 
-def verdict(chart: SetupMap) -> str:
+def verdict(chart: SetupMap) -> Sentence:
     """One plain sentence: where the part should stand, and what that brings."""
     if chart.best is None:
-        return "No setup of the region keeps all axes within their limits and the part on the table."
-    x, y, z = chart.origin[chart.best] + 0.0  # no -0
+        return say("No setup of the region keeps all axes within their limits and the part on the table.")
     best, now = float(chart.max_deviation[chart.best]), float(chart.max_deviation[0])
-    turn = math.degrees(chart.turn[chart.best])
-    place = f"the work zero at X {x:.3f} Y {y:.3f} Z {z:.3f} mm of the machine"
-    place += f" and the part turned by {turn:g} deg" if turn else ""
-    on_table = _on_table(chart, chart.best)
+    place, on_table = _place(chart, chart.best), _on_table(chart, chart.best)
     if not math.isfinite(now) or not chart.able[0]:
-        why = "the axes leave their limits" if not chart.within_limits[0] else "the part reaches below the table"
-        return f"Stand {place}: largest deviation {best:.4g} mm. In the present setup {why}. {on_table}"
+        leaves = say("In the present setup the axes leave their limits.")
+        below = say("In the present setup the part reaches below the table.")
+        stand = say("Stand {place}: largest deviation {deviation}.", place=place, deviation=Length(best, ".4g"))
+        return joined((stand, below if chart.within_limits[0] else leaves, on_table))
     if now <= LEAST_GAIN * best:
-        return f"The present setup is as good as any of the region: largest deviation {now:.4g} mm. {_on_table(chart, 0)}"
-    less = f"{now / max(best, 1e-9):.3g} times less"
-    return f"Stand {place}: largest deviation {best:.4g} mm instead of {now:.4g} mm, {less}. {on_table}"
+        text = Length(now, ".4g")
+        good = say("The present setup is as good as any of the region: largest deviation {deviation}.", deviation=text)
+        return joined((good, _on_table(chart, 0)))
+    stand = say(
+        "Stand {place}: largest deviation {deviation} instead of {now}, {times} times less.",
+        place=place,
+        deviation=Length(best, ".4g"),
+        now=Length(now, ".4g"),
+        times=Number(now / max(best, 1e-9), ".3g"),
+    )
+    return joined((stand, on_table))
 
 
-def _on_table(chart: SetupMap, row: int) -> str:
+def _on_table(chart: SetupMap, row: int) -> Sentence:
     """How high over the table the part then stands."""
     if chart.table is None:
-        return "The height of the table is not known: check that the part stands on it."
+        return say("The height of the table is not known: check that the part stands on it.")
     above = float(chart.origin[row, 2]) + chart.bottom - chart.table
-    return f"The part's lowest place is then {max(above, 0.0):.3f} mm above the table."
+    return say("The part's lowest place is then {height} above the table.", height=Length(max(above, 0.0), ".3f"))
+
+
+def _place(chart: SetupMap, row: int) -> Sentence:
+    x, y, z = (chart.origin[row] + 0.0).tolist()  # no -0
+    said = say(
+        "the work zero at X {x} Y {y} Z {z} of the machine",
+        x=Length(x, ".3f", bare=True),
+        y=Length(y, ".3f", bare=True),
+        z=Length(z, ".3f"),
+    )
+    turn = math.degrees(chart.turn[row])
+    return said + say(" and the part turned by {turn}", turn=Angle(turn)) if turn else said
 
 
 def advice(chart: SetupMap) -> tuple[str, ...]:

@@ -23,6 +23,7 @@ from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.kinematics import Setup
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.sentences import Length, say
 
 MOST_SETUPS = 20_000
 """Setups of one map: each is a program of its own that is posted and measured."""
@@ -55,13 +56,38 @@ class Region:
     def __post_init__(self) -> None:
         numbers = (*self.low, *self.high, *self.turns)
         if not all(math.isfinite(number) and abs(number) <= FARTHEST for number in numbers):
-            raise SettingsError(f"setup region {self.low} to {self.high} is not finite or beyond {FARTHEST:g} mm", numbers)
+            raise SettingsError(
+                say(
+                    "setup region {low} to {high} is not finite or beyond {farthest}",
+                    low=self.low,
+                    high=self.high,
+                    farthest=Length(FARTHEST),
+                ),
+                numbers,
+            )
         if any(low > high for low, high in zip(self.low, self.high, strict=True)):
-            raise SettingsError(f"setup region {self.low} to {self.high}: the low corner is above the high; swap them", self.low)
+            raise SettingsError(
+                say("setup region {low} to {high}: the low corner is above the high; swap them", low=self.low, high=self.high),
+                self.low,
+            )
         if min(self.count) < 1 or not self.turns:
-            raise SettingsError(f"setup grid {self.count} with {len(self.turns)} turns has no place; give at least 1", self.count)
+            raise SettingsError(
+                say(
+                    "setup grid {count} with {turns} turns has no place; give at least 1",
+                    count=self.count,
+                    turns=len(self.turns),
+                ),
+                self.count,
+            )
         if self.size > MOST_SETUPS:
-            raise SettingsError(f"{self.size} setups are more than {MOST_SETUPS}; take a coarser grid or fewer turns", self.size)
+            raise SettingsError(
+                say(
+                    "{size} setups are more than {most}; take a coarser grid or fewer turns",
+                    size=self.size,
+                    most=MOST_SETUPS,
+                ),
+                self.size,
+            )
 
     @property
     def size(self) -> int:

@@ -11,6 +11,7 @@ from .annotate import Annotate
 from .audit import Audit
 from .compare import Compare
 from .import_machine import ImportMachine
+from .job_setup import JobSetup
 from .left import Left
 from .play import Play
 from .post_process import PostProcess
@@ -21,7 +22,7 @@ from .tessellate import Tessellate
 from .toolpath import Toolpath
 
 WORK = (
-    (Tessellate, Toolpath, Setup, Compare),
+    (JobSetup, Tessellate, Toolpath, Setup, Compare),
     (Play, Left, Annotate),
     (PostProcess, Audit),
 )  # fmt: skip

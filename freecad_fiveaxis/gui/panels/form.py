@@ -69,15 +69,16 @@ class Form(QtCore.QObject):
 
     def __init__(
         self, task: str, doc: Any, sections: Sequence[Any], extras: Sequence[Field] = (), group: str = "",
-        given: Mapping[str, Any] | None = None,
+        given: Mapping[str, Any] | None = None, only: Sequence[str] = (),
     ) -> None:  # fmt: skip
         """``sections``: Sections, or plain tuples of their first fields; ``group``: the settings class whose options alone are
-        asked for; ``given``: options that are settled elsewhere."""
+        asked for, ``only``: the options that alone are; ``given``: options that are settled elsewhere."""
         super().__init__()
         from freecad_fiveaxis.app.properties import shown_options
 
         self.task, self.given = task, dict(given or {})
         self.leaves = {leaf.name: leaf for cls, leaf in shown_options(task) if group in ("", cls.__name__)}
+        self.leaves = {name: leaf for name, leaf in self.leaves.items() if not only or name in only}
         self.extras = {field.name: field for field in extras}
         self.fields = {**self._option_fields(doc), **self.extras}
         self.wished: dict[str, Any] = {}

@@ -125,6 +125,8 @@ def _of_machines_and_places() -> dict[str, str]:
         "source": translate("FiveAxis", "File to import"),
         "linear_deflection": translate("FiveAxis", "Mesh deflection"),
         "angular_deflection": translate("FiveAxis", "Mesh angle"),
+        "setup": translate("FiveAxis", "Setup"),
+        "setup_name": translate("FiveAxis", "Name"),
         "work_zero": translate("FiveAxis", "Work zero"),
         "spacing": translate("FiveAxis", "Spacing by"),
         "spacing_kind": translate("FiveAxis", "Spacing by"),
@@ -166,6 +168,7 @@ def _choices() -> dict[str, str]:
         "taperbull": translate("FiveAxis", "tapered bull nose"),
         "exact": translate("FiveAxis", "exact"),
         "so2008": translate("FiveAxis", "model of So et al. 2008"),
+        "so2008-printed": translate("FiveAxis", "model of So et al. 2008 as printed"),
         "scallop": translate("FiveAxis", "Scallop"),
         "stepover": translate("FiveAxis", "Stepover"),
     }

@@ -61,22 +61,29 @@ def sheet(proof: Any) -> str:
 
     plan = proof.plan
     parts = [paragraph(wording.told(one), bold=True) for one in (*notices(plan), verdict(plan))]
-    parts += [heading(translate("FiveAxis", "Before you start"))]
-    parts += [items(READY), paragraph(STAND), findings(plan.findings), heading(translate("FiveAxis", "Stops"))]
+    parts += [heading(translate("FiveAxis", "Before you start")), items(map(wording.told, READY)), paragraph(wording.told(STAND))]
+    parts += [findings(plan.findings), heading(translate("FiveAxis", "Stops"))]
     parts += [_stop(row) for row in rows(plan, proof.program)]
     parts.append(heading(translate("FiveAxis", "If the tool does not point at the cross, it is off by")))
     parts.append(
-        table([["", "X", "Y", "Z"], *([text, *(f"{part + 0.0:.1f} mm" for part in off)] for text, off in plan.foretold)])
+        table(
+            [
+                ["", "X", "Y", "Z"],
+                *([wording.told(text), *(length_text(part) for part in off.tolist())] for text, off in plan.foretold),
+            ]
+        )
     )
     return "".join(parts)
 
 
 def _stop(row: Any) -> str:
     place = " ".join(f"{letter}{value + 0.0:.10g}" for letter, value in row["words"].items())
-    title = translate("FiveAxis", "Stop {number}, NC line {line}: {title}").format(**row)
+    title = translate("FiveAxis", "Stop {number}, NC line {line}: {title}").format(
+        number=row["number"], line=row["line"], title=wording.told(row["title"])
+    )
     seen, wrong = translate("FiveAxis", "You see: {text}"), translate("FiveAxis", "Wrong: {text}")
     told = [f"<b>{html.escape(title)}</b>", html.escape(place)]
-    told += [html.escape(text.format(text=row[key])) for text, key in ((seen, "see"), (wrong, "bad"))]
+    told += [html.escape(text.format(text=wording.told(row[key]))) for text, key in ((seen, "see"), (wrong, "bad"))]
     return f"<p>{'<br/>'.join(told)}</p>"
 
 
@@ -98,7 +105,7 @@ def _limits(axis: Any) -> str:
     if not math.isfinite(axis.high - axis.low):
         return translate("FiveAxis", "none")
     if not axis.rotary:
-        return f"{axis.low:g}…{axis.high:g} mm"
+        return f"{length_text(axis.low, 8)} … {length_text(axis.high, 8)}"
     return f"{math.degrees(axis.low):g}…{math.degrees(axis.high):g}°"
 
 
