@@ -28,10 +28,6 @@
         <translation>Winkelabweichung</translation>
     </message>
     <message>
-        <source>Audit</source>
-        <translation>Prüfung</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
@@ -132,10 +128,6 @@
         <translation>Farbe der Werkzeugachsen</translation>
     </message>
     <message>
-        <source>Compare</source>
-        <translation>Vergleichen</translation>
-    </message>
-    <message>
         <source>Control Point</source>
         <translation>Geführter Punkt</translation>
     </message>
@@ -152,20 +144,8 @@
         <translation>Eckenradius eines Torusfräsers, auch eines konischen; andere Arten haben keinen</translation>
     </message>
     <message>
-        <source>Cure</source>
-        <translation>Abhilfe</translation>
-    </message>
-    <message>
-        <source>Cures</source>
-        <translation>Abhilfen</translation>
-    </message>
-    <message>
         <source>Cut Length</source>
         <translation>Schnittweg</translation>
-    </message>
-    <message>
-        <source>Cutter</source>
-        <translation>Fräser</translation>
     </message>
     <message>
         <source>Cutter Corner</source>
@@ -264,8 +244,8 @@
         <translation>Geführte NC-Sätze</translation>
     </message>
     <message>
-        <source>Head</source>
-        <translation>Programmkopf</translation>
+        <source>Height of the table's face in the machine's coordinates; empty: that of the machine's file</source>
+        <translation>Höhe der Tischfläche in den Koordinaten der Maschine; leer: die der Maschinendatei</translation>
     </message>
     <message>
         <source>High Speed</source>
@@ -282,14 +262,6 @@
     <message>
         <source>How far the part should be turned about Z, counter-clockwise</source>
         <translation>Wie weit das Werkstück um Z gedreht werden sollte, gegen den Uhrzeigersinn</translation>
-    </message>
-    <message>
-        <source>I,J,K of the strategy `fixed`, tip to holder</source>
-        <translation>I,J,K der Strategie „fixed“, von der Spitze zum Halter</translation>
-    </message>
-    <message>
-        <source>KIND:DIAMETER, as ball:10 or ball:0.5in</source>
-        <translation>ART:DURCHMESSER, etwa ball:10 oder ball:0.5in</translation>
     </message>
     <message>
         <source>Kinds</source>
@@ -364,10 +336,6 @@
         <translation>Linearisieren</translation>
     </message>
     <message>
-        <source>Link</source>
-        <translation>Zwischen den Zeilen</translation>
-    </message>
-    <message>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
@@ -386,10 +354,6 @@
     <message>
         <source>Machined surface that is cut too deep by more than the tolerance</source>
         <translation>Bearbeitete Fläche, die um mehr als die Toleranz zu tief gefräst wird</translation>
-    </message>
-    <message>
-        <source>Machines</source>
-        <translation>Maschinen</translation>
     </message>
     <message>
         <source>Map</source>
@@ -484,10 +448,6 @@
         <translation>Überschnittene Fläche</translation>
     </message>
     <message>
-        <source>Pass</source>
-        <translation>Zeilen</translation>
-    </message>
-    <message>
         <source>Passes</source>
         <translation>Zeilen</translation>
     </message>
@@ -512,14 +472,6 @@
         <translation>Programm</translation>
     </message>
     <message>
-        <source>Proof</source>
-        <translation>Nachweis</translation>
-    </message>
-    <message>
-        <source>Prove</source>
-        <translation>Nachweisen</translation>
-    </message>
-    <message>
         <source>Proven</source>
         <translation>Bewiesen</translation>
     </message>
@@ -534,10 +486,6 @@
     <message>
         <source>Recommended Turn</source>
         <translation>Empfohlene Drehung</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Zurückgewinnen</translation>
     </message>
     <message>
         <source>Region</source>
@@ -572,6 +520,10 @@
         <translation>Form des Fräsers: Kugel, Schaftfräser, Torus, konische Kugel, konischer Torus</translation>
     </message>
     <message>
+        <source>Show All Places</source>
+        <translation>Alle Plätze zeigen</translation>
+    </message>
+    <message>
         <source>Show Axes</source>
         <translation>Werkzeugachsen zeigen</translation>
     </message>
@@ -598,6 +550,10 @@
     <message>
         <source>Show blocks over the tolerance and near the pole</source>
         <translation>NC-Sätze über der Toleranz und nahe am Pol zeigen</translation>
+    </message>
+    <message>
+        <source>Show the places at all heights, not only those at the recommended one</source>
+        <translation>Die Plätze in allen Höhen zeigen, nicht nur die in der empfohlenen</translation>
     </message>
     <message>
         <source>Show the rapids</source>
@@ -658,6 +614,10 @@
     <message>
         <source>Stepover</source>
         <translation>Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Table Height</source>
+        <translation>Tischhöhe</translation>
     </message>
     <message>
         <source>Take the work zero's place on the machine from the machine's file</source>
@@ -828,10 +788,6 @@
         <translation>Was stehen bleibt, in einem einfachen Satz</translation>
     </message>
     <message>
-        <source>What is proven, in a plain sentence</source>
-        <translation>Was nachgewiesen ist, in einem einfachen Satz</translation>
-    </message>
-    <message>
         <source>What is recommended, in a plain sentence</source>
         <translation>Was empfohlen wird, in einem einfachen Satz</translation>
     </message>
@@ -872,192 +828,24 @@
         <translation>Geschrieben</translation>
     </message>
     <message>
-        <source>X,Y,Z of the work zero in the machine frame [the machine's]</source>
-        <translation>X,Y,Z des Werkstücknullpunkts im Maschinensystem [der aus der Maschinendatei]</translation>
-    </message>
-    <message>
         <source>X,Y,Z over the work zero of a place to mark, as high as part and clamps reach</source>
         <translation>X,Y,Z über dem Werkstücknullpunkt: eine Stelle zum Anzeichnen, so hoch, wie Werkstück und Spannmittel reichen</translation>
-    </message>
-    <message>
-        <source>X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays</source>
-        <translation>X,Y,Z: so weit darf der Werkstücknullpunkt von seinem Ort aus nach beiden Seiten rücken; 0: er bleibt</translation>
-    </message>
-    <message>
-        <source>a shipped machine's name or a path to a .fcm</source>
-        <translation>Name einer mitgelieferten Maschine oder Pfad einer .fcm-Datei</translation>
-    </message>
-    <message>
-        <source>constant distance of the planes, instead of a scallop</source>
-        <translation>fester Abstand der Ebenen, statt einer Kuppenhöhe</translation>
-    </message>
-    <message>
-        <source>coolant during the program</source>
-        <translation>Kühlmittel während des Programms</translation>
-    </message>
-    <message>
-        <source>cures to compare, with commas between [every one there is]</source>
-        <translation>Abhilfen zum Vergleich, mit Komma dazwischen [alle, die es gibt]</translation>
-    </message>
-    <message>
-        <source>cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge</source>
-        <translation>Zylinder über dem Fräser, DURCHMESSERxLÄNGE nach oben in mm, wie 8x20,12x30; siehe Eindringen</translation>
-    </message>
-    <message>
-        <source>cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge</source>
-        <translation>Zylinder des Halters über Fräser und Schaft, wie 40x25,63x50 in mm; siehe Eindringen</translation>
-    </message>
-    <message>
-        <source>divide feed blocks over tolerance into the fewest that hold it</source>
-        <translation>Vorschubsätze über der Toleranz in die wenigsten teilen, die sie einhalten</translation>
-    </message>
-    <message>
-        <source>facets steeper than this are left out</source>
-        <translation>steilere Facetten werden ausgelassen</translation>
     </message>
     <message>
         <source>feed of all its moves, mm/min and deg/min</source>
         <translation>Vorschub aller Bewegungen, mm/min und Grad/min</translation>
     </message>
     <message>
-        <source>feed of the approach, mm/min</source>
-        <translation>Vorschub beim Anfahren, mm/min</translation>
-    </message>
-    <message>
-        <source>feed of the tip over the part, mm/min</source>
-        <translation>Vorschub der Werkzeugspitze über das Werkstück, mm/min</translation>
-    </message>
-    <message>
-        <source>gauge point to tip; machines with a rotary head need it</source>
-        <translation>Bezugspunkt der Spindel bis Werkzeugspitze; Maschinen mit Schwenkkopf brauchen sie</translation>
-    </message>
-    <message>
-        <source>how far the controller may round corners, where it can; 0: exact path</source>
-        <translation>wie weit die Steuerung Ecken verschleifen darf, wo sie es kann; 0: genaue Bahn</translation>
-    </message>
-    <message>
-        <source>how far the strategy `minimax` may leave the facet normals, and gouge `tilt` the axes of any strategy</source>
-        <translation>wie weit die Strategie `minimax` von den Facettennormalen abweichen darf, und bei Eindringen `tilt` von den Achsen jeder Strategie</translation>
-    </message>
-    <message>
-        <source>inverse time, or units a minute</source>
-        <translation>zeitreziprok, oder Einheiten je Minute</translation>
-    </message>
-    <message>
-        <source>largest R - r at a convex co-edge before an arc is used</source>
-        <translation>größtes R - r an einer konvexen gemeinsamen Kante, bevor ein Bogen genommen wird</translation>
-    </message>
-    <message>
-        <source>largest angle between the tool axis and that of the CL path at a block's end</source>
-        <translation>größter Winkel zwischen der Werkzeugachse und der des CL-Wegs am Ende eines Satzes</translation>
-    </message>
-    <message>
-        <source>largest change of the tool axis where it is led past the pole (deform)</source>
-        <translation>größte Änderung der Werkzeugachse, wo sie am Pol vorbeigeführt wird (deform)</translation>
-    </message>
-    <message>
-        <source>largest deviation of the tip from the commanded segment</source>
-        <translation>größte Abweichung der Werkzeugspitze von der Sollstrecke</translation>
-    </message>
-    <message>
-        <source>largest scallop left between passes [0.01 where no stepover is given]</source>
-        <translation>größte Kuppenhöhe zwischen den Zeilen [0,01, wo kein Zeilensprung gegeben ist]</translation>
-    </message>
-    <message>
-        <source>lean of the tool across the feed direction</source>
-        <translation>Neigung des Werkzeugs quer zur Vorschubrichtung</translation>
-    </message>
-    <message>
-        <source>lean of the tool along the feed direction</source>
-        <translation>Neigung des Werkzeugs in Vorschubrichtung</translation>
-    </message>
-    <message>
-        <source>line deviation: exact, or the model of So et al. 2008</source>
-        <translation>Abweichung von der Geraden: genau, oder nach dem Modell von So u. a. 2008</translation>
-    </message>
-    <message>
-        <source>machines to compare, as for `mill`, with commas between; or --machine again for each</source>
-        <translation>Maschinen zum Vergleich, wie bei `mill`, mit Komma dazwischen; oder --machine für jede</translation>
-    </message>
-    <message>
-        <source>map of what stays uncut and of what is cut too deep, on the machined facets</source>
-        <translation>Karte dessen, was auf den bearbeiteten Facetten stehen bleibt und was zu tief gefräst wird</translation>
-    </message>
-    <message>
-        <source>near the pole: only report, divide blocks over tolerance, or lead the tool axis past it (deform)</source>
-        <translation>nahe am Pol: nur berichten, NC-Sätze über der Toleranz teilen, oder die Werkzeugachse vorbeiführen (deform)</translation>
-    </message>
-    <message>
-        <source>offsets should be that certain, and that near to those of the machine given</source>
-        <translation>so sicher sollen die Versätze sein, und so nah an denen der angegebenen Maschine</translation>
-    </message>
-    <message>
-        <source>passes run to and fro, or all in one direction</source>
-        <translation>Zeilen laufen hin und her, oder alle in einer Richtung</translation>
-    </message>
-    <message>
-        <source>places that the map shows along X,Y,Z [as many as take some seconds]</source>
-        <translation>Orte, die die Karte entlang X,Y,Z zeigt [so viele, wie einige Sekunden dauern]</translation>
-    </message>
-    <message>
-        <source>planes never come closer than this (steep walls)</source>
-        <translation>dichter liegen die Ebenen nie (steile Wände)</translation>
-    </message>
-    <message>
-        <source>rapids stay this far off the part's bounding box</source>
-        <translation>so weit bleibt der Eilgang vom Hüllquader des Werkstücks weg</translation>
-    </message>
-    <message>
-        <source>so many turns of the part about Z are tried, evenly over 360 deg [1: as it stands]</source>
-        <translation>so viele Drehungen des Werkstücks um Z werden erprobt, gleichmäßig über 360 Grad [1: wie es steht]</translation>
-    </message>
-    <message>
-        <source>spindle speed, 1/min; 0 leaves the spindle off</source>
-        <translation>Spindeldrehzahl, 1/min; 0 lässt die Spindel aus</translation>
-    </message>
-    <message>
-        <source>the CL file (.apt, .cl) or the part (.stl) that the program is compared with [neither]</source>
-        <translation>die CL-Datei (.apt, .cl) oder das Teil (.stl), womit das Programm verglichen wird [nichts]</translation>
-    </message>
-    <message>
         <source>the NC program that was posted from the CL path</source>
         <translation>das NC-Programm, das aus der CL-Bahn gemacht wurde</translation>
-    </message>
-    <message>
-        <source>the controller guides the tip (RTCP), told the tool axis by rotary words (angles) or vectors; off: joint output</source>
-        <translation>die Steuerung führt die Spitze (RTCP); die Werkzeugachse erfährt sie durch Drehachsworte (angles) oder Vektoren (vectors); off: Ausgabe der Achsstellungen</translation>
-    </message>
-    <message>
-        <source>the controller's high-speed mode, with the tolerance of --blend</source>
-        <translation>der Hochgeschwindigkeitsmodus der Steuerung, mit der Toleranz der Eckenverrundung (--blend)</translation>
-    </message>
-    <message>
-        <source>the dialect of the NC file [the machine's, or linuxcnc]</source>
-        <translation>die Sprache der NC-Datei [die der Maschine, sonst linuxcnc]</translation>
     </message>
     <message>
         <source>the machine file (.fcm) to write</source>
         <translation>die Maschinendatei (.fcm), die geschrieben wird</translation>
     </message>
     <message>
-        <source>the point of the tool that the words drive</source>
-        <translation>der Punkt des Werkzeugs, den die Achswerte führen</translation>
-    </message>
-    <message>
         <source>the tip stops so far above the mark, and never comes nearer</source>
         <translation>so weit über der Marke hält die Spitze an, und näher kommt sie nie</translation>
-    </message>
-    <message>
-        <source>tool number [no tool call: the operator has set tool and length]</source>
-        <translation>Werkzeugnummer [kein Werkzeugaufruf: der Bediener hat Werkzeug und Länge eingerichtet]</translation>
-    </message>
-    <message>
-        <source>tool-axis strategy (see `strategies`)</source>
-        <translation>Strategie der Werkzeugachse</translation>
-    </message>
-    <message>
-        <source>travel direction of the passes, counter-clockwise from X</source>
-        <translation>Laufrichtung der Zeilen, gegen den Uhrzeigersinn von X aus</translation>
     </message>
     <message>
         <source>turn of each rotary axis</source>
@@ -1066,22 +854,6 @@
     <message>
         <source>way of each linear axis</source>
         <translation>Weg jeder Linearachse</translation>
-    </message>
-    <message>
-        <source>where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within max-tilt and lift where the cutter still enters; off: no check</source>
-        <translation>wo das Werkzeug ins Teil eindringt: nur melden, entlang seiner Achse abheben, auslassen oder innerhalb von max-tilt freikippen und abheben, wo die Schneide noch eindringt; off: keine Prüfung</translation>
-    </message>
-    <message>
-        <source>work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300</source>
-        <translation>Nullpunktverschiebung: G54 bis G59, bei LinuxCNC G59.1 bis G59.3, bei Fanuc G54.1 P1 bis P300</translation>
-    </message>
-    <message>
-        <source>Height of the table's face in the machine's coordinates; empty: that of the machine's file</source>
-        <translation>Höhe der Tischfläche in den Koordinaten der Maschine; leer: die der Maschinendatei</translation>
-    </message>
-    <message>
-        <source>Table Height</source>
-        <translation>Tischhöhe</translation>
     </message>
 </context>
 <context>
@@ -1093,10 +865,6 @@
     <message>
         <source>A longer tool, a slimmer holder, lead or tilt away from the wall; or leave such places out.</source>
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
-    </message>
-    <message>
-        <source>Against deviation</source>
-        <translation>Gegen Abweichung</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -1143,10 +911,6 @@
         <translation>Unter der Fläche</translation>
     </message>
     <message>
-        <source>Between passes</source>
-        <translation>Zwischen den Zeilen</translation>
-    </message>
-    <message>
         <source>Block</source>
         <translation>NC-Satz</translation>
     </message>
@@ -1165,10 +929,6 @@
     <message>
         <source>CL files (*.apt *.cl *.cls *.ncl *.aptsource *.txt)</source>
         <translation>CL-Dateien (*.apt *.cl *.cls *.ncl *.aptsource *.txt)</translation>
-    </message>
-    <message>
-        <source>CL path or part</source>
-        <translation>CL-Weg oder Teil</translation>
     </message>
     <message>
         <source>Calculate</source>
@@ -1235,6 +995,10 @@
         <translation>Kollision zwischen Bahnen</translation>
     </message>
     <message>
+        <source>Collisions are not checked against it.</source>
+        <translation>Kollisionen mit ihr werden nicht geprüft.</translation>
+    </message>
+    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
@@ -1263,20 +1027,16 @@
         <translation>Kühlmittel</translation>
     </message>
     <message>
+        <source>Corner not reached</source>
+        <translation>Ecke nicht erreicht</translation>
+    </message>
+    <message>
         <source>Corner radius</source>
         <translation>Eckenradius</translation>
     </message>
     <message>
         <source>Corner rounding</source>
         <translation>Verschleifen</translation>
-    </message>
-    <message>
-        <source>Cure</source>
-        <translation>Abhilfe</translation>
-    </message>
-    <message>
-        <source>Cures</source>
-        <translation>Abhilfen</translation>
     </message>
     <message>
         <source>Cut too deep</source>
@@ -1315,10 +1075,6 @@
         <translation>{label} zeichnen</translation>
     </message>
     <message>
-        <source>Driven point</source>
-        <translation>Geführter Punkt</translation>
-    </message>
-    <message>
         <source>Edge tolerance</source>
         <translation>Kantentoleranz</translation>
     </message>
@@ -1333,10 +1089,6 @@
     <message>
         <source>Feed mode</source>
         <translation>Vorschubart</translation>
-    </message>
-    <message>
-        <source>Feeds</source>
-        <translation>Vorschübe</translation>
     </message>
     <message>
         <source>File to import</source>
@@ -1391,8 +1143,12 @@
         <translation>Abstand über der Marke</translation>
     </message>
     <message>
-        <source>Head of the NC file</source>
-        <translation>Kopf der NC-Datei</translation>
+        <source>Heel of the cutter in the part</source>
+        <translation>Ferse des Fräsers im Werkstück</translation>
+    </message>
+    <message>
+        <source>Height of the table</source>
+        <translation>Höhe des Tisches</translation>
     </message>
     <message>
         <source>High-speed mode</source>
@@ -1463,10 +1219,6 @@
         <translation>Größter Rest der benutzten Zeilen: {length}</translation>
     </message>
     <message>
-        <source>Largest tilt</source>
-        <translation>Größte Neigung</translation>
-    </message>
-    <message>
         <source>Largest: {largest}</source>
         <translation>Größte: {largest}</translation>
     </message>
@@ -1475,16 +1227,8 @@
         <translation>Voreilwinkel</translation>
     </message>
     <message>
-        <source>Least interval</source>
-        <translation>Kleinster Zeilensprung</translation>
-    </message>
-    <message>
         <source>Left out</source>
         <translation>Ausgelassen</translation>
-    </message>
-    <message>
-        <source>Let the tool path's panel lead the axis past the pole, lead or tilt the tool by a few degrees, or clamp the part in another position.</source>
-        <translation>Im Fenster des Werkzeugwegs die Achse am Pol vorbeiführen lassen, das Werkzeug um einige Grad voreilen lassen oder zur Seite neigen, oder das Werkstück anders aufspannen.</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -1493,10 +1237,6 @@
     <message>
         <source>Line deviation by</source>
         <translation>Abweichung von der Geraden</translation>
-    </message>
-    <message>
-        <source>Linearize</source>
-        <translation>Linearisieren</translation>
     </message>
     <message>
         <source>LinuxCNC configurations and machine files (*.ini *.fcm)</source>
@@ -1591,6 +1331,10 @@
         <translation>Nicht gezeichnet, weil abgebrochen: neu berechnen, um es zu zeichnen</translation>
     </message>
     <message>
+        <source>Not machined</source>
+        <translation>Nicht bearbeitet</translation>
+    </message>
+    <message>
         <source>Not proven</source>
         <translation>Nicht bewiesen</translation>
     </message>
@@ -1641,10 +1385,6 @@
     <message>
         <source>Open the sheet</source>
         <translation>Blatt öffnen</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Reihenfolge</translation>
     </message>
     <message>
         <source>Output</source>
@@ -1715,10 +1455,6 @@
         <translation>Vorschau für den Arbeitsbereich CAM</translation>
     </message>
     <message>
-        <source>Proof</source>
-        <translation>Nachweis</translation>
-    </message>
-    <message>
         <source>Prove the signs</source>
         <translation>Vorzeichen nachweisen</translation>
     </message>
@@ -1749,6 +1485,10 @@
     <message>
         <source>Report for programs (.json)</source>
         <translation>Bericht für Programme (.json)</translation>
+    </message>
+    <message>
+        <source>Retract below the part</source>
+        <translation>Rückzug unter dem Werkstück</translation>
     </message>
     <message>
         <source>Room for the work zero</source>
@@ -1791,16 +1531,16 @@
         <translation>Schaft oder Halter kollidiert</translation>
     </message>
     <message>
+        <source>Shank or holder not freed</source>
+        <translation>Schaft oder Halter nicht frei</translation>
+    </message>
+    <message>
         <source>Shank, Ø x length</source>
         <translation>Schaft, Ø x Länge</translation>
     </message>
     <message>
         <source>Sheet to print</source>
         <translation>Blatt zum Drucken</translation>
-    </message>
-    <message>
-        <source>Shorter blocks help: half the length leaves about a quarter of the deviation. Linearize, in the tool path's panel, makes as many of them as are needed.</source>
-        <translation>Kürzere NC-Sätze helfen: die halbe Länge lässt etwa ein Viertel der Abweichung übrig. „Linearisieren“ im Fenster des Werkzeugwegs macht so viele davon, wie nötig sind.</translation>
     </message>
     <message>
         <source>Show findings</source>
@@ -1823,12 +1563,8 @@
         <translation>Geschwindigkeit, in Vielfachen der wirklichen</translation>
     </message>
     <message>
-        <source>Spindle, 1/min</source>
-        <translation>Drehzahl, 1/min</translation>
-    </message>
-    <message>
-        <source>Steepest facet</source>
-        <translation>Steilste Facette</translation>
+        <source>Start through the part</source>
+        <translation>Start durch das Werkstück</translation>
     </message>
     <message>
         <source>Stepover</source>
@@ -1909,6 +1645,10 @@
     <message>
         <source>The machine file to write</source>
         <translation>Die zu schreibende Maschinendatei</translation>
+    </message>
+    <message>
+        <source>The machine is a sketch from its axes: not to scale.</source>
+        <translation>Die Maschine ist eine Skizze aus ihren Achsen: nicht maßstäblich.</translation>
     </message>
     <message>
         <source>The next block where a rotary axis turns far to lean the tool a little</source>
@@ -2001,10 +1741,6 @@
     <message>
         <source>This machine's head turns: give the length from the gauge point to the tip.</source>
         <translation>Der Kopf dieser Maschine schwenkt: die Länge vom Bezugspunkt der Spindel bis zur Werkzeugspitze angeben.</translation>
-    </message>
-    <message>
-        <source>Tick at least one machine and one cure.</source>
-        <translation>Mindestens eine Maschine und eine Abhilfe anhaken.</translation>
     </message>
     <message>
         <source>Tilt</source>
@@ -2119,20 +1855,12 @@
         <translation>Worunter der Abstand im ganzen NC-Satz bewiesenermaßen bleibt</translation>
     </message>
     <message>
-        <source>What to do</source>
-        <translation>Was tun</translation>
-    </message>
-    <message>
         <source>Where the program's zero is drawn in the document</source>
         <translation>Wo der Nullpunkt des Programms im Dokument gezeichnet wird</translation>
     </message>
     <message>
         <source>Where the tip is farthest from its commanded segment</source>
         <translation>Wo die Werkzeugspitze am weitesten von ihrer Sollstrecke entfernt ist</translation>
-    </message>
-    <message>
-        <source>Where the tool enters the part</source>
-        <translation>Wo das Werkzeug in das Teil eindringt</translation>
     </message>
     <message>
         <source>Where the work zero lies in the document</source>
@@ -2207,16 +1935,8 @@
         <translation>Achse</translation>
     </message>
     <message>
-        <source>ball end</source>
-        <translation>Kugelfräser</translation>
-    </message>
-    <message>
-        <source>bull nose</source>
-        <translation>Torusfräser</translation>
-    </message>
-    <message>
-        <source>by rotary words</source>
-        <translation>durch Drehachsworte</translation>
+        <source>beyond limits, or below the table</source>
+        <translation>jenseits der Grenzen, oder unter dem Tisch</translation>
     </message>
     <message>
         <source>by the text itself</source>
@@ -2229,10 +1949,6 @@
     <message>
         <source>carries</source>
         <translation>trägt</translation>
-    </message>
-    <message>
-        <source>centre of the rounding</source>
-        <translation>Mitte der Rundung</translation>
     </message>
     <message>
         <source>certain within</source>
@@ -2291,24 +2007,12 @@
         <translation>NC-Sätze teilen</translation>
     </message>
     <message>
-        <source>driving what is led</source>
-        <translation>Geführtes nachfahren</translation>
-    </message>
-    <message>
         <source>exact</source>
         <translation>genau</translation>
     </message>
     <message>
         <source>fitting machines</source>
         <translation>Maschinen werden angepasst</translation>
-    </message>
-    <message>
-        <source>fixed</source>
-        <translation>fest</translation>
-    </message>
-    <message>
-        <source>flat end</source>
-        <translation>Schaftfräser (flach)</translation>
     </message>
     <message>
         <source>found</source>
@@ -2339,24 +2043,8 @@
         <translation>Facetten verbinden</translation>
     </message>
     <message>
-        <source>lead the axis past it</source>
-        <translation>die Achse vorbeiführen</translation>
-    </message>
-    <message>
-        <source>lead the axis past the pole</source>
-        <translation>die Achse am Pol vorbeiführen</translation>
-    </message>
-    <message>
-        <source>leading the axis past the pole</source>
-        <translation>Achse am Pol vorbeiführen</translation>
-    </message>
-    <message>
         <source>least deviation (minimax)</source>
         <translation>kleinste Abweichung (minimax)</translation>
-    </message>
-    <message>
-        <source>leave out</source>
-        <translation>auslassen</translation>
     </message>
     <message>
         <source>lift the tool</source>
@@ -2387,10 +2075,6 @@
         <translation>Maschinen</translation>
     </message>
     <message>
-        <source>mean of the facet normals</source>
-        <translation>Mittel der Facettennormalen</translation>
-    </message>
-    <message>
         <source>measuring what is left</source>
         <translation>Messen, was stehen bleibt</translation>
     </message>
@@ -2419,12 +2103,12 @@
         <translation>keine</translation>
     </message>
     <message>
-        <source>normals weighted by step</source>
-        <translation>nach Schrittlänge gewichtete Normalen</translation>
-    </message>
-    <message>
         <source>not determined</source>
         <translation>nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
     </message>
     <message>
         <source>not proven between their ends</source>
@@ -2539,10 +2223,6 @@
         <translation>konischer Torus</translation>
     </message>
     <message>
-        <source>the axes leave their limits</source>
-        <translation>die Achsen verlassen ihre Grenzen</translation>
-    </message>
-    <message>
         <source>the head</source>
         <translation>den Kopf</translation>
     </message>
@@ -2571,20 +2251,12 @@
         <translation>Werkzeugspitze</translation>
     </message>
     <message>
-        <source>to and fro</source>
-        <translation>hin und her</translation>
-    </message>
-    <message>
         <source>trying setups</source>
         <translation>Aufspannungen erproben</translation>
     </message>
     <message>
         <source>turning the axes</source>
         <translation>Rundachsen berechnen</translation>
-    </message>
-    <message>
-        <source>units a minute (G94)</source>
-        <translation>Einheiten je Minute (G94)</translation>
     </message>
     <message>
         <source>where the work zero stood</source>
@@ -2611,20 +2283,12 @@
         <translation>{block} von {last}, {motion}</translation>
     </message>
     <message>
-        <source>{controller} does not guide the tip itself; Linearize helps.</source>
-        <translation>{controller} führt die Spitze nicht selbst; Linearisieren hilft.</translation>
-    </message>
-    <message>
         <source>{controller} has no high-speed mode to switch.</source>
         <translation>{controller} hat keinen schaltbaren Hochgeschwindigkeitsmodus.</translation>
     </message>
     <message>
         <source>{controller} has no inverse time: F is in mm/min.</source>
         <translation>{controller} hat keine inverse Zeit: F ist in mm/min.</translation>
-    </message>
-    <message>
-        <source>{controller} needs the number of the tool for it: give it under More settings.</source>
-        <translation>{controller} braucht dafür die Werkzeugnummer: siehe „Weitere Einstellungen“.</translation>
     </message>
     <message>
         <source>{count}, proven are only their ends</source>
@@ -2635,12 +2299,24 @@
         <translation>{depth} zu tief</translation>
     </message>
     <message>
-        <source>{deviation}, NC line {line}</source>
-        <translation>{deviation}, NC-Zeile {line}</translation>
+        <source>{deviation}, NC line {line}: over {tolerance}</source>
+        <translation>{deviation}, NC-Zeile {line}: über {tolerance}</translation>
+    </message>
+    <message>
+        <source>{deviation}, NC line {line}: within {tolerance}</source>
+        <translation>{deviation}, NC-Zeile {line}: innerhalb {tolerance}</translation>
     </message>
     <message>
         <source>{document} has no 3D view: open one and play {path} again.</source>
         <translation>{document} hat keine 3D-Ansicht: eine öffnen und {path} noch einmal abspielen.</translation>
+    </message>
+    <message>
+        <source>{finding}: {area}</source>
+        <translation>{finding}: {area}</translation>
+    </message>
+    <message>
+        <source>{finding}: {count} places</source>
+        <translation>{finding}: {count} Stellen</translation>
     </message>
     <message>
         <source>{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be too slow for the programmed feed: then the tool dwells and may leave a mark.</source>
@@ -2671,6 +2347,10 @@
         <translation>{over_tolerance} NC-Sätze liegen über der Toleranz; dieser ist der schlimmste.</translation>
     </message>
     <message>
+        <source>{shown} of {count} places: those at the recommended height</source>
+        <translation>{shown} von {count} Plätzen: die in der empfohlenen Höhe</translation>
+    </message>
+    <message>
         <source>{singular_blocks} blocks lie near the pole; this is the worst.</source>
         <translation>{singular_blocks} NC-Sätze liegen nahe am Pol; dieser ist der schlimmste.</translation>
     </message>
@@ -2689,18 +2369,6 @@
     <message>
         <source>{} s</source>
         <translation>{} s</translation>
-    </message>
-    <message>
-        <source>Height of the table</source>
-        <translation>Höhe des Tisches</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>beyond limits, or below the table</source>
-        <translation>jenseits der Grenzen, oder unter dem Tisch</translation>
     </message>
 </context>
 <context>
@@ -2877,10 +2545,6 @@
     <message>
         <source>Compare machines…</source>
         <translation>Maschinen vergleichen …</translation>
-    </message>
-    <message>
-        <source>Drive a tool path on several machines, with each cure, and show what each makes of it</source>
-        <translation>Einen Werkzeugweg auf mehreren Maschinen fahren, mit jeder Abhilfe, und zeigen, was jede daraus macht</translation>
     </message>
 </context>
 <context>
