@@ -13,6 +13,7 @@ from PySide import QtCore
 
 pytest.importorskip("pivy")
 
+from freecad_fiveaxis.app.units import area_text
 from freecad_fiveaxis.core.gouge import Remainder, height_scale
 from freecad_fiveaxis.core.mesh import from_triangles
 from freecad_fiveaxis.core.report import draw
@@ -284,7 +285,7 @@ def test_a_kind_of_markers_has_one_label_and_each_side_that_is_not_machined_its_
     values = [None, None, None, 2100.0, None, 0.4, None, None, None]
     said = labels.of_marks(places, kinds, values, labels.Told(0.02, 12, 0.01, GOOD, BAD))
     assert [one.place for one in said] == [places[5], places[0], places[3], places[4], places[6]]  # first what scraps the part
-    assert "0.4" in said[0].text and "over" in said[1].text and units.area_text(2100.0) in said[2].text
+    assert "0.4" in said[0].text and "over" in said[1].text and area_text(2100.0) in said[2].text
     assert said[3].text == words.name_of("side-not-machined") and said[4].text.endswith(": 2 places")
 
 
