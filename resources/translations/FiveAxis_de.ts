@@ -8,6 +8,10 @@
         <translation>Einige Worte zu jeder Markierung</translation>
     </message>
     <message>
+        <source>A machine that comes with the workbench, or a machine file (.fcm)</source>
+        <translation>Eine mitgelieferte Maschine oder eine Maschinendatei (.fcm)</translation>
+    </message>
+    <message>
         <source>Against</source>
         <translation>Vergleich</translation>
     </message>
@@ -22,6 +26,10 @@
     <message>
         <source>Angle between the flank of a tapered cutter and its axis; other kinds have none</source>
         <translation>Winkel zwischen der Flanke eines konischen Fräsers und seiner Achse; andere Arten haben keinen</translation>
+    </message>
+    <message>
+        <source>Angle of the passes to the X axis, counter-clockwise seen from above</source>
+        <translation>Winkel der Zeilen zur X-Achse, von oben gesehen gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Angular Deflection</source>
@@ -68,6 +76,10 @@
         <translation>NC-Sätze, in denen die Steuerung die Spitze führt (RTCP): nachgewiesen sind nur ihre Enden</translation>
     </message>
     <message>
+        <source>CL file (.apt, .cl) or part (.stl) that the program is compared with</source>
+        <translation>CL-Datei (.apt, .cl) oder Werkstück (.stl), womit das Programm verglichen wird</translation>
+    </message>
+    <message>
         <source>Centre</source>
         <translation>Mitte</translation>
     </message>
@@ -78,6 +90,10 @@
     <message>
         <source>Checksum (sha256) of what was written</source>
         <translation>Prüfsumme (sha256) des Geschriebenen</translation>
+    </message>
+    <message>
+        <source>Checksum of the base and the deflections that the mesh is made of</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Clearance</source>
@@ -128,6 +144,14 @@
         <translation>Farbe der Werkzeugachsen</translation>
     </message>
     <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Constant distance of the passes, instead of a scallop height</source>
+        <translation>Fester Abstand der Zeilen statt einer Kuppenhöhe</translation>
+    </message>
+    <message>
         <source>Control Point</source>
         <translation>Geführter Punkt</translation>
     </message>
@@ -136,8 +160,16 @@
         <translation>Steuerung</translation>
     </message>
     <message>
+        <source>Controller that the NC file is written for</source>
+        <translation>Steuerung, für die die NC-Datei geschrieben wird</translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Coolant on while the program runs</source>
+        <translation>Kühlmittel ein, solange das Programm läuft</translation>
     </message>
     <message>
         <source>Corner radius of a bull nose, tapered or not; other kinds have none</source>
@@ -168,6 +200,14 @@
         <translation>Fräser-Kegelwinkel</translation>
     </message>
     <message>
+        <source>Cylinders above the cutter, from below: diameter x length in mm, as 8x20,12x30</source>
+        <translation>Zylinder über dem Fräser, von unten: Durchmesser x Länge in mm, etwa 8x20,12x30</translation>
+    </message>
+    <message>
+        <source>Cylinders of the holder above cutter and shank, from below: diameter x length in mm, as 40x25,63x50</source>
+        <translation>Zylinder des Halters über Fräser und Schaft, von unten: Durchmesser x Länge in mm, etwa 40x25,63x50</translation>
+    </message>
+    <message>
         <source>Deepest that the cutter goes below the machined surface</source>
         <translation>So tief geht der Fräser höchstens unter die bearbeitete Fläche</translation>
     </message>
@@ -196,6 +236,18 @@
         <translation>Richtung</translation>
     </message>
     <message>
+        <source>Direction I, J, K of the fixed tool axis, from the tip to the holder</source>
+        <translation>Richtung I, J, K der festen Werkzeugachse, von der Spitze zum Halter</translation>
+    </message>
+    <message>
+        <source>Divide blocks that deviate by more than the tolerance, into as few as keep it</source>
+        <translation>Sätze teilen, die um mehr als die Toleranz abweichen, in so wenige, wie sie einhalten</translation>
+    </message>
+    <message>
+        <source>F words as inverse time (G93), or as feed per minute (G94)</source>
+        <translation>F-Worte zeitreziprok (G93) oder als Vorschub je Minute (G94)</translation>
+    </message>
+    <message>
         <source>Facet Runs</source>
         <translation>Facettenbereiche</translation>
     </message>
@@ -216,8 +268,20 @@
         <translation>Vorschubart</translation>
     </message>
     <message>
+        <source>Feed rate of the approach to the part; in the property editor type its unit too, as 300 mm/min</source>
+        <translation>Vorschub beim Anfahren an das Werkstück; im Eigenschafteneditor die Einheit mit eingeben, etwa 300 mm/min</translation>
+    </message>
+    <message>
+        <source>Feed rate of the tip over the part; in the property editor type its unit too, as 1000 mm/min</source>
+        <translation>Vorschub der Spitze über das Werkstück; im Eigenschafteneditor die Einheit mit eingeben, etwa 1000 mm/min</translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Find the rest material and the overcut on the machined surface</source>
+        <translation>Restmaterial und zu tief Gefrästes auf der bearbeiteten Fläche ermitteln</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -226,6 +290,10 @@
     <message>
         <source>Fingerprint</source>
         <translation>Fingerabdruck</translation>
+    </message>
+    <message>
+        <source>From the spindle's gauge point to the tip; machines with a rotary head need it</source>
+        <translation>Vom Bezugspunkt der Spindel bis zur Spitze; Maschinen mit Schwenkkopf brauchen sie</translation>
     </message>
     <message>
         <source>Gap</source>
@@ -252,16 +320,52 @@
         <translation>Hochgeschwindigkeit</translation>
     </message>
     <message>
+        <source>High-speed mode of the controller, with the tolerance given as corner rounding</source>
+        <translation>Hochgeschwindigkeitsmodus der Steuerung, mit der Toleranz aus „Verschleifen“</translation>
+    </message>
+    <message>
         <source>Holder</source>
         <translation>Halter</translation>
+    </message>
+    <message>
+        <source>How certain the offsets should be, and how near to those of the machine they are compared with</source>
+        <translation>Wie sicher die Versätze sein sollen und wie nahe an denen der Maschine, mit der verglichen wird</translation>
     </message>
     <message>
         <source>How deep the tool enters the part at each marker, mm; 0: not at all</source>
         <translation>Wie tief das Werkzeug an jeder Markierung ins Werkstück eindringt, mm; 0: gar nicht</translation>
     </message>
     <message>
+        <source>How far the controller may round corners, where it can; 0: exact path</source>
+        <translation>Wie weit die Steuerung Ecken verschleifen darf, wo sie es kann; 0: genaue Bahn</translation>
+    </message>
+    <message>
         <source>How far the part should be turned about Z, counter-clockwise</source>
         <translation>Wie weit das Werkstück um Z gedreht werden sollte, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>How far the tool axis may leave the surface normal, for the least deviation or to keep out of the part</source>
+        <translation>Wie weit die Werkzeugachse von der Flächennormalen abweichen darf, für die kleinste Abweichung oder um nicht ins Werkstück einzudringen</translation>
+    </message>
+    <message>
+        <source>How far the work zero may move to either side along X, Y, Z; 0: it stays</source>
+        <translation>Wie weit der Werkstücknullpunkt längs X, Y, Z nach beiden Seiten wandern darf; 0: er bleibt</translation>
+    </message>
+    <message>
+        <source>How many places along X, Y, Z the map shows</source>
+        <translation>Wie viele Orte längs X, Y, Z die Karte zeigt</translation>
+    </message>
+    <message>
+        <source>How many turns of the part about Z are tried, evenly over 360°; 1: as it stands</source>
+        <translation>Wie viele Drehlagen des Werkstücks um Z versucht werden, gleichmäßig über 360°; 1: wie es steht</translation>
+    </message>
+    <message>
+        <source>How the deviation from the line is computed: exactly, or by the model of So et al. 2008</source>
+        <translation>Wie die Abweichung von der Geraden berechnet wird: genau oder nach dem Modell von So u. a. 2008</translation>
+    </message>
+    <message>
+        <source>How the tool axis is found at each contact point</source>
+        <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird</translation>
     </message>
     <message>
         <source>Kinds</source>
@@ -284,6 +388,14 @@
         <translation>Größter Winkel zwischen benachbarten Facetten</translation>
     </message>
     <message>
+        <source>Largest angle between the tool axis and that of the CL file at the end of a block</source>
+        <translation>Größter Winkel zwischen der Werkzeugachse und der der CL-Datei am Ende eines Satzes</translation>
+    </message>
+    <message>
+        <source>Largest change of the tool axis where it is turned to pass the pole</source>
+        <translation>Größte Änderung der Werkzeugachse, wo sie am Pol vorbeigedreht wird</translation>
+    </message>
+    <message>
         <source>Largest deviation in the recommended setup</source>
         <translation>Größte Abweichung in der empfohlenen Aufspannung</translation>
     </message>
@@ -296,16 +408,32 @@
         <translation>Größte Abweichung der Werkzeugspitze von den Geraden durch die Sollstrecken</translation>
     </message>
     <message>
+        <source>Largest deviation of the tip from the programmed line</source>
+        <translation>Größte Abweichung der Spitze von der programmierten Geraden</translation>
+    </message>
+    <message>
         <source>Largest deviation where the work zero stood</source>
         <translation>Größte Abweichung dort, wo der Werkstücknullpunkt stand</translation>
+    </message>
+    <message>
+        <source>Largest distance between cutter and a convex edge; beyond it the tool rolls around the edge in an arc</source>
+        <translation>Größter Abstand zwischen Fräser und einer Außenkante; darüber rollt das Werkzeug in einem Bogen um die Kante</translation>
     </message>
     <message>
         <source>Largest distance of a facet from the surface</source>
         <translation>Größter Abstand einer Facette von der Fläche</translation>
     </message>
     <message>
+        <source>Largest height of the ridges that stay between two passes</source>
+        <translation>Größte Höhe der Grate, die zwischen zwei Zeilen stehen bleiben</translation>
+    </message>
+    <message>
         <source>Lead</source>
         <translation>Voreilwinkel</translation>
+    </message>
+    <message>
+        <source>Lead angle: how far the tool leans in the feed direction</source>
+        <translation>Voreilwinkel: wie weit das Werkzeug in Vorschubrichtung geneigt ist</translation>
     </message>
     <message>
         <source>Least Interval</source>
@@ -322,6 +450,10 @@
     <message>
         <source>Length of the tool axes; 0: as the part needs it</source>
         <translation>Länge der Werkzeugachsen; 0: dem Werkstück angemessen</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Line Width</source>
@@ -354,6 +486,10 @@
     <message>
         <source>Machined surface that is cut too deep by more than the tolerance</source>
         <translation>Bearbeitete Fläche, die um mehr als die Toleranz zu tief gefräst wird</translation>
+    </message>
+    <message>
+        <source>Made Of</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Map</source>
@@ -424,6 +560,10 @@
         <translation>NC-Datei</translation>
     </message>
     <message>
+        <source>Number of the tool; not given: the program calls no tool, the operator sets tool and length</source>
+        <translation>Nummer des Werkzeugs; ohne Angabe ruft das Programm kein Werkzeug, der Bediener stellt Werkzeug und Länge ein</translation>
+    </message>
+    <message>
         <source>Of the mesh and the settings that the result is of</source>
         <translation>Des Netzes und der Einstellungen, zu denen das Ergebnis gehört</translation>
     </message>
@@ -440,6 +580,10 @@
         <translation>Nullpunkt aus der Maschinendatei</translation>
     </message>
     <message>
+        <source>Output</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
         <source>Over Tolerance</source>
         <translation>Über der Toleranz</translation>
     </message>
@@ -448,8 +592,16 @@
         <translation>Überschnittene Fläche</translation>
     </message>
     <message>
+        <source>Part</source>
+        <translation>Werkstück</translation>
+    </message>
+    <message>
         <source>Passes</source>
         <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Passes come no closer than this, also on steep walls</source>
+        <translation>Enger liegen die Zeilen nicht, auch nicht an steilen Wänden</translation>
     </message>
     <message>
         <source>Passes over the part</source>
@@ -468,6 +620,10 @@
         <translation>Eintauchvorschub</translation>
     </message>
     <message>
+        <source>Point of the tool that the program moves: the tip, or the centre of the corner radius</source>
+        <translation>Punkt des Werkzeugs, den das Programm bewegt: die Spitze oder die Mitte des Eckenradius</translation>
+    </message>
+    <message>
         <source>Program</source>
         <translation>Programm</translation>
     </message>
@@ -478,6 +634,10 @@
     <message>
         <source>Proven upper bound of the deviation from the commanded segments</source>
         <translation>Bewiesene obere Schranke der Abweichung von den Sollstrecken</translation>
+    </message>
+    <message>
+        <source>Rapid moves stay this far off the part's bounding box</source>
+        <translation>So weit bleiben Eilgänge vom Hüllquader des Werkstücks weg</translation>
     </message>
     <message>
         <source>Recommended</source>
@@ -500,6 +660,10 @@
         <translation>RTCP</translation>
     </message>
     <message>
+        <source>Safety</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
         <source>Scallop</source>
         <translation>Kuppenhöhe</translation>
     </message>
@@ -516,12 +680,16 @@
         <translation>Schaft</translation>
     </message>
     <message>
+        <source>Shape and sizes of the cutter</source>
+        <translation>Form und Maße des Fräsers</translation>
+    </message>
+    <message>
         <source>Shape of the cutter: ball, flat, bull nose, tapered ball, tapered bull nose</source>
         <translation>Form des Fräsers: Kugel, Schaftfräser, Torus, konische Kugel, konischer Torus</translation>
     </message>
     <message>
         <source>Show All Places</source>
-        <translation>Alle Plätze zeigen</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Show Axes</source>
@@ -553,7 +721,7 @@
     </message>
     <message>
         <source>Show the places at all heights, not only those at the recommended one</source>
-        <translation>Die Plätze in allen Höhen zeigen, nicht nur die in der empfohlenen</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Show the rapids</source>
@@ -608,12 +776,20 @@
         <translation>Drehzahl</translation>
     </message>
     <message>
+        <source>Spindle speed, 1/min; not given (0): the program does not start the spindle</source>
+        <translation>Spindeldrehzahl, 1/min; ohne Angabe (0): das Programm schaltet die Spindel nicht ein</translation>
+    </message>
+    <message>
         <source>Start and stop of the facets on the chosen faces</source>
         <translation>Anfang und Ende der Facetten auf den gewählten Flächen</translation>
     </message>
     <message>
         <source>Stepover</source>
         <translation>Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Surfaces steeper than this are not machined</source>
+        <translation>Steilere Flächen werden nicht bearbeitet</translation>
     </message>
     <message>
         <source>Table Height</source>
@@ -634,6 +810,10 @@
     <message>
         <source>The NC file that is judged</source>
         <translation>Die NC-Datei, die geprüft wird</translation>
+    </message>
+    <message>
+        <source>The cutters of the setup, one a line: number, shape with its sizes, name</source>
+        <translation>Die Fräser der Aufspannung, einer je Zeile: Nummer, Form mit Maßen, Name</translation>
     </message>
     <message>
         <source>The file is what the toolpath makes now; if it is not, post-process again</source>
@@ -664,6 +844,10 @@
         <translation>Die bewiesene Schranke jedes NC-Satzes liegt in der Toleranz</translation>
     </message>
     <message>
+        <source>The setup whose machine, controller and work zero the path takes; empty: its own</source>
+        <translation>Die Aufspannung, deren Maschine, Steuerung und Nullpunkt der Weg übernimmt; leer: eigene</translation>
+    </message>
+    <message>
         <source>The solid, body, compound or mesh, and the faces of it that are milled</source>
         <translation>Der Volumenkörper, Körper, Verbund oder das Netz, und seine Flächen, die gefräst werden</translation>
     </message>
@@ -692,12 +876,20 @@
         <translation>Der Werkzeugweg, dessen Werkstück aufgespannt werden soll</translation>
     </message>
     <message>
+        <source>The verdict as a traffic light: red, amber or green</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The work zero in the machine frame about which setups were tried</source>
         <translation>Der Werkstücknullpunkt im Maschinensystem, um den herum Aufspannungen erprobt wurden</translation>
     </message>
     <message>
         <source>Tilt</source>
         <translation>Seitwinkel</translation>
+    </message>
+    <message>
+        <source>Tilt angle: how far the tool leans across the feed direction</source>
+        <translation>Seitwinkel: wie weit das Werkzeug quer zur Vorschubrichtung geneigt ist</translation>
     </message>
     <message>
         <source>Time</source>
@@ -740,8 +932,16 @@
         <translation>Werkzeuglänge</translation>
     </message>
     <message>
+        <source>Tool centre point control (RTCP, TCPM, TRAORI): the controller guides the tip itself; off: the program gives the positions of all axes</source>
+        <translation>Werkzeugspitzenführung (RTCP, TCPM, TRAORI): die Steuerung führt die Spitze selbst; aus: das Programm gibt die Stellungen aller Achsen</translation>
+    </message>
+    <message>
         <source>Toolpath</source>
         <translation>Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
     </message>
     <message>
         <source>Travel</source>
@@ -796,6 +996,14 @@
         <translation>Was das Ergebnis über sich selbst sagt, in einfachen Sätzen</translation>
     </message>
     <message>
+        <source>What to do near the pole, where a rotary axis turns far to lean the tool a little</source>
+        <translation>Was nahe am Pol geschieht, wo eine Rundachse weit dreht, um das Werkzeug wenig zu neigen</translation>
+    </message>
+    <message>
+        <source>What to do where cutter, shank or holder would enter the part</source>
+        <translation>Was geschieht, wo Fräser, Schaft oder Halter in das Werkstück eindringen würde</translation>
+    </message>
+    <message>
         <source>Where the markers stand in the document</source>
         <translation>Wo die Markierungen im Dokument stehen</translation>
     </message>
@@ -804,8 +1012,16 @@
         <translation>Wo der Werkstücknullpunkt stehen sollte, im Maschinensystem</translation>
     </message>
     <message>
+        <source>Where the work zero stands in the machine's coordinates</source>
+        <translation>Wo der Werkstücknullpunkt in den Koordinaten der Maschine steht</translation>
+    </message>
+    <message>
         <source>Where the work zeros of the map lie in the document</source>
         <translation>Wo die Werkstücknullpunkte der Karte im Dokument liegen</translation>
+    </message>
+    <message>
+        <source>Whether the program is safe to run, and why, in a plain sentence</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the path in pixels</source>
@@ -820,6 +1036,10 @@
         <translation>Werkstücknullpunkt</translation>
     </message>
     <message>
+        <source>Work offset: G54 to G59; LinuxCNC also G59.1 to G59.3, Fanuc also G54.1 P1 to P300</source>
+        <translation>Nullpunktverschiebung: G54 bis G59; LinuxCNC auch G59.1 bis G59.3, Fanuc auch G54.1 P1 bis P300</translation>
+    </message>
+    <message>
         <source>Worst Line</source>
         <translation>Schlimmste NC-Zeile</translation>
     </message>
@@ -830,6 +1050,10 @@
     <message>
         <source>X,Y,Z over the work zero of a place to mark, as high as part and clamps reach</source>
         <translation>X,Y,Z über dem Werkstücknullpunkt: eine Stelle zum Anzeichnen, so hoch, wie Werkstück und Spannmittel reichen</translation>
+    </message>
+    <message>
+        <source>Zigzag cuts in both directions, one way in one direction only</source>
+        <translation>Zickzack fräst in beiden Richtungen, eine Richtung nur in einer</translation>
     </message>
     <message>
         <source>feed of all its moves, mm/min and deg/min</source>
@@ -858,6 +1082,10 @@
 </context>
 <context>
     <name>FiveAxis</name>
+    <message>
+        <source> 1/min</source>
+        <translation> 1/min</translation>
+    </message>
     <message>
         <source>A controller with tool tip control (RTCP) guides the tip along the line itself.</source>
         <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Spitze von sich aus auf der Geraden.</translation>
@@ -911,12 +1139,24 @@
         <translation>Unter der Fläche</translation>
     </message>
     <message>
+        <source>Between two facets the axis turns evenly over the steps on either side (Lin and Ye).</source>
+        <translation>Zwischen zwei Facetten dreht die Achse gleichmäßig über die Schritte auf beiden Seiten (Lin und Ye).</translation>
+    </message>
+    <message>
         <source>Block</source>
         <translation>NC-Satz</translation>
     </message>
     <message>
         <source>Blocks</source>
         <translation>NC-Sätze</translation>
+    </message>
+    <message>
+        <source>Blocks near the pole are listed; the path stays as it is.</source>
+        <translation>Sätze nahe am Pol werden aufgelistet; der Weg bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Blocks near the pole that are over tolerance are divided.</source>
+        <translation>Sätze nahe am Pol, die über der Toleranz liegen, werden geteilt.</translation>
     </message>
     <message>
         <source>Blocks over tolerance</source>
@@ -991,12 +1231,16 @@
         <translation>Einen Punkt anklicken, oder Esc drücken</translation>
     </message>
     <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Collision between passes</source>
         <translation>Kollision zwischen Bahnen</translation>
     </message>
     <message>
         <source>Collisions are not checked against it.</source>
-        <translation>Kollisionen mit ihr werden nicht geprüft.</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Compare</source>
@@ -1028,7 +1272,7 @@
     </message>
     <message>
         <source>Corner not reached</source>
-        <translation>Ecke nicht erreicht</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Corner radius</source>
@@ -1037,6 +1281,18 @@
     <message>
         <source>Corner rounding</source>
         <translation>Verschleifen</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Korrektur</translation>
+    </message>
+    <message>
+        <source>Corrections</source>
+        <translation>Korrekturen</translation>
+    </message>
+    <message>
+        <source>Cut pattern</source>
+        <translation>Fräsmuster</translation>
     </message>
     <message>
         <source>Cut too deep</source>
@@ -1071,6 +1327,10 @@
         <translation>Abstand der Werkzeugspitze von der Sollstrecke</translation>
     </message>
     <message>
+        <source>Divide blocks</source>
+        <translation>Sätze teilen</translation>
+    </message>
+    <message>
         <source>Draw {label}</source>
         <translation>{label} zeichnen</translation>
     </message>
@@ -1079,8 +1339,20 @@
         <translation>Kantentoleranz</translation>
     </message>
     <message>
+        <source>Edit</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Edit the setup: all its paths follow</source>
+        <translation>Die Aufspannung ändern: alle ihre Wege folgen</translation>
+    </message>
+    <message>
         <source>Error</source>
         <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Feed</source>
@@ -1131,6 +1403,10 @@
         <translation>Aus einer Werkzeugdatei …</translation>
     </message>
     <message>
+        <source>From setup {name}</source>
+        <translation>Aus der Aufspannung {name}</translation>
+    </message>
+    <message>
         <source>From the gauge point to the tip: machines whose head turns need it</source>
         <translation>Vom Bezugspunkt bis zur Spitze: Maschinen mit drehendem Kopf brauchen sie</translation>
     </message>
@@ -1143,8 +1419,16 @@
         <translation>Abstand über der Marke</translation>
     </message>
     <message>
+        <source>Go back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gouge protection</source>
+        <translation>Eindringschutz</translation>
+    </message>
+    <message>
         <source>Heel of the cutter in the part</source>
-        <translation>Ferse des Fräsers im Werkstück</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Height of the table</source>
@@ -1195,12 +1479,24 @@
         <translation>Der Name muss auf {endings} enden.</translation>
     </message>
     <message>
+        <source>Keep anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Keep the tip of the tool in the middle of the view</source>
         <translation>Die Werkzeugspitze in der Mitte der Ansicht halten</translation>
     </message>
     <message>
+        <source>Keep this path anyway?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Kind</source>
         <translation>Art</translation>
+    </message>
+    <message>
+        <source>Largest axis angle</source>
+        <translation>Größter Achswinkel</translation>
     </message>
     <message>
         <source>Largest axis change</source>
@@ -1231,6 +1527,10 @@
         <translation>Ausgelassen</translation>
     </message>
     <message>
+        <source>Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp the part in another position.</source>
+        <translation>Im Fenster des Werkzeugwegs die Achse am Pol vorbeidrehen lassen, das Werkzeug um einige Grad neigen oder das Werkstück anders aufspannen.</translation>
+    </message>
+    <message>
         <source>Limits</source>
         <translation>Grenzen</translation>
     </message>
@@ -1259,12 +1559,20 @@
         <translation>Maschinendateien (*.fcm)</translation>
     </message>
     <message>
+        <source>Machine, controller and work zero that several paths share</source>
+        <translation>Maschine, Steuerung und Nullpunkt, die mehrere Wege teilen</translation>
+    </message>
+    <message>
         <source>Machines</source>
         <translation>Maschinen</translation>
     </message>
     <message>
         <source>Machines on {label}</source>
         <translation>Maschinen an {label}</translation>
+    </message>
+    <message>
+        <source>Make a setup of these values, so that other paths take them too</source>
+        <translation>Aus diesen Werten eine Aufspannung machen, damit andere Wege sie auch übernehmen</translation>
     </message>
     <message>
         <source>Mark</source>
@@ -1299,12 +1607,20 @@
         <translation>NC-Datei</translation>
     </message>
     <message>
+        <source>NC file written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>NC files (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)</source>
         <translation>NC-Dateien (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)</translation>
     </message>
     <message>
         <source>NC line</source>
         <translation>NC-Zeile</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Name the NC file.</source>
@@ -1332,7 +1648,7 @@
     </message>
     <message>
         <source>Not machined</source>
-        <translation>Nicht bearbeitet</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not proven</source>
@@ -1345,6 +1661,10 @@
     <message>
         <source>Nothing enters the part</source>
         <translation>Nichts dringt ins Werkstück ein</translation>
+    </message>
+    <message>
+        <source>Nothing is checked: the tool may enter the part.</source>
+        <translation>Nichts wird geprüft: das Werkzeug kann in das Werkstück eindringen.</translation>
     </message>
     <message>
         <source>Nothing to report: all blocks are as they should be.</source>
@@ -1371,12 +1691,20 @@
         <translation>Auf {area} der bearbeiteten Fläche bleibt mehr stehen, als die Bahnen stehen lassen sollen.</translation>
     </message>
     <message>
+        <source>One axis everywhere: three-axis milling, or 3 + 2 with a tilted axis.</source>
+        <translation>Überall eine Achse: dreiachsiges Fräsen, oder 3 + 2 mit geneigter Achse.</translation>
+    </message>
+    <message>
         <source>One block back</source>
         <translation>Einen NC-Satz zurück</translation>
     </message>
     <message>
         <source>One block on</source>
         <translation>Einen NC-Satz weiter</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Open a document first: there is nothing to pick from.</source>
@@ -1419,6 +1747,14 @@
         <translation>Orte auf der Karte</translation>
     </message>
     <message>
+        <source>Places where the tool enters the part are listed; the path stays as it is.</source>
+        <translation>Stellen, an denen das Werkzeug ins Werkstück eindringt, werden aufgelistet; der Weg bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Places where the tool would enter the part are not machined.</source>
+        <translation>Stellen, an denen das Werkzeug ins Werkstück eindringen würde, werden nicht bearbeitet.</translation>
+    </message>
+    <message>
         <source>Play</source>
         <translation>Abspielen</translation>
     </message>
@@ -1455,6 +1791,10 @@
         <translation>Vorschau für den Arbeitsbereich CAM</translation>
     </message>
     <message>
+        <source>Programmed point</source>
+        <translation>Programmierter Punkt</translation>
+    </message>
+    <message>
         <source>Prove the signs</source>
         <translation>Vorzeichen nachweisen</translation>
     </message>
@@ -1465,6 +1805,10 @@
     <message>
         <source>Proven bound</source>
         <translation>Bewiesene Schranke</translation>
+    </message>
+    <message>
+        <source>Recompute</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Recover</source>
@@ -1487,8 +1831,12 @@
         <translation>Bericht für Programme (.json)</translation>
     </message>
     <message>
+        <source>Rest material</source>
+        <translation>Restmaterial</translation>
+    </message>
+    <message>
         <source>Retract below the part</source>
-        <translation>Rückzug unter dem Werkstück</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Room for the work zero</source>
@@ -1532,19 +1880,31 @@
     </message>
     <message>
         <source>Shank or holder not freed</source>
-        <translation>Schaft oder Halter nicht frei</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Shank, Ø x length</source>
         <translation>Schaft, Ø x Länge</translation>
     </message>
     <message>
+        <source>Share</source>
+        <translation>Teilen</translation>
+    </message>
+    <message>
         <source>Sheet to print</source>
         <translation>Blatt zum Drucken</translation>
     </message>
     <message>
+        <source>Shorter blocks help: half the length leaves about a quarter of the deviation. Divide blocks, in the group Safety of the tool path's panel, makes as many of them as are needed.</source>
+        <translation>Kürzere Sätze helfen: die halbe Länge lässt etwa ein Viertel der Abweichung. „Sätze teilen“ in der Gruppe „Sicherheit“ des Werkzeugwegs macht so viele daraus, wie nötig sind.</translation>
+    </message>
+    <message>
         <source>Show findings</source>
         <translation>Befunde zeigen</translation>
+    </message>
+    <message>
+        <source>Show folder</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Singular blocks</source>
@@ -1555,6 +1915,10 @@
         <translation>Langsamer Vorschub</translation>
     </message>
     <message>
+        <source>Smallest stepover</source>
+        <translation>Kleinster Zeilenabstand</translation>
+    </message>
+    <message>
         <source>Spacing by</source>
         <translation>Abstand nach</translation>
     </message>
@@ -1563,8 +1927,20 @@
         <translation>Geschwindigkeit, in Vielfachen der wirklichen</translation>
     </message>
     <message>
+        <source>Spindle speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Spindle speed not given: the program will not start the spindle.</source>
+        <translation>Drehzahl fehlt: das Programm schaltet die Spindel nicht ein.</translation>
+    </message>
+    <message>
         <source>Start through the part</source>
-        <translation>Start durch das Werkstück</translation>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steepest surface</source>
+        <translation>Steilste Fläche</translation>
     </message>
     <message>
         <source>Stepover</source>
@@ -1611,6 +1987,10 @@
         <translation>Die NC-Datei, die geschrieben wird</translation>
     </message>
     <message>
+        <source>The axis that makes the deviation of this machine smallest, within the largest axis angle; takes long.</source>
+        <translation>Die Achse mit der kleinsten Abweichung auf dieser Maschine, innerhalb des größten Achswinkels; dauert lange.</translation>
+    </message>
+    <message>
         <source>The block is so near to the tolerance of {tolerance} that the proof does not reach.</source>
         <translation>Der NC-Satz liegt so nahe an der Toleranz von {tolerance}, dass der Nachweis nicht reicht.</translation>
     </message>
@@ -1625,6 +2005,14 @@
     <message>
         <source>The controller guides the tip (RTCP); shown are evenly moving axes.</source>
         <translation>Die Steuerung führt die Spitze (RTCP); gezeigt sind gleichmäßig bewegte Achsen.</translation>
+    </message>
+    <message>
+        <source>The controller guides the tip; the program gives the rotary axes.</source>
+        <translation>Die Steuerung führt die Spitze; das Programm gibt die Rundachsen.</translation>
+    </message>
+    <message>
+        <source>The controller guides the tip; the program gives the tool axis as a vector.</source>
+        <translation>Die Steuerung führt die Spitze; das Programm gibt die Werkzeugachse als Vektor.</translation>
     </message>
     <message>
         <source>The cutter does not fit there, or it was lifted or kept away so that nothing enters the part.</source>
@@ -1648,7 +2036,7 @@
     </message>
     <message>
         <source>The machine is a sketch from its axes: not to scale.</source>
-        <translation>Die Maschine ist eine Skizze aus ihren Achsen: nicht maßstäblich.</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The next block where a rotary axis turns far to lean the tool a little</source>
@@ -1661,6 +2049,10 @@
     <message>
         <source>The point of the part that is the program's zero</source>
         <translation>Der Punkt des Werkstücks, der Nullpunkt des Programms ist</translation>
+    </message>
+    <message>
+        <source>The program gives the positions of all axes; any controller can run it.</source>
+        <translation>Das Programm gibt die Stellungen aller Achsen; jede Steuerung kann es fahren.</translation>
     </message>
     <message>
         <source>The program that was made of the CL file, without tool centre point control</source>
@@ -1699,8 +2091,20 @@
         <translation>Gesehen wurde, dass die Werkzeugspitze um {deviation} von der Strecke abweicht; bewiesen ist nur, dass es nicht mehr als {bound} ist.</translation>
     </message>
     <message>
+        <source>The tool axis is turned by a few degrees, so that it passes beside the pole.</source>
+        <translation>Die Werkzeugachse wird um einige Grad gedreht, sodass sie am Pol vorbeigeht.</translation>
+    </message>
+    <message>
+        <source>The tool is lifted along its axis until nothing enters the part.</source>
+        <translation>Das Werkzeug wird längs seiner Achse gehoben, bis nichts mehr ins Werkstück eindringt.</translation>
+    </message>
+    <message>
         <source>The tool is short, or leans towards a wall beside what is cut. Walls that are not selected count too.</source>
         <translation>Das Werkzeug ist kurz oder neigt sich zu einer Wand neben dem, was gefräst wird. Auch Wände, die nicht ausgewählt sind, zählen.</translation>
+    </message>
+    <message>
+        <source>The tool is tilted until shank and holder are free; where the cutter still enters, it is lifted.</source>
+        <translation>Das Werkzeug wird geneigt, bis Schaft und Halter frei sind; wo der Fräser noch eindringt, wird es gehoben.</translation>
     </message>
     <message>
         <source>The tool path was changed since: double-click the map to try again</source>
@@ -1709,6 +2113,10 @@
     <message>
         <source>The tool path was deleted meanwhile: close this panel.</source>
         <translation>Der Werkzeugweg wurde inzwischen gelöscht: dieses Fenster schließen.</translation>
+    </message>
+    <message>
+        <source>The tool stands normal to the surface, leaned by lead and tilt.</source>
+        <translation>Das Werkzeug steht senkrecht zur Fläche, geneigt um Voreil- und Seitwinkel.</translation>
     </message>
     <message>
         <source>There are several paths: select the one to mark.</source>
@@ -1741,6 +2149,14 @@
     <message>
         <source>This machine's head turns: give the length from the gauge point to the tip.</source>
         <translation>Der Kopf dieser Maschine schwenkt: die Länge vom Bezugspunkt der Spindel bis zur Werkzeugspitze angeben.</translation>
+    </message>
+    <message>
+        <source>This should not have happened: {error}. The details are in the report view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick at least one machine and one correction.</source>
+        <translation>Mindestens eine Maschine und eine Korrektur ankreuzen.</translation>
     </message>
     <message>
         <source>Tilt</source>
@@ -1817,6 +2233,10 @@
     <message>
         <source>Warning</source>
         <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Way of X, Y, Z</source>
@@ -1903,6 +2323,10 @@
         <translation>Schlimmster NC-Satz</translation>
     </message>
     <message>
+        <source>Write anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Written: {}</source>
         <translation>Geschrieben: {}</translation>
     </message>
@@ -1917,6 +2341,10 @@
     <message>
         <source>along</source>
         <translation>entlang</translation>
+    </message>
+    <message>
+        <source>and {count} more</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>around an edge</source>
@@ -1935,8 +2363,20 @@
         <translation>Achse</translation>
     </message>
     <message>
+        <source>ball end mill</source>
+        <translation>Kugelfräser</translation>
+    </message>
+    <message>
         <source>beyond limits, or below the table</source>
         <translation>jenseits der Grenzen, oder unter dem Tisch</translation>
+    </message>
+    <message>
+        <source>bull nose mill</source>
+        <translation>Torusfräser</translation>
+    </message>
+    <message>
+        <source>by rotary axes</source>
+        <translation>durch Rundachsen</translation>
     </message>
     <message>
         <source>by the text itself</source>
@@ -1949,6 +2389,10 @@
     <message>
         <source>carries</source>
         <translation>trägt</translation>
+    </message>
+    <message>
+        <source>centre of corner radius</source>
+        <translation>Mitte des Eckenradius</translation>
     </message>
     <message>
         <source>certain within</source>
@@ -2007,12 +2451,24 @@
         <translation>NC-Sätze teilen</translation>
     </message>
     <message>
+        <source>driving the turned axes</source>
+        <translation>die gedrehten Achsen werden gefahren</translation>
+    </message>
+    <message>
         <source>exact</source>
         <translation>genau</translation>
     </message>
     <message>
         <source>fitting machines</source>
         <translation>Maschinen werden angepasst</translation>
+    </message>
+    <message>
+        <source>fixed axis</source>
+        <translation>feste Achse</translation>
+    </message>
+    <message>
+        <source>flat end mill</source>
+        <translation>Schaftfräser</translation>
     </message>
     <message>
         <source>found</source>
@@ -2099,12 +2555,28 @@
         <translation>nein</translation>
     </message>
     <message>
+        <source>no spindle speed</source>
+        <translation>ohne Drehzahl</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
     <message>
+        <source>none: own values</source>
+        <translation>keine: eigene Werte</translation>
+    </message>
+    <message>
+        <source>normal weighted by step</source>
+        <translation>Normale, nach Schritt gewichtet</translation>
+    </message>
+    <message>
         <source>not determined</source>
         <translation>nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>fehlt</translation>
     </message>
     <message>
         <source>not known</source>
@@ -2145,6 +2617,10 @@
     <message>
         <source>over tolerance</source>
         <translation>über der Toleranz</translation>
+    </message>
+    <message>
+        <source>per minute (G94)</source>
+        <translation>je Minute (G94)</translation>
     </message>
     <message>
         <source>placing the passes</source>
@@ -2207,8 +2683,16 @@
         <translation>Vorzeichen</translation>
     </message>
     <message>
+        <source>skip these places</source>
+        <translation>Stellen auslassen</translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>vom Benutzer abgebrochen</translation>
+    </message>
+    <message>
+        <source>surface normal</source>
+        <translation>Flächennormale</translation>
     </message>
     <message>
         <source>taken as 0</source>
@@ -2255,8 +2739,20 @@
         <translation>Aufspannungen erproben</translation>
     </message>
     <message>
+        <source>turn the axis past it</source>
+        <translation>Achse vorbeidrehen</translation>
+    </message>
+    <message>
+        <source>turn the axis past the pole</source>
+        <translation>Achse am Pol vorbeidrehen</translation>
+    </message>
+    <message>
         <source>turning the axes</source>
         <translation>Rundachsen berechnen</translation>
+    </message>
+    <message>
+        <source>turning the axis past the pole</source>
+        <translation>die Achse wird am Pol vorbeigedreht</translation>
     </message>
     <message>
         <source>where the work zero stood</source>
@@ -2279,8 +2775,16 @@
         <translation>ja</translation>
     </message>
     <message>
+        <source>zigzag</source>
+        <translation>Zickzack</translation>
+    </message>
+    <message>
         <source>{block} of {last}, {motion}</source>
         <translation>{block} von {last}, {motion}</translation>
+    </message>
+    <message>
+        <source>{controller} does not guide the tip itself: divide blocks instead.</source>
+        <translation>{controller} führt die Spitze nicht selbst: stattdessen Sätze teilen.</translation>
     </message>
     <message>
         <source>{controller} has no high-speed mode to switch.</source>
@@ -2289,6 +2793,10 @@
     <message>
         <source>{controller} has no inverse time: F is in mm/min.</source>
         <translation>{controller} hat keine inverse Zeit: F ist in mm/min.</translation>
+    </message>
+    <message>
+        <source>{controller} needs the number of the tool for it: give it in the group Tool.</source>
+        <translation>{controller} braucht dafür die Nummer des Werkzeugs: in der Gruppe „Werkzeug“ angeben.</translation>
     </message>
     <message>
         <source>{count}, proven are only their ends</source>
@@ -2300,23 +2808,28 @@
     </message>
     <message>
         <source>{deviation}, NC line {line}: over {tolerance}</source>
-        <translation>{deviation}, NC-Zeile {line}: über {tolerance}</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{deviation}, NC line {line}: within {tolerance}</source>
-        <translation>{deviation}, NC-Zeile {line}: innerhalb {tolerance}</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{document} has no 3D view: open one and play {path} again.</source>
         <translation>{document} hat keine 3D-Ansicht: eine öffnen und {path} noch einmal abspielen.</translation>
     </message>
     <message>
+        <source>{file}
+{lines} lines, run time {time}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{finding}: {area}</source>
-        <translation>{finding}: {area}</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{finding}: {count} places</source>
-        <translation>{finding}: {count} Stellen</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be too slow for the programmed feed: then the tool dwells and may leave a mark.</source>
@@ -2335,6 +2848,10 @@
         <translation>Null von {letter}</translation>
     </message>
     <message>
+        <source>{name} (0: the program leaves it off)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{name}, other blocks</source>
         <translation>{name}, andere NC-Sätze</translation>
     </message>
@@ -2348,7 +2865,7 @@
     </message>
     <message>
         <source>{shown} of {count} places: those at the recommended height</source>
-        <translation>{shown} von {count} Plätzen: die in der empfohlenen Höhe</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{singular_blocks} blocks lie near the pole; this is the worst.</source>
@@ -2369,6 +2886,2729 @@
     <message>
         <source>{} s</source>
         <translation>{} s</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxisCore</name>
+    <message>
+        <source> (NC line {line})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (along the axis, which leans)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Beside it scallops up to {height} are left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> On that machine the tip would be off by up to {miss}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> The path goes straight on to the next GOTO: have curves written as points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> This is the deepest of {blocks} blocks in {places} places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and the part turned by {turn}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> at {count} place, {depth} deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> at {count} places, {depth} deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> in {count} blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> of {axes}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> {name} is another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> {name} is that machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 block leads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 feed block (NC line {first})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 feed block asks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 feed block is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 feed block leaves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 feed block lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 feed block: {count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first NC line {first}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 of {all} ways holds {tolerance}; the quickest is {way}, {time}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; do you mean {close}?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A controller with tool tip control (RTCP) guides the tip along the segment itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A display or pose that differs: work offset, tool length or zero positions are not set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A head's pivot was found as its distance from the tip, tool included. Give {tool_length} to have the gauge point's written; else use the file with tool length 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All {count} facets looked inward and were turned outward; check the export if only some of them should.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At every stop compare what you see with this sheet, and stop for good if it differs. The tip stays at least {gap} above the level of the mark, even if a rotary axis turns the wrong way or the two are exchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the end of {count} feed blocks the tool does not stand as the CL path says: worst NC line {line}, by {lean} ({tolerance} allowed); first NC line {first}. Are signs, order and zeros of the rotary axes those of the machine?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CHECK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F says {speed}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FEDRAT needs one feed above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed override at its lowest, single block on, a hand on feed hold. The program waits (M0) after every line below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For the post {letter} is the rotary axis nearer to the work, for {name} it is {own}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD could not mesh {label}: check its geometry, or choose other deflections.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GODLTA stands before the first GOTO: from where is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If not: are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If {text}, the tip is off by {size} only at the last stop, which is easily overlooked: rely on the stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In hollows along the passes the cutter's bottom stands up to about {depth} in the part behind its contact or before it, over {count} rows. Give more lead, take a smaller cutter or a ball, or check for gouges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the present setup the axes leave their limits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the present setup the part reaches below the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the present setup the part reaches below the table: its work zero must stand at Z {least} or higher. Give another {origin}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} blocks F would be below one step; they run faster than programmed. Use G93.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} blocks F would exceed the controller's largest; they run slower than programmed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} blocks an axis would exceed its maximum rate; they run slower than programmed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} blocks the controller guides the tip (RTCP): that it keeps to the segment is the controller's affair, and neither measured nor proven here. Limits and rates are those of the axes that this machine file needs for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} blocks the whole cutter is inside the part, the first at {place}. Check the work zero and the units of the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis would need another branch or winding; its axis deviation stays as it was. Lead the tool round the pole to avoid it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {where} the tip moves over the part more than {factor} times faster or slower than meant: at worst {feed} in NC line {line}, where {meant}. </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog the tool high above the part, rotary axes at 0, before the first line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least deviation: {way}, {deviation} in {time}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the axis be led past the pole (deform), lead or tilt the tool by a few degrees, or clamp the part in another position (setup finds one), so that the tool keeps off the pole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the tool be lifted there or leave such places out (gouge lift, leave-out), or use a smaller cutter; where the machine leaves the path by as much, let blocks be divided (linearize on).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct them from the machine's data sheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More or less room than {gap}: tool length, work offset or {mark} are wrong. Do not go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NC line {line} leaves the commanded segment by {deviation}, {tolerance} allowed: {turns} within a step of {step}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NC line {line}: deviation {deviation}, proven bound {bound}, {tolerance} allowed. Split it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NC line {line}: {turns} to lean the tool by {lean}. Keep the tool off the pole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT SAFE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No HAL file sets {lacking} of {module}; they are 0, as LinuxCNC has them then. Is that so?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No setup of the region keeps all axes within their limits and the part on the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No work zero of the setup region keeps the linear axes within their limits: they are exceeded by {over} at least. Widen the region, turn the part, or take a larger machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No work zero of the setup region puts the part on the table. Move the region up ({origin}), or widen it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of the machines can drive this path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing here holds {tolerance} within the limits of its machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is selected: {what}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing may stand above Z {z} of the work zero: remove the part, or give {mark} as high as part and clamps reach.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of {whole} that are machined, all are cut: no more than {allowed} is left, nothing is cut too deep.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of {whole} that are machined, {parts}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On {area} of the machined surface more than {above} is left, most at {place}: {height}; {volume} in all. Cut these places with a smaller cutter or another tool axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On {area} of the machined surface more than {tolerance} is cut too deep, most at {place}: {height}; {volume} in all. Let the tool be lifted there (gouge lift), or use a smaller cutter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On {machine} with cure {cure} the path cannot be driven: {problem}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {letter} moves: the table goes {wrong} by {travel}; the tool, seen from the part, goes {right}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {letter} moves: the tool goes {right} by {travel}, the table rests.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {letter} turns: the {what} turns {right} by {degrees}, seen {view}; {mark}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over {length} of the passes no tilt of up to {most} keeps shank and holder out of the part, the deepest entry at {place}. Allow more tilt ({max_tilt}), use a longer tool, or leave these places out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positive {letter} words turn the tool, seen from the work, left-handed about {plus}, against ISO 841; the direction in the file is reversed accordingly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Post it again for this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right is +X of the machine, back is +Y (away from you), up is +Z. If your machine's axes point elsewhere, stand so that they do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SAFE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STL file {path} cannot be read: {strerror}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorter blocks help: half the length leaves about a quarter of the deviation; linearize makes as many as are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle off and locked; no cutter that can hurt: a pointed rod of the tool's length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split it, or keep the tool off the pole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stand {place}: largest deviation {deviation} instead of {now}, {times} times less.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stand {place}: largest deviation {deviation}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The CL file is for a cutter of {diameter}, retracts are laid out for {given}; give {cutter}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The CL file is for a {said}, retracts are laid out for a {given}; give {cutter}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller guides the tip (RTCP). Proven is that every block ends within {off} of the path's tip and {lean} of its tool axis, as the machine file describes the machine; how tip and axes go from end to end is the controller's affair, and not proven here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cutter does not fit into the corners at {number} facet segments; {much}. Use a smaller cutter there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out (gouge lift, leave-out).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cutter goes {depth} too deep into the part at {at}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The display shows {place}. The tool stands upright, the table level. Nothing is near the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The facets curl tighter than the cutter at {number} segments, and the cutter cuts up to {worst} into them. Use a smaller cutter or a finer mesh, or check these places before milling.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first motion line does not say where {unknown} stand; they are taken as 0 there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or a cutter of less taper.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height of the table is not known: check that the part stands on it, or give {table_height}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height of the table is not known: check that the part stands on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joint axes are taken as the way the tool moves relative to the work (ISO 841). Prove the signs before cutting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least interval of {least} binds {count} times and leaves scallops up to {height} where {scallop} are asked: give a smaller least interval or turn the direction along the steep walls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lines after the end of the program in line {last} are not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The machine that the post had in mind is {kind}, {name} is {own}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mesh of {label} was deleted: undo that, or choose another one in its property Mesh.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model of So et al. finds no farthest point in {rootless} of {blocks} blocks and takes the middle there; use the exact line deviation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part that {label} was made of was deleted: undo that, or choose another one in its property Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part was deleted: undo that, or choose another one in the property Base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part's lowest place is then {height} above the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path of {label} was deleted: choose another one in its property Path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plane above the part at which the rotary axes turn lies at Z {height}, beyond the limit {limit}: the program begins and ends at that limit. Watch the first moves, or set the machine file's safe_start to machine or reference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The post had in mind: {layout}. It explains {count} of {all} rows within {worst}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The present setup is as good as any of the region: largest deviation {deviation}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program counts {name} from {value} (within {certainty}), not from the CL path's zero. A machine file cannot hold that: correct {what}, or the post.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program has rotary words {letters}, {name} has {own}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program says {units_said}; taken as mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program uses {count} work offsets; their distance is not known, and the blocks between are not right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recommended setup lies on the edge of the region ({edges}); beyond it may be a better one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rows are off by up to {worst} and {lean} from the best machine, {scale} times what rounding explains. The program may come from another CL path, or its machine have directions or axes that are not tried here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rows do not determine {name}; it is written {kept}. Give rows in which the rotary axes turn farther.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shape of {label} is invalid, so its mesh would have cracks: repair it (Part workbench: Check geometry shows where), or select another solid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spindle stays off: give the spindle speed ({spindle} S).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table goes {right}: {letter} has the wrong sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text after FINI is not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text after the closing % is not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text is {language}, and read as such; give its {option}, so that feeds are taken as it takes them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text is {language}; it is read as a program of {controller}. If it is for another, give its {option}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tip stands {gap} over the highest place of part and clamps (a gauge block fits). Draw a cross on part or plate straight below the tip: this is the mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use less lead or tilt, clamp the part in another position, or take another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool axis was tilted in {count} rows, most by {angle} at {place}, so that the tool stays out of the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool goes {wrong}: {letter} has the wrong sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or cut these places in another set-up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool points elsewhere: see the table below for what that means. Signs seen right: pivot offsets are wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool was lifted over {length} of the passes, most at {place}, where {lift} stay uncut along its axis. Cut these places with a smaller cutter or another tool axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool {what} along Z through the part, because the tool axis points downwards there. Begin and end with an upright tool, or set the machine file's safe_start to none and begin by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The toolpath of {label} was deleted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The toolpath of {label} was deleted: make the map of another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the spindle. Turn the part over to cut it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The zeros of {assumed} are taken as right: these rows could not tell them apart from the offsets. Give rows with larger turns to have them proven too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {count} words {letter} are not interpreted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out (gouge tilt, leave-out), use a longer tool, or more lead or tilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not {letter} (if it is {other}, the two letters are exchanged).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the part, or use another tool axis there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under {split} the program begins and ends at the reference point of Z, because before it no tool length is active. Set the machine file's safe_start to reference or machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use a smaller cutter or another tool axis there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What an axis change buys on {part} passes that come within {change} of the pole (peak rate and travel of {letter}, blocks that would hold {tolerance}): {rows}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the part turned by {angle} the rotary limits allow no way: {error}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is {distance} from it, measured along the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Words count from the work zero: is {origin} where it stood on the machine? Else move it (setup finds a place)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Work offset and tool length set as for the real program; tool centre point control off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X Y Z are the tips of the CL path although the rotary axes turn: the program leaves the pivots to the controller (RTCP); post it without tool centre point control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X{x} Y{y} Z{z}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z of this machine does not lift the tool: give its file another safe_start than clearance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bracket without its partner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate of {farthest} mm or rad is beyond any machine; correct it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a deviation of {enough} cannot be enough; give 0 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a facet names vertex {wrong}, but the rows run from 0 to {count}: correct the facets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number with an exponent; write it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a piece of the tool from height {low} to {high} has no volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a piece of the tool has sizes {sizes}; give radii of at least 0, up to {largest}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a plane offset is {wrong}: give finite numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a side is not machined ({area})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a slash must follow the word, as in GOTO/1,2,3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a smaller least interval than {interval}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a smaller stepover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole run of facets stays uncut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a word is a letter and one number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a {kind} axis is called one of {letters}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a {side} axis cannot stand on the {other} axis {carrier}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above {bound}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and {count} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle; write it as 10 deg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arcs of a form that is not known here, taken as straight to their end points; post straight moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or tool length in mind. See {origin} and {tool_length}; recover finds the machine that fits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as in the machine given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ask for a smaller tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least {bound}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least {depth}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most {bound}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {given} has no direction; give I,J,K of the fixed tool axis, as 0,0,1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {letter} has no maximum rate; give one, the machine file needs it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {letter} needs it there or under [AXIS_{letter}]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {letter}: joint axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {letter}: joint origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {letter}: {problem}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ball ends, end mills, bull noses and tapered ball noses are of use here: choose one, or give the cutter by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blend tolerance is {blend}; give 0 (exact path) to 999</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both rotary axes are parallel; tilt one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both rotary axes turned, tip over the mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both stepover {stepover} and scallop {scallop}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calls, whose moves are missing here; post one program without them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>character {shown} cannot be read ({hint})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clearance {clearance} must be positive: rapids and rewinds need room about the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>co-edge tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comes down to its first place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>control_point is {control_point}; choose one of {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cuts too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter compensation; the words are taken as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter corner radius is {corner}; give 0 to {radius}, half the diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter length is {length}, the taper begins {begins} above the tip; give a longer cutter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter taper is {taper}; give 0 to {least}, from the axis to the flank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter taper {taper} makes it {width} wide; give a smaller taper or length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter {name} is {value}; give {least} to {most}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter {text} needs KIND:{words} or KIND:{words}:LENGTH, as {form} or {form}:60</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter {text}: only {kinds} cutters are on offer; write it as {form}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cycles, whose moves are missing here; post straight moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>did you mean {near}? </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direction {angle} is no angle; give a number of degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each of its numbers must be {bounds}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enters the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>faces need the part (.stl), {source} is none; leave faces out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>facet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>facet {facet} is malformed: '{said}' stands where {need} belongs; export the file again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>facets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>facets are given as {dtype} numbers: give integer rows of the vertex table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feeds per spindle turn; no time is given for these blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feeds told by a parameter or the tool; F is not known there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fixed tool axis {fixed} has no direction; give three numbers, as 0,0,1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>folder {folder} cannot be made: {strerror}; choose another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>folder {folder} cannot be written: {strerror}; choose another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>folder {folder} does not exist; make it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give Z, a machine coordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gouge leave-out leaves nothing to cut: {why}; use a smaller cutter or holder, a longer tool or another tool axis, or see where with gouge report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gouge {gouge} changes the passes: use it with `mill`; for an audit give report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gouge, shank and holder need the part: give its STL with {against}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hits the part between passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holder and {given} say the same; give holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holder {sizes} is no cone; give z0, r0, z1, r1 in mm with 0 &lt;= z0 &lt; z1 and radii of at least 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in {guided} of {all} feed blocks the controller guides the tip (RTCP), proven are only their ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not JSON ({error})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it must be {bounds}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its {edge} edge goes {way}, {size}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its {edge} edge going {way}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>job file {path} is not JSON: {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>job file {path} needs "task" (one of {tasks}) and "source", the file to read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint axis {place} has no direction; give a unit vector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keep has shape {shape}: give one value for each of the {count} facets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>key {key} stands twice in one object; remove one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>known are {modules}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>known: {names}, or give a {suffix} file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest axis angle {angle} is out of range; give more than 0 and at most 90 deg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave Z out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Linearize.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the CL path, and end off it: a word is wrong there, or they are moves of the post's own, as retracts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length; write it as 6 mm or 0.25 in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let blocks be divided (linearize on)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limits min {low} is not below max {high}; swap or widen them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line 1, column 1: the CL file holds no GOTO statement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line 1, column 1: the GOTO statements cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line {line}, column {at}: {reason}: {found}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line {line}, column {column}: byte {control}: this is no NC text; give a plain text file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line {line}, column {column}: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line {number}, column {column}: {reason}: {statement}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine file {output} needs the ending .fcm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine {name} has a rotary head: give {tool_length}, gauge point to tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine {name} has two axes of the same letter: {letters}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine {name} has {count}; needs 3 and 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine {name}: singular_cone {cone} is not between 0 and 90</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine {name}: table {table} is beyond {farthest}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine {name}: {letters} does not name the table's axes before the head's</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine {name}: {problem}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machines are compared on a toolpath: select a toolpath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max-tilt {tilt} is out of range; give {least} to {most}, or choose facet_mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>maximum rate {max_rate} is not positive; give what the drive reaches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than scallops stays uncut on {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than {most_planes} planes; give a larger {what} or check the units of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves to machine positions unknown to the program; they are not audited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither G20 nor G21</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither G70 nor G71 (G700, G710)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither MM nor INCH in BEGIN PGM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no NC file named; give one with -o OUT.ngc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no block cuts, so nothing can be said of what is left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no cure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no distance up to {raises} keeps a machine with wrong signs clear of the mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no facet can be cut: {down} % look down, {steep} % lean more than {most}, {beyond} % lie beyond the machine's rotary limits of the area; turn the part, raise the largest axis angle or take another machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no facet lies across planes at {angle}; turn the direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no facet of the part lies on {name} within {tolerance}; export the faces in the part's own place and units, or raise the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no height up to {raises} keeps a machine with wrong signs clear; give a smaller {angle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no machine file named; give one with -o OUT.fcm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no machine given; name one with {machine} (see `machines`)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no machine is called {given}; {hint}{known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no machines given; name them with {machines} A,B (see `machines`)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no program given; name the NC file that was posted from the CL path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no tool {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of the {count} facets has an area: check the units and the export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not checked against the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known and not interpreted; what it does is missing here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not part of any word</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on every pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on {uncut} more than {allowed} is left, at most {most}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only a toolpath can be post-processed: select a toolpath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only {count} of {rows} CL rows can be paired with the program's {blocks} blocks; give a program that was posted from this CL path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>order is {order}; choose one of {orders}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passes along X, in direction {angle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passes along Y, in direction {angle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passes in direction {angle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane offset {offset} follows {before}: give them ascending</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane offsets have shape {shape}: give one ascending row of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>program number is {program}; give 1 to 9999</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>region 0,0,0 with 1 turn has one setup only; give {region} a way to go along X, Y or Z, or {turns} above 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>report {path} needs one of the endings {reports}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retract Z {z} is not finite; give a machine coordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retract {retract} is none of {retracts}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retract {retract} takes no such key; leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retract {retract}: {remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rises from its last place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row {row} of the CL path is a feed move with feed {value}; give a feed above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rtcp lets the controller guide the tip, linearize divides blocks where it does not; give one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scallop and stepover exclude each other; give one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scallop {scallop} is not below the cutter radius {radius}; give a smaller scallop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>select a solid, faces of a solid, a body, a compound of solids, or a mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setup grid {count} with {turns} turns has no place; give at least 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setup region {box}: {why}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setup region {low} to {high} is not finite or beyond {farthest}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setup region {low} to {high}: the low corner is above the high; swap them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setups are tried for a toolpath: select a toolpath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shank or holder hits the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shifts, turns or scales of the coordinates; post without them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>side {side} is neither table nor head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>singularity deform needs the part's passes: use it with `mill`; a CL file keeps its axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spindle speed is {speed} 1/min; give 0 to 999999</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>splines, taken as straight to their end points; post straight moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped; nothing was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CL file holds fewer than two rows: there is no path to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arcs need {count} chords, more than {most}; is it a program in inches read as mm?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axes leave their limits everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axis may change by {change}; give an angle from {least_change} to {largest_change}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axis' zero in the controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cutter stays out of the part (no shank or holder given)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the deflections are {linear} and {angular}; both must be above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the direction of the planes is {angle}: give a finite angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the document was closed; nothing was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read; export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends within facet {facet}: it is cut off; export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file holds no motion blocks: no axis word of this machine under G0 or G1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file holds {data} instead of an object with the key "machine"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is empty; export the part again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file {kind}; export the machine from FreeCAD again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the header announces {facets} facets, but the file holds {held}: it is cut off, damaged or no STL; export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the key is missing; add "{key}"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the linear axes X, Y, Z lie in one plane; correct their directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the linear axes lie in one plane at {letter} {first} {other} {second} and cannot place the tip ({count} rows): lower {max_axis_angle} or take another machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the median of all blocks is {speed}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh has no facets: export a solid or a surface with at least one triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name is empty; give the machine one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program has no block that moves; there is nothing to play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program has no feed blocks, so nothing is proven</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program has rotary words of {names}; a five-axis machine is recovered from two of A B C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program was not built for {name} as it is to be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rotary words never change: such rows say nothing of pivots; give a five-axis program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the second rotary axis is parallel to the tool and never tilts it; is the order of the two right?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the side at {letter} {at}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the side that faces {way} at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the spindle stays off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text cannot be shown: {strerror}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tip swinging {way}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tip swings {way}, {size}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool axis is 0, 0, 0, or beyond all bounds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool could not get out along its axis {where}, for the part is over it, as at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool is lifted out of the part by up to {value}, what it leaves stays uncut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool stays out of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool turning about itself the other way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool turns about itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool would enter the part {where}, deepest by {depth} at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the toolpath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the toolpath of the map was deleted: make the map of another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the toolpath of this preview is gone; delete the preview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the toolpath of {label} was deleted; the file stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the wall at {letter} {at}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the whole cutter is inside the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the work offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the work zero at X {x} Y {y} Z {z} of the machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the {all}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the {what} are {form}: give numbers of shape {wanted}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the {what} form no regular table: {problem}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no machines to compare; name at least one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no passes: no plane cuts a facet that can be reached; check stepover and direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no block {flat}; the last one is {count}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no path to compare on: it has no rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no path to set up: it has no rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing to compare; name at least one machine and one cure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this cure leads the tool axes over the part's facets; give it the STL, not a CL file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no CL file: byte {control} (offset {offset}) stands in no text; give a text file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance is {tolerance}; blocks can be divided for a tolerance above 0 only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance is {tolerance}; give a length above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance {tolerance} held in all {count} feed blocks, proven</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance {tolerance} held in the one feed block, proven</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance {tolerance} not proven in {count} of {all} feed blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tool number is {tool}; give 1 to 99999</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tool-offset is a constant {given}; it is in the trunnion's height. Join it to motion.tooloffset.z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two outputs have the same name; name each file apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown controller {name}; known are {dialects}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown cure {name}; known: {cures}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown method {method} of the line deviation; use one of {methods}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown option {name} for {task}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown task {task}; known: {tasks}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown tool-axis strategy {name}; choose one of {strategies}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown unit; known are MM and INCHES</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown {option} {value}; choose one of {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to {height} of material stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>variables, expressions or jumps; their words are missing here. Post without them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is left is known of a toolpath only: select a toolpath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>word {word} of row {row} is {value}; words are numbers up to {farthest_word}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>words have shape {shape}; give one row of five words for each block</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>work offset is {offset}; give G54 to G59, or another that the controller has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>work offset {offset} is unknown to {name}; give {words}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrap_strategy {wrap} is none of {wraps}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a decimal point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write one of {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as `post` does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far to lean the tool a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. The axis may be too slow for the programmed feed, the tool dwells, and marks or a deviation from the path may show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{blocks} so near to the tolerance of {tolerance} that the proof does not reach: the deviation is within it, its proven upper bound is not (worst, NC line {line}: bound {bound}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{blocks} the commanded path by more than {tolerance}; the worst, NC line {line}, by {deviation}: there {turns} within a step of {step}. While rotary axes turn, straight moves of the axes carry the tip along a curve beside the straight segment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{blocks} {letter} beyond its limit of {limit}: farthest NC line {line}, {letter}{word}, {beyond} too far; first NC line {first}. {help}, or take a machine with more travel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{change} {rate}, {turned}, {blocks}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} arcs have no centre that fits their start and end; they are taken as straight. Post straight moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} block near the pole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks are over {tolerance} and were left whole (the first leads to {spot}): no number of blocks holds it there, because the linear axes turn into one plane on the way. Turn the part on the table, or take another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks cannot be held within {tolerance}: words of {linear} and {rotary} decimals put the tip up to {most_off} off. The worst, which leads to {spot}, is proven to hold {value}. Allow more, or use a controller with finer words.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks have no F above 0 in force; most controllers stop there. Give F.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks lead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks near the pole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks were over {tolerance} and were divided into {pieces}, as few as hold it by proof.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the control takes the shorter way there (wrap_strategy modulo), and so do the words here. Linearize, or set wrap_strategy to unwound.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to cut them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise the largest axis angle to cut them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not; {gouge} checks and cures against all of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take another machine to cut them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} facets without area were left out, the first at {at}; passes end where that leaves a crack.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} feed blocks (between NC lines {first} and {last})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} feed blocks are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} feed blocks ask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} feed blocks leave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} feed blocks lie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} lines begin with a slash (block skip); they are read as if the switch were off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without them. The first: {shown}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} moves come before any FEDRAT; give a feed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} numbers for {words} words; the text is malformed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} objects are selected ({labels}): select one, or make a compound of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of the {all}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of them lie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of them lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {all} feed blocks leave the path by up to {deviation}, {tolerance} allowed (NC line {line})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {all} feed blocks leaves the path by up to {deviation}, {tolerance} allowed (NC line {line})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first NC line {first}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, the first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {all} rows do not fit and are left out (NC lines {lines}); their tips would be off by up to {miss}. Look at them: they are wrong in the CL path or in the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {all} ways hold {tolerance}; the quickest is {way}, {time}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} other layouts explain the rows as well: {more}. The plainest is written; give more rows, with larger turns of both rotary axes, or the machine with {machine}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} passes are led past the pole: {letter} turns at most {after} instead of {before} on them, and {turns} instead of {turned} in all, for an axis changed by up to {most}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} passes come within {limit} of the pole and could not be led past it any better: {letter} turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} retracts or approaches pass below the part, because the tool looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} rows of the CL file are not cut: no feed block comes within {tolerance} of them. The first is row {first} of {all}, the farthest row {missed}, {distance} off. Is the program whole, and made from this file?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} sides are not machined ({area})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} statements, line {lines}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} statements, lines {lines}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} tool axes are no unit vectors; they are scaled to length 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{deep} are cut too deep, at most by {most}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{edges} edges have more than two facets, the first at {at}; passes end there. Separate or unite the bodies that meet there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{edges} edges have two facets that run along them in the same sense, the first at {at}; passes end there. Unify the facet normals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{edges} edges leave the mesh open, the first at {at}; passes end there. Close the shell in CAD if it is meant to be solid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{error}; choose another machine, or put the file back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{error}; post-process again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{error}; these files are written: {written}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{fcm_file} does not end in {suffix}, as machine files do; name it so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{fcm_file} exists already; choose another name, so that no machine is lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} exists; choose another name, or ask for it to be overwritten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} needs one of the endings {reports}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} was changed by somebody else; post-process to another file, or ask for it to be overwritten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{first} and {second} are exchanged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{first} and {second} both turn the wrong way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{first} turns {turn} and {second} {other_turn}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{given} given; give either a stepover or a scallop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{joint} is not [[origin], [axis]]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{joint} is not {{"origin": [x, y, z], "axis": [x, y, z]}}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{key}: {problem}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{kind}, {one} nearer to the work turning about {way}, {two} about {other_way}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} ({kind}) has no solid: {what}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} ({typeid}) has no solid: {what}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} could not be computed: {why}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} has changed since {file} was written; post-process again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} has changed since: try the setups again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} has no model; add one in the Job's editor, or select the part itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} has no {name} on a solid: select its faces again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} has {named}; add one to it, or give the cutter by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} is a mesh already: leave out {unused}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} is a mesh and has no faces to choose: select the whole of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} is an empty mesh: select a mesh with facets, or a solid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} is in another document: select something in {document}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} is no mesh: choose a tessellation or a mesh.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} is no toolpath and no audit: select one of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} names no NC file: choose one in its property NCFile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} shows the result of other settings, or of another version: recompute the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} was changed: recompute the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label}: {errors}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length} of the passes are left out, because {why}. {remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length} of the path stay uncut at {count} rewinds: on neither side of them do the rotary limits allow the tool axis that is needed. Wider limits or another setup avoid it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} ({low} to {high})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} alone, {amount}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} cannot turn by {angle} within its limits {low} to {high}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns above the part and re-engages, which may leave a mark. Wider limits or another setup avoid it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} is another axis: the post turns it about {way}, {name} about {own}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} names no axis; use X Y Z and two of A B C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} turns the other way: the post's positive {letter} is the negative one of {name}.{effect}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} turns the wrong way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} would have to go to {word} inside a divided block, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} would leave its limits by {over}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} {low} to {high}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{lies} near the pole, where {letter} must turn far to lean the tool a little.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{light}: {reasons}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{lost} carry one another in a circle; give one the parent null</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{machine} with {cure}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{machine} with {cure}, tool-centre control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} deflection {value} is out of range; it must be above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} does not guide the tip itself (no RTCP): leave {rtcp} out, and use {linearize} on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} does not take the shorter way to a word of 0 to 360, as the machine file says of {letter} (modulo): the words count their turns on. Set the control accordingly, or wrap_strategy to unwound.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no RTCP by {how}; give {guides}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no corner radius; give it one in FreeCAD's tool editor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no diameter; give it one in FreeCAD's tool editor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no high-speed mode to switch; leave {high_speed} out, or give {blend}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no inverse time (G93): F is written in mm/min, one for each block.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no taper angle; give it one in FreeCAD's tool editor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has {asked}, but only {area} of the part lie on it. Export the faces from the same solid, with as fine facets, or raise the tolerance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is a tool of the shape {shape}; {remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is no setting of a document object; it is not one of {fields}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is no tool bit ({error}); choose a {suffix} file of FreeCAD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is no tool bit; choose a {suffix} file of FreeCAD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is not interpreted ({where}); what it does is missing in the path.{remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is not known and not interpreted ({count} lines); what it does is missing here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give a length above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give a number above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give a number of at least 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give an angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} lies on the part, but its facets look into it; export the faces again, with their normals outward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} lists no sizes; save the tool once more in FreeCAD's tool editor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} stands in {count} lines: {said}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} stands in {count} lines: {text}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} holds a character that no name can have; give another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} is not a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} is not a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} is not of the right kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} is not one of {rules}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} is out of range; {range}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} needs three numbers, as 0,0,50</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {lean} leaves minimax no choice; leave it out, or choose facet_mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {value} is out of range; give more than 0 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}'s {switch} names the tool's length offset: give {tool}, its number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: the post has {value} (within {certainty}), {machine} has {given}, {apart} apart.{effect}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: {key} {given} is no {what}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: {problem}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{nc_path} exists; choose another name, or ask for it to be overwritten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{one} and {other}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{one} or {other}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{option}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{output} does not end in {suffix}, as machine files do; name it so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{output} exists already; choose another name, so that no machine is lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{parent} is no axis of this machine; name one, or null for the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{part} is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: {strerror}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be the name of a file; give another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} does not exist; name the file to read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has no ending that is known; give LinuxCNC's .ini or FreeCAD's .fcm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is a folder; name a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is a folder; name the file to read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no file name: it holds a null character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no ordinary file; name the file to read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no text file; give the {what}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is the file that is read; name another output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is there already: name another file, or ask for it to be replaced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} line {number}: files include one another in a circle; remove one #INCLUDE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: [JOINT_{joint}], {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: [{section}] {key} is missing; {remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{pin} comes from signal {signal} ({others}), whose value no HAL file says; write setp {pin} VALUE for the import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{place}: word {letter} stands twice; a line takes one of each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{place}: {letter}{value} is beyond {farthest}; is a decimal point missing?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{rivals} both stand on {carrier}; say by "parent" which carries which</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{role} contradicts the type of the axis; make them agree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sides}; name another, or null for the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{side} is not machined: {area}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{size} setups are more than {most}; take a coarser grid or fewer turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{skipped} blocks have no row of the CL path (moves of the post's own); they are passed over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is no source of a path; give an STL or a CL file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{target} cannot be written: {strerror}; choose another folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{target} exists already; choose another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{text} is no usable number; write a finite one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{text}; give a smaller {angle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{text}; give a smaller {angle}, or a {mark} nearer to the rotary axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{text}; give another {origin} or {mark}, or less {gap}, {travel} or {angle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{travel} for each {arm} from the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{unknown}: no setting of a tessellation; known: {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{unused} is {given}, but {module} does not use it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} are beyond the machine's limits and left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} are too steep for the largest axis angle and left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} is none of {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} is not a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} is not a text that can be shown; write one in quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} is not a vector; write [x, y, z]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} is not an object; write {{ ... }}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} of the passes are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{version} cannot be read; only version {known} can</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{ways} would cut it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{ways} would cut it; cut the {area} that lie along those passes with another path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} is not a vector of three numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {number} of {rows} has {axis} = {value}, and no part exceeds {most}: check the units of the export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {number} of {rows} has {axis} = {value}: coordinates must be finite numbers; export the mesh again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {part} is out of range; give diameters and lengths above 0, up to 10000 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {path} cannot be read: {strerror}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {place} is not finite or beyond {most}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {text} is no stack; write DIAMETERxLENGTH from the cutter upwards, as 40x25,63x50</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {text} is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {text} is not a number with one of the units {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {text} needs three numbers, as 0,0,50</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {value} needs {remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: [TRAJ] {key} is {text}; known are {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: [{section}] {key} is missing in {path}; add it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: coordinates={letters} does not name {known}; correct it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: kinematics {module} cannot be imported; {remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: {what} is {text}, not a number; write the number itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{words} further words ({count} statements) are not interpreted; is this a CL file?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{word} has {count} numbers; give 3 or 6</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2543,6 +5783,10 @@
 <context>
     <name>FiveAxis_Compare</name>
     <message>
+        <source>Compare a tool path on several machines, with each correction: deviation and time of each</source>
+        <translation>Einen Werkzeugweg auf mehreren Maschinen vergleichen, mit jeder Korrektur: Abweichung und Zeit von jeder</translation>
+    </message>
+    <message>
         <source>Compare machines…</source>
         <translation>Maschinen vergleichen …</translation>
     </message>
@@ -2556,6 +5800,17 @@
     <message>
         <source>Make a machine file of a LinuxCNC configuration or of a FreeCAD machine file</source>
         <translation>Aus einer LinuxCNC-Konfiguration oder einer FreeCAD-Maschinendatei eine Maschinendatei machen</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_JobSetup</name>
+    <message>
+        <source>Choose machine, controller and work zero once for all tool paths of the document</source>
+        <translation>Maschine, Steuerung und Nullpunkt einmal für alle Werkzeugwege des Dokuments wählen</translation>
+    </message>
+    <message>
+        <source>Setup…</source>
+        <translation>Aufspannung …</translation>
     </message>
 </context>
 <context>
@@ -2651,6 +5906,10 @@
     <message>
         <source>Five-axis</source>
         <translation>Fünfachsig</translation>
+    </message>
+    <message>
+        <source>Five-axis machines</source>
+        <translation>Fünfachsmaschinen</translation>
     </message>
     <message>
         <source>Five-axis tool paths with a proven deviation for every block</source>
