@@ -84,6 +84,10 @@
         <translation>Prüfsumme (sha256) des Geschriebenen</translation>
     </message>
     <message>
+        <source>Checksum of the base and the deflections that the mesh is made of</source>
+        <translation>Prüfsumme der Grundlage und der Abweichungen, aus denen das Netz gemacht ist</translation>
+    </message>
+    <message>
         <source>Clearance</source>
         <translation>Sicherheitsabstand</translation>
     </message>
@@ -390,6 +394,10 @@
     <message>
         <source>Machines</source>
         <translation>Maschinen</translation>
+    </message>
+    <message>
+        <source>Made Of</source>
+        <translation>Gemacht aus</translation>
     </message>
     <message>
         <source>Map</source>
@@ -1721,6 +1729,10 @@
     <message>
         <source>Proven bound</source>
         <translation>Bewiesene Schranke</translation>
+    </message>
+    <message>
+        <source>Recompute</source>
+        <translation>Neu berechnen</translation>
     </message>
     <message>
         <source>Recover</source>
