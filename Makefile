@@ -5,7 +5,7 @@
 PYTHON := .venv/bin/python
 FIVEAXIS := $(PYTHON) -m freecad_fiveaxis
 
-.PHONY: help demo test lint core slow linuxcnc freecad test-matrix install bench clean
+.PHONY: help demo test lint core slow linuxcnc freecad sitting test-matrix install bench clean
 
 help:
 	@sed -n '2,4s/^# //p' Makefile
@@ -14,7 +14,7 @@ demo:
 	@scripts/prepare demo
 	@scripts/demo
 
-test: lint core slow linuxcnc freecad
+test: lint core slow linuxcnc freecad sitting
 
 lint:
 	@scripts/prepare test
@@ -43,11 +43,19 @@ freecad:
 	$(PYTHON) -m pytest tests/freecad/test_run.py
 	tests/freecad/run all
 
+sitting: # FreeCAD as a user starts it, by mouse and keys alone; pictures and table.md in out/sitting
+	@scripts/prepare test
+	@scripts/prepare sitting
+	$(PYTHON) -m pytest tests/sitting/test_run.py
+	tests/sitting/run short
+
 test-matrix:
 	@scripts/prepare test
 	@scripts/prepare freecad-pytest
 	scripts/freecad_chroot trixie
+	scripts/freecad_chroot trixie tests/sitting/run short
 	scripts/freecad_chroot forky
+	scripts/freecad_chroot forky tests/sitting/run short
 
 install:
 	@scripts/install

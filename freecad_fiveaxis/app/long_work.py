@@ -26,6 +26,7 @@ import FreeCAD
 
 from freecad_fiveaxis.core.errors import Cancelled
 from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.sentences import say
 
 T = TypeVar("T")
 
@@ -106,7 +107,7 @@ def take_back(doc: Any, *objects: Any) -> None:
 def check_open(doc: Any) -> None:
     """Raises Cancelled where the document (None: there is none) was closed while the window's events were handled."""
     if doc is not None and not is_open(doc):
-        raise Cancelled("the document was closed; nothing was changed")
+        raise Cancelled(say("the document was closed; nothing was changed"))
 
 
 def _is_main() -> bool:
@@ -187,7 +188,7 @@ class Worker(threading.Thread, Generic[T]):
 
     def _tell(self, stage: str, fraction: float) -> None:
         if self._stopped:
-            raise Cancelled("stopped; nothing was changed")
+            raise Cancelled(say("stopped; nothing was changed"))
         self._heard.append((stage, fraction))
 
     def _leave(self) -> None:

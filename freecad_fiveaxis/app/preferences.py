@@ -13,6 +13,9 @@ from typing import Any
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/FiveAxis"
 
+FOLDS = "Folds"
+"""The group, within ours, of what is unfolded in the panels."""
+
 Colour = tuple[float, float, float]
 
 GREEN, ORANGE, PURPLE = 0x009E73FF, 0xD55E00FF, 0xCC79A7FF
@@ -69,6 +72,16 @@ def reset() -> None:
             _group().RemUnsigned(key)
         else:
             _group().RemFloat(key)
+
+
+def is_open(key: str, default: bool) -> bool:
+    """Whether a group of a panel is unfolded, as the user left it."""
+    return bool(_group().GetGroup(FOLDS).GetBool(key, default))
+
+
+def keep_open(key: str, opened: bool) -> None:
+    """Keep that a group of a panel is folded, or not."""
+    _group().GetGroup(FOLDS).SetBool(key, opened)
 
 
 def machine() -> str:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of our document objects, made from the fields of the core's settings.
 
-setting property   option ``least_interval`` is property ``LeastInterval``, in the group of its settings class. Files to write
+setting property   option ``least_interval`` is property ``LeastInterval``, in a group that bears a name of the trade, the same as
+                   in the panel of a tool path: Part, Machine, Tool, Passes, Axis, Safety, Output. Files to write
                    (OutputSettings) and the file of faces (FacesSettings) are no properties; other files to read are. The cutter
                    is five properties, CUTTER: its kind and its sizes, of which those count that the kind has.
 result property    what the last computation found; read-only, and a change of it does not make the object out of date.
@@ -26,6 +27,8 @@ from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.quantity import stack_text
 from freecad_fiveaxis.core.settings import MILL, FacesSettings, OutputSettings, option_fields
 from freecad_fiveaxis.core.tool_axis import STRATEGIES
+
+from .option_texts import text_of
 
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
 """FreeCAD's attributes of a property. OUTPUT: setting it does not touch the object."""
@@ -57,37 +60,64 @@ KINDS = {
     "choice": "App::PropertyEnumeration", "text": "App::PropertyString", "vector": "App::PropertyVector",
     "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance", "counts": "App::PropertyVector",
     "number": "App::PropertyFloat", "count": "App::PropertyInteger", "path": "App::PropertyFile",
-    "stack": "App::PropertyString",
+    "stack": "App::PropertyString", "height": "App::PropertyString",
 }  # fmt: skip
 """FreeCAD's kind of property for each kind of option. A kind that is not here makes no property."""
 _ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRATEGIES)}
 
+_GROUPS = {
+    "PassSettings": QT_TRANSLATE_NOOP("App::Property", "Passes"),
+    "CutterSettings": QT_TRANSLATE_NOOP("App::Property", "Tool"),
+    "ToolAxisSettings": QT_TRANSLATE_NOOP("App::Property", "Axis"),
+    "LinkSettings": QT_TRANSLATE_NOOP("App::Property", "Passes"),
+    "FeedSettings": QT_TRANSLATE_NOOP("App::Property", "Tool"),
+    "HeadSettings": QT_TRANSLATE_NOOP("App::Property", "Output"),
+    "MachineSettings": QT_TRANSLATE_NOOP("App::Property", "Machine"),
+    "CureSettings": QT_TRANSLATE_NOOP("App::Property", "Safety"),
+    "GougeSettings": QT_TRANSLATE_NOOP("App::Property", "Safety"),
+    "ProofSettings": QT_TRANSLATE_NOOP("App::Property", "Safety"),
+    "SetupSettings": QT_TRANSLATE_NOOP("App::Property", "Setup"),
+    "AuditSettings": QT_TRANSLATE_NOOP("App::Property", "Comparison"),
+}
+"""The group of the options of a settings class."""
+_MOVED = {
+    "coedge_tolerance": "Passes", "clearance": "Safety", "feed_mode": "Output", "tool": "Tool", "spindle": "Tool",
+    "control_point": "Output", "shank": "Tool", "holder": "Tool",
+}  # fmt: skip
+"""Options that machinists look for in another group than that of their class."""
+
+
+def group_of(cls: type, leaf: dataclasses.Field[Any]) -> str:
+    """The group of an option, by a name of the trade; of a class that is new, the class's own."""
+    return _MOVED.get(leaf.name) or _GROUPS.get(cls.__name__) or cls.__name__.removesuffix("Settings")
+
+
 WORK_ZERO = Property(
-    "WorkZero", "App::PropertyVectorDistance", "Machine",
+    "WorkZero", "App::PropertyVectorDistance", QT_TRANSLATE_NOOP("App::Property", "Part"),
     QT_TRANSLATE_NOOP("App::Property", "The place of the work zero in the document"), (0.0, 0.0, 0.0),
 )  # fmt: skip
 CORNER, TAPER = 1.0, 5.0
 """mm and deg: the sizes of a new object's cutter that its kind has not, so that another kind is a cutter at once."""
 CUTTER = (
     Property(
-        "CutterKind", KINDS["choice"], "Cutter",
+        "CutterKind", KINDS["choice"], "Tool",
         QT_TRANSLATE_NOOP("App::Property", "Shape of the cutter: ball, flat, bull nose, tapered ball, tapered bull nose"),
         choices=tuple(CUTTER_KINDS),
     ),
     Property(
-        "CutterDiameter", KINDS["length"], "Cutter",
+        "CutterDiameter", KINDS["length"], "Tool",
         QT_TRANSLATE_NOOP("App::Property", "Diameter of the cutter; of a tapered one that of its rounded end"),
     ),
     Property(
-        "CutterCorner", KINDS["length"], "Cutter",
+        "CutterCorner", KINDS["length"], "Tool",
         QT_TRANSLATE_NOOP("App::Property", "Corner radius of a bull nose, tapered or not; other kinds have none"),
     ),
     Property(
-        "CutterTaper", KINDS["angle"], "Cutter",
+        "CutterTaper", KINDS["angle"], "Tool",
         QT_TRANSLATE_NOOP("App::Property", "Angle between the flank of a tapered cutter and its axis; other kinds have none"),
     ),
     Property(
-        "CutterLength", KINDS["length"], "Cutter",
+        "CutterLength", KINDS["length"], "Tool",
         QT_TRANSLATE_NOOP("App::Property", "Length of the cutter's edge, from the tip upwards"),
     ),
 )  # fmt: skip
@@ -110,11 +140,11 @@ def shown_options(task: str) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
 @cache
 def setting_properties(task: str) -> tuple[Property, ...]:
     """A property for every option of the task that is not a file to write."""
-    return tuple(made for cls, leaf in shown_options(task) for made in _of_option(cls.__name__.removesuffix("Settings"), leaf))
+    return tuple(made for cls, leaf in shown_options(task) for made in _of_option(group_of(cls, leaf), leaf))
 
 
 def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
-    kind, text = leaf.metadata["kind"], leaf.metadata["text"]
+    kind, text = leaf.metadata["kind"], text_of(leaf)
     if kind == "cutter":
         values = cutter_values(leaf.default)
         return [dataclasses.replace(one, default=values.get(one.name, _UNUSED.get(one.name))) for one in CUTTER]
@@ -160,7 +190,7 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
     """A value of the core (rad, mm/min) as the property holds it."""
     kind = leaf.metadata["kind"]
     if value is None:
-        none = {"point": (0.0, 0.0, 0.0), "counts": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN, "path": ""}
+        none = {"height": "", "point": (0.0, 0.0, 0.0), "counts": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN, "path": ""}
         return none.get(kind, 0.0)
     if kind == "angle":
         return round(math.degrees(value), 12)
@@ -168,6 +198,8 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
         return value / 60.0
     if kind == "stack":
         return stack_text(value)
+    if kind == "height":
+        return f"{value:.12g}"
     return int(value) if kind == "count" else value
 
 
@@ -209,7 +241,11 @@ RESULTS = (
     ),
     Property(
         "Verdict", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What is proven, in a plain sentence"), "", RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Whether the program is safe to run, and why, in a plain sentence"), "", RESULT,
+    ),
+    Property(
+        "Light", "App::PropertyString", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "The verdict as a traffic light: red, amber or green"), "", RESULT,
     ),
     Property(
         "OverTolerance", "App::PropertyInteger", "Result",
@@ -237,16 +273,24 @@ _INSTEAD = {"App::PropertyTime": "App::PropertyFloat"}
 
 
 def add_missing(obj: Any, properties: Iterable[Property]) -> None:
-    """Give the object each property that it does not have, with its default; choices are brought up to date."""
+    """Give the object each property that it does not have, with its default; choices, groups and texts are brought up to date."""
     there, known = set(obj.PropertiesList), None
     for one in properties:
         if one.name in there:
             _renew_choices(obj, one)
+            _renew_words(obj, one)
             continue
         known = known or set(obj.supportedProperties())
         kind = one.kind if one.kind in known else _INSTEAD[one.kind]
         obj.addProperty(kind, one.name, one.group, one.text, one.attributes)
         _set_default(obj, one)
+
+
+def _renew_words(obj: Any, one: Property) -> None:
+    if obj.getGroupOfProperty(one.name) != one.group:
+        obj.setGroupOfProperty(one.name, one.group)
+    if obj.getDocumentationOfProperty(one.name) != one.text:
+        obj.setDocumentationOfProperty(one.name, one.text)
 
 
 def _set_default(obj: Any, one: Property) -> None:

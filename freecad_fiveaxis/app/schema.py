@@ -16,8 +16,9 @@ from typing import Any
 import FreeCAD
 
 from freecad_fiveaxis.core.quantity import stack_text
+from freecad_fiveaxis.core.settings import MILL
 
-from .properties import CUTTER, HIDDEN, Property, add_missing, drawn_tool, show_sizes
+from .properties import CUTTER, HIDDEN, Property, add_missing, drawn_tool, setting_properties, show_sizes
 
 SCHEMA = 4
 LABELS, DOUBLES = "User parameter:BaseApp/Preferences/Document", "DuplicateLabels"
@@ -120,8 +121,14 @@ def _from_2(obj: Any) -> None:
 
 
 def _from_3(obj: Any) -> None:
-    """Version 3 had ball cutters only, and a holder of one cylinder that was only drawn: HolderDiameter and HolderLength. It
-    becomes the text of Holder; the two stay where they are, out of sight."""
+    """Version 3 had ball cutters only, no cure of gouges, and a holder of one cylinder that was only drawn: HolderDiameter and
+    HolderLength. It becomes the text of Holder; the two stay where they are, out of sight. What was cured by default only later
+    stays off: the path is what it was."""
+    if "LeastInterval" in obj.PropertiesList:  # a toolpath
+        lacking = [one for one in setting_properties(MILL) if one.name in ("Linearize", "Gouge") and not hasattr(obj, one.name)]
+        add_missing(obj, lacking)
+        for one in lacking:
+            setattr(obj, one.name, "off")
     old = [name for name in ("HolderDiameter", "HolderLength") if name in obj.PropertiesList]
     if len(old) < 2 or "Holder" in obj.PropertiesList:
         return

@@ -18,6 +18,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import Angle, Length, say
 
 from . import meshing, selection
 from .long_work import check_open, listening, take_back
@@ -117,7 +118,12 @@ def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float, prog
     if base is not None and selection.is_mesh(base):
         return _copied(base, faces), []
     if linear <= 0.0 or angular <= 0.0:
-        raise SettingsError(f"the deflections are {linear:g} mm and {angular:g} deg; both must be above 0", (linear, angular))
+        raise SettingsError(
+            say(
+                "the deflections are {linear} and {angular}; both must be above 0", linear=Length(linear), angular=Angle(angular)
+            ),
+            (linear, angular),
+        )
     whole, rows = selection.solids(base, faces)
     made = meshing.meshed(whole, linear, math.radians(angular), progress)
     if made is None:
@@ -125,7 +131,7 @@ def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float, prog
     mesh, counts = made
     if not mesh.CountFacets or len(counts) != len(whole.Faces) or sum(counts) != mesh.CountFacets:
         raise selection.SelectionError(
-            f"FreeCAD could not mesh {base.Label}: check its geometry, or choose other deflections.", base
+            say("FreeCAD could not mesh {label}: check its geometry, or choose other deflections.", label=base.Label), base
         )
     stop = list(accumulate(counts))
     return mesh, [bound for row in sorted(set(rows)) for bound in (stop[row] - counts[row], stop[row])]
@@ -133,7 +139,9 @@ def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float, prog
 
 def _copied(base: Any, faces: Sequence[str]) -> Any:
     if faces:
-        raise selection.SelectionError(f"{base.Label} is a mesh and has no faces to choose: select the whole of it.", base.Label)
+        raise selection.SelectionError(
+            say("{label} is a mesh and has no faces to choose: select the whole of it.", label=base.Label), base.Label
+        )
     selection.check_mesh(base)
     mesh = base.Mesh.copy()
     mesh.Placement = selection.holder_of(base).multiply(mesh.Placement)

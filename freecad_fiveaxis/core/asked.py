@@ -12,6 +12,7 @@ from pathlib import Path
 
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.machine import Machine, load_machine
+from freecad_fiveaxis.core.sentences import Option, say
 
 from .apt import ClHead
 from .cutter import cutter_name
@@ -42,7 +43,14 @@ def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
     machine = load_machine(given.machine)
     dialect = dialect_for(given.controller, machine)
     if given.tool_length is None and machine.has_head:
-        raise SettingsError(f"machine {machine.name} has a rotary head: give --tool-length, gauge point to tip", None)
+        raise SettingsError(
+            say(
+                "machine {name} has a rotary head: give {tool_length}, gauge point to tip",
+                name=machine.name,
+                tool_length=Option("tool_length"),
+            ),
+            None,
+        )
     length = given.tool_length or 0.0
     if given.control_point == "centre":
         length -= settings.cutter.cutter.corner
@@ -75,7 +83,8 @@ def post_options(settings: Settings) -> PostOptions:
     """What the head of an NC file is to say."""
     head = settings.head
     tool = None if head.tool is None else int(head.tool)
-    return PostOptions(tool, head.spindle, head.coolant == "on", head.work_offset, blend=head.blend)
+    named, length = cutter_name(settings.cutter.cutter), settings.machine.tool_length
+    return PostOptions(tool, head.spindle, head.coolant == "on", head.work_offset, blend=head.blend, cutter=named, length=length)
 
 
 def cl_head(settings: Settings) -> ClHead:
@@ -95,8 +104,8 @@ def with_head(settings: Settings, said: ClHead) -> Settings:
 
 
 def nc_title(settings: Settings, machine: Machine) -> str:
-    """What the machinist must have ready. No file's name: the same solid and settings give the same bytes from anywhere."""
-    return f"{machine.name}, {cutter_name(settings.cutter.cutter)}"
+    """For whom the program is. No file's name: the same solid and settings give the same bytes from anywhere."""
+    return machine.name
 
 
 def title_of(settings: Settings) -> str:

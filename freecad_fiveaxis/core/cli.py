@@ -20,6 +20,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from freecad_fiveaxis import __version__
+from freecad_fiveaxis.core.sentences import say
 
 from .errors import Cancelled, FileError, FiveAxisError, SettingsError
 from .files import check_readable, check_writable, read_bytes
@@ -131,6 +132,7 @@ def _metavar(rules: Any) -> str | None:
         return None
     marks = {
         "length": "MM",
+        "height": "MM",
         "angle": "DEG",
         "feed": "MM/MIN",
         "point": "X,Y,Z",
@@ -181,11 +183,16 @@ def read_job(path: str) -> Settings:
     try:
         given = json.loads(read_bytes(path, "job file"))
     except (ValueError, RecursionError) as error:
-        raise SettingsError(f"job file {path} is not JSON: {error}", path) from error
+        raise SettingsError(say("job file {path} is not JSON: {error}", path=path, error=error), path) from error
     if isinstance(given, dict) and given.get("task") in WITHOUT_SOURCE:
         given.setdefault("source", "")
     if not isinstance(given, dict) or given.get("task") not in TASKS or not isinstance(given.get("source"), str):
-        raise SettingsError(f'job file {path} needs "task" (one of {", ".join(TASKS)}) and "source", the file to read', path)
+        raise SettingsError(
+            say(
+                'job file {path} needs "task" (one of {tasks}) and "source", the file to read', path=path, tasks=", ".join(TASKS)
+            ),
+            path,
+        )
     options = {name.replace("-", "_"): value for name, value in given.items() if name not in ("task", "source")}
     settings_paths = {leaf.name for _, leaf in option_fields() if leaf.metadata["kind"] in ("path", "paths")}
     beside = {name: _beside(path, value) if name in settings_paths else value for name, value in options.items()}
@@ -220,7 +227,7 @@ def _run(settings: Settings, quiet: bool) -> int:
     if settings.task in trials.TRIALS:
         return _try(settings, quiet)
     if settings.task != "audit" and not settings.output.output:
-        raise SettingsError("no NC file named; give one with -o OUT.ngc", None)
+        raise SettingsError(say("no NC file named; give one with -o OUT.ngc"), None)
     check_readable(settings.source)
     with bars(quiet) as progress:
         result = job.run(settings, progress)
@@ -257,7 +264,10 @@ def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:
     try:
         show("\n".join(parts), sys.stdout)
     except FileError as error:
-        raise FileError(f"{error}; these files are written: {', '.join(written) or 'none asked for'}", error.value) from error
+        raise FileError(
+            say("{error}; these files are written: {written}", error=error, written=", ".join(written) or say("none asked for")),
+            error.value,
+        ) from error
 
 
 def _import_machine(arguments: argparse.Namespace) -> int:
@@ -265,7 +275,7 @@ def _import_machine(arguments: argparse.Namespace) -> int:
     from freecad_fiveaxis.core.machine_import import as_text, import_machine
 
     if not arguments.output.lower().endswith(".fcm"):
-        raise SettingsError(f"machine file {arguments.output} needs the ending .fcm", arguments.output)
+        raise SettingsError(say("machine file {output} needs the ending .fcm", output=arguments.output), arguments.output)
     check_readable(arguments.source)
     check_writable(arguments.output)
     imported = import_machine(arguments.source)

@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.joint_path import JointPath
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.linearize import linearize
 from freecad_fiveaxis.core.minimax import minimax_axes
+from freecad_fiveaxis.core.sentences import say
 
 from .asked import reach
 from .errors import SettingsError
@@ -42,7 +43,7 @@ def known_cures(names: Sequence[str] = ()) -> tuple[str, ...]:
     """These names; without any, all there are. Raises SettingsError for a name that is not known."""
     for name in names:
         if name not in CURES:
-            raise SettingsError(f"unknown cure {name!r}; known: {', '.join(CURES)}", name)
+            raise SettingsError(say("unknown cure {name}; known: {cures}", name=repr(name), cures=", ".join(CURES)), name)
     return tuple(names) or tuple(CURES)
 
 
@@ -56,7 +57,7 @@ def leading(made: Posted, lead: Lead) -> Cure:
 
     def cure(path: CLPath, where: Station, progress: Progress) -> JointPath:
         if not isinstance(made, Milled):
-            text = "this cure leads the tool axes over the part's facets; give it the STL, not a CL file"
+            text = say("this cure leads the tool axes over the part's facets; give it the STL, not a CL file")
             raise SettingsError(text, made.settings.source)
         axis = lead(made.offset, made.axis, where.links, progress)
         return solved(linked(made.settings, made.offset, axis, made.mesh, progress), where, progress)

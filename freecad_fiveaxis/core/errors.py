@@ -10,11 +10,14 @@ from __future__ import annotations
 
 
 class FiveAxisError(Exception):
-    """Input that cannot be used. ``value`` is what was given; the message names it and the remedy."""
+    """Input that cannot be used. ``value`` is what was given; ``text`` names it and the remedy.
+
+    ``text`` is the message as it was made: a Sentence can be said in another language (core/sentences.py).
+    """
 
     def __init__(self, message: str, value: object = None) -> None:
         super().__init__(message)
-        self.value = value
+        self.text, self.value = message, value
 
 
 class MeshError(FiveAxisError, ValueError):

@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.gouge.search import RELATIVE
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
+from freecad_fiveaxis.core.sentences import Area, Length, Number, Option, Sentence, say
 
 EDGE = math.radians(40.0)
 """Facets that differ by more meet in an edge of the part; by less, they stand for one curved surface."""
@@ -76,27 +77,39 @@ def facet_sags(mesh: Mesh) -> Floats:
     return np.asarray(0.5 * longest * np.tan(0.25 * turn[mesh.face_coedge].max(axis=1)))
 
 
-def _none(name: str, tolerance: float, opposite: bool) -> str:
+def _none(name: str, tolerance: float, opposite: bool) -> Sentence:
     if opposite:
-        return f"{name} lies on the part, but its facets look into it; export the faces again, with their normals outward"
-    return (
-        f"no facet of the part lies on {name} within {tolerance:g} mm; export the faces in the part's own place and units, or "
-        "raise the tolerance"
+        return say(
+            "{name} lies on the part, but its facets look into it; export the faces again, with their normals outward", name=name
+        )
+    return say(
+        "no facet of the part lies on {name} within {tolerance}; export the faces in the part's own place and units, or raise "
+        "the tolerance",
+        name=name,
+        tolerance=Length(tolerance),
     )
 
 
 def _told(mesh: Mesh, faces: Mesh, chosen: Bools, name: str) -> tuple[Finding, ...]:
     areas = mesh.area
     area, whole, asked = float(areas[chosen].sum()), float(areas.sum()), float(faces.area.sum())
-    text = (
-        f"{int(chosen.sum())} facets of {area:.6g} mm2 ({100.0 * area / whole:.3g} % of the part) lie on {name} and are "
-        "machined. The others are not; --gouge checks and cures against all of them."
+    text = say(
+        "{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not;"
+        " {gouge} checks and cures against all of them.",
+        count=int(chosen.sum()),
+        area=Area(area, ".6g"),
+        share=Number(100.0 * area / whole, ".3g"),
+        name=name,
+        gouge=Option("gouge"),
     )
     said = [Finding(Severity.NOTE, "faces-chosen", text, area, unit="mm2")]
     if area < (1.0 - MISSED) * asked:
-        text = (
-            f"{name} has {asked:.6g} mm2, but only {area:.6g} mm2 of the part lie on it. Export the faces from the same solid, "
-            "with as fine facets, or raise the tolerance."
+        text = say(
+            "{name} has {asked}, but only {area} of the part lie on it. Export the faces from the same solid, "
+            "with as fine facets, or raise the tolerance.",
+            name=name,
+            asked=Area(asked, ".6g"),
+            area=Area(area, ".6g"),
         )
         said.append(Finding(Severity.WARNING, "faces-missed", text, asked - area, MISSED * asked, "mm2"))
     return tuple(said)

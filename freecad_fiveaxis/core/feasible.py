@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.coedge import OffsetPath, lasting_rows, take_rows
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.passes import axes_within_limits
 from freecad_fiveaxis.core.portions import on_all, portions
+from freecad_fiveaxis.core.sentences import Length, Point, Template
 
 from .findings import Finding, Severity
 from .records import Bools, Floats, picked
@@ -25,16 +26,16 @@ LEAN = 1e-6
 """rad below the surface that rounding may make of an axis that lies in it."""
 
 
-_LEANING = (
-    "The tool leans into the part over {length:.1f} mm of the passes, the first at {at}; they are left out. Choose another tool "
+_LEANING = Template(
+    "The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool "
     "axis, lead or tilt, or cut these places in another set-up."
 )
-_FLANK = (
-    "The flank of the tapered cutter leans into the part over {length:.1f} mm of the passes, the first at {at}; they are left "
+_FLANK = Template(
+    "The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left "
     "out. Choose another tool axis, lead or tilt, or a cutter of less taper."
 )
-_BEYOND = (
-    "The tool axis is beyond the rotary limits over {length:.1f} mm of the passes, the first at {at}; they are left out. Use "
+_BEYOND = Template(
+    "The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use "
     "less lead or tilt, clamp the part in another position, or take another machine."
 )
 
@@ -61,12 +62,12 @@ def feasible_rows(path: OffsetPath, axis: Floats, links: Chain, taper: float = 0
     return replace(left, findings=findings), picked(axis, rows)
 
 
-def _left_out(path: OffsetPath, out: Bools, code: str, text: str) -> Finding | None:
+def _left_out(path: OffsetPath, out: Bools, code: str, text: Template) -> Finding | None:
     first = int(out.argmax())
     if not out[first]:
         return None
     steps = np.linalg.norm(np.diff(path.point, axis=0), axis=1)
     length = float(steps[(out[1:] | out[:-1]) & (np.diff(path.polyline) == 0)].sum())
     x, y, z = path.point[first].tolist()
-    said = text.format(length=length, at=f"({x:g}, {y:g}, {z:g}) mm")
+    said = text.say(length=Length(length, ".1f"), at=Point((x, y, z), "g"))
     return Finding(Severity.WARNING, code, said, value=length, limit=0.0, unit="mm", place=(x, y, z))

@@ -9,6 +9,8 @@ import stat
 import tempfile
 from pathlib import Path
 
+from freecad_fiveaxis.core.sentences import say
+
 from .errors import FileError
 
 
@@ -26,7 +28,10 @@ def read_bytes(path: str | os.PathLike[str], what: str) -> bytes:
     try:
         return Path(path).read_bytes()
     except OSError as error:
-        raise FileError(f"{what} {os.fspath(path)} cannot be read: {error.strerror or error}", path) from error
+        raise FileError(
+            say("{what} {path} cannot be read: {strerror}", what=what, path=os.fspath(path), strerror=error.strerror or error),
+            path,
+        ) from error
 
 
 def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
@@ -44,7 +49,10 @@ def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
         if part is not None:
             with contextlib.suppress(FileNotFoundError):
                 os.unlink(part)
-        raise FileError(f"{target} cannot be written: {error.strerror or error}; choose another folder", path) from error
+        raise FileError(
+            say("{target} cannot be written: {strerror}; choose another folder", target=target, strerror=error.strerror or error),
+            path,
+        ) from error
 
 
 def check_readable(path: str | os.PathLike[str]) -> None:
@@ -53,11 +61,16 @@ def check_readable(path: str | os.PathLike[str]) -> None:
     try:
         mode = os.stat(path).st_mode
     except FileNotFoundError as error:
-        raise FileError(f"{path} does not exist; name the file to read", path) from error
+        raise FileError(say("{path} does not exist; name the file to read", path=path), path) from error
     except OSError as error:
-        raise FileError(f"{path} cannot be read: {error.strerror or error}", path) from error
+        raise FileError(say("{path} cannot be read: {strerror}", path=path, strerror=error.strerror or error), path) from error
     if not stat.S_ISREG(mode):
-        raise FileError(f"{path} is {'a folder' if stat.S_ISDIR(mode) else 'no ordinary file'}; name the file to read", path)
+        raise FileError(
+            say("{path} is a folder; name the file to read", path=path)
+            if stat.S_ISDIR(mode)
+            else say("{path} is no ordinary file; name the file to read", path=path),
+            path,
+        )
 
 
 def check_writable(path: str | os.PathLike[str]) -> None:
@@ -65,19 +78,26 @@ def check_writable(path: str | os.PathLike[str]) -> None:
     _check_name(path)
     folder = Path(path).parent
     if os.path.isdir(path):
-        raise FileError(f"{path} is a folder; name a file", path)
+        raise FileError(say("{path} is a folder; name a file", path=path), path)
     if not os.path.isdir(folder):
-        raise FileError(f"folder {folder} does not exist; make it first", path)
+        raise FileError(say("folder {folder} does not exist; make it first", folder=folder), path)
     try:
         with tempfile.TemporaryFile(dir=folder):
             pass
     except OSError as error:
-        raise FileError(f"folder {folder} cannot be written: {error.strerror or error}; choose another one", path) from error
+        raise FileError(
+            say(
+                "folder {folder} cannot be written: {strerror}; choose another one",
+                folder=folder,
+                strerror=error.strerror or error,
+            ),
+            path,
+        ) from error
 
 
 def _check_name(path: str | os.PathLike[str]) -> None:
     if not is_name(path):
-        raise FileError(f"{os.fspath(path)!r} cannot be the name of a file; give another", path)
+        raise FileError(say("{path} cannot be the name of a file; give another", path=repr(os.fspath(path))), path)
 
 
 def _umask() -> int:

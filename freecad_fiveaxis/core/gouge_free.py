@@ -40,6 +40,7 @@ from freecad_fiveaxis.core.joint_path import JointPath
 from freecad_fiveaxis.core.kinematics import Chain, q_to_words
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.sentences import say
 
 from .asked import axis_options, back, scallop_asked
 from .findings import Finding
@@ -105,11 +106,11 @@ def lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> 
 def driven_free(
     settings: Settings, path: CLPath, mesh: Mesh, links: Chain, drive: Callable[[CLPath], JointPath], progress: Progress
 ) -> tuple[CLPath, JointPath]:
-    """The path and its joint path, which ``drive`` makes. Where a cure has changed the path and blocks may be divided, rows are
-    put in half-way where the tool still enters on its real way though the path itself does not: the machine turns the axis
-    otherwise than on a great arc."""
+    """The path and its joint path, which ``drive`` makes. Where a cure is asked for and blocks may be divided, rows are put in
+    half-way where the tool still enters on its real way though the path itself does not: the machine turns the axis otherwise
+    than on a great arc, and with the tip within the tolerance the rest of the cutter may swing farther."""
     joints = drive(path)
-    if settings.cure.linearize != "on" or not CURED & {finding.code for finding in path.findings}:
+    if settings.cure.linearize != "on" or settings.gouge.gouge in ("off", "report"):
         return path, joints
     for _ in range(HALVINGS):
         rows = _entering(settings, path, joints, mesh, links, progress)
@@ -188,8 +189,8 @@ def _remedy(settings: Settings) -> str:
     if settings.gouge.gouge == "report":
         return CURES
     divisible = settings.cure.linearize == "off" and settings.head.rtcp == "off"  # a guided tip excludes division
-    way = "let blocks be divided (linearize on)" if divisible else "ask for a smaller tolerance"
-    return f"The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}."
+    way = say("let blocks be divided (linearize on)") if divisible else say("ask for a smaller tolerance")
+    return say("The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.", way=way)
 
 
 def left_by(settings: Settings, mesh: Mesh, keep: Bools, links: Chain, program: Program, progress: Progress) -> Remainder:

@@ -24,9 +24,18 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.minimax import minimax_axes
 from freecad_fiveaxis.core.nc_reader import dialect_of_text, read_nc
-from freecad_fiveaxis.core.passes import ContactPath, place_planes, reachable_facets, slice_mesh
+from freecad_fiveaxis.core.passes import (
+    ContactPath,
+    flat_interval,
+    place_planes,
+    reachable_facets,
+    side_findings,
+    slice_mesh,
+    untouched_sides,
+)
 from freecad_fiveaxis.core.program import Program, block_findings, build_program
 from freecad_fiveaxis.core.report import Figures, judge
+from freecad_fiveaxis.core.sentences import Length, say
 
 from .apt import cutter_note, read_cl_file
 from .asked import axis_options, machine_of, nc_title, post_options, reach, scallop_asked, title_of, with_head
@@ -52,6 +61,7 @@ from .post.head import slot_texts
 from .post.writer import write_nc
 from .progress import Progress, silent
 from .records import Bools, Floats
+from .safe_start import Box, start_findings, start_plane, started
 from .seating import corner_radius, seated, spacing_radius
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
 from .singularity import Singularity, find_singular, in_cone
@@ -115,7 +125,7 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
     ``faces`` (f,): the facets of it that are to be cut, None: all. Raises FiveAxisError for input that cannot be used."""
     machine, links, dialect = machine_of(settings)
     if settings.task in (MILL, POST):
-        dialect = _told(settings, dialect)
+        dialect = _told(settings, machine, dialect)
     if settings.task == MILL:
         find_strategy(settings.tool_axis.tool_axis)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
@@ -138,9 +148,10 @@ def _faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progre
     return facets_on(mesh, read_stl(name, progress), settings.proof.tolerance, Path(name).name, progress)
 
 
-def _told(settings: Settings, dialect: Dialect) -> Dialect:
-    """The dialect as it is to be written: high-speed mode, tip guided. Raises SettingsError, before the long work, for what the
-    controller has not, and for a head that cannot be written."""
+def _told(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
+    """The dialect as it is to be written: safe start, high-speed mode, tip guided. Raises SettingsError, before the long
+    work, for what the controller has not, and for a head that cannot be written."""
+    dialect = started(dialect, machine)
     dialect = dialect.fast() if settings.head.high_speed == "on" else dialect
     dialect = dialect if settings.head.rtcp == "off" else dialect.guided(settings.head.rtcp)
     slot_texts(dialect, "", post_options(settings), inverse_time=False)
@@ -157,6 +168,7 @@ def mill(
     keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle, faces)
     planes, spacing = _planes(settings, mesh, keep, progress)
     contact = slice_mesh(mesh, planes, passes.direction, progress=progress, plain=~keep, order=settings.links.order)
+    spacing = _with_sides(settings, mesh, keep, planes, contact, spacing)
     closed = close_gaps(
         contact, mesh, corner_radius(cutter), settings.cutter.coedge_tolerance, None if keep.all() else keep, progress
     )
@@ -173,7 +185,7 @@ def mill(
     path, joints = driven_free(settings, path, mesh, links, drive, progress)
     uncut = uncut_by_cure(settings, path, mesh, keep, progress)
     found = mesh.findings + left_out + spacing + contact.findings + turned.findings + said + path.findings + uncut
-    posted = _posted(settings, path, joints, machine, links, dialect, found, progress)
+    posted = _posted(settings, path, joints, machine, links, dialect, (low, high), found, progress)
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis, keep=keep)
 
 
@@ -188,6 +200,19 @@ def _planes(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> 
         mesh, passes.direction, radius, stepover=passes.stepover, scallop=scallop, least=passes.least_interval, keep=keep,
         progress=progress, **more,
     )  # fmt: skip
+
+
+def _with_sides(
+    settings: Settings, mesh: Mesh, keep: Bools, planes: Floats, contact: ContactPath, spacing: tuple[Finding, ...]
+) -> tuple[Finding, ...]:
+    """What was poor about the planes, and the sides of the part that they leave out."""
+    passes, scallop, radius = settings.passes, scallop_asked(settings), settings.cutter.cutter.radius
+    interval = passes.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
+    sides = untouched_sides(mesh, keep, contact.face, planes, passes.direction, interval)
+    finer = say("a smaller stepover")
+    if scallop is not None:
+        finer = say("a smaller least interval than {interval}", interval=Length(passes.least_interval))
+    return side_findings(sides, mesh, keep, passes.direction, spacing, passes.least_interval, finer)
 
 
 def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress = silent) -> CLPath:
@@ -228,16 +253,18 @@ def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, p
     low, high = feeding.min(axis=0), feeding.max(axis=0)
     joints = _driven(settings, path, low, high, machine, links, dialect, progress)
     found = path.findings + cutter_note(file.head, settings.cutter.cutter)
-    return _posted(settings, path, joints, machine, links, dialect, found, progress)
+    return _posted(settings, path, joints, machine, links, dialect, (low, high), found, progress)
 
 
 def _posted(
     settings: Settings, path: CLPath, joints: JointPath, machine: Machine, links: Chain, dialect: Dialect,
-    found: tuple[Finding, ...], progress: Progress,
+    box: Box, found: tuple[Finding, ...], progress: Progress,
 ) -> Posted:  # fmt: skip
     program = build_program(joints, links, dialect, settings.feeds.feed_mode == "g93", progress)
-    nc = write_nc(program, dialect, nc_title(settings, machine), post_options(settings), progress)
-    findings = found + block_findings(joints.findings, program) + program.findings
+    height, said = start_plane(settings, machine, links, program, box)
+    nc = write_nc(program, dialect, nc_title(settings, machine), post_options(settings), progress, height)
+    said += start_findings(settings, machine, dialect, links, program, box)
+    findings = found + block_findings(joints.findings, program) + program.findings + said
     return Posted(settings, machine, links, dialect, program, findings, path, joints, nc)
 
 

@@ -12,55 +12,72 @@ from collections.abc import Mapping
 from typing import Any
 
 from freecad_fiveaxis.core.machine import Vector
+from freecad_fiveaxis.core.sentences import Option, Sentence, Template, measure, say
 
 from . import quantity
 from .cutter import Cutter, cutter_text, parse_cutter
 from .errors import SettingsError
 from .files import is_name
 
-UNITS = {"length": " mm", "lengths": " mm", "point": " mm", "angle": " deg", "feed": " mm/min"}
+UNITS = {"length": "mm", "height": "mm", "lengths": "mm", "point": "mm", "angle": "deg", "feed": "mm/min"}
+BOUNDS = {"above": Template("above {bound}"), "least": Template("at least {bound}"), "most": Template("at most {bound}")}
 
 
 def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
     """One value from its text (or JSON value), checked against its choices and range."""
-    name, rules = leaf.name.replace("_", "-"), leaf.metadata
+    name, rules = say("{option}", option=Option(leaf.name, flag=False)), leaf.metadata
     if rules["bare"] and isinstance(given, bool):
         given = rules["bare"] if given else leaf.default
     if rules["choices"] and given not in rules["choices"]:
-        raise SettingsError(f"{name} {given!r} is not one of {', '.join(rules['choices'])}", given)
+        raise SettingsError(
+            say("{name} {given} is not one of {rules}", name=name, given=repr(given), rules=", ".join(rules["choices"])), given
+        )
     try:
         value = READERS[rules["kind"]](given, name)
     except TypeError as error:
-        raise SettingsError(f"{name} {given!r} is not of the right kind", given) from error
+        raise SettingsError(say("{name} {given} is not of the right kind", name=name, given=repr(given)), given) from error
     numbers = [number for number in (value if isinstance(value, tuple) else (value,)) if isinstance(number, float)]
     if not all(rules["least"] <= number <= rules["most"] and number > rules["above"] for number in numbers):
-        raise SettingsError(f"{name} {given} is out of range; {_range_said(rules)}", given)
+        raise SettingsError(
+            say("{name} {given} is out of range; {range}", name=name, given=_shown(given, rules), range=_range_said(rules)), given
+        )
     return value
 
 
-def _range_said(rules: Mapping[str, Any]) -> str:
+def _shown(given: Any, rules: Mapping[str, Any]) -> Any:
+    """A number with its unit; a text as it was given."""
+    unit = UNITS.get(rules["kind"], "")
+    return measure(given, unit, "", bare=True) if isinstance(given, float) and unit else str(given)
+
+
+def _range_said(rules: Mapping[str, Any]) -> Sentence:
     factor, unit = 180 / math.pi if rules["kind"] == "angle" else 1.0, UNITS.get(rules["kind"], "")
-    parts = [(rules["above"], "above"), (rules["least"], "at least"), (rules["most"], "at most")]
-    bounds = [f"{word} {bound * factor:.7g}{unit}" for bound, word in parts if math.isfinite(bound)]
-    return (
-        f"{'each of its numbers' if rules['kind'] in ('point', 'lengths', 'vector', 'counts') else 'it'} must be "
-        + " and ".join(bounds)
-    )
+    bounds = [
+        words.say(bound=measure(rules[bound] * factor, unit, ".7g"))
+        for bound, words in BOUNDS.items()
+        if math.isfinite(rules[bound])
+    ]
+    both = bounds[0] if len(bounds) == 1 else say("{one} and {other}", one=bounds[0], other=bounds[-1])
+    if rules["kind"] in ("point", "lengths", "vector", "counts"):
+        return say("each of its numbers must be {bounds}", bounds=both)
+    return say("it must be {bounds}", bounds=both)
 
 
 def read_text(given: Any, name: str) -> str:
     """A text that can name a file or a thing. Raises SettingsError."""
     if not isinstance(given, str) or not given:
-        raise SettingsError(f"{name} {given!r} is not a text", given)
+        raise SettingsError(say("{name} {given} is not a text", name=name, given=repr(given)), given)
     if not is_name(given):
-        raise SettingsError(f"{name} {given!r} holds a character that no name can have; give another", given)
+        raise SettingsError(
+            say("{name} {given} holds a character that no name can have; give another", name=name, given=repr(given)), given
+        )
     return given
 
 
 def _count(given: Any, name: str) -> float:
     value = quantity.parse(given, quantity.NUMBERS, name)
     if value != int(value):
-        raise SettingsError(f"{name} {given!r} is not a whole number", given)
+        raise SettingsError(say("{name} {given} is not a whole number", name=name, given=repr(given)), given)
     return value
 
 
@@ -80,6 +97,7 @@ def _paths(given: Any, name: str) -> tuple[str, ...]:
 
 READERS: dict[str, Any] = {
     "length": quantity.parse_length,
+    "height": quantity.parse_length,
     "angle": quantity.parse_angle,
     "feed": quantity.parse_feed,
     "point": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),

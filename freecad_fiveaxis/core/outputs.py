@@ -7,6 +7,7 @@ import os
 from pathlib import Path
 
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, rates_csv
+from freecad_fiveaxis.core.sentences import say
 
 from .apt import write_apt
 from .asked import cl_head, title_of
@@ -29,12 +30,14 @@ def check_outputs(settings: Settings) -> None:
     for path in targets:
         check_writable(path)
         if os.path.realpath(path) in map(os.path.realpath, reads):
-            raise SettingsError(f"{path} is the file that is read; name another output", path)
+            raise SettingsError(say("{path} is the file that is read; name another output", path=path), path)
     if len({os.path.realpath(path) for path in targets}) < len(targets):
-        raise SettingsError("two outputs have the same name; name each file apart", targets)
+        raise SettingsError(say("two outputs have the same name; name each file apart"), targets)
     for path in output.report:
         if Path(path).suffix.lower() not in REPORTS:
-            raise SettingsError(f"report {path} needs one of the endings {', '.join(REPORTS)}", path)
+            raise SettingsError(
+                say("report {path} needs one of the endings {reports}", path=path, reports=", ".join(REPORTS)), path
+            )
 
 
 def write_outputs(result: Result, progress: Progress = silent) -> list[str]:

@@ -27,6 +27,7 @@ from freecad_fiveaxis.core.deviation import Deviation
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.report.figures import worst_first
+from freecad_fiveaxis.core.sentences import say
 
 from .errors import ProgramError
 from .records import Floats, Ints
@@ -63,6 +64,7 @@ class Pose:
     machine_from_work: Floats
     work_from_machine: Floats
     machine_from_tool: Floats
+    machine_from_carried: Floats
     line_point: Floats
     line_direction: Floats
 
@@ -82,7 +84,7 @@ class Playback:
 
     def __post_init__(self) -> None:
         if not len(self.program.words):
-            raise ProgramError("the program has no block that moves; there is nothing to play", 0)
+            raise ProgramError(say("the program has no block that moves; there is nothing to play"), 0)
         clock = np.cumsum(shown_seconds(self.program))
         clock.flags.writeable = False
         object.__setattr__(self, "clock", clock)
@@ -149,7 +151,10 @@ class Playback:
     def _check(self, rows: NDArray[np.int64]) -> None:
         bad = rows[(rows < 0) | (rows >= len(self.clock))]
         if bad.size:
-            raise ProgramError(f"there is no block {bad.flat[0]}; the last one is {len(self.clock) - 1}", int(bad.flat[0]))
+            raise ProgramError(
+                say("there is no block {flat}; the last one is {count}", flat=bad.flat[0], count=len(self.clock) - 1),
+                int(bad.flat[0]),
+            )
 
 
 def shown_seconds(program: Program) -> Floats:
@@ -203,22 +208,23 @@ def rotary_lines(pose: Pose, near: Floats, reach: float) -> Floats:
 
 def placements(links: Chain, words: Floats) -> dict[str, Floats]:
     """The placements and rotary lines of a :class:`Pose` for ``words`` (n, 5) mm and **degrees**."""
-    table, head = _sides(links)
+    table, head = sides(links)
     moves = {j: _axis_motion(links, j, words[:, j]) for j in (*table, *head)}
     still = np.broadcast_to(np.eye(4), (len(words), 4, 4))
     work_from_machine = _product(still, (moves[j] for j in table))
     machine_from_tool = _product(still, (moves[j] for j in head))
     machine_from_work = rigid_inverse(work_from_machine)
-    carrier = {j: machine_from_work @ _product(still, (moves[i] for i in table[:at])) for at, j in enumerate(table)}
-    carrier |= {j: _product(still, (moves[i] for i in head[:at])) for at, j in enumerate(head)}
+    carried = {j: machine_from_work @ _product(still, (moves[i] for i in table[:at])) for at, j in enumerate(table)}
+    carried |= {j: _product(still, (moves[i] for i in head[: at + 1])) for at, j in enumerate(head)}
     point, direction = (links.point1, links.point2), links.direction[3:]
     return {
         "work_from_tool": work_from_machine @ machine_from_tool,
         "machine_from_work": machine_from_work,
         "work_from_machine": work_from_machine,
         "machine_from_tool": machine_from_tool,
-        "line_point": np.stack([carrier[3 + i][:, :3, :3] @ point[i] + carrier[3 + i][:, :3, 3] for i in range(2)], axis=1),
-        "line_direction": np.stack([carrier[3 + i][:, :3, :3] @ direction[i] for i in range(2)], axis=1),
+        "machine_from_carried": np.stack([carried[j] for j in range(5)], axis=1),
+        "line_point": np.stack([carried[3 + i][:, :3, :3] @ point[i] + carried[3 + i][:, :3, 3] for i in range(2)], axis=1),
+        "line_direction": np.stack([carried[3 + i][:, :3, :3] @ direction[i] for i in range(2)], axis=1),
     }
 
 
@@ -232,7 +238,7 @@ def rigid_inverse(placement: Floats) -> Floats:
     return inverse
 
 
-def _sides(links: Chain) -> tuple[list[int], list[int]]:
+def sides(links: Chain) -> tuple[list[int], list[int]]:
     """The columns of the table's and of the head's words, each in the order from work to tool."""
     place = [2 * slot for slot in links.slot] + [1, 3]  # linear axes before, between and after the two rotary ones
     order = sorted(range(5), key=lambda j: place[j])

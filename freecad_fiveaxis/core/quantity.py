@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 import re
 
+from freecad_fiveaxis.core.sentences import say
+
 from .errors import SettingsError
 
 LENGTHS = {"": 1.0, "mm": 1.0, "um": 1e-3, "cm": 10.0, "m": 1000.0, "in": 25.4, "inch": 25.4, '"': 25.4}
@@ -24,7 +26,12 @@ def parse(text: str | float, units: dict[str, float], what: str) -> float:
     match = _QUANTITY.fullmatch(str(text))
     if not match or match.group(2).lower() not in units or not math.isfinite(float(match.group(1))):
         known = ", ".join(unit for unit in units if unit)
-        raise SettingsError(f"{what} {text!r} is not a number{' with one of the units ' + known if known else ''}", text)
+        raise SettingsError(
+            say("{what} {text} is not a number with one of the units {known}", what=what, text=repr(text), known=known)
+            if known
+            else say("{what} {text} is not a number", what=what, text=repr(text)),
+            text,
+        )
     return float(match.group(1)) * units[match.group(2).lower()]
 
 
@@ -42,11 +49,23 @@ def parse_stack(text: str | list[str] | tuple[tuple[float, float], ...], what: s
         diameter, times, length = part.lower().partition("x")
         if not times:
             raise SettingsError(
-                f"{what} {text!r} is no stack; write DIAMETERxLENGTH from the cutter upwards, as 40x25,63x50", text
+                say(
+                    "{what} {text} is no stack; write DIAMETERxLENGTH from the cutter upwards, as 40x25,63x50",
+                    what=what,
+                    text=repr(text),
+                ),
+                text,
             )
         row = parse_length(diameter, what), parse_length(length, what)
         if not 0.0 < min(row) <= max(row) <= 1e4:
-            raise SettingsError(f"{what} {part!r} is out of range; give diameters and lengths above 0, up to 10000 mm", text)
+            raise SettingsError(
+                say(
+                    "{what} {part} is out of range; give diameters and lengths above 0, up to 10000 mm",
+                    what=what,
+                    part=repr(part),
+                ),
+                text,
+            )
         rows.append(row)
     return tuple(rows)
 
@@ -70,6 +89,6 @@ def parse_triple(text: str | list[float] | tuple[float, ...], units: dict[str, f
     """Three quantities, as ``X,Y,Z``."""
     parts = text.split(",") if isinstance(text, str) else list(text)
     if len(parts) != 3:
-        raise SettingsError(f"{what} {text!r} needs three numbers, as 0,0,50", text)
+        raise SettingsError(say("{what} {text} needs three numbers, as 0,0,50", what=what, text=repr(text)), text)
     x, y, z = (parse(part, units, what) for part in parts)
     return x, y, z

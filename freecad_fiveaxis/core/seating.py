@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.coedge import ROW_COLUMNS, OffsetPath
 from freecad_fiveaxis.core.cutter import Cutter, ring_direction
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.passes import CREASE, facet_curvature, turned_along
+from freecad_fiveaxis.core.sentences import Length, say
 
 from .findings import Finding, Severity
 from .records import Bools, Floats, Ints
@@ -221,9 +222,12 @@ def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) 
         return ()
     worst = int(deep[depth[deep].argmax()])
     x, y, z = path.point[worst].tolist()
-    text = (
-        f"In hollows along the passes the cutter's bottom stands up to about {depth[worst]:.3g} mm in the part behind its "
-        f"contact or before it, over {len(deep)} rows. Give more lead, take a smaller cutter or a ball, or check for gouges."
+    text = say(
+        "In hollows along the passes the cutter's bottom stands up to about {depth} in the part behind its "
+        "contact or before it, over {count} rows. Give more lead, take a smaller cutter or a ball, or check "
+        "for gouges.",
+        depth=Length(depth[worst], ".3g"),
+        count=len(deep),
     )
     return (Finding(Severity.WARNING, "heel-in-hollow", text, float(depth[worst]), NOTABLE, "mm", place=(x, y, z)),)
 

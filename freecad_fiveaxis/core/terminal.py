@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import Any, TextIO
 
+from freecad_fiveaxis.core.sentences import say
+
 from .errors import FileError
 from .progress import Progress, silent
 
@@ -27,7 +29,7 @@ def show(text: str, stream: TextIO | None) -> None:
         _silence(stream)
     except OSError as error:
         _silence(stream)
-        raise FileError(f"the text cannot be shown: {error.strerror or error}", text) from error
+        raise FileError(say("the text cannot be shown: {strerror}", strerror=error.strerror or error), text) from error
 
 
 def _silence(stream: TextIO) -> None:

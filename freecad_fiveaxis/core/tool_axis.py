@@ -20,6 +20,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.coedge import OffsetPath
 from freecad_fiveaxis.core.portions import on_all, portions
+from freecad_fiveaxis.core.sentences import say
 
 from .errors import SettingsError
 from .records import Bools, Floats, Ints
@@ -51,7 +52,9 @@ def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
     find = find_strategy(strategy)
     for name in ("lead", "tilt"):
         if not np.isfinite(getattr(options, name)):
-            raise SettingsError(f"{name} is {getattr(options, name)}; give an angle", getattr(options, name))
+            raise SettingsError(
+                say("{name} is {value}; give an angle", name=name, value=getattr(options, name)), getattr(options, name)
+            )
     axis = find(path, options)
     if (options.lead == 0.0 and options.tilt == 0.0) or not len(axis):
         return axis
@@ -96,7 +99,9 @@ def fixed(path: OffsetPath, options: AxisOptions) -> Floats:
     vector = np.array(options.fixed, float)
     length = float(np.linalg.norm(vector))
     if vector.shape != (3,) or not np.isfinite(length) or length == 0.0:
-        raise SettingsError(f"fixed tool axis {options.fixed} has no direction; give three numbers, as 0,0,1", options.fixed)
+        raise SettingsError(
+            say("fixed tool axis {fixed} has no direction; give three numbers, as 0,0,1", fixed=options.fixed), options.fixed
+        )
     return np.repeat((vector / length)[:, None], len(path.point), axis=1).T
 
 
@@ -114,7 +119,12 @@ STRATEGIES: dict[str, Strategy] = {
 def find_strategy(name: str) -> Strategy:
     """The strategy of that name. Raises SettingsError that lists those known."""
     if name not in STRATEGIES:
-        raise SettingsError(f"unknown tool-axis strategy {name!r}; choose one of {', '.join(STRATEGIES)}", name)
+        raise SettingsError(
+            say(
+                "unknown tool-axis strategy {name}; choose one of {strategies}", name=repr(name), strategies=", ".join(STRATEGIES)
+            ),
+            name,
+        )
     return STRATEGIES[name]
 
 

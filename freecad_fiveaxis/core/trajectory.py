@@ -21,12 +21,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.sentences import Number, say
 
 from .errors import ProgramError
 from .records import Floats
 
 ROUNDED_TO_ZERO = 4e-16
 """A product of unit vectors below this is rounding of a zero; a zero costs no arithmetic."""
+
+PARALLEL = 1e-12
+"""The sine below which two unit vectors are one direction: what is left of it is rounding."""
 
 FARTHEST_WORD = 1e6
 """mm or deg: a kilometre, or 2777 turns. Beyond this a word is a mistake."""
@@ -97,9 +101,10 @@ def frames(links: Chain) -> Frames:
 
 
 def _basis(z: Floats, hint: Floats) -> Floats:
-    """Rows x, y, z of a right-handed frame about unit ``z``, its x as near to ``hint`` as can be."""
+    """Rows x, y, z of a right-handed frame about unit ``z``, its x as near to ``hint`` as can be, so that ``hint`` has no y in
+    it however near to ``z`` it lies: :func:`axis` relies on that."""
     across = [v - (v @ z) * z for v in (hint, np.roll(hint, 1))]
-    x = across[0] if np.linalg.norm(across[0]) > 0.5 else across[1]
+    x = across[0] if np.linalg.norm(across[0]) > PARALLEL else across[1]
     x = x / np.linalg.norm(x)
     return _cleaned(np.stack([x, np.cross(z, x), z]))
 
@@ -143,12 +148,23 @@ def checked_words(words: ArrayLike) -> Floats:
     """``words`` as floats (m, 5). Raises ProgramError for another shape, and for words that are no numbers or too large."""
     rows = np.asarray(words, float)
     if rows.ndim != 2 or rows.shape[1] != 5:
-        raise ProgramError(f"words have shape {rows.shape}; give one row of five words for each block", rows.shape)
+        raise ProgramError(
+            say("words have shape {shape}; give one row of five words for each block", shape=rows.shape), rows.shape
+        )
     good = np.abs(rows) <= FARTHEST_WORD  # False for NaN
     if not good.all():
         row, word = (int(i) for i in np.argwhere(~good)[0])
         value = float(rows[row, word])
-        raise ProgramError(f"word {word + 1} of row {row} is {value:g}; words are numbers up to {FARTHEST_WORD:g}", value)
+        raise ProgramError(
+            say(
+                "word {word} of row {row} is {value}; words are numbers up to {farthest_word}",
+                word=word + 1,
+                row=row,
+                value=Number(value),
+                farthest_word=Number(FARTHEST_WORD),
+            ),
+            value,
+        )
     return rows
 
 

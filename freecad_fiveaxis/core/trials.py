@@ -16,6 +16,7 @@ from pathlib import Path
 from freecad_fiveaxis.core.compare import Row, compare, compare_html, compare_json, compare_text, station
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.sentences import Length, Option, joined, say
 from freecad_fiveaxis.core.setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
 
 from .asked import clamped
@@ -28,6 +29,7 @@ from .post import Dialect
 from .progress import Progress, silent
 from .records import Bools
 from .settings import COMPARE, MILL, POST, SETUP, Settings, flat_options
+from .settings.groups import USUAL_REGION
 
 TRIALS = (SETUP, COMPARE)
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
@@ -73,11 +75,12 @@ def try_setups(
     """
     street = _street(settings)
     machine, base, dialect = clamped(street)
-    _region(settings, base.origin, 1)  # before the long work
+    table = machine.table if settings.setup.table_height is None else settings.setup.table_height
+    _region(settings, base.origin, 1, table)  # before the long work
     made = _posted(street, progress, mesh, faces)
-    region = _region(settings, base.origin, len(made.path.tip))
+    region = _region(settings, base.origin, len(made.path.tip), table)
     posting, enough = _posting(street, made, dialect), settings.proof.tolerance
-    chart = setup_map(made.path, machine, base, region, posting, enough, progress)
+    chart = setup_map(made.path, machine, base, region, posting, enough, progress, table)
     if chart.best is None:
         _refuse(chart)
     return SetupTrial(settings, made, chart, chart.findings)
@@ -92,7 +95,7 @@ def try_machines(
     """
     names, wanted = settings.compare.machines, known_cures(settings.compare.cures)
     if not names:
-        raise SettingsError("there are no machines to compare; name at least one", names)
+        raise SettingsError(say("there are no machines to compare; name at least one"), names)
     streets = [_street(settings, name) for name in names]
     stands = [clamped(street) for street in streets]
     made = _posted(streets[0], progress, mesh, faces)
@@ -116,7 +119,7 @@ def _posted(street: Settings, progress: Progress, mesh: Mesh | None, faces: Bool
         street = replace(street, task=MILL)
     made = make(street, progress, mesh, faces)
     if not isinstance(made, Posted):
-        raise SettingsError(f"{street.source} is no source of a path; give an STL or a CL file", street.source)
+        raise SettingsError(say("{source} is no source of a path; give an STL or a CL file", source=street.source), street.source)
     return made
 
 
@@ -126,14 +129,20 @@ def _posting(settings: Settings, made: Posted, dialect: Dialect) -> Posting:
     return Posting(dialect, inverse_time, settings.links.clearance, settings.cutter.cutter.radius, part)
 
 
-def _region(settings: Settings, centre: Vector, rows: int) -> Region:
+def _region(settings: Settings, centre: Vector, rows: int, table: float | None) -> Region:
     """The region about the present work zero, with as many places as are asked for, or as ``rows`` of the path leave time for.
+    Where nobody says how high the ``table`` is, Z of the usual region stays where it is.
 
     Raises SettingsError where there is nothing to choose from.
     """
     half, turns, grid = settings.setup.region, int(settings.setup.turns), settings.setup.grid
+    half = (half[0], half[1], 0.0) if table is None and half == USUAL_REGION else half
     if not any(half) and turns == 1:
-        text = "region 0,0,0 with 1 turn has one setup only; give --region a way to go along X, Y or Z, or --turns above 1"
+        text = say(
+            "region 0,0,0 with 1 turn has one setup only; give {region} a way to go along X, Y or Z, or {turns} above 1",
+            region=Option("region"),
+            turns=Option("turns"),
+        )
         raise SettingsError(text, half)
     able = [count for count in GRIDS if _places(half, count, turns) * rows <= WORK] or [GRIDS[-1]]
     x, y, z = able[0] if grid is None else (int(count) for count in grid)
@@ -148,15 +157,21 @@ def _places(half: Vector, count: tuple[int, int, int], turns: int) -> int:
 
 def _refuse(chart: SetupMap) -> None:
     low, high = chart.region.low, chart.region.high
-    box = ", ".join(f"{letter} {a:g} to {b:g}" for letter, a, b in zip("XYZ", low, high, strict=True))
-    why = next((one.text for one in chart.findings if one.severity is Severity.ERROR), "the axes leave their limits everywhere")
-    raise SettingsError(f"setup region {box} mm: {why}", (low, high))
+    sides = zip("XYZ", low, high, strict=True)
+    box = joined((say("{letter} {low} to {high}", letter=letter, low=Length(a, bare=True), high=Length(b, bare=letter != "Z"))
+                  for letter, a, b in sides), ", ")  # fmt: skip
+    why = next(
+        (one.text for one in chart.findings if one.severity is Severity.ERROR), say("the axes leave their limits everywhere")
+    )
+    raise SettingsError(say("setup region {box}: {why}", box=box, why=why), (low, high))
 
 
 def _row_findings(rows: Sequence[Row]) -> Iterator[Finding]:
     grave = Severity.ERROR if all(row.problem for row in rows) else Severity.WARNING
     for machine, cure, problem in dict.fromkeys((row.machine, row.cure, row.problem) for row in rows if row.problem):
-        text = f"On {machine} with cure {cure} the path cannot be driven: {problem}"
+        text = say(
+            "On {machine} with cure {cure} the path cannot be driven: {problem}", machine=machine, cure=cure, problem=problem
+        )
         yield Finding(grave, "cannot-be-compared", text)
 
 

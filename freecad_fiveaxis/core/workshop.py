@@ -27,6 +27,7 @@ from freecad_fiveaxis.core.recover import (
     recovery_text,
     rotary_letters,
 )
+from freecad_fiveaxis.core.sentences import say
 
 from .apt import read_apt
 from .asked import clamped, dialect_for
@@ -73,11 +74,13 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     """The machine that a post had in mind. Raises FiveAxisError where the files cannot be used."""
     output = settings.recover.machine_file
     if not output:
-        raise SettingsError("no machine file named; give one with -o OUT.fcm", None)
+        raise SettingsError(say("no machine file named; give one with -o OUT.fcm"), None)
     if Path(output).suffix.lower() != SUFFIX:
-        raise SettingsError(f"{output} does not end in {SUFFIX}, as machine files do; name it so", output)
+        raise SettingsError(
+            say("{output} does not end in {suffix}, as machine files do; name it so", output=output, suffix=SUFFIX), output
+        )
     if os.path.exists(output):
-        raise FileError(f"{output} exists already; choose another name, so that no machine is lost", output)
+        raise FileError(say("{output} exists already; choose another name, so that no machine is lost", output=output), output)
     for file in (settings.source, settings.recover.program):
         check_readable(file)
     apt, nc = read_bytes(settings.source, "CL file"), read_bytes(settings.recover.program, "NC file")
@@ -126,7 +129,7 @@ def _description(settings: Settings, found: Recovery) -> str:
 def prove(settings: Settings, progress: Progress = silent) -> Proof:
     """The program that proves a machine's signs, and its sheet. Raises SettingsError where the limits leave no room."""
     if not settings.output.output:
-        raise SettingsError("no NC file named; give one with -o OUT.ngc", None)
+        raise SettingsError(say("no NC file named; give one with -o OUT.ngc"), None)
     machine, setup, dialect = clamped(settings)
     wish = settings.prove
     plan = make_plan(machine, setup, Wishes(wish.mark, wish.gap, wish.travel, wish.angle, wish.slow_feed))

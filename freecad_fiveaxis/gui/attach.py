@@ -11,6 +11,7 @@ from typing import Any
 
 import FreeCAD
 
+from .failures import guards
 from .qt import later
 
 VIEWS = {
@@ -20,11 +21,13 @@ VIEWS = {
     "freecad_fiveaxis.app.markers": "view_providers.MarkersView",
     "freecad_fiveaxis.app.nc_output": "view_providers.NCOutputView",
     "freecad_fiveaxis.app.setups": "view_providers.SetupMapView",
+    "freecad_fiveaxis.app.job_setup": "job_setup_view.JobSetupView",
     "freecad_fiveaxis.app.left": "left_view.LeftMapView",
 }
 """The module of a document object's proxy, and module and class of the view that shows it."""
 
 
+@guards
 class Observer:
     """Watches all documents."""
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import FreeCADGui
+from freecad_fiveaxis.app import wording
 
-from .qt import QtCore, QtWidgets, translate
+from .qt import QtCore, QtWidgets, main_window, translate
 
 NAME = "FiveAxisComparison"
 NUMBER = QtCore.Qt.UserRole
@@ -70,7 +70,7 @@ class Table:
         self.comparison = comparison
         self.label, self.document = path.Label, path.Document.FileName
         self.dock.setWindowTitle(translate("FiveAxis", "Machines on {label}").format(label=path.Label))
-        self.verdict.setText(verdict(comparison.rows, comparison.settings.proof.tolerance))
+        self.verdict.setText(wording.told(verdict(comparison.rows, comparison.settings.proof.tolerance)))
         self.error.setText("")
         self.table.setSortingEnabled(False)
         self.table.setRowCount(len(comparison.rows))
@@ -97,13 +97,12 @@ class Table:
 
 def show(path: Any, comparison: Any) -> Table:
     """Open the window with the rows of a comparison."""
-    window = FreeCADGui.getMainWindow()
+    window = main_window()
     if "table" not in _docks:
         dock = QtWidgets.QDockWidget(translate("FiveAxis", "Machines"), window)
         dock.setObjectName(NAME)
         _docks["table"] = Table(dock)
-        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, dock)
-        _join(window, dock)
+        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, dock, QtCore.Qt.Vertical)  # the whole width
     shown = _docks["table"]
     shown.show_rows(path, comparison)
     shown.dock.show()
@@ -111,18 +110,10 @@ def show(path: Any, comparison: Any) -> Table:
     return shown
 
 
-def _join(window: Any, dock: Any) -> None:
-    """Share the place of what stands below the view already, so that the table has the whole width."""
-    for other in window.findChildren(QtWidgets.QDockWidget):
-        if other is not dock and other.isVisible() and window.dockWidgetArea(other) == QtCore.Qt.BottomDockWidgetArea:
-            window.tabifyDockWidget(other, dock)
-            return
-
-
 def heads() -> list[str]:
     """The titles of the columns."""
     return [
-        translate("FiveAxis", "Machine"), translate("FiveAxis", "Cure"), translate("FiveAxis", "Tip guided (RTCP)"),
+        translate("FiveAxis", "Machine"), translate("FiveAxis", "Correction"), translate("FiveAxis", "Tip guided (RTCP)"),
         translate("FiveAxis", "Largest deviation"), translate("FiveAxis", "Proven bound"), translate("FiveAxis", "Blocks"),
         translate("FiveAxis", "Time"), translate("FiveAxis", "Peak of X, Y, Z"), translate("FiveAxis", "Peak of 1st rotary"),
         translate("FiveAxis", "Peak of 2nd rotary"), translate("FiveAxis", "Limits"),
@@ -138,8 +129,8 @@ def cells(row: Any) -> list[Cell]:
     guided = translate("FiveAxis", "yes") if row.tool_centre else translate("FiveAxis", "no")
     named = [Cell(row.machine), Cell(cure_label(row.cure)), Cell(guided)]
     if row.problem:
-        told = Cell(translate("FiveAxis", "impossible: {why}").format(why=row.problem))
-        told.setToolTip(row.problem)
+        told = Cell(translate("FiveAxis", "impossible: {why}").format(why=wording.told(row.problem)))
+        told.setToolTip(wording.told(row.problem))
         return [*named, *(Cell("–") for _ in range(7)), told]
     linear = max(row.peak_rate[:3])
     within = translate("FiveAxis", "within")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The list of findings, a window at the side: what a result says about itself, and where.
+"""The list of findings, a window at the side: the verdict, what a result says about itself, and where.
 
 row       a finding of the result, or a marker that no finding tells of.
 Picking a row moves the view to its place; picking a marker in the view selects its row. Below the list stands, in plain words,
@@ -14,12 +14,17 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
-from .qt import QtCore, QtWidgets, translate
+from freecad_fiveaxis.app import wording
+
+from .failures import guards
+from .qt import QtCore, QtWidgets, main_window, translate
+from .verdict_label import VerdictLabel
 
 NAME = "FiveAxisFindings"
 _docks: dict[str, Any] = {}
 
 
+@guards
 class Watcher:
     """Watches the selection: a marker that is picked shows its finding."""
 
@@ -76,7 +81,7 @@ def show(path: Any, marker: int | None = None) -> Any:
 def _panel() -> Panel:
     """The one panel; made when it is first asked for."""
     if "panel" not in _docks:
-        window = FreeCADGui.getMainWindow()
+        window = main_window()
         dock = QtWidgets.QDockWidget(translate("FiveAxis", "Findings"), window)
         dock.setObjectName(NAME)
         _docks["panel"] = Panel(dock)
@@ -108,7 +113,12 @@ class Panel:
         split = QtWidgets.QSplitter(QtCore.Qt.Vertical)
         split.addWidget(self.table)
         split.addWidget(self.text)
-        dock.setWidget(split)
+        self.verdict = VerdictLabel(NAME + "Verdict")
+        whole = QtWidgets.QWidget()
+        column = QtWidgets.QVBoxLayout(whole)
+        column.addWidget(self.verdict)
+        column.addWidget(split, 1)
+        dock.setWidget(whole)
         dock.setMinimumWidth(360)
 
     def show_path(self, path: Any) -> None:
@@ -118,6 +128,7 @@ class Panel:
         figures = path.Proxy.last.figures
         self.path, self.document = path, path.Document
         self.dock.setWindowTitle(translate("FiveAxis", "Findings of {label}").format(label=path.Label))
+        self.verdict.show_verdict(path)
         if figures is self.figures:
             return
         self.figures = figures
@@ -132,6 +143,7 @@ class Panel:
         self.path = self.document = self.figures = None
         self.rows, self.row_of_marker = [], []
         self._fill()
+        self.verdict.show_verdict(None)
         self.text.clear()
         self.dock.setWindowTitle(translate("FiveAxis", "Findings"))
         self.dock.hide()
@@ -200,7 +212,7 @@ class Panel:
         if finding.line is not None:
             title = translate("FiveAxis", "{what}, NC line {line}").format(what=title, line=finding.line)
         if told is None:
-            return _html([("", finding.text)], title)
+            return _html([("", wording.told(finding.text))], title)
         heads = (translate("FiveAxis", "What happens"), translate("FiveAxis", "Why"), translate("FiveAxis", "What helps"))
         parts = list(zip(heads, told, strict=True))
         return _html([("", words.count_text(row.kind, summary(self.figures))), *parts] if row.whole else parts, title)

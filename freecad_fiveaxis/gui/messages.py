@@ -7,14 +7,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import FreeCAD
-import FreeCADGui
 
-from .qt import QtWidgets, execute, translate
+from .qt import QtWidgets, execute, main_window, translate
 
 
 def warn(text: str) -> None:
     """A message box with one sentence that says what to do."""
-    box = QtWidgets.QMessageBox(FreeCADGui.getMainWindow())
+    box = QtWidgets.QMessageBox(main_window())
     box.setObjectName("FiveAxisMessage")
     box.setIcon(QtWidgets.QMessageBox.Warning)
     box.setWindowTitle(translate("FiveAxis", "Five-axis"))
@@ -23,27 +22,31 @@ def warn(text: str) -> None:
     execute(box)
 
 
-def ask(text: str, yes: str) -> bool:
-    """Whether the user answers with ``yes``, the text of that button; the other one is Cancel."""
-    box = QtWidgets.QMessageBox(FreeCADGui.getMainWindow())
+def ask(text: str, yes: str, no: str = "") -> bool:
+    """Whether the user answers with ``yes``, the text of that button; the other one, which Enter and Esc mean, is ``no``, or
+    Cancel."""
+    box = QtWidgets.QMessageBox(main_window())
     box.setObjectName("FiveAxisQuestion")
     box.setIcon(QtWidgets.QMessageBox.Question)
     box.setWindowTitle(translate("FiveAxis", "Five-axis"))
     box.setText(text)
     agreed = box.addButton(yes, QtWidgets.QMessageBox.AcceptRole)
-    box.addButton(QtWidgets.QMessageBox.Cancel)
+    other = box.addButton(no, QtWidgets.QMessageBox.RejectRole) if no else box.addButton(QtWidgets.QMessageBox.Cancel)
+    box.setDefaultButton(other)
+    box.setEscapeButton(other)
     execute(box)
     return box.clickedButton() is agreed or box.clickedButton() == agreed
 
 
 def status(text: str) -> None:
     """A few seconds in the status bar."""
-    FreeCADGui.getMainWindow().statusBar().showMessage(text, 8000)
+    main_window().statusBar().showMessage(text, 8000)
 
 
 @contextmanager
 def telling() -> Iterator[None]:
     """What the work within cannot use is told in a message box; stopped work in the status bar. Other errors go on."""
+    from freecad_fiveaxis.app import wording
     from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
 
     try:
@@ -51,4 +54,4 @@ def telling() -> Iterator[None]:
     except Cancelled:
         status(translate("FiveAxis", "Stopped; the document is as it was."))
     except FiveAxisError as error:
-        warn(str(error))
+        warn(wording.told(error))

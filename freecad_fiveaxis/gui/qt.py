@@ -30,6 +30,18 @@ def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
     return text
 
 
+_window: list[Any] = []
+
+
+def main_window() -> Any:
+    """FreeCAD's main window, always the same Python object: what is made with it as parent lives as long as that object does."""
+    if not _window:
+        import FreeCADGui
+
+        _window.append(FreeCADGui.getMainWindow())
+    return _window[0]
+
+
 def execute(dialog: Any) -> int:
     """Run a dialog until it is closed. PySide2 spells it ``exec_``, PySide6 ``exec``."""
     return int((getattr(dialog, "exec", None) or dialog.exec_)())

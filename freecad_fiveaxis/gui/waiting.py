@@ -16,9 +16,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import FreeCAD
-import FreeCADGui
 
-from .qt import QtCore, QtGui, QtWidgets, translate
+from .qt import QtCore, QtGui, QtWidgets, main_window, translate
 
 REPAINT = 0.05
 """s between two looks at the window's events; more often would cost more than the work."""
@@ -32,7 +31,7 @@ class Waiting:
     """A listener for progress that shows a dialog, after ``delay`` s of work."""
 
     def __init__(self, text: str, delay: float = 0.0) -> None:
-        dialog = QtWidgets.QProgressDialog(text, translate("FiveAxis", "Cancel"), 0, 100, FreeCADGui.getMainWindow())
+        dialog = QtWidgets.QProgressDialog(text, translate("FiveAxis", "Cancel"), 0, 100, main_window())
         self.button = dialog.findChild(QtWidgets.QPushButton)
         dialog.setObjectName("FiveAxisWaiting")
         dialog.setWindowTitle(text)
@@ -109,8 +108,8 @@ def stage_words() -> dict[str, str]:
         "joint path": translate("FiveAxis", "turning the axes"),
         "linearize": translate("FiveAxis", "dividing blocks"),
         "minimax axes": translate("FiveAxis", "seeking the axes of least deviation"),
-        "leading past the pole": translate("FiveAxis", "leading the axis past the pole"),
-        "driving what is led": translate("FiveAxis", "driving what is led"),
+        "leading past the pole": translate("FiveAxis", "turning the axis past the pole"),
+        "driving what is led": translate("FiveAxis", "driving the turned axes"),
         "trade of axis change": translate("FiveAxis", "comparing axis changes"),
         "gouge": translate("FiveAxis", "looking where the tool enters the part"),
         "lift": translate("FiveAxis", "lifting the tool out of the part"),

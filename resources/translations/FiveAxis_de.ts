@@ -1083,6 +1083,14 @@
         <source>work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300</source>
         <translation>Nullpunktverschiebung: G54 bis G59, bei LinuxCNC G59.1 bis G59.3, bei Fanuc G54.1 P1 bis P300</translation>
     </message>
+    <message>
+        <source>Height of the table's face in the machine's coordinates; empty: that of the machine's file</source>
+        <translation>Höhe der Tischfläche in den Koordinaten der Maschine; leer: die der Maschinendatei</translation>
+    </message>
+    <message>
+        <source>Table Height</source>
+        <translation>Tischhöhe</translation>
+    </message>
 </context>
 <context>
     <name>FiveAxis</name>
@@ -2407,6 +2415,10 @@
         <translation>Modell von So u. a. 2008</translation>
     </message>
     <message>
+        <source>model of So et al. 2008 as printed</source>
+        <translation>Modell von So u. a. 2008 wie gedruckt</translation>
+    </message>
+    <message>
         <source>near the pole: {count} blocks</source>
         <translation>nahe am Pol: {count} NC-Sätze</translation>
     </message>
@@ -2689,6 +2701,18 @@
     <message>
         <source>{} s</source>
         <translation>{} s</translation>
+    </message>
+    <message>
+        <source>Height of the table</source>
+        <translation>Höhe des Tisches</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>beyond limits, or below the table</source>
+        <translation>jenseits der Grenzen, oder unter dem Tisch</translation>
     </message>
 </context>
 <context>

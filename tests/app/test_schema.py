@@ -2,7 +2,7 @@
 """Documents of earlier versions open whole, and what they lacked is added."""
 
 import pytest
-from conftest import FAST
+from conftest import FAST, UNCURED
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import properties, results, schema, toolpath
@@ -60,7 +60,7 @@ def test_it_is_recomputed_to_the_same_program(old, reopen):
 
 
 def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen):
-    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8})
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, **UNCURED)
     blocks, deviation = path.Blocks, path.MaxSegmentDeviation.Value
     for name in ("Singularity", "MaxTilt", "MaxAxisChange"):
         assert path.removeProperty(name)
@@ -131,6 +131,18 @@ def test_an_audit_of_version_3_keeps_the_holder_that_is_drawn(doc, reopen, tmp_p
     assert (judged.SchemaVersion, judged.CutterKind, judged.Holder) == (4, "ball", "50x25.5")
 
 
+def test_the_groups_of_an_older_document_get_the_names_of_the_trade(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8})
+    before = {name: path.getPropertyByName(name) for name in ("Spindle", "Clearance", "Feed")}
+    for name, group in (("Linearize", "Cure"), ("Spindle", "Head"), ("Clearance", "Link"), ("WorkZero", "Machine")):
+        path.setGroupOfProperty(name, group)
+    again = reopen(doc).Toolpath
+    groups = [again.getGroupOfProperty(name) for name in ("Linearize", "Spindle", "Clearance", "WorkZero")]
+    assert groups == ["Safety", "Tool", "Safety", "Part"] and "Touched" not in again.State
+    assert {name: again.getPropertyByName(name) for name in before} == before
+    assert not {"Cure", "Head", "Link"} & set(map(again.getGroupOfProperty, again.PropertiesList))
+
+
 def test_every_version_has_its_step():
     assert sorted(schema.STEPS) == list(range(schema.SCHEMA))
 
@@ -181,3 +193,23 @@ def test_adding_what_is_there_changes_nothing(doc):
     path.purgeTouched()
     properties.add_missing(path, path.Proxy.properties())
     assert "Touched" not in path.State and path.Lead.Value == 4
+
+
+def test_what_was_saved_uncured_stays_uncured_whatever_the_defaults_have_become(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **FAST, **UNCURED)
+    path = reopen(doc).Toolpath
+    assert (path.Linearize, path.Gouge) == ("off", "off") and results.out_of_date(path) == ""
+    task = path.Proxy.task(path)
+    assert (task.settings.cure.linearize, task.settings.gouge.gouge) == ("off", "off")
+
+
+def test_what_had_no_cure_at_all_gets_none(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **FAST, **UNCURED)
+    blocks, path.SchemaVersion = path.Blocks, 3
+    for name in ("Gouge", "Linearize", "Light"):
+        assert path.removeProperty(name)
+    path = reopen(doc).Toolpath
+    assert (path.Linearize, path.Gouge, path.Light) == ("off", "off", "")
+    path.touch()
+    path.Document.recompute()
+    assert path.Blocks == blocks and path.Light == "red"

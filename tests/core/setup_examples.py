@@ -4,6 +4,7 @@
 from functools import cache
 
 import numpy as np
+from uncured import UNCURED
 
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.mesh import from_triangles
@@ -27,8 +28,8 @@ def cap(half_angle=50.0, rings=20, sectors=60):
 
 @cache
 def milled(machine="trunnion_ac", stepover=3.8, rings=20, **options):
-    """The cap's program, as ``mill`` makes it."""
-    given = {"machine": machine, "stepover": stepover, **options}
+    """The cap's program, as ``mill`` makes it without a cure."""
+    given = {"machine": machine, "stepover": stepover, **UNCURED, **options}
     return job.make(build_settings("mill", "cap.stl", given), mesh=cap(rings=rings, sectors=3 * rings))
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from setup_examples import cap, milled, posting
+from uncured import UNCURED, UNDIVIDED
 
 from freecad_fiveaxis.core import cures as cure_table
 from freecad_fiveaxis.core import job
@@ -100,7 +101,7 @@ def test_a_cl_file_compared_is_the_same_as_posted_to_each_machine(tmp_path):
     found = try_machines(build_settings("compare", str(source), {"machines": ",".join(MACHINES), **given}))
     rows = [row for row in found.rows if not row.tool_centre and row.cure == "none"]
     for row, name in zip(rows, MACHINES, strict=True):
-        numbers = summary(job.figures(job.run(build_settings("post", str(source), {"machine": name, **given}))))
+        numbers = summary(job.figures(job.run(build_settings("post", str(source), {"machine": name, **given, **UNDIVIDED}))))
         assert row.machine == name
         assert [row.deviation, row.bound, row.blocks, row.feed_blocks, row.time] == pytest.approx(
             [numbers[key] for key in ("max_segment_deviation", "max_bound", "blocks", "feed_blocks", "time_s")], rel=1e-12
@@ -123,7 +124,7 @@ def test_a_solid_compared_is_the_same_as_milled_on_the_first_machine_with_each_c
     found = try_machines(build_settings("compare", "cap.stl", {"machines": "trunnion_ac,mikron_ucp710", **options}), mesh=mesh)
     seen = set()
     for row in found.rows[: 2 * len(CURES) : 2]:
-        settings = build_settings("mill", "cap.stl", {"machine": "trunnion_ac", **options, **OPTIONS[row.cure]})
+        settings = build_settings("mill", "cap.stl", {"machine": "trunnion_ac", **UNCURED, **options, **OPTIONS[row.cure]})
         numbers = summary(job.figures(job.prove(job.make(settings, mesh=mesh))))
         assert (row.machine, row.tool_centre) == ("trunnion_ac", False)
         assert [row.deviation, row.bound, row.blocks, row.time] == [

@@ -10,10 +10,10 @@ from gouge_examples import bowl, step
 
 from benchmarks.parts import bumpy
 from freecad_fiveaxis.core.gouge import Body, depth_of, facet_tree, frustum_piece, real_course, round_piece, straight_course
-from freecad_fiveaxis.core.gouge.body import Piece, distance_off, off_piece, support
+from freecad_fiveaxis.core.gouge.body import Piece, distance_off, off_piece, support, way_out
 from freecad_fiveaxis.core.gouge.bounds import box_bound, facet_bound, least_depth, pared, plate_bound
-from freecad_fiveaxis.core.gouge.course import clusters_of, still_course, stretches_of
-from freecad_fiveaxis.core.gouge.deepest import toward
+from freecad_fiveaxis.core.gouge.course import Poses, clusters_of, still_course, stretches_of
+from freecad_fiveaxis.core.gouge.deepest import deepest, toward
 from freecad_fiveaxis.core.gouge.edges import nearest_on_edges
 from freecad_fiveaxis.core.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine import load_machine
@@ -234,7 +234,32 @@ def test_the_nearest_place_of_the_edges_is_that_of_dense_samples(name):
     assert close.mean() > 0.985 and (off[0] <= off[1].min(axis=0) * 1.2 + 0.02).all()
 
 
+@pytest.mark.parametrize("name", ["ball", "ball cutter", "ring"])
+def test_the_deepest_point_of_a_facet_beside_a_tool_is_that_of_dense_samples(name):
+    rng, piece, count = np.random.default_rng(11), PIECES[name], 300
+    middle = 4.0 * rng.normal(size=(3, count)) + np.array([0.0, 0.0, 3.0])[:, None]
+    corner = middle + 6.0 * rng.normal(size=(3, 3, count))
+    pose = Poses(np.zeros((3, count)), np.broadcast_to([[0.0], [0.0], [1.0]], (3, count)))
+    a, b = (one.ravel()[:, None] for one in np.meshgrid(*2 * [np.linspace(0.0, 1.0, 41)]))
+    x, y, z = np.einsum("sk,kin->isn", np.hstack([1.0 - a, a * (1.0 - b), a * b]), corner)
+    sampled = distance_off(piece, np.hypot(x, y), z).min(axis=0)
+    beside = sampled > 0.0
+    over = (deepest(piece, pose, corner).distance - sampled)[beside]
+    assert beside.sum() > 100 and np.percentile(over, 95) < 0.1
+
+
 # ------------------------------------------------------------------------------------------------ pieces and nodes
+
+
+@pytest.mark.parametrize("name", PIECES)
+def test_the_way_out_leads_just_off_the_underside_by_samples_along_the_axis(name):
+    piece, radius, height = PIECES[name], np.linspace(0.0, 8.0, 161), np.linspace(-1.0, 25.0, 5201)
+    within = distance_off(piece, radius[:, None], height) <= 0.0
+    low = np.where(within.any(axis=1), height[within.argmax(axis=1)], np.inf)
+    tip, point = np.zeros((161, 3)), np.column_stack([radius, 0.0 * radius, np.full(161, 25.0)])
+    by = way_out(Body((piece,)), tip, np.broadcast_to((0.0, 0.0, 1.0), (161, 3)), point)
+    rim = np.abs(radius - max(piece.low_radius, piece.high_radius) - piece.round) < 0.1  # a hair beside it there is nothing
+    assert by[~rim] == pytest.approx(np.maximum(25.0 - low, 0.0)[~rim], abs=0.006)
 
 
 @pytest.mark.parametrize("name", PIECES)

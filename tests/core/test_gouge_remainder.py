@@ -119,3 +119,18 @@ def test_a_long_search_says_how_far_it_is_and_can_be_stopped():
 def test_without_cuts_nothing_can_be_said():
     with pytest.raises(SettingsError):
         find_remainder(step(), BALL, upright((0, 0, 0), (1, 0, 0)), np.empty(0, int), 1.0)
+
+
+def test_a_wide_cutter_that_only_rocks_about_its_middle_is_seen_at_every_lean():
+    """The middle of its bottom stands still; its rim sweeps, and the way is as long as the rim's."""
+    lean, radius, middle = np.radians(20.0), 8.0, 8.0 * np.sin(np.radians(20.0))
+    axes = np.array([[np.sin(turn), 0.0, np.cos(turn)] for turn in (-lean, lean)])
+    course = straight_course(np.tile([0.0, -12.0, middle], (2, 1)), axes)
+    flat = Body((frustum_piece(0.0, radius, 30.0, radius),))
+    left = find_remainder(step(), flat, course, np.array([0]), 1.0)
+    along, across = left.point[:, 0], np.abs(left.point[:, 1] + 12.0)
+    floor = (np.abs(left.point[:, 2]) < 1e-9) & (np.hypot(along, across) < 7.0)
+    turns = np.linspace(-lean, lean, 4001)[:, None]  # the plane of the bottom, the points are within its rim
+    height = (middle * np.cos(turns) - np.abs(along[floor]) * np.sin(turns)).min(axis=0)
+    assert floor.sum() > 50 and left.height[floor] == pytest.approx(height, abs=0.05)
+    assert np.ptp(height) > 1.5

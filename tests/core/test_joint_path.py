@@ -139,14 +139,22 @@ def test_straight_over_the_pole_the_first_axis_stands_still_and_the_second_chang
     assert joints.findings == ()
 
 
-def test_past_the_pole_at_a_distance_the_first_axis_turns_on_one_branch():
-    """The comparison above can fail: three degrees beside the pole the branch has to stay."""
+@pytest.mark.parametrize("degrees", [3.0, 0.3, 0.12])
+def test_past_the_pole_at_a_distance_the_first_axis_turns_on_one_branch(degrees):
+    """The comparison above can fail: beside the pole the branch has to stay; across it the axis would leave its arc by as much."""
     t = np.radians(np.arange(-9.0, 10.0, 2.0))
-    side = math.radians(3.0)
+    side = math.radians(degrees)
     axis = np.column_stack([np.sin(t), np.full(len(t), math.sin(side)), np.cos(t)])
     joints = solve(linked(np.column_stack([t, 0 * t, 0 * t]) * 50.0, axis), links_of("trunnion_ac"), LOW, HIGH, CLEARANCE)
     assert len(set(joints.branch.tolist())) == 1
     assert np.ptp(joints.q[:, 3]) > math.radians(120.0)
+
+
+def test_so_near_to_the_pole_that_no_one_sees_it_the_branch_changes():
+    t = np.radians(np.arange(-9.0, 10.0, 2.0))
+    axis = np.column_stack([np.sin(t), np.full(len(t), math.sin(math.radians(0.08))), np.cos(t)])
+    joints = solve(linked(np.column_stack([t, 0 * t, 0 * t]) * 50.0, axis), links_of("trunnion_ac"), LOW, HIGH, CLEARANCE)
+    assert set(joints.branch.tolist()) == {0, 1} and np.abs(np.diff(joints.q[:, 3])).max() < math.radians(10.0)
 
 
 def test_with_one_side_of_the_tilt_only_the_first_axis_turns_at_the_pole_in_one_step():
@@ -164,6 +172,18 @@ def test_the_turn_at_the_pole_is_made_on_a_rapid_where_there_is_one():
     joints = solve(path, links_of("trunnion_ac", second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
     turning = np.flatnonzero(np.abs(np.diff(joints.q[:, 3])) > 1e-9) + 1
     assert len(turning) and (joints.path.motion[turning] == Motion.RAPID).all()
+
+
+def test_the_turn_at_the_pole_is_made_on_the_longest_cut_rather_than_on_a_link():
+    """Without a rapid between two cuts: the links there are 60 mm long, the longest cut at the pole 3 mm."""
+    first, second = meridian([-9, -5, 0]), meridian([0, 5, 9], azimuth=1.3, tip_step=3.0)
+    path = joined(first, second)
+    motion = path.motion.copy()
+    motion[len(first.motion)] = Motion.LINK  # from retract to approach, at the pole
+    joints = solve(replace(path, motion=motion), links_of("trunnion_ac", second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
+    turning = np.flatnonzero(np.abs(np.diff(joints.q[:, 3])) > 1e-9) + 1
+    assert joints.path.motion[turning].tolist() == [Motion.CUT]
+    assert joints.path.tip[turning[0]] == pytest.approx((3.0, 0.0, 0.0), abs=1e-9)
 
 
 def test_a_turn_at_the_pole_that_no_cut_could_make_is_made_on_the_rapid():

@@ -357,6 +357,20 @@ def test_the_nutating_table_reaches_the_upper_half_and_nothing_else():
     assert both[0, 3, 4] == pytest.approx(np.pi, abs=1e-7)  # on the rim of the reach the angle is free to first order
 
 
+@pytest.mark.parametrize(
+    ("beyond", "reached"), [(-1e-6, True), (0.0, True), (1e-13, True), (1e-9, False), (1e-6, False), (3e-5, False)]
+)
+def test_an_axis_beyond_the_rim_of_the_reach_by_more_than_rounding_is_out_of_reach(beyond, reached):
+    """On the rim a table of 45 deg leans the tool by 90 deg; an axis beyond it by ``beyond`` rad is another axis."""
+    links = chain(load_machine("nutating_table_b45"), Setup())
+    axis = np.array([[np.cos(beyond), 0.0, -np.sin(beyond)]])
+    words, _ = inverse_axis(links, axis)
+    assert np.isfinite(words).all() == reached and np.isfinite(words).any() == reached
+    if reached:
+        place = np.column_stack([np.zeros((1, 3)), words[0]])
+        assert forward(links, place)[1] == pytest.approx(axis, abs=1e-12)
+
+
 @pytest.mark.parametrize("name", shipped_machines())
 def test_rows_of_nan_stay_nan_and_leave_the_others_alone(name):
     links = chain(load_machine(name), Setup())

@@ -428,3 +428,20 @@ def test_a_block_without_any_load_keeps_its_shares():
     found = balanced_shares(share, load, np.array([2, 2]), np.zeros(2, bool), np.array([0, 1]), np.array([2, 2]))
     assert np.abs(found[:3] - (0.0, 0.3, 1.0)).max() < 1e-12
     assert (found[[3, 5]] == (0.0, 1.0)).all() and 0.5 < found[4] < 0.8
+
+
+def test_words_on_the_arc_stay_on_the_winding_of_their_block():
+    """The first axis of a nutating table turns by 255 deg while the tool axis turns by less than half a turn: what follows the
+    arc goes from the start's own words to the end's, whole turns included."""
+    links = links_of("nutating")
+    start, end = np.array([[0.0, 0, 0, -62.8391, 173.4297]]), np.array([[0.0, 0, 0, 191.7896, 8.6368]])
+    way = course_of(links, start, end)
+    assert not way.even.any()
+    share = np.linspace(0.0, 1.0, 2001)
+    words = follow(links, way, np.zeros(2001, int), share, Steps(4, 4))
+    axis = forward(links, words_to_q(words))[1]
+    assert np.abs(np.diff(words[:, 3:], axis=0)).max() < 15.0 and words[0, 3] == start[0, 3] and words[-1, 3] == end[0, 3]
+    ends = axis[[0, -1]]
+    angle = np.arccos(ends[0] @ ends[1])
+    sine = np.sin(np.stack([1.0 - share, share]) * angle) / np.sin(angle)
+    assert axis == pytest.approx(sine.T @ ends, abs=3e-6)

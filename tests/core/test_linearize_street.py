@@ -13,11 +13,13 @@ import pytest
 
 from freecad_fiveaxis.core import asked, cli, job
 from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import forward, q_to_words, words_to_q
 from freecad_fiveaxis.core.post.writer import write_nc
 from freecad_fiveaxis.core.program import block_findings, build_program
 from freecad_fiveaxis.core.program.feeds import STILL, least_minutes
+from freecad_fiveaxis.core.safe_start import start_plane
 from freecad_fiveaxis.core.settings import build_settings, flat_options
 from freecad_fiveaxis.core.singularity import in_cone
 
@@ -141,12 +143,12 @@ def test_off_is_the_street_without_it_byte_for_byte(part, machine, milled):
     made = milled(part, machine).made
     assert milled(part, machine, linearize="off", singularity="report").made.nc == made.nc
     settings = made.settings
-    bare = job.solve(
-        made.path, made.links, made.mesh.vertex.min(axis=0), made.mesh.vertex.max(axis=0), settings.links.clearance,
-        settings.cutter.cutter.radius,
-    )  # fmt: skip
+    low, high = made.mesh.vertex.min(axis=0), made.mesh.vertex.max(axis=0)
+    bare = job.solve(made.path, made.links, low, high, settings.links.clearance, settings.cutter.cutter.radius)
     program = build_program(bare, made.links, made.dialect, True)
-    assert write_nc(program, made.dialect, asked.nc_title(settings, made.machine), asked.post_options(settings)) == made.nc
+    height, _ = start_plane(settings, made.machine, made.links, program, (low, high))
+    title, options = asked.nc_title(settings, made.machine), asked.post_options(settings)
+    assert write_nc(program, made.dialect, title, options, height=height) == made.nc
     assert milled(part, machine, linearize="on").made.nc != made.nc
 
 
@@ -209,11 +211,15 @@ def test_post_of_the_cl_file_and_the_job_file_give_the_same_divided_program(part
     assert json.loads(report.read_text())["summary"]["over_tolerance"] == 0
     blocks = [path.read_bytes().count(b"\n") for path in out]
     assert blocks[0] == pytest.approx(blocks[1], abs=12)  # the CL file rounds its numbers
-    assert run("mill", part, "--stepover", 12, *words[:2], "--quiet", "-o", out[1]) == cli.DONE_WITH_ERRORS
+    assert run("mill", part, "--stepover", 12, *words[:2], "--linearize", "off", "--quiet", "-o", out[1]) == cli.DONE_WITH_ERRORS
 
 
-def test_the_settings_are_options_of_mill_and_post_and_off_unless_asked_for():
+def test_mill_and_post_divide_unless_asked_not_to_or_the_controller_guides_the_tip():
     for task in ("mill", "post"):
         flat = flat_options(build_settings(task, "x", {"machine": "trunnion_ac"}))
-        assert (flat["linearize"], flat["singularity"]) == ("off", "report")
+        assert (flat["linearize"], flat["singularity"]) == ("on", "report")
+        for given in ({"linearize": "off"}, {"rtcp": "angles"}, {"rtcp": True}, {"rtcp": "vectors", "linearize": None}):
+            assert build_settings(task, "x", {"machine": "trunnion_ac", **given}).cure.linearize == "off"
+        with pytest.raises(SettingsError, match="give one"):
+            build_settings(task, "x", {"machine": "trunnion_ac", "rtcp": "angles", "linearize": "on"})
     assert "linearize" not in flat_options(build_settings("audit", "x", {"machine": "trunnion_ac"}))

@@ -16,6 +16,7 @@ sys.path.insert(0, str(STUDIES))
 import lin_ye_parts as parts  # noqa: E402
 import lin_ye_profiles as profiles  # noqa: E402
 import minimax_cases as cases  # noqa: E402
+from uncured import UNCURED  # noqa: E402
 
 from freecad_fiveaxis.core import job  # noqa: E402
 from freecad_fiveaxis.core.cli import main  # noqa: E402
@@ -39,6 +40,7 @@ FEED = 1000.0
 
 def settings(machine, **others):
     options = {"machine": machine, "cutter": "ball:10", "stepover": 12.0, "control_point": "centre", "max_axis_angle": 60.0}
+    options |= UNCURED
     if load_machine(machine).has_head:
         options["tool_length"] = 120.0
     return build_settings("mill", str(parts.workshop() / f"{parts.PART}.stl"), options | others)

@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_m
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.post.dialect import feed_distance
 from freecad_fiveaxis.core.post.writer import write_nc
-from freecad_fiveaxis.core.program import Program, build_program, feeds
+from freecad_fiveaxis.core.program import Program, build_program, feeds, shorter_turns, turned_to
 from freecad_fiveaxis.core.records import Floats
 
 LINEAR_RATE, ROTARY_RATE = 10_000.0, np.radians(7200.0)  # mm/min, rad/min
@@ -338,3 +338,20 @@ def test_a_short_path_that_turns_back_on_itself_is_measured_closely():
     dense = np.linalg.norm(np.diff(path.reshape(2001, -1, 3), axis=0), axis=2).sum(axis=0)
     assert (dense > 1.2 * np.linalg.norm(np.diff(tip, axis=0), axis=1)).any()  # some do bend
     np.testing.assert_allclose(travel, dense, rtol=feeds.TRAVEL_ERROR)
+
+
+def test_words_of_0_to_360_are_taken_the_shorter_way_all_along():
+    """The turns add up: after 350 to 10, which counts on to 370, every later word is a turn more, too."""
+    word = np.array([350.0, 10.0, 20.0, 200.0, 190.0, 20.0, 350.0, 10.0])
+    assert shorter_turns(word).tolist() == [0, 1, 1, 1, 1, 1, 0, 1]
+    walk = np.cumsum(np.random.default_rng(4).uniform(-179.0, 179.0, 500))
+    folded = np.mod(walk, 360.0)
+    assert folded + 360.0 * (shorter_turns(folded) + walk[0] // 360.0) == pytest.approx(walk, abs=1e-6)
+
+
+def test_an_axis_vector_is_taken_up_on_the_winding_nearest_to_the_words_before():
+    links, rng = trunnion(), np.random.default_rng(5)
+    wanted = np.column_stack([rng.uniform(-1500.0, 1500.0, 300), rng.uniform(5.0, 85.0, 300) * rng.choice((-1.0, 1.0), 300)])
+    vector = forward(links, in_radians(np.column_stack([np.zeros((300, 3)), wanted])))[1]
+    near = wanted + rng.uniform(-4.0, 4.0, wanted.shape)
+    assert turned_to(links, vector, near) == pytest.approx(wanted, abs=1e-9)

@@ -14,9 +14,9 @@ from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, save_mach
 from freecad_fiveaxis.core.recover import parameters, printed_axis_step, recover, recovery_findings, rotary_letters
 from freecad_fiveaxis.core.recover.fit import refined, screened
 from freecad_fiveaxis.core.recover.layouts import Guess, start_layout
-from freecad_fiveaxis.core.recover.matching import aligned, in_order, sequences
+from freecad_fiveaxis.core.recover.matching import _table, _traced, aligned, in_order, sequences
 from freecad_fiveaxis.core.recover.model import UNKNOWNS, rows_of
-from freecad_fiveaxis.core.recover.pairs import Steps, step_of
+from freecad_fiveaxis.core.recover.pairs import Pairs, Steps, step_of
 
 NEAR = 0.01  # mm, what is asked for
 
@@ -140,6 +140,42 @@ def test_certainties_are_what_many_roundings_show():
         inside.append(np.abs(error) < fit.factor * sigma)
     assert 0.7 < np.sqrt(np.mean(np.square(off))) < 1.3
     assert 0.9 < np.mean(inside) < 0.995
+
+
+@pytest.mark.parametrize("coarse", ["tip", "axis", "linear", "rotary"])
+def test_whitened_residuals_of_rounded_numbers_have_unit_covariance(coarse):
+    """2000 roundings of one column each, of random poses: each of the six whitened residuals, and any two of them."""
+    machine = load_machine("trunnion_ac")
+    links, layout = chain(machine, SETUP), start_layout(machine)
+    fine = {"tip": 1e-4, "axis": 1e-7, "linear": 1e-4, "rotary": 1e-7}  # the least that keeps the covariance regular
+    steps = Steps(**{**fine, coarse: {"tip": 0.1, "axis": 1e-3, "linear": 0.1, "rotary": 1e-4}[coarse]})
+    rng = np.random.default_rng(8)
+    q = np.column_stack([rng.uniform(-100, 100, (2000, 3)), rng.uniform(-1, 1, (2000, 2))])
+    tip, axis = forward(links, q)
+    tip, axis = (np.round(column / step) * step for column, step in ((tip, steps.tip), (axis, steps.axis)))
+    linear, rotary = (np.round(column / step) * step for column, step in ((q[:, :3], steps.linear), (q[:, 3:], steps.rotary)))
+    order = [links.letters[3:].index(letter) for letter in sorted(links.letters[3:])]
+    pairs = Pairs("AC", tip, axis, linear, rotary[:, order], np.arange(2000), np.arange(2000), steps)
+    rows = rows_of(layout, pairs, np.array([links.point1, links.point2]), np.zeros(UNKNOWNS))
+    white = np.einsum("nij,nj->ni", rows.whitener, rows.residual)
+    assert white.T @ white / 2000 == pytest.approx(np.eye(6), abs=0.15)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_rows_and_blocks_are_aligned_as_the_best_of_all_pairings_in_order(seed):
+    rng = np.random.default_rng(seed)
+    alike = rng.uniform(0.0, 1.0, (5, 6)) * (rng.uniform(size=(5, 6)) < 0.7)
+
+    def best(i, j):
+        """Over all ways to pair the first i rows with the first j blocks, each at most once and in order."""
+        if not i or not j:
+            return 0.0
+        return max(best(i - 1, j), max(best(i - 1, k) + alike[i - 1, k] for k in range(j)))
+
+    assert _table(alike)[-1, -1] == pytest.approx(best(5, 6))
+    rows, blocks = _traced(alike)
+    assert alike[rows, blocks].sum() == pytest.approx(best(5, 6))
+    assert (np.diff(rows) > 0).all() and (np.diff(blocks) > 0).all()
 
 
 # What else can be said

@@ -11,10 +11,10 @@ import pytest
 from report_examples import TABLE2, TRUNNION, by_hand, dome, empty, figures_of, table2
 
 from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.report import as_json, as_text, markers, verdict
+from freecad_fiveaxis.core.report import as_json, as_text, markers
 from freecad_fiveaxis.core.report.figures import axis_rates, summary
 from freecad_fiveaxis.core.report.json_text import plain
-from freecad_fiveaxis.core.report.text import duration, number
+from freecad_fiveaxis.core.report.text import duration, number, path_verdict
 
 CALM = np.array([[0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [2, 0, 0, 0, 0.1], [2.5, 0, 0, 0, 0.2]], float)
 
@@ -188,16 +188,16 @@ def test_text_columns_are_those_of_this_machine():
 @pytest.mark.parametrize(
     ("make", "said"),
     [
-        (lambda: figures_of(TRUNNION, CALM), "Proven: none of the 3 feed blocks leaves"),
+        (lambda: figures_of(TRUNNION, CALM), "None of the 3 feed blocks leaves"),
         (table2, "1 block leaves the commanded path by more than 0.01 mm; the worst, line 4, by 2.126 mm."),
         (by_hand, "2 of 5 feed blocks leave the commanded path by more than 0.01 mm; the worst, line 7, by 0.03 mm."),
         (lambda: by_hand(0.0301), "Not proven: "),
         (empty, "Nothing to prove"),
     ],
 )
-def test_the_verdict_is_one_plain_sentence(make, said):
+def test_what_is_said_of_the_path_is_one_plain_sentence(make, said):
     figures = make()
-    assert verdict(figures, summary(figures)).startswith(said)
+    assert path_verdict(figures, summary(figures)).startswith(said)
     assert said.split()[0] in as_text(figures)
 
 

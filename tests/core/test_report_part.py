@@ -32,8 +32,8 @@ def clear():
     return job.prove(job.make(build_settings("mill", "step.stl", {**OPTIONS, "gouge": "leave-out"}), mesh=step()))
 
 
-def test_without_being_asked_nothing_is_looked_for_and_reports_stay_as_they_were():
-    options = {name: value for name, value in OPTIONS.items() if name != "left"}
+def test_asked_not_to_nothing_is_looked_for_and_reports_stay_as_they_were():
+    options = {**OPTIONS, "gouge": "off", "left": "off"}
     result = job.prove(job.make(build_settings("mill", "step.stl", options), mesh=step()))
     assert result.gouge is None and result.left is None
     told = json.loads(as_json(job.figures(result)))
@@ -102,7 +102,7 @@ def test_the_page_shows_the_places_and_the_map(entered, clear, monkeypatch):
     monkeypatch.setattr(html_page, "plots", lambda *_: ())  # the others take their time
     page = as_html(job.figures(entered))
     assert "Where the tool enters the part" in page and "holder-collision" in page and "What is left on the part" in page
-    assert 'class="verdict bad">The tool enters the part' in page
+    assert 'class="verdict bad">NOT SAFE: ' in page and '<li class="bad">The tool enters the part' in page
     assert "<p>Nowhere.</p>" in as_html(job.figures(clear))
 
 

@@ -9,12 +9,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from setup_examples import CENTRE, cap, milled, posting
+from uncured import UNCURED
 
 from freecad_fiveaxis.core import job, trials
-from freecad_fiveaxis.core.deviation import measure
+from freecad_fiveaxis.core.deviation import measure, quick_bound
 from freecad_fiveaxis.core.errors import Cancelled, ReachError, SettingsError
 from freecad_fiveaxis.core.joint_path import solve
-from freecad_fiveaxis.core.kinematics import Setup, chain
+from freecad_fiveaxis.core.kinematics import Setup, chain, linear_words
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.mesh import from_faces
 from freecad_fiveaxis.core.program import build_program
@@ -27,6 +28,7 @@ from freecad_fiveaxis.core.setup_map import (
     advice,
     heat_map_html,
     heat_maps,
+    marked_rows,
     origin_option,
     part_box,
     setup_json,
@@ -36,7 +38,7 @@ from freecad_fiveaxis.core.setup_map import (
     turned_path,
     verdict,
 )  # fmt: skip
-from freecad_fiveaxis.core.setup_map.driven import drive_turned, turned
+from freecad_fiveaxis.core.setup_map.driven import FIRST_BATCH, drive_turned, turned, worst_blocks
 from freecad_fiveaxis.core.setup_map.setups import MOST_SETUPS, recommended
 
 COARSE = {"stepover": 12.0, "rings": 8}
@@ -109,7 +111,7 @@ def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
     chart = trials.try_setups(build_settings("setup", "cap.stl", given | asked), mesh=off).chart
     row = int(np.flatnonzero((chart.kind == Kind.FOUND) & (np.abs(chart.turn - turn) < 1e-9))[0])
     given |= {"direction": 120.0, "origin": chart.origin[row].tolist()}
-    made = job.make(build_settings("mill", "cap.stl", given), mesh=from_faces(turned(off.vertex, turn), off.face))
+    made = job.make(build_settings("mill", "cap.stl", {**given, **UNCURED}), mesh=from_faces(turned(off.vertex, turn), off.face))
     segment = measure(made.links, made.program.words).segment[feed_blocks(made.program)]
     assert segment.max() == pytest.approx(chart.max_deviation[row], abs=1e-6)
 
@@ -166,11 +168,47 @@ def test_a_region_that_leaves_every_limit_recommends_nothing_and_tells_by_how_mu
     region = Region((900.0, -10.0, -10.0), (1000.0, 10.0, 10.0), (2, 1, 1))
     chart = setup_map(made.path, made.machine, Setup(), region, posting(made))
     assert chart.best is None and not chart.within_limits[chart.kind == Kind.GRID].any()
-    (finding,) = chart.findings
+    (finding,) = [one for one in chart.findings if one.code != "table-unknown"]
     assert finding.code == "no-setup-within-limits"
     assert 0.9 * chart.over[chart.kind == Kind.GRID].min() <= finding.value <= chart.over[chart.kind == Kind.GRID].min() + 1e-6
     assert verdict(chart).startswith("No setup") and advice(chart) == () and origin_option(chart) == ""
     assert "No setup" in heat_map_html(chart) and setup_markers(chart)[0].kind == "setup-present"
+
+
+UNKNOWN = "The height of the table is not known: check that the part stands on it"
+
+
+def test_no_setup_below_the_table_is_recommended_and_such_setups_are_greyed():
+    made = milled(**COARSE)
+    bottom = min(made.mesh.vertex[:, 2].tolist())
+    table = bottom - 10.0  # the work zero must stand at Z -10 or higher
+    region = Region((-50.0, -50.0, -90.0), (50.0, 50.0, 30.0), (2, 2, 4))
+    free = setup_map(made.path, made.machine, Setup((0.0, 0.0, -20.0)), region, posting(made))
+    chart = setup_map(made.path, made.machine, Setup((0.0, 0.0, -20.0)), region, posting(made), table=table)
+    assert free.origin[free.best, 2] < -10.0 <= chart.origin[chart.best, 2]  # the table is what decides
+    below = chart.origin[:, 2] + bottom < table - 1e-6
+    assert below.any() and np.array_equal(chart.stands, ~below) and free.stands.all()
+    assert {kind for row, kind in marked_rows(chart) if below[row]} == {"setup-present", "setup-beyond-limits"}
+    assert "mm above the table" in verdict(chart) and "In the present setup the part reaches below the table" in verdict(chart)
+    assert UNKNOWN not in verdict(chart) and "below the table" in setup_text(chart)
+    told = [one for one in chart.findings if one.code == "part-below-table"]
+    assert len(told) == 1 and told[0].value == pytest.approx(-10.0)
+    assert chart.least >= free.least - 1e-9  # proven of what stands
+    record = json.loads(setup_json(chart))
+    assert record["table"] == pytest.approx(table) and [one["on_table"] for one in record["setups"]] == (~below).tolist()
+
+
+def test_a_table_that_is_not_known_is_said(chart):
+    assert chart.table is None and verdict(chart).endswith(UNKNOWN + ".")
+    assert [one.code for one in chart.findings].count("table-unknown") == 1
+
+
+def test_a_region_that_lies_below_the_table_recommends_nothing():
+    made = milled(**COARSE)
+    region = Region((-50.0, -50.0, -90.0), (50.0, 50.0, -60.0), (2, 2, 1))
+    chart = setup_map(made.path, made.machine, Setup(), region, posting(made), table=500.0)
+    assert chart.best is None and chart.findings[0].code == "no-setup-on-the-table"
+    assert "the part on the table" in verdict(chart)
 
 
 @pytest.mark.parametrize(
@@ -273,3 +311,20 @@ def test_progress_runs_from_0_to_1_and_may_be_cancelled():
 
     with pytest.raises(Cancelled):
         setup_map(made.path, made.machine, Setup(), region, posting(made), progress=stop)
+
+
+def test_the_worst_block_is_found_behind_many_whose_bound_promises_more():
+    """Turns that the linear axes make up for deviate by a third of their quick bound, a turn alone by all of it."""
+    machine = load_machine("trunnion_ac")
+    links = chain(machine, Setup(machine.origin))
+    made_up, alone, count = np.radians(7.0), np.radians(9.5), FIRST_BATCH + 40
+    place = links.point1 + (200.0, 0.0, 20.0)
+    turns = np.array([[0.0, 0.0], [made_up, 0.0]])
+    pair = np.column_stack([linear_words(links, np.tile(place, (2, 1)), turns), np.degrees(turns)])
+    still = np.column_stack([linear_words(links, links.point1[None] + (120.0, 0.0, 20.0), np.zeros((1, 2))), np.zeros((1, 2))])
+    words = np.concatenate([np.tile(pair, (count, 1)), still, still + (0.0, 0.0, 0.0, np.degrees(alone), 0.0)])
+    feeds = np.arange(1, len(words), 2)
+    bound, segment = quick_bound(links, words)[feeds], measure(links, words).segment[feeds]
+    assert segment.argmax() == count and (bound[:-1] > bound[-1]).all() and segment[:-1].max() > 0.3 * bound[-1]
+    worst = worst_blocks(links, words, feeds)
+    assert worst.row[0] == feeds[-1] and worst.segment[0] == pytest.approx(120.0 * (1.0 - np.cos(0.5 * alone)), rel=1e-6)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from five_kinds import KINDS, links_of, random_blocks
+from five_kinds import KINDS, NUTATIONS, links_of, nutating, random_blocks
 
 from freecad_fiveaxis.core.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.trajectory import axis_at, frames, tip_at, tip_derivatives_at
@@ -13,9 +13,12 @@ from freecad_fiveaxis.core.trajectory import axis_at, frames, tip_at, tip_deriva
 ROUNDING = 5e-12  # mm: coordinates of some 500 mm, a few dozen roundings
 
 
-@pytest.fixture(params=KINDS)
+LEANING = [(degrees, side) for degrees in NUTATIONS for side in ("table", "head")]
+
+
+@pytest.fixture(params=[*KINDS, *LEANING], ids=str)
 def links(request):
-    return links_of(request.param)
+    return links_of(request.param) if isinstance(request.param, str) else nutating(*request.param)
 
 
 def blocks(links, count=400, seed=2):
@@ -67,4 +70,4 @@ def test_rotary_frames_are_right_handed_and_carry_the_axes(links):
     assert np.linalg.det(frame.mix) == pytest.approx(1.0)
     assert np.allclose(frame.first[2], links.direction[3], atol=1e-15)
     assert np.allclose(frame.first.T @ frame.mix[:, 2], links.direction[4], atol=1e-15)
-    assert frame.tool[1] == 0.0
+    assert abs(frame.tool[1]) < 1e-15

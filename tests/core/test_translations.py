@@ -8,6 +8,8 @@ import struct
 import pytest
 from translation_script import ROOT, translations
 
+from freecad_fiveaxis.app.option_texts import TEXTS, text_of
+from freecad_fiveaxis.core.sentences import CONTEXT, OPTIONS
 from freecad_fiveaxis.core.settings import option_fields
 
 LANGUAGES = sorted(translations.FOLDER.glob("FiveAxis_*.ts"))
@@ -66,10 +68,31 @@ def test_every_setting_that_is_shown_has_its_help_and_its_name_translated(task):
             shown = (
                 [name] if leaf.name != "cutter" else [f"Cutter{one}" for one in ("Kind", "Diameter", "Corner", "Taper", "Length")]
             )
-            for text in [leaf.metadata["text"], *map(translations.shown_name, shown)]:
+            for text in [text_of(leaf), *map(translations.shown_name, shown)]:
                 assert known.get(("App::Property", text)), text
                 seen += 1
     assert seen > 10
+
+
+INNER = re.compile(
+    r"--[a-z]|`|\[|KIND:|DIAMETERx|\bdeform\b|\bcur(e|es|ed|ing)\b|\bled\b|\blead the\b|\brotary words\b|metadata", re.I
+)
+"""Words of the command line and of the core's own, which no machinist knows."""
+
+
+def test_no_text_of_the_window_speaks_the_language_of_the_command_line_or_of_the_core():
+    inner = sorted(text for context, text in translations.texts() if context != CONTEXT and INNER.search(text))
+    assert not inner, inner
+    assert INNER.search("the tolerance of --blend") and INNER.search("pass it (deform)") and INNER.search("`minimax`")
+
+
+def test_every_option_of_a_panel_is_explained_for_the_window():
+    named = {leaf.name: leaf for _, leaf in option_fields()}
+    assert set(TEXTS) <= set(named), "an option that is gone"
+    shown = {leaf.name for task in ("mill", "audit", "setup") for _, leaf in option_fields(task)}
+    files = {name for name, leaf in named.items() if leaf.metadata["kind"] in ("path", "paths")}
+    assert shown - files <= set(TEXTS)
+    assert all(text[0].isupper() and not text.endswith(".") for text in TEXTS.values())
 
 
 def test_a_forgotten_text_would_be_noticed(tmp_path):
@@ -159,6 +182,27 @@ hint = translate("App::Property", leaf.metadata["text"])
 def test_a_text_put_together_at_run_time_is_refused(text):
     with pytest.raises(translations.NotLiteral, match=r"tool\.py:1"):
         list(translations.texts_of_source(f'translate("FiveAxis", {text})', "tool.py"))
+
+
+def test_templates_of_sentences_are_found():
+    source = """
+finding = Finding(WARNING, "code", say("one {count}", count=3))
+text = plural(n, "{count} row", "{count} rows") + say("by " "{depth}", depth=Length(3.0))
+TABLE = {1: Template("a table's {name}")}
+later = TABLE[1].say(name="C")
+"""
+    found = {"one {count}", "{count} row", "{count} rows", "by {depth}", "a table's {name}"}
+    assert set(translations.texts_of_sentences(source)) == {(translations.CORE, text) for text in found}
+
+
+def test_the_context_of_sentences_is_that_of_the_core():
+    assert translations.CORE == CONTEXT and translations.PROPERTY == OPTIONS
+
+
+@pytest.mark.parametrize("call", ['say(f"{count} blocks")', "say(text)", 'plural(n, "{count} row", many)'])
+def test_a_sentence_put_together_at_run_time_is_refused(call):
+    with pytest.raises(translations.NotLiteral, match=r"tool\.py:1"):
+        list(translations.texts_of_sentences(call, "tool.py"))
 
 
 def test_names_and_groups_of_properties_are_found():

@@ -14,24 +14,29 @@ import pytest
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.joint_path import JointPath
 from freecad_fiveaxis.core.kinematics import Setup, chain, forward
-from freecad_fiveaxis.core.machine import Axis, Machine
+from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_MACHINE, BY_REFERENCE, Axis, Machine, SafeStart
 from freecad_fiveaxis.core.post import DIALECTS, PostOptions
+from freecad_fiveaxis.core.post.start import with_start
 from freecad_fiveaxis.core.post.writer import write_nc
 from freecad_fiveaxis.core.program import build_program
 
 HERE = Path(__file__).parent
 CASES = [
-    (name, mode, "") for name, dialect in DIALECTS.items() for mode in ("g93", "g94") if mode == "g94" or dialect.inverse_time
+    (name, mode, "", "") for name, dialect in DIALECTS.items() for mode in ("g93", "g94") if mode == "g94" or dialect.inverse_time
 ]
-CASES += [(name, "g94", how) for name, dialect in DIALECTS.items() for how in dialect.guides]
-CASES += [(name, "g93", how) for name, dialect in DIALECTS.items() if dialect.inverse_time for how in dialect.guides]
+CASES += [(name, "g94", how, "") for name, dialect in DIALECTS.items() for how in dialect.guides]
+CASES += [(name, "g93", how, "") for name, dialect in DIALECTS.items() if dialect.inverse_time for how in dialect.guides]
+CASES += [(name, "g94", "", retract) for name in DIALECTS for retract in (BY_REFERENCE, BY_CLEARANCE)]
+CASES += [(name, "g94", "angles", BY_CLEARANCE) for name, dialect in DIALECTS.items() if dialect.guides]
+"""Name of the dialect, feed mode, guide, and how Z retracts where that is not to a machine coordinate."""
+PLANE = 95.0
 
 
-def golden_file(name: str, mode: str, how: str = "") -> Path:
-    return HERE / f"{'_'.join(filter(None, (name, mode, how)))}.nc"
+def golden_file(name: str, mode: str, how: str = "", retract: str = "") -> Path:
+    return HERE / f"{'_'.join(filter(None, (name, mode, how, retract)))}.nc"
 
 
-def golden_text(name: str, mode: str, how: str = "") -> bytes:
+def golden_text(name: str, mode: str, how: str = "", retract: str = "") -> bytes:
     """A retract, an approach, a cut with both table axes, a turn about the tip, a block of nothing, and a rapid away."""
     linear = [Axis(letter, False, "head", tuple(row), max_rate=8000.0) for letter, row in zip("XYZ", np.eye(3), strict=True)]
     c = Axis("C", True, "table", (0, 0, 1), max_rate=float(np.radians(7200.0)))
@@ -52,14 +57,16 @@ def golden_text(name: str, mode: str, how: str = "") -> bytes:
     none = np.full(len(q), -1)
     path = CLPath(tip, axis, motion, feed, tip, axis, none, none, none)
     joints = JointPath(path, np.arange(len(q)), q, np.zeros(len(q), np.int8), np.ones(len(q)))
-    dialect = DIALECTS[name].guided(how) if how else DIALECTS[name]
+    dialect = with_start(DIALECTS[name], SafeStart(retract) if retract else SafeStart(BY_MACHINE, -1.0))
+    dialect = dialect.guided(how) if how else dialect
     program = build_program(joints, links, dialect, mode == "g93")
-    return write_nc(program, dialect, "golden", PostOptions(tool=2, speed=12000, coolant=True))
+    options = PostOptions(tool=2, speed=12000, coolant=True, cutter="ball 10 mm", length=120.0)
+    return write_nc(program, dialect, "golden", options, height=PLANE)
 
 
-@pytest.mark.parametrize(("name", "mode", "how"), CASES)
-def test_the_nc_file_has_not_changed_by_one_byte(name: str, mode: str, how: str) -> None:
-    assert golden_text(name, mode, how) == golden_file(name, mode, how).read_bytes()
+@pytest.mark.parametrize(("name", "mode", "how", "retract"), CASES)
+def test_the_nc_file_has_not_changed_by_one_byte(name: str, mode: str, how: str, retract: str) -> None:
+    assert golden_text(name, mode, how, retract) == golden_file(name, mode, how, retract).read_bytes()
 
 
 def test_every_golden_file_belongs_to_a_case() -> None:

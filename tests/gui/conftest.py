@@ -283,12 +283,37 @@ def choose():
     return _choose
 
 
+def _unfold(form, name):
+    """Click the header of each folded group of the panel in which a widget of that name stands."""
+    for header in form.findChildren(QtWidgets.QToolButton):
+        group = header.parentWidget()
+        if header.objectName().startswith("fold_") and not header.isChecked() and group.findChild(QtWidgets.QWidget, name):
+            _click(header)
+            _pump(50)
+
+
+@pytest.fixture
+def unfold():
+    """unfold(): click open every folded group of the task panel that is open."""
+
+    def open_all():
+        for form in _main().findChildren(QtWidgets.QWidget, PANELS[0]):
+            for header in form.findChildren(QtWidgets.QToolButton):
+                if header.objectName().startswith("fold_") and not header.isChecked():
+                    _click(header)
+                    _pump(150)
+
+    return open_all
+
+
 @pytest.fixture
 def field():
-    """field(name): the visible widget of that name in the task panel that is open."""
+    """field(name): the visible widget of that name in the task panel that is open; a folded group around it is clicked open."""
 
     def find(name):
         forms = [form for panel in PANELS for form in _main().findChildren(QtWidgets.QWidget, panel)]
+        for form in forms:
+            _unfold(form, name)
         named = [one for form in forms for one in form.findChildren(QtWidgets.QWidget, name) if one.isVisibleTo(form)]
         assert named, f"no widget {name!r} is shown in the task panel"
         return named[-1]

@@ -157,6 +157,44 @@ def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright
     assert doc.Dome.Placement.isIdentity()
 
 
+def corners_on_screen(shown, doc):
+    """Where the corners of all bodies of the machine are drawn, as shares of the view (0 to 1)."""
+    from freecad_fiveaxis.core.machine_sketch import corners
+
+    pose, zero = shown.player.pose, shown.stage.zero
+    placed = []
+    for body in shown.stage.machine.bodies:
+        placement = np.eye(4) if body.carrier is None else pose.machine_from_carried[body.carrier]
+        placed.append(corners(body.shape) @ placement[:3, :3].T + placement[:3, 3] + zero)
+    seen = [view_of(doc).getPointOnScreen(*map(float, point)) for point in np.concatenate(placed)]
+    return np.array(seen) / view_of(doc).getSize()
+
+
+def test_on_the_machine_its_bodies_stand_where_the_axes_carry_them_and_are_all_in_view(doc, opened, tick, screenshot):
+    from pivy import coin
+
+    shown = opened(toolpath(doc, machine="mikron_ucp710", work_zero=(3.0, 4.0, 5.0), stepover=8.0))
+    before, stage = state(doc), shown.stage
+    assert stage.sketch.whichChild.getValue() == coin.SO_SWITCH_NONE
+    tick(shown.controls.machine)
+    assert stage.sketch.whichChild.getValue() == coin.SO_SWITCH_ALL
+    assert set(stage.machine.carriers) == {None, 2, 3, 4}  # the bed, Z with the spindle, platter, cradle
+    for share in (0.0, 0.4, 1.0):
+        shown.step(lambda share=share: shown.player.go_to_share(share))
+        pose = shown.player.pose
+        assert np.allclose(matrix(stage.machine.carriers[3]), pose.machine_from_work, atol=1e-3)
+        assert np.allclose(matrix(stage.machine.carriers[2]), pose.machine_from_tool, atol=1e-3)
+        for axis in (2, 3, 4):
+            assert np.allclose(matrix(stage.machine.carriers[axis]), pose.machine_from_carried[axis], atol=1e-3)
+        assert np.allclose(matrix(stage.machine.carriers[None]), np.eye(4))
+        seen = corners_on_screen(shown, doc)
+        assert seen.min() > 0.0 and seen.max() < 1.0
+    assert np.ptp(seen, axis=0).max() > 0.4, "the machine is small in the view"
+    screenshot("play_machine")
+    tick(shown.controls.machine)
+    assert state(doc) == before
+
+
 def test_blocks_are_stepped_and_the_slider_and_the_time_follow(doc, opened, click):
     shown = opened(toolpath(doc))
     for _ in range(3):

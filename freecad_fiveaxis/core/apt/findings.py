@@ -10,6 +10,7 @@ import numpy as np
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.records import Bytes, Floats, Ints
+from freecad_fiveaxis.core.sentences import plural, say
 
 from .poses import Moves
 from .said import Kind, Said, name_of
@@ -46,15 +47,19 @@ def _passed_over(source: Source, said: Said) -> Iterator[Finding]:
     rest = groups[NAMES_TOLD:]
     if rest:
         count, line = sum(map(len, rest)), int(source.line[said.statement[rest[0][0]]])
-        text = f"{len(rest)} further words ({count} statements) are not interpreted; is this a CL file?"
+        text = say(
+            "{words} further words ({count} statements) are not interpreted; is this a CL file?", words=len(rest), count=count
+        )
         yield Finding(Severity.WARNING, "statement-not-interpreted", text, float(count), line=line)
 
 
 def _not_interpreted(name: str, lines: Ints) -> Finding:
     told = ", ".join(map(str, lines[:LINES_TOLD].tolist())) + (" ..." if len(lines) > LINES_TOLD else "")
-    remedy = " The path goes straight on to the next GOTO: have curves written as points." if name in CURVES else ""
-    where = f"{len(lines)} statements, line{'s' * (len(lines) > 1)} {told}"
-    text = f"{name} is not interpreted ({where}); what it does is missing in the path.{remedy}"
+    remedy = say(" The path goes straight on to the next GOTO: have curves written as points.") if name in CURVES else ""
+    where = plural(len(lines), "{count} statements, line {lines}", "{count} statements, lines {lines}", lines=told)
+    text = say(
+        "{name} is not interpreted ({where}); what it does is missing in the path.{remedy}", name=name, where=where, remedy=remedy
+    )
     severity = Severity.ERROR if name in SPOILING else Severity.WARNING
     return Finding(severity, "statement-not-interpreted", text, float(len(lines)), line=int(lines[0]))
 
@@ -65,7 +70,9 @@ def _frames(source: Source, said: Said) -> Iterator[Finding]:
     other = at[said.which[at] != said.which[at[0]]] if len(at) else at
     if len(other):
         line = int(source.line[said.statement[other[0]]])
-        text = "MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system."
+        text = say(
+            "MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system."
+        )
         yield Finding(Severity.ERROR, "several-coordinate-systems", text, float(len(other)), line=line)
 
 
@@ -77,7 +84,10 @@ def _tools(source: Source, said: Said, rows: int) -> Iterator[Finding]:
     if len(tools) > 1:
         line = int(source.line[said.statement[at[(value != value[0]).argmax()]]])
         told = ", ".join(f"{tool:g}" for tool in tools[:NAMES_TOLD])
-        text = f"The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool."
+        text = say(
+            "The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool.",
+            told=told,
+        )
         yield Finding(Severity.ERROR, "several-tools", text, float(len(tools)), 1.0, line=line)
 
 
@@ -85,18 +95,21 @@ def _rows(source: Source, said: Said, moves: Moves, length: Floats, motion: Byte
     line = source.line[source.move_at]
     off = np.abs(length - 1.0)
     if (off > NOT_UNIT).any():
-        text = f"{int((off > NOT_UNIT).sum())} tool axes are no unit vectors; they are scaled to length 1."
+        text = say("{count} tool axes are no unit vectors; they are scaled to length 1.", count=int((off > NOT_UNIT).sum()))
         first = int((off > NOT_UNIT).argmax())
         yield Finding(Severity.WARNING, "axis-not-unit", text, float(off.max()), NOT_UNIT, "1", line=int(line[first]))
     switch = said.of(Kind.MULTAX)
     on = np.concatenate([[1.0], said.value(switch)])[np.searchsorted(said.row[switch], np.arange(len(length)), side="right")]
     leaning = (on == 0.0) & ~moves.full & (np.hypot(*moves.axis[:, :2].T) > TILTED * length)
     if leaning.any():
-        text = f"{int(leaning.sum())} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright."
+        text = say(
+            "{count} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright.",
+            count=int(leaning.sum()),
+        )
         yield Finding(Severity.WARNING, "axis-carried-on", text, line=int(line[leaning.argmax()]))
     unfed = (motion != Motion.RAPID) & (speed <= 0.0)
     if unfed.any():
-        text = f"{int(unfed.sum())} moves come before any FEDRAT; give a feed."
+        text = say("{count} moves come before any FEDRAT; give a feed.", count=int(unfed.sum()))
         yield Finding(Severity.WARNING, "no-feed", text, line=int(line[unfed.argmax()]))
     if source.after_end:
-        yield Finding(Severity.NOTE, "text-after-end", "The text after FINI is not read.", line=source.after_end)
+        yield Finding(Severity.NOTE, "text-after-end", say("The text after FINI is not read."), line=source.after_end)

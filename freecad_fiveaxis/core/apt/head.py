@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from freecad_fiveaxis.core.cutter import Cutter, cutter_from_apt, cutter_name
 from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.sentences import Length, Option, say
 
 SAME_CUTTER = 1e-3
 """mm (and rad of the taper) by which a cutter may differ from the CL file's: what its four printed decimals, in inches too, leave
@@ -36,9 +37,19 @@ def cutter_note(said: ClHead, given: Cutter) -> tuple[Finding, ...]:
     other = said.cutter
     diameter = said.diameter if other is None else other.diameter
     if said.diameter > 0.0 and abs(diameter - given.diameter) > SAME_CUTTER:
-        text = f"The CL file is for a cutter of {diameter:g} mm, retracts are laid out for {given.diameter:g} mm; give --cutter."
+        text = say(
+            "The CL file is for a cutter of {diameter}, retracts are laid out for {given}; give {cutter}.",
+            diameter=Length(diameter),
+            given=Length(given.diameter),
+            cutter=Option("cutter"),
+        )
         return (Finding(Severity.NOTE, "cutter-differs", text, diameter, given.diameter, "mm"),)
     if other is None or max(abs(other.corner - given.corner), abs(other.taper - given.taper)) <= SAME_CUTTER:
         return ()
-    text = f"The CL file is for a {cutter_name(other)}, retracts are laid out for a {cutter_name(given)}; give --cutter."
+    text = say(
+        "The CL file is for a {said}, retracts are laid out for a {given}; give {cutter}.",
+        said=cutter_name(other),
+        given=cutter_name(given),
+        cutter=Option("cutter"),
+    )
     return (Finding(Severity.NOTE, "cutter-differs", text),)

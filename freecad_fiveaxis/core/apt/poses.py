@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import say
 
 from .source import SOFT, Source
 from .vocabulary import MOTIONS, NUMBER
@@ -39,7 +40,7 @@ def read_moves(source: Source, turned_at: Ints, turned: Floats) -> Moves:
     """The moves, with the axes that TLAXIS says: statement ``turned_at`` (t,), ``turned`` (t, 3). Raises ProgramError."""
     at = source.move_at
     if not len(at):
-        raise ProgramError("line 1, column 1: the CL file holds no GOTO statement", None)
+        raise ProgramError(say("line 1, column 1: the CL file holds no GOTO statement"), None)
     begin, allowed = source.begin[at].copy(), np.zeros((len(at), MOST + 1), np.bool_)
     for word, counts in MOTIONS.items():
         rows = source.move_rows(word)
@@ -76,7 +77,7 @@ def places(moves: Moves, unit: Floats, scale: Floats, source: Source) -> Floats:
     rows = np.arange(len(point))
     anchor = np.maximum.accumulate(np.where(moves.step, -1, rows))
     if anchor[0] < 0:
-        source.fail(int(source.move_at[0]), "", "GODLTA stands before the first GOTO: from where is not known")
+        source.fail(int(source.move_at[0]), "", say("GODLTA stands before the first GOTO: from where is not known"))
     point[moves.along] = point[moves.along, :1] * unit[moves.along]
     travelled = np.cumsum(np.where(moves.step[:, None], point, 0.0), axis=0)
     summed: Floats = point[anchor] + (travelled - travelled[anchor])
@@ -108,7 +109,7 @@ def _explain(source: Source) -> NoReturn:
         parts = rest.split(",")
         for part in parts:
             if not NUMBER.fullmatch(part) or not np.isfinite(float(part)):
-                source.fail(k, part, f"{part[:40]!r} is no number")
+                source.fail(k, part, say("{part} is no number", part=repr(part[:40])))
         if len(parts) not in MOTIONS[word.encode() + b"/"]:
-            source.fail(k, "", f"{word} has {len(parts)} numbers; give 3 or 6")
-    raise ProgramError("line 1, column 1: the GOTO statements cannot be read", None)
+            source.fail(k, "", say("{word} has {count} numbers; give 3 or 6", word=word, count=len(parts)))
+    raise ProgramError(say("line 1, column 1: the GOTO statements cannot be read"), None)

@@ -17,6 +17,7 @@ import numpy as np
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.sentences import say
 
 from .findings import find_poor_spots
 from .head import ClHead
@@ -91,7 +92,7 @@ def _feeds(said: Said, scale: Floats, source: Source) -> tuple[Ints, Floats]:
     lost = np.flatnonzero(turn & ~(turns > 0.0))
     if len(lost):
         k = int(said.statement[at[lost[0]]])
-        source.fail(k, "", "a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute")
+        source.fail(k, "", say("a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute"))
     return at, said.value(at) * np.where(np.isnan(unit), scale[at], unit) * np.where(turn, turns, 1.0)
 
 
@@ -99,7 +100,7 @@ def _lengths(axis: Floats, source: Source, said: Said) -> Floats:
     length: Floats = np.linalg.norm(axis, axis=1)
     wrong: Bools = ~((length > 0.0) & (length < np.inf))
     if wrong.any():
-        source.fail(int(source.move_at[wrong.argmax()]), "", "the tool axis is 0, 0, 0, or beyond all bounds")
+        source.fail(int(source.move_at[wrong.argmax()]), "", say("the tool axis is 0, 0, 0, or beyond all bounds"))
     return length
 
 

@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import say
 
 from . import vocabulary as words
 from .head import ClHead
@@ -109,7 +110,7 @@ def meaning_of(statement: str) -> Meaning | tuple[str, str]:
     if name in READERS:
         return READERS[name](rest)
     if name in ("GOTO", "FROM", "GODLTA") or (name[:4] == "GOTO" and name[4:5] in "0123456789.+-"):
-        return name[:4], "a slash must follow the word, as in GOTO/1,2,3"
+        return name[:4], say("a slash must follow the word, as in GOTO/1,2,3")
     if name in words.HARMLESS or statement in words.WITHOUT_EFFECT:
         return Meaning(Kind.NOTHING)
     if name in words.SHIFTS and not any(words.numbers_of(rest)):
@@ -124,7 +125,7 @@ def name_of(statement: str) -> str:
 
 def _unit(rest: str) -> Meaning | tuple[str, str]:
     scale = words.UNITS.get(rest)
-    return (rest, "unknown unit; known are MM and INCHES") if scale is None else Meaning(Kind.UNITS, scale)
+    return (rest, say("unknown unit; known are MM and INCHES")) if scale is None else Meaning(Kind.UNITS, scale)
 
 
 def _feed(rest: str) -> Meaning | tuple[str, str]:
@@ -132,7 +133,7 @@ def _feed(rest: str) -> Meaning | tuple[str, str]:
     parts = rest.split(",")
     numbers = words.numbers_of(rest)
     if len(numbers) != 1 or not 0.0 < numbers[0] < np.inf:
-        return rest, "FEDRAT needs one feed above 0"
+        return rest, say("FEDRAT needs one feed above 0")
     turn = next((part for part in parts if part in words.PER_TURN), None)
     own = words.PER_TURN[turn] if turn else next((words.FEED_UNITS[part] for part in parts if part in words.FEED_UNITS), None)
     return Meaning(Kind.FEED, numbers[0], np.nan if own is None else own, turn=turn is not None)

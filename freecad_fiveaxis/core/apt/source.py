@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.records import Bools, Ints
+from freecad_fiveaxis.core.sentences import say
 
 from .vocabulary import FREE_TEXT, MOTIONS
 
@@ -87,7 +88,16 @@ class Source:
                 break
         else:
             number, column = line, 0
-        raise ProgramError(f"line {number}, column {column + 1}: {reason}: {self.statement(k)[:60]!r}", part)
+        raise ProgramError(
+            say(
+                "line {number}, column {column}: {reason}: {statement}",
+                number=number,
+                column=column + 1,
+                reason=reason,
+                statement=repr(self.statement(k)[:60]),
+            ),
+            part,
+        )
 
     def _cut_at_end(self) -> None:
         last = np.flatnonzero(self.starts(b"FINI") & (self.end - self.begin == len(b"FINI")))
@@ -108,8 +118,12 @@ def plain_text(raw: bytes) -> bytes:
     if control := raw.translate(None, TEXT):
         offset = raw.index(control[:1])
         line, column = raw.count(b"\n", 0, offset) + 1, offset - raw.rfind(b"\n", 0, offset)
-        reason = f"this is no CL file: byte {control[0]} (offset {offset}) stands in no text; give a text file"
-        raise ProgramError(f"line {line}, column {column}: {reason}", control[0])
+        reason = say(
+            "this is no CL file: byte {control} (offset {offset}) stands in no text; give a text file",
+            control=control[0],
+            offset=offset,
+        )
+        raise ProgramError(say("line {line}, column {column}: {reason}", line=line, column=column, reason=reason), control[0])
     return raw.upper()
 
 

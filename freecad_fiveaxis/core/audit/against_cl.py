@@ -31,6 +31,7 @@ from freecad_fiveaxis.core.kinematics import Chain, chunks
 from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze
+from freecad_fiveaxis.core.sentences import Angle, Length, Option, Sentence, plural, say
 from freecad_fiveaxis.core.trajectory import axis_at
 
 from .nearest import Pieces, Segments, nearest, search
@@ -78,7 +79,7 @@ def against_path(
 ) -> AgainstPath:  # fmt: skip
     """The program against the CL path. ``tolerance`` mm, ``axis_tolerance`` rad. Raises ProgramError for a path of one row."""
     if len(path.tip) < 2:
-        raise ProgramError("the CL file holds fewer than two rows: there is no path to compare with", len(path.tip))
+        raise ProgramError(say("the CL file holds fewer than two rows: there is no path to compare with"), len(path.tip))
     lines = Segments(path.tip[:-1], path.tip[1:])
     pieces, rows, real = lines.pieces(), feed_blocks(program), RealPath(links, program)
 
@@ -215,10 +216,10 @@ def _findings(
     if len(off):
         found.append(_place_finding(program, told, off, "off-cl-path", _ends_text(told, ends), tolerance))
     if between.any():
-        text = "leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Linearize."
+        text = say("leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Linearize.")
         found.append(_place_finding(program, told, np.flatnonzero(between), "between-cl-rows", text, tolerance))
     if own.any():
-        text = "leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind."
+        text = say("leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind.")
         found.append(_place_finding(program, told, np.flatnonzero(own), "way-not-in-cl-path", text, tolerance, Severity.NOTE))
     leaning = np.flatnonzero((told.axis > axis_tolerance) & (told.end <= max(100.0 * tolerance, 1.0)))
     if len(leaning):
@@ -228,13 +229,17 @@ def _findings(
     return tuple(found)
 
 
-def _ends_text(told: AgainstPath, ends: Bools) -> str:
+def _ends_text(told: AgainstPath, ends: Bools) -> Sentence:
     if ends.mean() < ALL_ALIKE:
-        return "leave the CL path, and end off it: a word is wrong there, or they are moves of the post's own, as retracts."
+        return say("leave the CL path, and end off it: a word is wrong there, or they are moves of the post's own, as retracts.")
     off = np.percentile(told.end, (5, 95))
-    return (
-        f"are off the CL path, nearly all alike ({off[0]:.4g} to {off[1]:.4g} mm at their ends): the post had another machine, "
-        "work zero or tool length in mind. See --origin and --tool-length; recover finds the machine that fits."
+    return say(
+        "are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or "
+        "tool length in mind. See {origin} and {tool_length}; recover finds the machine that fits.",
+        least=Length(off[0], ".4g", bare=True),
+        most=Length(off[1], ".4g"),
+        origin=Option("origin"),
+        tool_length=Option("tool_length"),
     )
 
 
@@ -243,10 +248,17 @@ def _place_finding(
 ) -> Finding:
     worst = int(at[told.off[at].argmax()])
     row = int(told.block[worst])
-    said = "1 feed block: " if len(at) == 1 else ""
-    whole = (
-        f"{said}{len(at)} of {len(told.block)} feed blocks {text} Worst is NC line {program.line[row]}, "
-        f"{told.off[worst]:.5g} mm off ({tolerance:g} mm allowed); first NC line {program.line[told.block[at[0]]]}."
+    whole = plural(
+        len(at),
+        "1 feed block: {count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first "
+        "NC line {first}.",
+        "{count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first NC line {first}.",
+        all=len(told.block),
+        what=text,
+        line=program.line[row],
+        off=Length(told.off[worst], ".5g"),
+        tolerance=Length(tolerance),
+        first=program.line[told.block[at[0]]],
     )
     x, y, z = told.place[worst].tolist()
     value, line = float(told.off[worst]), int(program.line[row])
@@ -256,10 +268,15 @@ def _place_finding(
 def _axis_finding(program: Program, told: AgainstPath, at: Ints, tolerance: float) -> Finding:
     worst = int(at[told.axis[at].argmax()])
     row, lean = int(told.block[worst]), math.degrees(told.axis[worst])
-    text = (
-        f"At the end of {len(at)} feed blocks the tool does not stand as the CL path says: worst NC line {program.line[row]}, by "
-        f"{lean:.4g} deg ({math.degrees(tolerance):g} deg allowed); first NC line {program.line[told.block[at[0]]]}. Are signs, "
-        "order and zeros of the rotary axes those of the machine?"
+    text = say(
+        "At the end of {count} feed blocks the tool does not stand as the CL path says: worst NC line {line},"
+        " by {lean} ({tolerance} allowed); first NC line {first}. Are signs, order and zeros of the "
+        "rotary axes those of the machine?",
+        count=len(at),
+        line=program.line[row],
+        lean=Angle(lean, ".4g"),
+        tolerance=Angle(math.degrees(tolerance)),
+        first=program.line[told.block[at[0]]],
     )
     line = int(program.line[row])
     return Finding(Severity.ERROR, "axis-off-cl-path", text, lean, math.degrees(tolerance), "deg", row, line)
@@ -267,10 +284,16 @@ def _axis_finding(program: Program, told: AgainstPath, at: Ints, tolerance: floa
 
 def _missed_finding(told: AgainstPath, path: CLPath, tolerance: float) -> Finding:
     worst, first = int(told.distance.argmax()), int(told.missed[0])
-    text = (
-        f"{len(told.missed)} rows of the CL file are not cut: no feed block comes within {tolerance:g} mm of them. The first is "
-        f"row {first + 1} of {len(path.tip)}, the farthest row {told.missed[worst] + 1}, {told.distance[worst]:.4g} mm off. Is "
-        "the program whole, and made from this file?"
+    text = say(
+        "{count} rows of the CL file are not cut: no feed block comes within {tolerance} of them. The first "
+        "is row {first} of {all}, the farthest row {missed}, {distance} off. Is the program whole, and "
+        "made from this file?",
+        count=len(told.missed),
+        tolerance=Length(tolerance),
+        first=first + 1,
+        all=len(path.tip),
+        missed=told.missed[worst] + 1,
+        distance=Length(told.distance[worst], ".4g"),
     )
     x, y, z = path.tip[told.missed[worst]].tolist()
     value = float(told.distance[worst]) if math.isfinite(told.distance[worst]) else None

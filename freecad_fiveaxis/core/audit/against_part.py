@@ -27,6 +27,7 @@ from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.sentences import Length, Option, say
 
 from .nearest import Facets, Pieces, search
 from .real_path import Ends, Peaks, RealPath, peaks
@@ -124,10 +125,19 @@ def _findings(program: Program, rows: Ints, found: Peaks, tolerance: float, radi
         return ()
     worst = int(at[found.value[at].argmax()])
     row, depth = int(rows[worst]), float(found.value[worst])
-    text = (
-        f"In {len(at)} of {len(rows)} feed blocks the ball of {2.0 * radius:g} mm enters the part by more than {tolerance:g} mm; "
-        f"deepest in NC line {program.line[row]}, {depth:.5g} mm; first NC line {program.line[rows[at[0]]]}. Are "
-        "--cutter, --origin and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt."
+    text = say(
+        "In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; "
+        "deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the "
+        "machine those of the program, does the STL stand at the work zero? Else the part is spoilt.",
+        count=len(at),
+        all=len(rows),
+        diameter=Length(2.0 * radius),
+        tolerance=Length(tolerance),
+        line=program.line[row],
+        depth=Length(depth, ".5g"),
+        first=program.line[rows[at[0]]],
+        cutter=Option("cutter"),
+        origin=Option("origin"),
     )
     x, y, z = found.place[worst].tolist()
     return (Finding(Severity.ERROR, "overcut", text, depth, tolerance, "mm", row, int(program.line[row]), (x, y, z)),)

@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, forward_tip, words_to_q
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.records import Bytes, Floats, freeze
+from freecad_fiveaxis.core.sentences import Number, Option, measure, plural, say
 
 from .rates import DEGREES
 
@@ -70,16 +71,26 @@ def _nearest_turn(links: Chain, program: Program, k: int) -> Floats:
 def _finding(links: Chain, program: Program, k: int, limit: float, beyond: Floats, word: Floats) -> Finding:
     rows = np.flatnonzero(beyond > SLACK)
     worst, letter, unit = int(beyond.argmax()), program.letters[k], "mm" if k < 3 else "deg"
-    blocks = "1 block leads" if len(rows) == 1 else f"{len(rows)} blocks lead"
+    blocks = plural(len(rows), "1 block leads", "{count} blocks lead")
     help_ = (
-        "Words count from the work zero: is --origin where it stood on the machine? Else move it (setup finds a place)"
+        say(
+            "Words count from the work zero: is {origin} where it stood on the machine? Else move it (setup finds a place)",
+            origin=Option("origin"),
+        )
         if k < 3
-        else "Post it again for this machine"
+        else say("Post it again for this machine")
     )
-    text = (
-        f"{blocks} {letter} beyond its limit of {limit:.4f} {unit}: farthest NC line {program.line[worst]}, "
-        f"{letter}{word[worst]:.4f}, {beyond[worst]:.4f} {unit} too far; first NC line {program.line[rows[0]]}. {help_}, or "
-        "take a machine with more travel."
+    text = say(
+        "{blocks} {letter} beyond its limit of {limit}: farthest NC line {line}, {letter}{word}, "
+        "{beyond} too far; first NC line {first}. {help}, or take a machine with more travel.",
+        blocks=blocks,
+        letter=letter,
+        limit=measure(limit, unit, ".4f"),
+        line=program.line[worst],
+        word=Number(word[worst], ".4f"),
+        beyond=measure(beyond[worst], unit, ".4f"),
+        first=program.line[rows[0]],
+        help=help_,
     )
     x, y, z = forward_tip(links, words_to_q(program.words[worst : worst + 1]))[0].tolist()
     value, line = float(word[worst]), int(program.line[worst])

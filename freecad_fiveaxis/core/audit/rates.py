@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.program.feeds import STILL, tip_travel
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.sentences import Feed, Number, Sentence, measure, plural, say
 
 PORTION = 65536
 """Blocks worked on at a time."""
@@ -100,10 +101,17 @@ def rate_findings(links: Chain, program: Program, rates: Rates) -> tuple[Finding
         worst = int(rows[rates.rate[rows, k].argmax()])
         asked, most = float(rates.rate[worst, k] * DEGREES[k]), float(links.rate[k] * DEGREES[k])
         unit = "mm/min" if k < 3 else "deg/min"
-        text = (
-            f"{_blocks(rows)} more of {letter} than it can: at most NC line {program.line[worst]}, {asked:.5g} {unit}, "
-            f"{asked / most:.4g} times its maximum of {most:.5g}; first NC line {program.line[rows[0]]}. The control slows down "
-            "there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as `post` does."
+        text = say(
+            "{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its "
+            "maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. "
+            "Give a lower F there, or inverse time (G93) made for this machine, as `post` does.",
+            blocks=_blocks(rows),
+            letter=letter,
+            line=program.line[worst],
+            asked=measure(asked, unit, ".5g"),
+            share=Number(asked / most, ".4g"),
+            most=measure(most, unit, ".5g", bare=True),
+            first=program.line[rows[0]],
         )
         found.append(_finding(Severity.WARNING, "axis-rate", text, asked, most, unit, links, program, worst))
     return tuple(found)
@@ -134,25 +142,37 @@ def _unlike(links: Chain, program: Program, rates: Rates, rows: Ints, wanted: Fl
     at = int(far[off[far].argmax()])
     row, feed = int(rows[at]), float(rates.tip_feed[rows[at]])
     by_f = not program.inverse_time[row]
-    meant = f"F says {wanted[at]:.5g}" if by_f else f"the median of all blocks is {wanted[at]:.5g}"
+    speed = Feed(wanted[at], ".5g", bare=True)
+    meant = say("F says {speed}", speed=speed) if by_f else say("the median of all blocks is {speed}", speed=speed)
     first, last = (int(program.line[rows[far[i]]]) for i in (0, -1))
-    where = (
-        f"1 feed block (NC line {first})" if len(far) == 1 else f"{len(far)} feed blocks (between NC lines {first} and {last})"
+    where = plural(
+        len(far),
+        "1 feed block (NC line {first})",
+        "{count} feed blocks (between NC lines {first} and {last})",
+        first=first,
+        last=last,
     )
     text = (
-        f"In {where} the tip moves over the part more than {factor:g} times faster or "
-        f"slower than meant: at worst {feed:.5g} mm/min in NC line {program.line[row]}, where {meant}. "
+        say(
+            "In {where} the tip moves over the part more than {factor} times faster or slower than meant: at "
+            "worst {feed} in NC line {line}, where {meant}. ",
+            where=where,
+            factor=Number(factor),
+            feed=Feed(feed, ".5g"),
+            line=program.line[row],
+            meant=meant,
+        )
     ) + (
-        "With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93)."
+        say("With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93).")
         if by_f
-        else "Approaches and blocks in which an axis is at its limit are rightly slower; look at the others."
+        else say("Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.")
     )
     severity = Severity.WARNING if by_f else Severity.NOTE
     return (_finding(severity, "feed-over-part", text, feed, float(wanted[at]), "mm/min", links, program, row),)
 
 
-def _blocks(rows: Ints) -> str:
-    return "1 feed block asks" if len(rows) == 1 else f"{len(rows)} feed blocks ask"
+def _blocks(rows: Ints) -> Sentence:
+    return plural(len(rows), "1 feed block asks", "{count} feed blocks ask")
 
 
 def _finding(

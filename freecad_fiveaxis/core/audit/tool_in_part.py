@@ -16,10 +16,15 @@ from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.sentences import Option, joined, say
 
 from .against_part import AgainstPart, against_part
 
-ASKED = "If not: are --cutter, --origin and the machine those of the program, and does the STL stand at the work zero?"
+ASKED = say(
+    "If not: are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero?",
+    cutter=Option("cutter"),
+    origin=Option("origin"),
+)
 
 
 def tool_in_part(
@@ -46,4 +51,4 @@ def is_ball(cutter: Cutter) -> bool:
 
 def _asked(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
     """The first of them asks whether part and program belong together."""
-    return tuple(replace(one, text=f"{one.text} {ASKED}") if k == 0 else one for k, one in enumerate(findings))
+    return tuple(replace(one, text=joined((one.text, ASKED))) if k == 0 else one for k, one in enumerate(findings))

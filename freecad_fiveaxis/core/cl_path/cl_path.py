@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.portions import on_all
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Insertion, Ints, freeze
+from freecad_fiveaxis.core.sentences import Number, say
 
 from .linking import SAME, WayOut, keepout, way_out
 
@@ -77,10 +78,20 @@ class LinkOptions:
         for name, least in (("clearance", 0.0), ("feed", np.nextafter(0.0, 1.0)), ("plunge_feed", np.nextafter(0.0, 1.0))):
             value = getattr(self, name)
             if not least <= value < np.inf:
-                raise SettingsError(f"{name} is {value:g}; give a number {'above' if least else 'of at least'} 0", value)
+                raise SettingsError(
+                    say("{name} is {value}; give a number above 0", name=name, value=Number(value))
+                    if least
+                    else say("{name} is {value}; give a number of at least 0", name=name, value=Number(value)),
+                    value,
+                )
         if self.control_point not in CONTROL_POINTS:
             known = ", ".join(CONTROL_POINTS)
-            raise SettingsError(f"control_point is {self.control_point!r}; choose one of {known}", self.control_point)
+            raise SettingsError(
+                say(
+                    "control_point is {control_point}; choose one of {known}", control_point=repr(self.control_point), known=known
+                ),
+                self.control_point,
+            )
 
 
 def link_passes(
@@ -94,7 +105,9 @@ def link_passes(
     one ended goes on without a retract. Raises SettingsError where there are no passes.
     """
     if not len(path.point):
-        raise SettingsError("there are no passes: no plane cuts a facet that can be reached; check stepover and direction", 0)
+        raise SettingsError(
+            say("there are no passes: no plane cuts a facet that can be reached; check stepover and direction"), 0
+        )
     progress("linking passes", 0.0)
     first = _starts(path.polyline)
     last = np.append(first[1:], len(path.point)) - 1
@@ -174,9 +187,10 @@ def _below(leave: WayOut, enter: WayOut) -> tuple[Finding, ...]:
     if not under.any():
         return ()
     place = np.concatenate([leave.station[:, 1], enter.station[:, 1]])[under][0]
-    text = (
-        f"{np.count_nonzero(under)} retracts or approaches pass below the part, because the tool looks down there. "
-        "Check that nothing holds the part from below, or choose a tool axis that looks up."
+    text = say(
+        "{count} retracts or approaches pass below the part, because the tool looks down there. Check that "
+        "nothing holds the part from below, or choose a tool axis that looks up.",
+        count=np.count_nonzero(under),
     )
     where = (float(place[0]), float(place[1]), float(place[2]))
     return (Finding(Severity.WARNING, "retract-below-part", text, value=float(np.count_nonzero(under)), unit="1", place=where),)

@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.portions import on_all
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze, picked
+from freecad_fiveaxis.core.sentences import Length, say
 
 from .columns import Columns
 from .junction import Segments, find_segments, groups
@@ -102,9 +103,9 @@ def close_gaps(
     those under which the ball does not fit are dropped, with a finding where more than NOTABLE of material stays or is cut into.
     A closed polyline ends where it began. Raises SettingsError for a radius or tolerance that is not above 0.
     """
-    for name, value in (("cutter radius", radius), ("co-edge tolerance", tolerance)):
+    for name, value in ((say("cutter radius"), radius), (say("co-edge tolerance"), tolerance)):
         if not 0.0 < value < np.inf:
-            raise SettingsError(f"{name} is {value:g} mm; give a length above 0", value)
+            raise SettingsError(say("{name} is {value}; give a length above 0", name=name, value=Length(value)), value)
     progress("closing co-edges", 0.0)
     cut = None if keep is None else keep[contact.face[::2]]  # which segments lie in facets that are kept
     segments = find_segments(contact)
@@ -126,16 +127,24 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
     wanted = np.ones(len(contact.face) // 2, bool) if cut is None else cut
     deep = _over([part.cut_into for part in trimmed], [part.depth for part in trimmed], wanted)
     if deep:
-        text = (
-            f"The facets curl tighter than the cutter at {deep.number} segments, and the cutter cuts up to {deep.worst:.3g} mm "
-            "into them. Use a smaller cutter or a finer mesh, or check these places before milling."
+        text = say(
+            "The facets curl tighter than the cutter at {number} segments, and the cutter cuts up to {worst} into"
+            " them. Use a smaller cutter or a finer mesh, or check these places before milling.",
+            number=deep.number,
+            worst=Length(deep.worst, ".3g"),
         )
         code, place = "surface-tighter-than-cutter", _place(contact, deep.segment)
         found.append(Finding(Severity.WARNING, code, text, deep.worst, NOTABLE, "mm", place=place))
     high = _over([part.missed for part in trimmed], [part.height for part in trimmed], wanted)
     if high:
-        much = f"up to {high.worst:.3g} mm of material stays" if np.isfinite(high.worst) else "a whole run of facets stays uncut"
-        text = f"The cutter does not fit into the corners at {high.number} facet segments; {much}. Use a smaller cutter there."
+        much = say("a whole run of facets stays uncut")
+        if np.isfinite(high.worst):
+            much = say("up to {height} of material stays", height=Length(high.worst, ".3g"))
+        text = say(
+            "The cutter does not fit into the corners at {number} facet segments; {much}. Use a smaller cutter there.",
+            number=high.number,
+            much=much,
+        )
         worst, place = high.worst if np.isfinite(high.worst) else None, _place(contact, high.segment)
         found.append(Finding(Severity.WARNING, "corner-not-reached", text, worst, NOTABLE, "mm", place=place))
     return tuple(found)

@@ -176,7 +176,6 @@ def _rows(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools |
     w1, w2, w3 = arc_weights(theta, np.where(spot.flat, 0.5 * theta, angle))
     w1 = np.where(real & ~spot.flat, 1.0, w1)
     reach = np.where(real, radius, np.hypot(radius, t))
-    reach = np.where(spot.flat, radius / np.cos(0.5 * theta), reach)
     shift = np.where(real & ~spot.flat, np.where(spot.ending, t - segments.length[segment], t), 0.0)
     base = 2 * segment + (spot.ending | ~real)
     lifted = np.flatnonzero(spot.lift >= 0)

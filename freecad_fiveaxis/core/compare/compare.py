@@ -26,6 +26,7 @@ from freecad_fiveaxis.core.program import Program, build_program, feed_blocks
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.report.figures import axis_rates
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.setup_map import Posting, part_box
 
 from .tool_centre import guide
@@ -94,9 +95,9 @@ def compare(
     SettingsError where there is nothing to compare, and what a cancelling ``progress`` raises.
     """
     if not stations or not cures or not guided:
-        raise SettingsError("there is nothing to compare; name at least one machine and one cure", 0)
+        raise SettingsError(say("there is nothing to compare; name at least one machine and one cure"), 0)
     if not len(path.tip):
-        raise SettingsError("there is no path to compare on: it has no rows", 0)
+        raise SettingsError(say("there is no path to compare on: it has no rows"), 0)
     rows: list[Row] = []
     tasks = [(where, name, cure) for where in stations for name, cure in cures.items()]
     for at, (where, name, cure) in enumerate(tasks):
@@ -132,7 +133,7 @@ def _rows(path: CLPath, where: Station, name: str, cure: Cure, guided: Sequence[
     except Cancelled:
         raise
     except FiveAxisError as error:
-        return [Row(where.name, name, one, letters, problem=str(error)) for one in guided]
+        return [Row(where.name, name, one, letters, problem=error.text) for one in guided]
     deviation = measure(where.links, program.words)
     return [
         (_guided if one else _unguided)(where, name, joints, program, deviation)  # columns that depend on tool-centre control

@@ -23,6 +23,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.sentences import Angle, Length, say
 
 from .contact import ring_direction
 from .shadow import effective_radius, width_at
@@ -72,7 +73,16 @@ class Cutter:
         for name in ("diameter", "length"):
             value = getattr(self, name)
             if not LEAST <= value <= MOST:
-                raise SettingsError(f"cutter {name} is {value:g} mm; give {LEAST:g} to {MOST:g} mm", value)
+                raise SettingsError(
+                    say(
+                        "cutter {name} is {value}; give {least} to {most}",
+                        name=name,
+                        value=Length(value),
+                        least=Length(LEAST, bare=True),
+                        most=Length(MOST),
+                    ),
+                    value,
+                )
         if self.corner == FULL:
             object.__setattr__(self, "corner", self.radius)
         _check_corner(self)
@@ -147,7 +157,11 @@ class Cutter:
 
 def _check_corner(cutter: Cutter) -> None:
     if not 0.0 <= cutter.corner <= cutter.radius:
-        text = f"cutter corner radius is {cutter.corner:g} mm; give 0 to {cutter.radius:g} mm, half the diameter"
+        text = say(
+            "cutter corner radius is {corner}; give 0 to {radius}, half the diameter",
+            corner=Length(cutter.corner),
+            radius=Length(cutter.radius),
+        )
         raise SettingsError(text, cutter.corner)
 
 
@@ -156,17 +170,30 @@ def _check_taper(cutter: Cutter) -> None:
     taper = math.degrees(cutter.taper)
     if not 0.0 <= cutter.taper <= MOST_TAPER:
         least = math.degrees(MOST_TAPER)
-        raise SettingsError(f"cutter taper is {taper:g} deg; give 0 to {least:g} deg, from the axis to the flank", cutter.taper)
+        raise SettingsError(
+            say("cutter taper is {taper}; give 0 to {least}, from the axis to the flank", taper=Angle(taper), least=Angle(least)),
+            cutter.taper,
+        )
     begins = cutter.corner * (1.0 - math.sin(cutter.taper))
     if cutter.taper > 0.0 and not cutter.length > begins:
-        text = f"cutter length is {cutter.length:g} mm, the taper begins {begins:g} mm above the tip; give a longer cutter"
+        text = say(
+            "cutter length is {length}, the taper begins {begins} above the tip; give a longer cutter",
+            length=Length(cutter.length),
+            begins=Length(begins),
+        )
         raise SettingsError(text, cutter.length)
     if not cutter.top_radius <= MOST:
-        text = f"cutter taper {taper:g} deg makes it {2 * cutter.top_radius:g} mm wide; give a smaller taper or length"
+        text = say(
+            "cutter taper {taper} makes it {width} wide; give a smaller taper or length",
+            taper=Angle(taper),
+            width=Length(2 * cutter.top_radius),
+        )
         raise SettingsError(text, cutter.taper)
 
 
 def _check_frustum(row: Frustum) -> None:
     if len(row) != 4 or not (0.0 <= row[0] < row[2] <= MOST and 0.0 <= row[1] <= MOST and 0.0 <= row[3] <= MOST):
-        text = f"holder {tuple(row)} is no cone; give z0, r0, z1, r1 in mm with 0 <= z0 < z1 and radii of at least 0"
+        text = say(
+            "holder {sizes} is no cone; give z0, r0, z1, r1 in mm with 0 <= z0 < z1 and radii of at least 0", sizes=tuple(row)
+        )
         raise SettingsError(text, row)

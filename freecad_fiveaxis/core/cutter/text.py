@@ -15,6 +15,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.quantity import parse_angle, parse_length
+from freecad_fiveaxis.core.sentences import say
 
 from .cutter import FULL, Cutter
 
@@ -52,11 +53,27 @@ def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
     kind = kind.strip().lower()
     names = KINDS.get(kind)
     if names is None:
-        raise SettingsError(f"cutter {text!r}: only {', '.join(KINDS)} cutters are on offer; write it as {FORMS[0]}", text)
+        raise SettingsError(
+            say(
+                "cutter {text}: only {kinds} cutters are on offer; write it as {form}",
+                text=repr(text),
+                kinds=", ".join(KINDS),
+                form=FORMS[0],
+            ),
+            text,
+        )
     parts = rest.split(":")
     if not rest.strip() or not len(names) <= len(parts) <= len(names) + 1:
         form, words = FORMS[list(KINDS).index(kind)], ":".join(names).upper()
-        raise SettingsError(f"cutter {text!r} needs KIND:{words} or KIND:{words}:LENGTH, as {form} or {form}:60", text)
+        raise SettingsError(
+            say(
+                "cutter {text} needs KIND:{words} or KIND:{words}:LENGTH, as {form} or {form}:60",
+                text=repr(text),
+                words=words,
+                form=form,
+            ),
+            text,
+        )
     readers = {"taper": parse_angle}
     named = zip((*names, "length"), parts, strict=False)
     return kind, {name: readers.get(name, parse_length)(part, f"cutter {name}") for name, part in named}

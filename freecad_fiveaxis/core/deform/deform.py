@@ -23,6 +23,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.sentences import Angle, Turn, say
 
 from .choice import Led, led_axes, near_polylines
 from .drive import starts
@@ -57,8 +58,12 @@ def check_change(change: float) -> None:
     """Raises SettingsError for an allowed change (rad) that is none."""
     if not LEAST_CHANGE <= change <= LARGEST_CHANGE:
         raise SettingsError(
-            f"the axis may change by {math.degrees(change):g} deg; give an angle from {math.degrees(LEAST_CHANGE):g} to "
-            f"{math.degrees(LARGEST_CHANGE):g} deg",
+            say(
+                "the axis may change by {change}; give an angle from {least_change} to {largest_change}",
+                change=Angle(math.degrees(change)),
+                least_change=Angle(math.degrees(LEAST_CHANGE), bare=True),
+                largest_change=Angle(math.degrees(LARGEST_CHANGE)),
+            ),
             change,
         )
 
@@ -71,9 +76,16 @@ def _findings(offset: OffsetPath, axis: Floats, links: Chain, found: Led, change
         most = math.degrees(float(angle_between(found.axis, axis).max()))
         before, after = (math.degrees(float(part.peak[found.led].max())) for part in (found.before, found.after))
         turned, turns = (math.degrees(float(part.first[found.led].sum())) for part in (found.before, found.after))
-        text = (
-            f"{int(found.led.sum())} passes are led past the pole: {letter} turns at most {after:.3g} instead of {before:.3g} "
-            f"deg/mm on them, and {turns:.0f} instead of {turned:.0f} deg in all, for an axis changed by up to {most:.3f} deg."
+        text = say(
+            "{count} passes are led past the pole: {letter} turns at most {after} instead of {before} on them, "
+            "and {turns} instead of {turned} in all, for an axis changed by up to {most}.",
+            count=int(found.led.sum()),
+            letter=letter,
+            after=Turn(after, ".3g", bare=True),
+            before=Turn(before, ".3g"),
+            turns=Angle(turns, ".0f", bare=True),
+            turned=Angle(turned, ".0f"),
+            most=Angle(most, ".3f"),
         )
         worst = np.flatnonzero(found.led)[found.before.peak[found.led].argmax()]
         place = _nearest_place(offset, axis, globe, int(worst))
@@ -82,9 +94,13 @@ def _findings(offset: OffsetPath, axis: Floats, links: Chain, found: Led, change
     if len(left):
         worst = left[found.after.peak[left].argmax()]
         rate = math.degrees(float(found.after.peak[worst]))
-        text = (
-            f"{len(left)} passes come within {limit:g} deg of the pole and could not be led past it any better: {letter} turns "
-            f"up to {rate:.3g} deg/mm there. A larger angle, wider rotary limits or another setup may help."
+        text = say(
+            "{count} passes come within {limit} of the pole and could not be led past it any better: {letter} "
+            "turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.",
+            count=len(left),
+            limit=Angle(limit),
+            letter=letter,
+            rate=Turn(rate, ".3g"),
         )
         place = _nearest_place(offset, axis, globe, int(worst))
         findings.append(Finding(Severity.NOTE, "axis-left-near-pole", text, rate, None, "deg/mm", place=place))

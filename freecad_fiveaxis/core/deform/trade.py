@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.kinematics import Chain, joint_words, q_to_words
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.seating import hubs
+from freecad_fiveaxis.core.sentences import Angle, Length, Sentence, Turn, joined, say
 
 from .choice import NEAR, led_axes, near_polylines
 from .deform import LARGEST_CHANGE, LEAST_CHANGE, check_change
@@ -80,7 +81,7 @@ def trade_off(
     for change in changes:
         check_change(change)
     if not 0.0 < tolerance < math.inf:
-        raise SettingsError(f"tolerance is {tolerance:g} mm; give a length above 0", tolerance)
+        raise SettingsError(say("tolerance is {tolerance}; give a length above 0", tolerance=Length(tolerance)), tolerance)
     axis = np.asarray(axis, float)
     offset, axis = _near(offset, axis, links, NEAR * max(changes, default=0.0))
     allowed = [0.0, *changes]
@@ -113,19 +114,31 @@ def trade_findings(
     chosen = np.arange(len(begin)) % math.ceil(len(axis) / MOST_ROWS) == 0
     rows = np.flatnonzero(np.repeat(chosen, np.diff(begin, append=len(axis))))
     trade = trade_off(take_rows(offset, rows), axis[rows], links, changes, tolerance, radius, progress, ring)
-    part = f"{int(chosen.sum())} of the {len(begin)}" if not chosen.all() else f"the {len(begin)}"
-    text = (
-        f"What an axis change buys on {part} passes that come within {math.degrees(change):.3g} deg of the pole (peak rate and "
-        f"travel of {links.letters[3]}, blocks that would hold {tolerance:g} mm): " + "; ".join(_told(trade)) + "."
+    part = say("the {all}", all=len(begin))
+    if not chosen.all():
+        part = say("{count} of the {all}", count=int(chosen.sum()), all=len(begin))
+    text = say(
+        "What an axis change buys on {part} passes that come within {change} of the pole (peak rate and "
+        "travel of {letter}, blocks that would hold {tolerance}): {rows}.",
+        part=part,
+        change=Angle(math.degrees(change), ".3g"),
+        letter=links.letters[3],
+        tolerance=Length(tolerance),
+        rows=joined(_told(trade), "; "),
     )
     return (Finding(Severity.NOTE, "axis-change-trade", text, math.degrees(change), None, "deg"),)
 
 
-def _told(trade: Trade) -> Iterator[str]:
+def _told(trade: Trade) -> Iterator[Sentence]:
     columns = (trade.allowed, trade.peak, trade.first, trade.blocks)
     for row, (allowed, peak, first, blocks) in enumerate(zip(*columns, strict=True)):
-        name = f"{math.degrees(allowed):.3g} deg" if row else "as given"
-        yield f"{name} {math.degrees(peak):.3g} deg/mm, {math.degrees(first):.0f} deg, {blocks}"
+        yield say(
+            "{change} {rate}, {turned}, {blocks}",
+            change=Angle(math.degrees(allowed), ".3g") if row else say("as given"),
+            rate=Turn(math.degrees(peak), ".3g"),
+            turned=Angle(math.degrees(first), ".0f"),
+            blocks=blocks,
+        )
 
 
 def _near(offset: OffsetPath, axis: Floats, links: Chain, angle: float) -> tuple[OffsetPath, Floats]:

@@ -22,9 +22,10 @@ import numpy as np
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.sentences import Length, say
 
 CUTTER, SHANK, HOLDER = 0, 1, 2
-PARTS = ("cutter", "shank", "holder")
+PARTS = (say("cutter"), say("shank"), say("holder"))
 """What a piece belongs to."""
 
 LARGEST = 1e4
@@ -85,9 +86,23 @@ def frustum_piece(low: float, low_radius: float, high: float, high_radius: float
 def _checked(piece: Piece) -> Piece:
     sizes = piece[:5]
     if not all(0.0 <= abs(size) <= LARGEST for size in sizes) or min(piece.low_radius, piece.high_radius, piece.round) < 0.0:
-        raise SettingsError(f"a piece of the tool has sizes {sizes}; give radii of at least 0, up to {LARGEST:g} mm", sizes)
+        raise SettingsError(
+            say(
+                "a piece of the tool has sizes {sizes}; give radii of at least 0, up to {largest}",
+                sizes=sizes,
+                largest=Length(LARGEST),
+            ),
+            sizes,
+        )
     if piece.high < piece.low or max(piece.low_radius, piece.high_radius, piece.round) == 0.0:
-        raise SettingsError(f"a piece of the tool from height {piece.low:g} to {piece.high:g} mm has no volume", sizes)
+        raise SettingsError(
+            say(
+                "a piece of the tool from height {low} to {high} has no volume",
+                low=Length(piece.low, bare=True),
+                high=Length(piece.high),
+            ),
+            sizes,
+        )
     return piece
 
 
@@ -223,8 +238,11 @@ def _underside(piece: Piece, radius: Floats) -> Floats:
     over = np.maximum(radius - r0, 0.0)
     lowest = piece.low - np.sqrt(np.maximum(c * c - over * over, 0.0))
     under = np.where(over <= c, lowest, np.inf)
-    if r1 > r0:
-        slope = (piece.high - piece.low) / (r1 - r0)
-        rise = np.minimum(piece.low + over * slope - c * float(np.hypot(1.0, slope)), piece.high)
-        under = np.minimum(under, np.where((over > 0.0) & (radius <= r1 + c), rise, np.inf))
+    if r1 > r0:  # the flank, moved out by the round, between the arcs about the rims of both discs
+        slope, beyond = (piece.high - piece.low) / (r1 - r0), radius - r1
+        lean = float(np.hypot(1.0, slope))
+        begins = c * slope / lean
+        rim = piece.high - np.sqrt(np.maximum(c * c - beyond * beyond, 0.0))
+        flank = np.where(beyond <= begins, piece.low + over * slope - c * lean, rim)
+        under = np.minimum(under, np.where((over >= begins) & (beyond <= c), flank, np.inf))
     return np.asarray(under)

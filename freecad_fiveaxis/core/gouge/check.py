@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.sentences import Length, Point, Sentence, Template, joined, say
 
 from .body import CUTTER, HOLDER, PARTS, SHANK, Body
 from .course import Course, real_course, straight_course
@@ -37,18 +38,18 @@ GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collisio
 """The codes of the findings."""
 
 SAID = {
-    OVERCUT: "The cutter goes {depth} mm too deep into the part at {at}.",
-    RAPID_COLLISION: (
-        "The cutter goes {depth} mm into the part at {at} on its way between passes. Use a larger clearance; where the part is "
+    OVERCUT: Template("The cutter goes {depth} too deep into the part at {at}."),
+    RAPID_COLLISION: Template(
+        "The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is "
         "over the tool, let it be lifted there or leave such places out (gouge lift, leave-out)."
     ),
-    HOLDER_COLLISION: (
-        "The {part} goes {depth} mm into the part at {at}. Let the tool be tilted free or leave these places out (gouge tilt, "
+    HOLDER_COLLISION: Template(
+        "The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out (gouge tilt, "
         "leave-out), use a longer tool, or more lead or tilt."
     ),
 }
 
-CURES = (
+CURES = say(
     "Let the tool be lifted there or leave such places out (gouge lift, leave-out), or use a smaller cutter; where the machine "
     "leaves the path by as much, let blocks be divided (linearize on)."
 )
@@ -135,13 +136,14 @@ def _findings(
 ) -> tuple[Finding, ...]:  # fmt: skip
     found: list[Finding] = []
     for code, entries, depth in _cases(cutter, above, motion):
-        text = f"{SAID[code]} {remedy}" if code == OVERCUT else SAID[code]
-        found += _spots(code, text, entries, depth, tolerance, where, whole if entries is cutter else np.inf)
+        found += _spots(
+            code, remedy if code == OVERCUT else "", entries, depth, tolerance, where, whole if entries is cutter else np.inf
+        )
     return (*found, *_buried(buried, where, course))
 
 
 def _spots(
-    code: str, text: str, entries: Entries, depth: Floats, tolerance: float, where: Where, whole: float
+    code: str, remedy: str, entries: Entries, depth: Floats, tolerance: float, where: Where, whole: float
 ) -> list[Finding]:  # fmt: skip
     """The deepest block of each of the deepest spots; the first one says how many there are. From a depth of ``whole`` mm on more
     than the depth may be in the part."""
@@ -149,10 +151,12 @@ def _spots(
     found = []
     for k, block in enumerate(worst[:MOST_SPOTS].tolist()):
         x, y, z = entries.place[block].tolist()
-        amount = f"{'at least ' if depth[block] >= whole else ''}{depth[block]:.4g}"
-        said = text.format(depth=amount, at=f"({x:.6g}, {y:.6g}, {z:.6g}) mm", part=PARTS[int(entries.part[block])])
+        amount: Length | Sentence = Length(depth[block], ".4g")
+        amount = say("at least {depth}", depth=amount) if depth[block] >= whole else amount
+        said = SAID[code].say(depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])])
+        said = joined((said, remedy))
         if k == 0 and blocks > 1:
-            said += f" This is the deepest of {blocks} blocks in {len(worst)} places."
+            said += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
         told, line = where(block)
         found.append(Finding(Severity.ERROR, code, said, float(depth[block]), tolerance, "mm", told, line, (x, y, z)))
     return found
@@ -175,8 +179,10 @@ def _buried(buried: Bools, where: Where, course: Course) -> tuple[Finding, ...]:
         return ()
     x, y, z = course.pose(rows[:1], np.zeros(1)).tip[:, 0].tolist()
     told, line = where(int(rows[0]))
-    text = (
-        f"In {len(rows)} blocks the whole cutter is inside the part, the first at ({x:.6g}, {y:.6g}, {z:.6g}) mm. Check the work "
-        "zero and the units of the part."
+    text = say(
+        "In {count} blocks the whole cutter is inside the part, the first at {place}. Check the work zero and"
+        " the units of the part.",
+        count=len(rows),
+        place=Point((x, y, z), ".6g"),
     )
     return (Finding(Severity.ERROR, "buried", text, float(len(rows)), 0.0, "1", told, line, (x, y, z)),)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,6 +14,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints, picked
 from freecad_fiveaxis.core.seating import rows_between
+from freecad_fiveaxis.core.sentences import Length, Point, Sentence, say
 
 from .body import Body
 from .course import straight_course
@@ -59,12 +61,17 @@ class _Without:
         out[blocks] = out[blocks + 1] = True
         worst = int(entries.depth.argmax())
         x, y, z = entries.place[worst].tolist()
-        said = (
-            f"the tool would enter the part {{where}}, deepest by {entries.depth[worst]:.4g} mm at ({x:.6g}, {y:.6g}, {z:.6g}) mm"
-        )
-        return _left(
-            path, axis, out, said, float(entries.depth[worst]), (x, y, z), "Use a smaller cutter or another tool axis there."
-        )
+        depth = float(entries.depth[worst])
+
+        def why(where: Sentence) -> Sentence:
+            return say(
+                "the tool would enter the part {where}, deepest by {depth} at {place}",
+                where=where,
+                depth=Length(depth, ".4g"),
+                place=Point((x, y, z)),
+            )
+
+        return _left(path, axis, out, why, depth, (x, y, z), say("Use a smaller cutter or another tool axis there."))
 
     def trapped(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
         """The path without the rows under an overhang up to the ends of polylines: a retract there would go through the part."""
@@ -77,10 +84,15 @@ class _Without:
         path, axis, _ = _divided(path, axis, joined & runs[1:], self._fine())
         ends, joined = self._trapped_ends(path, axis), np.diff(path.polyline) == 0
         out = under_with(self.body, self.tree, self._tips(path, axis), axis, joined, ends, self.tolerance, self.progress)
-        said = (
-            f"the tool could not get out along its axis {{where}}, for the part is over it, as at ({x:.6g}, {y:.6g}, {z:.6g}) mm"
-        )
-        return _left(path, axis, out, said, None, (x, y, z), "Turn the part, or use another tool axis there.")
+
+        def why(where: Sentence) -> Sentence:
+            return say(
+                "the tool could not get out along its axis {where}, for the part is over it, as at {place}",
+                where=where,
+                place=Point((x, y, z)),
+            )
+
+        return _left(path, axis, out, why, None, (x, y, z), say("Turn the part, or use another tool axis there."))
 
     def _entries(self, path: OffsetPath, axis: Floats, blocks: Ints) -> Entries:
         course = straight_course(self._tips(path, axis), axis)
@@ -105,21 +117,33 @@ def _joined(path: OffsetPath) -> Ints:
 
 
 def _left(
-    path: OffsetPath, axis: Floats, out: Bools, said: str, value: float | None, place: tuple[float, float, float], remedy: str
+    path: OffsetPath,
+    axis: Floats,
+    out: Bools,
+    why: Callable[[Sentence], Sentence],
+    value: float | None,
+    place: tuple[float, float, float],
+    remedy: str,
 ) -> tuple[OffsetPath, Floats]:
-    """The path without the rows ``out`` (n,), and its axes; ``said``: why, with ``{where}`` for on which of its passes;
+    """The path without the rows ``out`` (n,), and its axes; ``why``: the reason, given on which of its passes;
     ``remedy``: what helps."""
     steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), _joined(path)
     length = float(steps[joined[(out[1:] | out[:-1])[joined]]].sum())
     rows = lasting_rows(path, np.flatnonzero(~out))
     if not len(rows):
-        text = (
-            f"gouge leave-out leaves nothing to cut: {said.format(where='on every pass')}; use a smaller cutter or holder, a "
-            "longer tool or another tool axis, or see where with gouge report"
+        text = say(
+            "gouge leave-out leaves nothing to cut: {why}; use a smaller cutter or holder, a longer tool or "
+            "another tool axis, or see where with gouge report",
+            why=why(say("on every pass")),
         )
         raise SettingsError(text, value)
     left = take_rows(path, rows)
-    text = f"{length:.4g} mm of the passes are left out, because {said.format(where='there')}. {remedy}"
+    text = say(
+        "{length} of the passes are left out, because {why}. {remedy}",
+        length=Length(length, ".4g"),
+        why=why(say("there")),
+        remedy=remedy,
+    )
     finding = Finding(Severity.WARNING, "left-out", text, length, 0.0, "mm", place=place)
     return replace(left, findings=(*path.findings, finding)), picked(axis, rows)
 

@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import Length, Point, say
 
 from .body import CUTTER, Body, way_out
 from .course import Course, still_course, straight_course
@@ -316,8 +317,11 @@ def _findings(path: CLPath, way: _Way) -> tuple[Finding, ...]:
     blocks = way.cuts & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0))
     length = float(np.linalg.norm(np.diff(way.tip, axis=0), axis=1)[blocks].sum())
     x, y, z = path.contact[_row(way)[worst]].tolist()
-    text = (
-        f"The tool was lifted over {length:.4g} mm of the passes, most at ({x:.6g}, {y:.6g}, {z:.6g}) mm, where "
-        f"{way.lift[worst]:.4g} mm stay uncut along its axis. Cut these places with a smaller cutter or another tool axis."
+    text = say(
+        "The tool was lifted over {length} of the passes, most at {place}, where {lift} stay uncut along its "
+        "axis. Cut these places with a smaller cutter or another tool axis.",
+        length=Length(length, ".4g"),
+        place=Point((x, y, z), ".6g"),
+        lift=Length(way.lift[worst], ".4g"),
     )
     return (Finding(Severity.WARNING, "lifted", text, float(way.lift[worst]), 0.0, "mm", place=(x, y, z)),)

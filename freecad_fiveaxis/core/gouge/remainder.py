@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import Area, Length, Point, Volume, say
 
 from .body import Body, Piece, off_piece
 from .course import Course, Poses
@@ -93,7 +94,7 @@ def find_remainder(
     ``body``: the cutter; ``blocks`` (b,): those of the course that cut. Raises SettingsError where none does.
     """
     if not len(blocks):
-        raise SettingsError("no block cuts, so nothing can be said of what is left", 0)
+        raise SettingsError(say("no block cuts, so nothing can be said of what is left"), 0)
     point, facet, area = surface_samples(mesh, spacing, facets)
     progress("what is left", 0.0)
     way, near = _sampled_enough(body, course, blocks, point)
@@ -267,9 +268,14 @@ def uncut_finding(remainder: Remainder, above: float) -> tuple[Finding, ...]:
         return ()
     worst = int(remainder.height.argmax())
     x, y, z = remainder.point[worst].tolist()
-    text = (
-        f"On {area:.4g} mm2 of the machined surface more than {above:.3g} mm is left, most at ({x:.6g}, {y:.6g}, {z:.6g}) mm: "
-        f"{remainder.height[worst]:.4g} mm; {volume:.4g} mm3 in all. Cut these places with a smaller cutter or another tool axis."
+    text = say(
+        "On {area} of the machined surface more than {above} is left, most at {place}: {height}; {volume} in "
+        "all. Cut these places with a smaller cutter or another tool axis.",
+        area=Area(area, ".4g"),
+        above=Length(above, ".3g"),
+        place=Point((x, y, z), ".6g"),
+        height=Length(remainder.height[worst], ".4g"),
+        volume=Volume(volume, ".4g"),
     )
     return (Finding(Severity.WARNING, "uncut", text, area, 0.0, "mm2", place=(x, y, z)),)
 
@@ -281,9 +287,13 @@ def too_deep_finding(remainder: Remainder, tolerance: float) -> tuple[Finding, .
         return ()
     worst = int(remainder.height.argmin())
     x, y, z = remainder.point[worst].tolist()
-    text = (
-        f"On {area:.4g} mm2 of the machined surface more than {tolerance:.3g} mm is cut too deep, most at ({x:.6g}, {y:.6g}, "
-        f"{z:.6g}) mm: {-remainder.height[worst]:.4g} mm; {volume:.4g} mm3 in all. Let the tool be lifted there (gouge lift), "
-        "or use a smaller cutter."
+    text = say(
+        "On {area} of the machined surface more than {tolerance} is cut too deep, most at {place}: {height}; "
+        "{volume} in all. Let the tool be lifted there (gouge lift), or use a smaller cutter.",
+        area=Area(area, ".4g"),
+        tolerance=Length(tolerance, ".3g"),
+        place=Point((x, y, z), ".6g"),
+        height=Length(-remainder.height[worst], ".4g"),
+        volume=Volume(volume, ".4g"),
     )
     return (Finding(Severity.ERROR, "cut-too-deep", text, -float(remainder.height[worst]), tolerance, "mm", place=(x, y, z)),)

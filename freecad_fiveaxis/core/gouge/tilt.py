@@ -32,6 +32,7 @@ from freecad_fiveaxis.core.passes import axes_within_limits
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.seating import hubs, keep_rows, rows_between
+from freecad_fiveaxis.core.sentences import Angle, Length, Option, Point, say
 from freecad_fiveaxis.core.tool_axis import feed_direction
 
 from .body import CUTTER, HOLDER, SHANK, Body, round_piece
@@ -303,23 +304,29 @@ def _findings(path: OffsetPath, offset: Floats, left: Entries, max_tilt: float) 
     angle = np.degrees(np.linalg.norm(offset, axis=1))
     if angle.any():
         worst = int(angle.argmax())
-        at, said = _place(path.point[worst])
-        text = (
-            f"The tool axis was tilted in {np.count_nonzero(angle)} rows, most by {angle[worst]:.3g} deg at {said}, so that the "
-            "tool stays out of the part."
+        place = _place(path.point[worst])
+        text = say(
+            "The tool axis was tilted in {count} rows, most by {angle} at {place}, so that the tool stays out of the part.",
+            count=np.count_nonzero(angle),
+            angle=Angle(angle[worst], ".3g"),
+            place=Point(place),
         )
-        found.append(Finding(Severity.NOTE, "tilted", text, float(angle[worst]), most, "deg", place=at))
+        found.append(Finding(Severity.NOTE, "tilted", text, float(angle[worst]), most, "deg", place=place))
     if left.depth.any():
         length = float(np.linalg.norm(np.diff(path.point, axis=0), axis=1)[left.depth > 0.0].sum())
-        at, said = _place(left.place[int(left.depth.argmax())])
-        text = (
-            f"Over {length:.4g} mm of the passes no tilt of up to {most:.4g} deg keeps shank and holder out of the part, the "
-            f"deepest entry at {said}. Allow more tilt (max-tilt), use a longer tool, or leave these places out."
+        place = _place(left.place[int(left.depth.argmax())])
+        text = say(
+            "Over {length} of the passes no tilt of up to {most} keeps shank and holder out of the part, the "
+            "deepest entry at {place}. Allow more tilt ({max_tilt}), use a longer tool, or leave these places out.",
+            length=Length(length, ".4g"),
+            most=Angle(most, ".4g"),
+            place=Point(place),
+            max_tilt=Option("max_tilt"),
         )
-        found.append(Finding(Severity.WARNING, "not-freed", text, length, 0.0, "mm", place=at))
+        found.append(Finding(Severity.WARNING, "not-freed", text, length, 0.0, "mm", place=place))
     return tuple(found)
 
 
-def _place(point: Floats) -> tuple[tuple[float, float, float], str]:
+def _place(point: Floats) -> tuple[float, float, float]:
     x, y, z = point.tolist()
-    return (x, y, z), f"({x:.6g}, {y:.6g}, {z:.6g}) mm"
+    return x, y, z

@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.kinematics import Chain, Matrix, RotaryPair, inverse_
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.sentences import Angle, Length, Option, Point, say
 
 from .branches import POLE_ANGLE, broken_steps, choose, within_limits
 from .rewind import Drive, insert_rewinds, rewind_findings, subdivide_rapids
@@ -69,7 +70,13 @@ def solve(
     rotary limits, SettingsError for a clearance that is not positive.
     """
     if not clearance > 0.0:
-        raise SettingsError(f"clearance {clearance} mm must be positive: rapids and rewinds need room about the part", clearance)
+        raise SettingsError(
+            say(
+                "clearance {clearance} must be positive: rapids and rewinds need room about the part",
+                clearance=Length(clearance, ""),
+            ),
+            clearance,
+        )
     if len(path.tip) == 0:
         return JointPath(path, np.empty(0, np.int64), np.empty((0, 5)), np.empty(0, np.int8), np.empty(0))
     path = _begun_by_rapid(path)
@@ -163,9 +170,16 @@ def _reachable(links: Chain, path: CLPath, angles: Floats, pole: Bools) -> Bools
         x, y, z = path.tip[lost[0]]
         i, j, k = path.axis[lost[0]]
         raise ReachError(
-            f"{len(lost)} of {len(path.tip)} points need a tool axis that the rotary limits of {links.letters[3:]} do not allow, "
-            f"the first is ({i:.6g}, {j:.6g}, {k:.6g}) at ({x:.6g}, {y:.6g}, {z:.6g}): widen the limits, lower --max-axis-angle "
-            "or take another machine",
+            say(
+                "{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, the "
+                "first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another machine",
+                count=len(lost),
+                all=len(path.tip),
+                letters=links.letters[3:],
+                axis=f"({i:.6g}, {j:.6g}, {k:.6g})",
+                place=Point((x, y, z), ".6g", bare=True),
+                max_axis_angle=Option("max_axis_angle"),
+            ),
             (float(i), float(j), float(k)),
         )
     return fits
@@ -205,8 +219,16 @@ def _finish(drive: Drive, links: Chain, findings: tuple[Finding, ...]) -> JointP
         lost = np.flatnonzero(np.isnan(q[:, :3]).any(1))
         first, second = np.degrees(drive.angles[lost[0]])
         raise ReachError(
-            f"the linear axes lie in one plane at {links.letters[3]} {first:.3f} {links.letters[4]} {second:.3f} deg and cannot "
-            f"place the tip ({len(lost)} rows): lower --max-axis-angle or take another machine",
+            say(
+                "the linear axes lie in one plane at {letter} {first} {other} {second} and cannot place the "
+                "tip ({count} rows): lower {max_axis_angle} or take another machine",
+                letter=links.letters[3],
+                first=Angle(first, ".3f", bare=True),
+                other=links.letters[4],
+                second=Angle(second, ".3f"),
+                count=len(lost),
+                max_axis_angle=Option("max_axis_angle"),
+            ),
             (float(first), float(second)),
         )
     findings += _limit_findings(drive.path, links, q)
@@ -223,9 +245,14 @@ def _limit_findings(path: CLPath, links: Chain, q: Floats) -> tuple[Finding, ...
             worst = int(q[:, axis].argmax() if sign > 0.0 else q[:, axis].argmin())
             if sign * (q[worst, axis] - limit) > LINEAR_SLACK:
                 count = int((sign * (q[:, axis] - limit) > LINEAR_SLACK).sum())
-                text = (
-                    f"{links.letters[axis]} would have to go to {q[worst, axis]:.4f} mm, its limit is {limit:.4f} mm "
-                    f"({count} rows): move the work zero (--origin) or take a larger machine."
+                text = say(
+                    "{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work zero "
+                    "({origin}) or take a larger machine.",
+                    letter=links.letters[axis],
+                    word=Length(q[worst, axis], ".4f"),
+                    limit=Length(limit, ".4f"),
+                    count=count,
+                    origin=Option("origin"),
                 )
                 x, y, z = path.tip[worst].tolist()
                 findings.append(

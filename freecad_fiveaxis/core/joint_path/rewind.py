@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, branch_of, forward, inverse_axis, joint_words, q_to_words
 from freecad_fiveaxis.core.portions import on_all
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Insertion, Ints
+from freecad_fiveaxis.core.sentences import Angle, Length, say
 
 from .branches import POLE_ANGLE, SLACK, TURN
 
@@ -231,22 +232,29 @@ def rewind_findings(given: Drive, driven: Drive, links: Chain, breaks: Ints, unc
         block = int(np.searchsorted(driven.row, step + 1))
         before, after = np.degrees(given.angles[step : step + 2])
         axis = int(np.abs(after - before).argmax())
-        text = (
-            f"{links.letters[3 + axis]} has to turn back from {before[axis]:.3f} to {after[axis]:.3f} deg inside a cut: the tool "
-            "retracts, turns above the part and re-engages, which may leave a mark. Wider limits or another setup avoid it."
+        text = say(
+            "{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns above the"
+            " part and re-engages, which may leave a mark. Wider limits or another setup avoid it.",
+            letter=links.letters[3 + axis],
+            before=Angle(before[axis], ".3f", bare=True),
+            after=Angle(after[axis], ".3f"),
         )
         place = _point(given.path.tip[step])
         findings.append(
             Finding(Severity.WARNING, "rewind", text, float(abs(after - before)[axis]), None, "deg", block, None, place)
         )
     if len(breaks) > 1:
-        text = f"{len(breaks)} times the rotary limits make the tool retract, turn back and re-engage inside a cut."
+        text = say(
+            "{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.", count=len(breaks)
+        )
         findings.append(replace(findings[0], code="rewinds", text=text, value=float(len(breaks)), unit="1"))
     if (uncut > 0.0).any():
         worst = int(uncut.argmax())
-        text = (
-            f"{uncut.sum():.4f} mm of the path stay uncut at {int((uncut > 0.0).sum())} rewinds: on neither side of them do the "
-            "rotary limits allow the tool axis that is needed. Wider limits or another setup avoid it."
+        text = say(
+            "{length} of the path stay uncut at {count} rewinds: on neither side of them do the rotary limits "
+            "allow the tool axis that is needed. Wider limits or another setup avoid it.",
+            length=Length(uncut.sum(), ".4f"),
+            count=int((uncut > 0.0).sum()),
         )
         place = _point(given.path.tip[breaks[worst]])
         block = int(np.searchsorted(driven.row, breaks[worst] + 1))

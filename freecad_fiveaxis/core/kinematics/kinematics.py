@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.errors import MachineError
 from freecad_fiveaxis.core.machine import Axis, Machine, Vector
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Bytes, Floats
+from freecad_fiveaxis.core.sentences import say
 
 from .columns import Column, Columns, Matrix, added, clean, cos_sin, crossed, empty_rows, less, mapped, put, scalar, split
 from .rotary_pair import RotaryPair, Turns, poses
@@ -80,16 +81,16 @@ def chain(machine: Machine, setup: Setup) -> Chain:
 
 
 def _check_solvable(machine: Machine, direction: Floats) -> None:
-    problem = ""
+    problem: str = ""
     first, second = direction[3], direction[4]
     if np.linalg.norm(np.cross(first, second)) < PARALLEL:
-        problem = "both rotary axes are parallel; tilt one of them"
+        problem = say("both rotary axes are parallel; tilt one of them")
     elif np.linalg.norm(np.cross(second, (0, 0, 1))) < PARALLEL:
-        problem = "the second rotary axis is parallel to the tool and never tilts it; is the order of the two right?"
+        problem = say("the second rotary axis is parallel to the tool and never tilts it; is the order of the two right?")
     elif abs(np.linalg.det(direction[:3])) < PARALLEL:
-        problem = "the linear axes X, Y, Z lie in one plane; correct their directions"
+        problem = say("the linear axes X, Y, Z lie in one plane; correct their directions")
     if problem:
-        raise MachineError(f"machine {machine.name}: {problem}", machine.name)
+        raise MachineError(say("machine {name}: {problem}", name=machine.name, problem=problem), machine.name)
 
 
 def turn(vector: Floats, axis: Floats, cos: Floats, sin: Floats) -> Floats:

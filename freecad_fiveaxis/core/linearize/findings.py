@@ -17,6 +17,7 @@ import numpy as np
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, forward, words_to_q
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import Length, Option, Sentence, measure, say
 
 from .course import Steps, most_off
 
@@ -42,31 +43,45 @@ def found(links: Chain, outcome: Outcome, words: Floats, new: Ints, steps: Steps
     coarse, whole = np.isfinite(outcome.held) & (outcome.held > tolerance), np.isinf(outcome.held)
     told = []
     if divided.any():
-        text = (
-            f"{divided.sum()} blocks were over {tolerance:g} mm and were divided into {outcome.count[divided].sum()}, as few as "
-            "hold it by proof."
+        text = say(
+            "{count} blocks were over {tolerance} and were divided into {pieces}, as few as hold it by proof.",
+            count=divided.sum(),
+            tolerance=Length(tolerance),
+            pieces=outcome.count[divided].sum(),
         )
         told.append(Finding(Severity.NOTE, "linearized", text, float(divided.sum()), None, "1"))
     if even.any():
-        text = (
-            f"In {even.sum()} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis would need "
-            "another branch or winding; its axis deviation stays as it was. Lead the tool round the pole to avoid it."
+        text = say(
+            "In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis "
+            "would need another branch or winding; its axis deviation stays as it was. Lead the tool round the "
+            "pole to avoid it.",
+            count=even.sum(),
         )
         told.append(_at(links, Severity.NOTE, "rotary-words-even", text, float(even.sum()), None, "1", words, rows[even]))
     if coarse.any():
         value = float(outcome.held[coarse].max())
         worst = rows[coarse][np.argmax(outcome.held[coarse]) :]
-        text = (
-            f"{coarse.sum()} blocks cannot be held within {tolerance:g} mm: words of {steps.linear} and {steps.rotary} decimals "
-            f"put the tip up to {most_off(links, steps):.3g} mm off. The worst, which leads to {_spot(links, words[worst[0]])}, "
-            f"is proven to hold {value:.3g} mm. Allow more, or use a controller with finer words."
+        text = say(
+            "{count} blocks cannot be held within {tolerance}: words of {linear} and {rotary} decimals put the "
+            "tip up to {most_off} off. The worst, which leads to {spot}, is proven to hold {value}. Allow more, "
+            "or use a controller with finer words.",
+            count=coarse.sum(),
+            tolerance=Length(tolerance),
+            linear=steps.linear,
+            rotary=steps.rotary,
+            most_off=Length(most_off(links, steps), ".3g"),
+            spot=_spot(links, words[worst[0]]),
+            value=Length(value, ".3g"),
         )
         told.append(_at(links, Severity.WARNING, "linearize-rounding", text, value, tolerance, "mm", words, worst))
     if whole.any():
-        text = (
-            f"{whole.sum()} blocks are over {tolerance:g} mm and were left whole (the first leads to "
-            f"{_spot(links, words[rows[whole][0]])}): no number of blocks holds it there, because the linear axes turn into one "
-            "plane on the way. Turn the part on the table, or take another machine."
+        text = say(
+            "{count} blocks are over {tolerance} and were left whole (the first leads to {spot}): no number of "
+            "blocks holds it there, because the linear axes turn into one plane on the way. Turn the part on the "
+            "table, or take another machine.",
+            count=whole.sum(),
+            tolerance=Length(tolerance),
+            spot=_spot(links, words[rows[whole][0]]),
         )
         told.append(_at(links, Severity.WARNING, "linearize-impossible", text, float(whole.sum()), 0.0, "1", words, rows[whole]))
     return (*told, *_beyond_limits(links, words, new))
@@ -98,8 +113,9 @@ def _place(links: Chain, words: Floats) -> tuple[float, float, float]:
     return x, y, z
 
 
-def _spot(links: Chain, words: Floats) -> str:
-    return "X{:.3f} Y{:.3f} Z{:.3f}".format(*_place(links, words))
+def _spot(links: Chain, words: Floats) -> Sentence:
+    x, y, z = (Length(value, ".3f", bare=True) for value in _place(links, words))
+    return say("X{x} Y{y} Z{z}", x=x, y=y, z=z)
 
 
 def _beyond_limits(links: Chain, words: Floats, new: Ints) -> list[Finding]:
@@ -113,9 +129,14 @@ def _beyond_limits(links: Chain, words: Floats, new: Ints) -> list[Finding]:
             row, unit = int(new[worst]), "mm" if k < 3 else "deg"
             limit = float(links.low[k] if q[worst, k] < links.low[k] else links.high[k])
             limit = limit if k < 3 else float(np.degrees(limit))
-            text = (
-                f"{letter} would have to go to {words[row, k]:.4f} {unit} inside a divided block, its limit is {limit:.4f} "
-                f"{unit} ({(excess > LIMIT_SLACK).sum()} rows): move the work zero (--origin) or take a larger machine."
+            text = say(
+                "{letter} would have to go to {word} inside a divided block, its limit is {limit} "
+                "({count} rows): move the work zero ({origin}) or take a larger machine.",
+                letter=letter,
+                word=measure(words[row, k], unit, ".4f"),
+                limit=measure(limit, unit, ".4f"),
+                count=(excess > LIMIT_SLACK).sum(),
+                origin=Option("origin"),
             )
             told.append(
                 _at(links, Severity.ERROR, "linearize-limit", text, float(words[row, k]), limit, unit, words, new[worst:])

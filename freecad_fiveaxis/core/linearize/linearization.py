@@ -30,6 +30,7 @@ from freecad_fiveaxis.core.number_text import rounded
 from freecad_fiveaxis.core.post.dialect import Dialect
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import Length, say
 from freecad_fiveaxis.core.trajectory import checked_words, frames
 
 from .course import Courses, Steps, courses, most_off, placed_words, tool_axis
@@ -106,7 +107,10 @@ SAME_WORD = 1e-9
 
 def _check(tolerance: float) -> None:
     if not 0.0 < tolerance < math.inf:
-        raise SettingsError(f"tolerance is {tolerance:g} mm; blocks can be divided for a tolerance above 0 only", tolerance)
+        raise SettingsError(
+            say("tolerance is {tolerance}; blocks can be divided for a tolerance above 0 only", tolerance=Length(tolerance)),
+            tolerance,
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,5 +3,9 @@
 
 from .machine import FARTHEST, Axis, Machine, Vector
 from .machine_file import load_machine, save_machine, shipped_machines
+from .safe_start import BY_CLEARANCE, BY_MACHINE, BY_NOTHING, BY_REFERENCE, RETRACTS, SafeStart
 
-__all__ = ["FARTHEST", "Axis", "Machine", "Vector", "load_machine", "save_machine", "shipped_machines"]
+__all__ = [
+    "BY_CLEARANCE", "BY_MACHINE", "BY_NOTHING", "BY_REFERENCE", "FARTHEST", "RETRACTS", "Axis", "Machine", "SafeStart", "Vector",
+    "load_machine", "save_machine", "shipped_machines",
+]  # fmt: skip

@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from freecad_fiveaxis.core.errors import MachineError
+from freecad_fiveaxis.core.sentences import Template, say
 
 from .ini_file import DEEPEST, IniFile, Value, number, text_lines
 
@@ -41,8 +42,10 @@ class HalValues:
         given = self.set.get(pin) if signal is None else self.signals.get(signal)
         if given is None and signal is not None and self.sources[signal] - {pin}:
             others = ", ".join(sorted(self.sources[signal] - {pin}))
-            problem = f"{pin} comes from signal {signal} ({others}), whose value no HAL file says"
-            raise MachineError(f"{problem}; write setp {pin} VALUE for the import", pin)
+            text = Template(
+                "{pin} comes from signal {signal} ({others}), whose value no HAL file says; write setp {pin} VALUE for the import"
+            )
+            raise MachineError(text.say(pin=pin, signal=signal, others=others), pin)
         if given is None:
             return None
         return TRUE[given.text.upper()] if given.text.upper() in TRUE else number(given, pin)
@@ -102,7 +105,16 @@ def _substituted(text: str, where: str, ini: IniFile) -> str:
         section, key = (found[1], found[2]) if found[1] else (found[3], found[4])
         given = ini.get(section, key)
         if given is None and "setp" in text:
-            raise MachineError(f"{where}: [{section}] {key} is missing in {ini.path}; add it", f"[{section}] {key}")
+            raise MachineError(
+                say(
+                    "{where}: [{section}] {key} is missing in {path}; add it",
+                    where=where,
+                    section=section,
+                    key=key,
+                    path=ini.path,
+                ),
+                f"[{section}] {key}",
+            )
         return given.text if given else found[0]
 
     return FROM_INI.sub(value, text) if "[" in text or "$::" in text else text

@@ -18,11 +18,14 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.sentences import say
 
 from .trt import machine_of_ini
 
 UPRIGHT = {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]}
-DEFAULTS = {"gauge_point": "0,0,0", "origin": "0,0,0", "singular_cone": "5 deg"}
+DEFAULTS = {
+    "gauge_point": "0,0,0", "origin": "0,0,0", "singular_cone": "5 deg", "safe_start": "clearance",
+}  # fmt: skip
 """What a FreeCAD file cannot say, and what is taken for it."""
 
 
@@ -45,11 +48,11 @@ def import_machine(path: str) -> Imported:
     elif suffix == ".fcm":
         machine, findings = _of_freecad(path)
     else:
-        raise MachineError(f"{path} has no ending that is known; give LinuxCNC's .ini or FreeCAD's .fcm", path)
+        raise MachineError(say("{path} has no ending that is known; give LinuxCNC's .ini or FreeCAD's .fcm", path=path), path)
     try:
         chain(machine, Setup(machine.origin))
     except MachineError as error:
-        raise MachineError(f"{path}: {error}", error.value) from error
+        raise MachineError(say("{path}: {error}", path=path, error=error), error.value) from error
     return Imported(machine, findings)
 
 
@@ -58,17 +61,19 @@ def _of_freecad(path: str) -> tuple[Machine, tuple[Finding, ...]]:
     data = json.loads(read_bytes(path, "machine file").decode("utf-8-sig"))
     extra, found = data.get("fiveaxis", {}), []
     if lacking := [f"{key} {value}" for key, value in DEFAULTS.items() if key not in extra]:
-        text = f"FreeCAD's file does not say everything; taken: {', '.join(lacking)}. Correct them under fiveaxis."
+        text = say(
+            "FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.", lacking=", ".join(lacking)
+        )
         found.append(Finding(Severity.NOTE, "machine-default", text))
     if not extra:
-        text = (
+        text = say(
             "The joint axes are taken as the way the tool moves relative to the work (ISO 841). Prove the signs before cutting."
         )
         found.append(Finding(Severity.WARNING, "sign-unproven", text))
     kinematics = data["machine"].get("kinematics")
     frame = kinematics.get("base_frame") if isinstance(kinematics, dict) else None
     if isinstance(frame, dict) and any(frame.get(key, value) != value for key, value in UPRIGHT.items()):
-        text = "The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame."
+        text = say("The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.")
         found.append(Finding(Severity.ERROR, "base-frame-not-used", text))
     return replace(machine, controller=machine.controller or _controller(data)), tuple(found)
 
@@ -84,7 +89,7 @@ def _controller(data: dict[str, object]) -> str:
 def as_text(imported: Imported) -> str:
     """The machine as a table, from the work to the tool, and the findings."""
     machine = imported.machine
-    rows = [f"{machine.name}: {machine.description}", *(_row(axis) for axis in machine.axes)]
+    rows = [f"{machine.name}: {machine.description}", *(_row(axis) for axis in machine.axes), _start(machine)]
     marks = {Severity.NOTE: "note", Severity.WARNING: "warning", Severity.ERROR: "ERROR"}
     return "\n".join([*rows, *(f"{marks[found.severity]}: {found.text}" for found in imported.findings)])
 
@@ -94,6 +99,13 @@ def _row(axis: Axis) -> str:
     line = f"  {axis.letter} {axis.side:5} {_vector(axis.direction):12}"
     line += f" through {_vector(axis.point):18}" if axis.rotary else 27 * " "
     return line + f" {axis.low * scale:g} to {axis.high * scale:g} {unit}, {axis.max_rate * scale:g} {unit}/min"
+
+
+def _start(machine: Machine) -> str:
+    start, table = machine.safe_start, machine.table
+    retract = start.retract if start.z is None else f"{start.retract} Z {start.z:g} mm"
+    height = "at a height that is not known" if table is None else f"at Z {table:g} mm"
+    return f"  programs begin and end by safe_start {retract}; the table's face is {height}"
 
 
 def _vector(value: tuple[float, float, float]) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from freecad_fiveaxis.core.errors import MachineError
 from freecad_fiveaxis.core.files import read_bytes
+from freecad_fiveaxis.core.sentences import say
 
 DEEPEST = 8
 """Files that include one another deeper than this go in a circle."""
@@ -52,7 +53,10 @@ class IniFile:
         """The first value. Raises MachineError naming what is missing."""
         value = self.get(section, key)
         if value is None or not value.text:
-            raise MachineError(f"{self.path}: [{section}] {key} is missing; {remedy}", f"[{section}] {key}")
+            raise MachineError(
+                say("{path}: [{section}] {key} is missing; {remedy}", path=self.path, section=section, key=key, remedy=remedy),
+                f"[{section}] {key}",
+            )
         return value
 
 
@@ -60,7 +64,7 @@ def text_lines(path: Path, what: str, including: bool = False, depth: int = 0) -
     """The lines of a text file without blanks at their ends, those that end in a backslash joined, each with its place."""
     content = read_bytes(path, what)
     if b"\0" in content or len(content) > LONGEST:
-        raise MachineError(f"{path} is no text file; give the {what}", str(path))
+        raise MachineError(say("{path} is no text file; give the {what}", path=path, what=what), str(path))
     begun, lines = "", re.split(r"\r\n|\r|\n", content.decode("utf-8-sig", "replace"))
     for number, line in enumerate(lines, 1):
         joined = begun + line.strip()
@@ -69,7 +73,14 @@ def text_lines(path: Path, what: str, including: bool = False, depth: int = 0) -
             continue
         if including and (found := re.fullmatch(r"#INCLUDE\s+(\S.*)", joined)):
             if depth == DEEPEST:
-                raise MachineError(f"{path} line {number}: files include one another in a circle; remove one #INCLUDE", found[1])
+                raise MachineError(
+                    say(
+                        "{path} line {number}: files include one another in a circle; remove one #INCLUDE",
+                        path=path,
+                        number=number,
+                    ),
+                    found[1],
+                )
             yield from text_lines(path.parent / found[1].strip(), what, True, depth + 1)
         elif joined:
             yield joined, f"{path.name} line {number}"
@@ -83,5 +94,13 @@ def number(value: Value, what: str) -> float:
     except ValueError:
         given = math.nan
     if not math.isfinite(given):
-        raise MachineError(f"{value.where}: {what} is {value.text[:60]!r}, not a number; write the number itself", value.text)
+        raise MachineError(
+            say(
+                "{where}: {what} is {text}, not a number; write the number itself",
+                where=value.where,
+                what=what,
+                text=repr(value.text[:60]),
+            ),
+            value.text,
+        )
     return given

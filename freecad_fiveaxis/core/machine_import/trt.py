@@ -21,6 +21,7 @@ from pathlib import Path
 from freecad_fiveaxis.core.errors import MachineError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.machine import Axis, Machine, Vector
+from freecad_fiveaxis.core.sentences import Number, say
 
 from .hal_files import HalValues
 from .ini_file import IniFile, number
@@ -69,14 +70,25 @@ def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
 
 def _kinematics(ini: IniFile) -> tuple[str, Trt, str]:
     """The module's name, its table, and the letters in the order of the joints."""
-    remedy = f"known are {' and '.join(MODULES)}"
+    remedy = say("known are {modules}", modules=" and ".join(MODULES))
     given = ini.need("KINS", "KINEMATICS", remedy)
     module, *options = given.text.split()
     if module not in MODULES:
-        raise MachineError(f"{given.where}: kinematics {module} cannot be imported; {remedy}", module)
+        raise MachineError(
+            say("{where}: kinematics {module} cannot be imported; {remedy}", where=given.where, module=module, remedy=remedy),
+            module,
+        )
     letters = next((option[12:] for option in options if option.startswith("coordinates=")), MODULES[module].letters).upper()
     if sorted(set(letters) & set("XYZABC")) != sorted(MODULES[module].letters):
-        raise MachineError(f"{given.where}: coordinates={letters} does not name {MODULES[module].letters}; correct it", letters)
+        raise MachineError(
+            say(
+                "{where}: coordinates={letters} does not name {known}; correct it",
+                where=given.where,
+                letters=letters,
+                known=MODULES[module].letters,
+            ),
+            letters,
+        )
     return module, MODULES[module], letters
 
 
@@ -97,24 +109,43 @@ def _lines(hal: HalValues, module: str, trt: Trt, length: float) -> tuple[Vector
 def _pin_findings(given: dict[str, float | None], module: str, trt: Trt) -> list[Finding]:
     found = []
     if lacking := [pin for pin in trt.offsets if given[pin] is None]:
-        text = f"No HAL file sets {' and '.join(lacking)} of {module}; they are 0, as LinuxCNC has them then. Is that so?"
+        text = say(
+            "No HAL file sets {lacking} of {module}; they are 0, as LinuxCNC has them then. Is that so?",
+            lacking=" and ".join(lacking),
+            module=module,
+        )
         found.append(Finding(Severity.WARNING, "offset-not-set", text))
-    if given[trt.unused]:
-        text = f"{trt.unused} is {given[trt.unused]:g}, but {module} does not use it."
+    if number := given[trt.unused]:
+        text = say(
+            "{unused} is {given}, but {module} does not use it.",
+            unused=trt.unused,
+            given=Number(number),
+            module=module,
+        )
         found.append(Finding(Severity.WARNING, "offset-not-used", text, given[trt.unused]))
-    if given["tool-offset"]:
-        text = (
-            f"tool-offset is a constant {given['tool-offset']:g}; it is in the trunnion's height. Join it to motion.tooloffset.z."
+    if constant := given["tool-offset"]:
+        text = say(
+            "tool-offset is a constant {given}; it is in the trunnion's height. Join it to motion.tooloffset.z.",
+            given=Number(constant),
         )
         found.append(Finding(Severity.WARNING, "constant-tool-offset", text, given["tool-offset"]))
     return found
 
 
 def _unit(ini: IniFile, key: str, known: dict[str, float]) -> float:
-    given = ini.need("TRAJ", key, f"write one of {', '.join(known)}")
+    given = ini.need("TRAJ", key, say("write one of {known}", known=", ".join(known)))
     name = given.text.split()[0].lower()
     if name not in known:
-        raise MachineError(f"{given.where}: [TRAJ] {key} is {given.text[:40]!r}; known are {', '.join(known)}", given.text)
+        raise MachineError(
+            say(
+                "{where}: [TRAJ] {key} is {text}; known are {known}",
+                where=given.where,
+                key=key,
+                text=repr(given.text[:40]),
+                known=", ".join(known),
+            ),
+            given.text,
+        )
     return known[name]
 
 
@@ -129,7 +160,9 @@ def _axis(ini: IniFile, letter: str, joint: int, direction: Vector, point: Vecto
     try:
         return Axis(letter, rotary, "table" if rotary else "head", direction, point, low, high, 60.0 * rate * scale)
     except MachineError as error:
-        raise MachineError(f"{ini.path}: [JOINT_{joint}], {error}", error.value) from error
+        raise MachineError(
+            say("{path}: [JOINT_{joint}], {error}", path=ini.path, joint=joint, error=error), error.value
+        ) from error
 
 
 def _numbers(ini: IniFile, joint: int, letter: str, key: str, both: bool) -> list[float]:
@@ -137,7 +170,7 @@ def _numbers(ini: IniFile, joint: int, letter: str, key: str, both: bool) -> lis
     given = [ini.get(section, key) for section in (f"JOINT_{joint}", f"AXIS_{letter}")]
     found = [number(value, f"{key} of {letter}") for value in given if value is not None and value.text]
     if not found:
-        ini.need(f"JOINT_{joint}", key, f"axis {letter} needs it there or under [AXIS_{letter}]")
+        ini.need(f"JOINT_{joint}", key, say("axis {letter} needs it there or under [AXIS_{letter}]", letter=letter))
     return found if both else found[:1]
 
 

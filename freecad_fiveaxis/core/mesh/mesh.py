@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import chunks
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.sentences import Length, Point, Template, say
 
 from .half_edges import HalfEdges, partners, sorted_half_edges
 from .weld import Reals, separate, weld
@@ -68,7 +69,7 @@ def from_triangles(corners: ArrayLike) -> Mesh:
     ``corners`` (f, 3, 3) mm: facet, corner, x y z; float32 or float64. Raises MeshError for zero facets, coordinates
     that are not finite or beyond ``LARGEST``, and where no facet has an area.
     """
-    array = _numbers(corners, "triangle corners", (3, 3))
+    array = _numbers(corners, say("triangle corners"), (3, 3))
     column = np.empty((3, 3, len(array)), dtype=np.float32 if array.dtype == np.float32 else np.float64)
     for part in chunks(len(array)):
         column[:, :, part] = array[part].T
@@ -77,7 +78,7 @@ def from_triangles(corners: ArrayLike) -> Mesh:
 
 def from_columns(column: Reals) -> Mesh:
     """The same as :func:`from_triangles` for corners (3, 3, f) float32 or float64: x y z, corner, facet; -0 becomes 0 in them."""
-    _numbers(column.T, "triangle corners", (3, 3))
+    _numbers(column.T, say("triangle corners"), (3, 3))
     vertex, face, shape, halves = _welded(column)
     del column  # nobody needs it any more, and the rest needs room
     return _build(vertex, face, shape, halves)
@@ -89,16 +90,25 @@ def from_faces(vertex: ArrayLike, face: ArrayLike) -> Mesh:
     Nothing is welded; vertices that no facet uses are left out. Raises MeshError as :func:`from_triangles` does, and
     for a vertex row that does not exist.
     """
-    point = np.array(_numbers(vertex, "vertices", (3,)), dtype=np.float64, order="F")
-    row = _numbers(face, "facets", (3,))
+    point = np.array(_numbers(vertex, say("vertices"), (3,)), dtype=np.float64, order="F")
+    row = _numbers(face, say("facets"), (3,))
     if row.dtype.kind not in "iu":
-        raise MeshError(f"facets are given as {row.dtype} numbers: give integer rows of the vertex table", str(row.dtype))
+        raise MeshError(
+            say("facets are given as {dtype} numbers: give integer rows of the vertex table", dtype=row.dtype), str(row.dtype)
+        )
     row = np.array(row, dtype=np.int64, order="F")
     low, high = int(row.min()), int(row.max())
     if low < 0 or high >= len(point):
         wrong = low if low < 0 else high
-        raise MeshError(f"a facet names vertex {wrong}, but the rows run from 0 to {len(point) - 1}: correct the facets", wrong)
-    _range(point.T, len(point), "vertex")
+        raise MeshError(
+            say(
+                "a facet names vertex {wrong}, but the rows run from 0 to {count}: correct the facets",
+                wrong=wrong,
+                count=len(point) - 1,
+            ),
+            wrong,
+        )
+    _range(point.T, len(point), say("vertex"))
     used = np.zeros(len(point), dtype=np.bool_)
     used[row] = True
     if not used.all():
@@ -121,12 +131,13 @@ def _numbers(given: ArrayLike, what: str, row: tuple[int, ...]) -> NDArray[Any]:
     try:
         array = np.asarray(given)
     except ValueError as problem:
-        raise MeshError(f"the {what} form no regular table: {problem}", None) from problem
+        raise MeshError(say("the {what} form no regular table: {problem}", what=what, problem=problem), None) from problem
     if array.size == 0:
-        raise MeshError("the mesh has no facets: export a solid or a surface with at least one triangle", 0)
+        raise MeshError(say("the mesh has no facets: export a solid or a surface with at least one triangle"), 0)
     if array.dtype.kind not in "iuf" or array.shape[1:] != row:
         form = f"{array.dtype} of shape {array.shape}"
-        raise MeshError(f"the {what} are {form}: give numbers of shape {('n', *row)}".replace("'", ""), form)
+        wanted = f"(n, {', '.join(map(str, row))})"
+        raise MeshError(say("the {what} are {form}: give numbers of shape {wanted}", what=what, form=form, wanted=wanted), form)
     return array
 
 
@@ -138,10 +149,25 @@ def _range(column: Reals, rows: int, what: str) -> tuple[Reals, Reals]:
             return low, high
         axis, entry = (int(i[0]) for i in np.nonzero(~(np.abs(column) <= LARGEST)))
     value = float(column[axis, entry])
-    where = f"{what} {entry % rows + 1} of {rows} has {'xyz'[axis]} = {value:g}"
-    if np.isfinite(value):
-        raise MeshError(f"{where} mm, and no part exceeds {LARGEST:g} mm: check the units of the export", value)
-    raise MeshError(f"{where}: coordinates must be finite numbers; export the mesh again", value)
+    given = {"what": what, "number": entry % rows + 1, "rows": rows, "axis": "xyz"[axis]}
+    if not np.isfinite(value):
+        raise MeshError(
+            say(
+                "{what} {number} of {rows} has {axis} = {value}: coordinates must be finite numbers; export the mesh again",
+                value=value,
+                **given,
+            ),
+            value,
+        )
+    raise MeshError(
+        say(
+            "{what} {number} of {rows} has {axis} = {value}, and no part exceeds {most}: check the units of the export",
+            value=Length(value),
+            most=Length(LARGEST),
+            **given,
+        ),
+        value,
+    )
 
 
 # ------------------------------------------------------------------------------------------------ facets
@@ -152,7 +178,7 @@ def _welded(column: Reals) -> tuple[Floats, Ints, _Shape, HalfEdges]:
     facets = column.shape[2]
     # row k f + i is corner k of facet i, as in a Fortran-ordered ``face``
     corners = column.reshape(3, -1)
-    low, high = _range(corners, facets, "facet")
+    low, high = _range(corners, facets, say("facet"))
 
     def corner(k: int, part: slice) -> Floats:
         return column[:, k, part].astype(np.float64)
@@ -177,7 +203,7 @@ def _build(vertex: Floats, face: Ints, shape: _Shape, halves: HalfEdges) -> Mesh
 def _half_edges(face: Ints, shape: _Shape, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
     """The half-edges of the facets that stay, and what ``work`` gives, done in the meantime."""
     if len(shape.flat) == len(face):
-        raise MeshError(f"none of the {len(face)} facets has an area: check the units and the export", len(face))
+        raise MeshError(say("none of the {count} facets has an area: check the units and the export", count=len(face)), len(face))
     return sorted_half_edges(_without(face, shape.flat), vertices, work)
 
 
@@ -187,14 +213,21 @@ def _without(table: NDArray[S], rows: Ints) -> NDArray[S]:
 
 def _flat_finding(vertex: Floats, face: Ints, flat: Ints) -> Finding:
     place = _place(vertex, face[flat[0]])
-    text = f"{len(flat)} facets without area were left out, the first at {_at(place)}; passes end where that leaves a crack."
+    text = say(
+        "{count} facets without area were left out, the first at {at}; passes end where that leaves a crack.",
+        count=len(flat),
+        at=_at(place),
+    )
     return Finding(Severity.NOTE, "degenerate-facets", text, value=float(len(flat)), limit=0.0, unit="1", place=place)
 
 
 def _turned(mesh: Mesh) -> Mesh:
     """The same facets seen from the other side."""
     place = _place(mesh.vertex, mesh.face[0])
-    text = f"All {len(mesh.face)} facets looked inward and were turned outward; check the export if only some of them should."
+    text = say(
+        "All {count} facets looked inward and were turned outward; check the export if only some of them should.",
+        count=len(mesh.face),
+    )
     finding = Finding(Severity.NOTE, "inward-facets", text, value=float(len(mesh.face)), limit=0.0, unit="1", place=place)
     return Mesh(
         mesh.vertex,
@@ -307,9 +340,27 @@ def _put_ends(edge: Words, width: int, out: Ints) -> None:
 # ------------------------------------------------------------------------------------------------ findings
 
 _EDGE_FINDINGS = (
-    ("open-shell", "leave the mesh open", "Close the shell in CAD if it is meant to be solid."),
-    ("inconsistent-winding", "have two facets that run along them in the same sense", "Unify the facet normals."),
-    ("non-manifold-edges", "have more than two facets", "Separate or unite the bodies that meet there."),
+    (
+        "open-shell",
+        Template(
+            "{edges} edges leave the mesh open, the first at {at}; passes end there. Close the shell in CAD if it is meant to be "
+            "solid."
+        ),
+    ),
+    (
+        "inconsistent-winding",
+        Template(
+            "{edges} edges have two facets that run along them in the same sense, the first at {at}; passes end there. Unify the "
+            "facet normals."
+        ),
+    ),
+    (
+        "non-manifold-edges",
+        Template(
+            "{edges} edges have more than two facets, the first at {at}; passes end there. Separate or unite the bodies that "
+            "meet there."
+        ),
+    ),
 )
 
 
@@ -324,14 +375,14 @@ def _edge_findings(key: Words, half: Ints, low: int, vertex: Floats, face: Ints)
     kind = np.minimum(count, 3)[group]
     facet = half & ((1 << low) - 1)
     findings = []
-    for number, (code, fault, remedy) in enumerate(_EDGE_FINDINGS, start=1):
+    for number, (code, said) in enumerate(_EDGE_FINDINGS, start=1):
         at = np.flatnonzero(kind == number)
         if len(at):
             worst = at[np.argmin(facet[at])]
             corner = half[worst] >> low
             place = _place(vertex, face[facet[worst], [corner, (corner + 1) % 3]])
             edges = int(np.count_nonzero(np.minimum(count, 3) == number))
-            text = f"{edges} edges {fault}, the first at {_at(place)}; passes end there. {remedy}"
+            text = said.say(edges=edges, at=_at(place))
             findings.append(Finding(Severity.WARNING, code, text, value=float(edges), limit=0.0, unit="1", place=place))
     return findings, bool((2 * forward == count).all())
 
@@ -341,5 +392,5 @@ def _place(vertex: Floats, row: Ints) -> tuple[float, float, float]:
     return float(x), float(y), float(z)
 
 
-def _at(place: tuple[float, float, float]) -> str:
-    return "(" + ", ".join(f"{p:g}" for p in place) + ") mm"
+def _at(place: tuple[float, float, float]) -> Point:
+    return Point(place, "g")

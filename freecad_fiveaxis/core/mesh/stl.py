@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.errors import FileError, MeshError
 from freecad_fiveaxis.core.files import write_whole
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.sentences import Number, say
 
 from .mesh import Mesh, from_columns
 
@@ -52,7 +53,7 @@ def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
     try:
         mesh = from_columns(_columns(path, progress))
     except MeshError as problem:
-        raise MeshError(f"{Path(path).name}: {problem}", problem.value) from problem
+        raise MeshError(say("{name}: {problem}", name=Path(path).name, problem=problem), problem.value) from problem
     progress("weld", 1.0)
     return mesh
 
@@ -87,7 +88,9 @@ def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:
             stream.seek(0)
             data = stream.read()
     except OSError as problem:
-        raise FileError(f"STL file {os.fspath(path)} cannot be read: {problem.strerror or problem}", path) from problem
+        raise FileError(
+            say("STL file {path} cannot be read: {strerror}", path=os.fspath(path), strerror=problem.strerror or problem), path
+        ) from problem
     _check_text(data, facets)
     return data
 
@@ -96,14 +99,20 @@ def _check_text(data: bytes, facets: int) -> None:
     """Raise MeshError for what cannot be ASCII; ``facets`` is what it would announce as a binary file."""
     size = len(data)
     if not data[:HEADER].strip() and not data.strip():
-        raise MeshError("the file is empty; export the part again", size)
+        raise MeshError(say("the file is empty; export the part again"), size)
     if data[:HEADER].lstrip()[:5].lower() == b"solid" and b"\0" not in data:
         return
     if size < HEADER or not _CONTROL.search(data[:1024]):
-        raise MeshError(f"this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header", size)
+        raise MeshError(
+            say("this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header", size=size), size
+        )
     held = (size - HEADER) / RECORD.itemsize
     raise MeshError(
-        f"the header announces {facets} facets, but the file holds {held:g}: it is cut off, damaged or no STL; export it again",
+        say(
+            "the header announces {facets} facets, but the file holds {held}: it is cut off, damaged or no STL; export it again",
+            facets=facets,
+            held=Number(held),
+        ),
         facets,
     )
 
@@ -124,7 +133,7 @@ def _binary_columns(stream: BufferedReader | BytesIO, facets: int) -> NDArray[np
     for first in range(0, facets, _ROWS):
         rows = min(_ROWS, facets - first)
         if stream.readinto(portion[:rows].data.cast("B")) != rows * RECORD.itemsize:
-            raise MeshError("the file became shorter while it was read; export it again", first)
+            raise MeshError(say("the file became shorter while it was read; export it again"), first)
         aligned[:rows] = portion["corner"][:rows]
         column[:, :, first : first + rows] = corner[:, :, :rows]
     return column
@@ -181,9 +190,18 @@ def _ascii_error(word: list[bytes], before: int) -> MeshError:
         if given != wanted if wanted else at in _CORNER_WORDS and not _is_number(given):
             said = given[:20].decode("ascii", "backslashreplace")
             need = f"'{wanted.decode()}'" if wanted else "a number"
-            return MeshError(f"facet {facet} is malformed: '{said}' stands where {need} belongs; export the file again", said)
+            return MeshError(
+                say(
+                    "facet {facet} is malformed: '{said}' stands where {need} belongs; export the file again",
+                    facet=facet,
+                    said=said,
+                    need=need,
+                ),
+                said,
+            )
     return MeshError(
-        f"the file ends within facet {before + len(word) // _PER_FACET + 1}: it is cut off; export it again", len(word)
+        say("the file ends within facet {facet}: it is cut off; export it again", facet=before + len(word) // _PER_FACET + 1),
+        len(word),
     )
 
 

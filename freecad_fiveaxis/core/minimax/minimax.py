@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.kinematics import Chain, q_to_words
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.seating import hubs, seat_normal
+from freecad_fiveaxis.core.sentences import Angle, say
 from freecad_fiveaxis.core.tool_axis import feed_direction
 
 from .blocks import Ring
@@ -73,8 +74,15 @@ def minimax_axes(
     tilt beyond LEAST_TILT to MOST_TILT, ReachError for axes that the machine cannot take up.
     """
     if not LEAST_TILT <= max_tilt <= MOST_TILT:
-        tilt, least, most = (f"{math.degrees(angle):g}" for angle in (max_tilt, LEAST_TILT, MOST_TILT))
-        raise SettingsError(f"max-tilt {tilt} deg is out of range; give {least} to {most} deg, or choose facet_mean", max_tilt)
+        raise SettingsError(
+            say(
+                "max-tilt {tilt} is out of range; give {least} to {most}, or choose facet_mean",
+                tilt=Angle(math.degrees(max_tilt)),
+                least=Angle(math.degrees(LEAST_TILT), bare=True),
+                most=Angle(math.degrees(MOST_TILT)),
+            ),
+            max_tilt,
+        )
     if len(axis) == 0:
         return axis
     start, before = _driven(path, axis, links, reach, ring)

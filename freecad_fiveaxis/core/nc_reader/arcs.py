@@ -14,6 +14,7 @@ import numpy as np
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import say
 
 ARC_TOLERANCE = 0.001
 """mm; a tenth of the usual tolerance of a program."""
@@ -74,7 +75,12 @@ def chorded(arcs: Arcs, before: Floats, said: Floats, line: Ints) -> tuple[Chord
     count[good] = np.maximum(np.ceil(sweep[good] / step), 1.0).astype(np.int64)
     if count.sum() > MOST:
         raise ProgramError(
-            f"the arcs need {count.sum()} chords, more than {MOST}; is it a program in inches read as mm?", int(count.sum())
+            say(
+                "the arcs need {count} chords, more than {most}; is it a program in inches read as mm?",
+                count=count.sum(),
+                most=MOST,
+            ),
+            int(count.sum()),
         )
     pieces = np.ones(len(said), np.int64)
     pieces[arcs.row] = count
@@ -145,5 +151,8 @@ def _findings(arcs: Arcs, good: Bools, line: Ints) -> list[Finding]:
     bad = np.flatnonzero(~good)
     if not len(bad):
         return []
-    text = f"{len(bad)} arcs have no centre that fits their start and end; they are taken as straight. Post straight moves."
+    text = say(
+        "{count} arcs have no centre that fits their start and end; they are taken as straight. Post straight moves.",
+        count=len(bad),
+    )
     return [Finding(Severity.ERROR, "arc-without-centre", text, float(len(bad)), line=int(line[arcs.row[bad[0]]]))]

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from freecad_fiveaxis.core.findings import Severity
+from freecad_fiveaxis.core.sentences import say
 
 NONE, RAPID, STRAIGHT, ARC, CYCLE, SPLINE_MODE = -1, 0, 1, 2, 3, 4
 """Motion modes. NONE: no motion code so far, or after G80."""
@@ -56,33 +57,41 @@ MACHINE = "v"
 """v1: the words of this line are machine positions (Heidenhain's M91, M92, Siemens' SUPA)."""
 
 Kind = tuple[Severity, str, str]
-CYCLE_KIND: Kind = (Severity.ERROR, "cycle-not-interpreted", "cycles, whose moves are missing here; post straight moves")
+CYCLE_KIND: Kind = (Severity.ERROR, "cycle-not-interpreted", say("cycles, whose moves are missing here; post straight moves"))
 ARC_KIND: Kind = (
     Severity.ERROR,
     "arc-not-interpreted",
-    "arcs of a form that is not known here, taken as straight to their end points; post straight moves",
+    say("arcs of a form that is not known here, taken as straight to their end points; post straight moves"),
 )
-SPLINE: Kind = (Severity.ERROR, "spline-not-interpreted", "splines, taken as straight to their end points; post straight moves")
-CALL: Kind = (Severity.ERROR, "call-not-interpreted", "calls, whose moves are missing here; post one program without them")
-HOME: Kind = (Severity.WARNING, "machine-position", "moves to machine positions unknown to the program; they are not audited")
-SHIFT: Kind = (Severity.ERROR, "offset-not-interpreted", "shifts, turns or scales of the coordinates; post without them")
-RADIUS: Kind = (Severity.ERROR, "compensation-not-interpreted", "cutter compensation; the words are taken as they are")
-PER_TURN_KIND: Kind = (Severity.WARNING, "feed-per-turn", "feeds per spindle turn; no time is given for these blocks")
+SPLINE: Kind = (
+    Severity.ERROR,
+    "spline-not-interpreted",
+    say("splines, taken as straight to their end points; post straight moves"),
+)
+CALL: Kind = (Severity.ERROR, "call-not-interpreted", say("calls, whose moves are missing here; post one program without them"))
+HOME: Kind = (
+    Severity.WARNING,
+    "machine-position",
+    say("moves to machine positions unknown to the program; they are not audited"),
+)
+SHIFT: Kind = (Severity.ERROR, "offset-not-interpreted", say("shifts, turns or scales of the coordinates; post without them"))
+RADIUS: Kind = (Severity.ERROR, "compensation-not-interpreted", say("cutter compensation; the words are taken as they are"))
+PER_TURN_KIND: Kind = (Severity.WARNING, "feed-per-turn", say("feeds per spindle turn; no time is given for these blocks"))
 MACRO: Kind = (
     Severity.ERROR,
     "macro-not-interpreted",
-    "variables, expressions or jumps; their words are missing here. Post without them",
+    say("variables, expressions or jumps; their words are missing here. Post without them"),
 )
 SPATIAL: Kind = (
     Severity.ERROR,
     "orientation-not-interpreted",
-    "tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors",
+    say("tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors"),
 )
-UNKNOWN: Kind = (Severity.WARNING, "unknown-code", "not known and not interpreted; what it does is missing here")
+UNKNOWN: Kind = (Severity.WARNING, "unknown-code", say("not known and not interpreted; what it does is missing here"))
 WAY: Kind = (
     Severity.WARNING,
     "rotary-direction",
-    "rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words",
+    say("rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words"),
 )
 
 CODES: dict[int, Kind] = {
@@ -116,7 +125,7 @@ class Grammar:
 
 
 ISO = Grammar(
-    "iso", {210: 0, 200: 1}, "neither G20 nor G21", frozenset(HARMLESS), CODES, {97: CALL, 98: CALL},
+    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset(HARMLESS), CODES, {97: CALL, 98: CALL},
     guide_m={128: 1, 129: 0, 428: 1, 429: 0, 430: 0},
 )  # fmt: skip
 _SIEMENS_OWN = {
@@ -127,7 +136,7 @@ _SIEMENS_OFFSETS = (540, 550, 560, 570, *range(5050, 6000, 10))
 SIEMENS = Grammar(
     "siemens",
     {700: 1, 7000: 1, 710: 0, 7100: 0},
-    "neither G70 nor G71 (G700, G710)",
+    say("neither G70 nor G71 (G700, G710)"),
     frozenset({*HARMLESS, *_SIEMENS_OWN, *_SIEMENS_OFFSETS} - {490, 434, 435, 2340, 2341}),
     {
         **dict.fromkeys((330, 331, 332, 340, 350, 630), CYCLE_KIND),
@@ -144,7 +153,7 @@ SIEMENS = Grammar(
 HEIDENHAIN = Grammar(
     "heidenhain",
     {210: 0, 200: 1},
-    "neither MM nor INCH in BEGIN PGM",
+    say("neither MM nor INCH in BEGIN PGM"),
     frozenset(HARMLESS),
     {},
     {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL},

@@ -7,11 +7,15 @@ import numpy as np
 
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import Template
 
 from . import codes
 from .codes import Grammar
 from .lines import Lines, last_of
 from .positions import INCH
+
+NO_FEED = Template("{count} blocks have no F above 0 in force; most controllers stop there. Give F.")
+NO_INVERSE_FEED = Template("{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block.")
 
 
 def feeds(lines: Lines, at: Ints, feeding: Bools, grammar: Grammar) -> tuple[Floats, Bools, tuple[Finding, ...]]:
@@ -27,12 +31,17 @@ def feeds(lines: Lines, at: Ints, feeding: Bools, grammar: Grammar) -> tuple[Flo
     inverse: Bools = mode[at] == codes.INVERSE
     own = last[at] == at
     cases = (
-        (feeding & ~(feed > 0.0), "no-feed", "blocks have no F above 0 in force; most controllers stop there. Give F."),
-        (feeding & inverse & ~own & (feed > 0.0), "inverse-feed-missing",
-         "blocks under G93 have no F of their own; most controllers stop there. Give F in every block."),
-    )  # fmt: skip
+        (feeding & ~(feed > 0.0), "no-feed", NO_FEED),
+        (feeding & inverse & ~own & (feed > 0.0), "inverse-feed-missing", NO_INVERSE_FEED),
+    )
     found = [
-        Finding(Severity.ERROR, code, f"{int(rows.sum())} {text}", block=int(rows.argmax()), line=int(at[rows.argmax()]))
+        Finding(
+            Severity.ERROR,
+            code,
+            text.say(count=int(rows.sum())),
+            block=int(rows.argmax()),
+            line=int(at[rows.argmax()]),
+        )
         for rows, code, text in cases
         if rows.any()
     ]

@@ -9,7 +9,8 @@ import numpy as np
 
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.program import Program
-from freecad_fiveaxis.core.records import Ints
+from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.sentences import Option, say
 
 from . import codes
 from .codes import Grammar
@@ -31,7 +32,7 @@ def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...
     findings: tuple[Finding, ...] = ()
     if keep < len(words.line):
         line = int(words.line[keep])
-        text = f"The lines after the end of the program in line {last} are not read."
+        text = say("The lines after the end of the program in line {last} are not read.", last=last)
         findings = (Finding(Severity.NOTE, "text-after-end", text, line=line),)
     start = None if words.start is None else words.start[:keep]
     return replace(words, letter=words.letter[:keep], value=words.value[:keep], line=words.line[:keep], start=start), findings
@@ -41,34 +42,64 @@ def language_finding(language: str, told: str) -> tuple[Finding, ...]:
     """Where the text shows another language than the controller's that was given."""
     if language == told:
         return ()
-    text = f"The text is {NAMES[language]}, and read as such; give its --controller, so that feeds are taken as it takes them."
+    text = say(
+        "The text is {language}, and read as such; give its {option}, so that feeds are taken as it takes them.",
+        language=NAMES[language],
+        option=Option("controller"),
+    )
     return (Finding(Severity.NOTE, "other-language", text),)
 
 
 def read_as_finding(language: str, controller: str) -> Finding:
     """What a text was taken for that nobody has said the controller of."""
-    text = f"The text is {NAMES[language]}; it is read as a program of {controller}. If it is for another, give its --controller."
+    text = say(
+        "The text is {language}; it is read as a program of {controller}. If it is for another, give its {option}.",
+        language=NAMES[language],
+        controller=controller,
+        option=Option("controller"),
+    )
     return Finding(Severity.NOTE, "read-as", text)
 
 
-def code_findings(words: Words, grammar: Grammar) -> list[Finding]:
-    """The codes that are not interpreted, each with its first line and its count."""
-    found = []
+def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
+    """The codes that are not interpreted, each with its first line and its count; ``at`` (m,): the lines of the blocks. A retract
+    to a machine position before the first of them, or after the last, is how a program should begin and end."""
+    found, ends = [], (int(at[0]), int(at[-1]))
     for letter, table in (("G", grammar.codes), ("M", grammar.m_codes)):
         at = np.flatnonzero(words.letter == ord(letter))
-        value_of = words.value[at]
-        number = (
-            tenfold(value_of) if letter == "G" else np.where(np.abs(value_of) < LARGEST_CODE, value_of, -1.0).astype(np.int64)
-        )
+        number = _numbers(words.value[at], letter)
+        retract = [code for code, kind in table.items() if kind is codes.HOME]
+        inside = (words.line[at] >= ends[0]) & (words.line[at] <= ends[1])
+        keep = inside | ~np.isin(number, retract)
+        at, number = at[keep], number[keep]
         for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
             line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
             if value in table:
                 severity, kind, text = table[int(value)]
-                found.append(Finding(severity, kind, f"{name} stands in {count} lines: {text}.", float(count), line=line))
+                found.append(
+                    Finding(
+                        severity,
+                        kind,
+                        say("{name} stands in {count} lines: {text}.", name=name, count=count, text=text),
+                        float(count),
+                        line=line,
+                    )
+                )
             elif letter == "G" and int(value) not in grammar.harmless:
-                text = f"{name} is not known and not interpreted ({count} lines); what it does is missing here."
+                text = say(
+                    "{name} is not known and not interpreted ({count} lines); what it does is missing here.",
+                    name=name,
+                    count=count,
+                )
                 found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
     return found
+
+
+def _numbers(value: Floats, letter: str) -> Ints:
+    """The codes as in the grammar's tables: G tenfold, M as they are."""
+    if letter == "G":
+        return tenfold(value)
+    return np.asarray(np.where(np.abs(value) < LARGEST_CODE, value, -1.0).astype(np.int64))
 
 
 def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> list[Finding]:
@@ -80,10 +111,14 @@ def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> lis
         if letter in letters or letter in codes.WORDS_IGNORED or letter.islower():
             continue
         if letter in codes.AXES:
-            text = f"The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine."
+            text = say(
+                "The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine.",
+                letter=letter,
+                count=count,
+            )
             found.append(Finding(Severity.ERROR, "unknown-axis", text, float(count), line=line))
         elif not ((letter in "IJKR" and arcs) or (letter in "IJK" and vectors)):
-            text = f"The {count} words {letter} are not interpreted."
+            text = say("The {count} words {letter} are not interpreted.", count=count, letter=letter)
             found.append(Finding(Severity.WARNING, "word-not-interpreted", text, float(count), line=line))
     return found
 
@@ -94,18 +129,24 @@ def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar:
     by_vector = not np.isnan(told.told[0]).all()
     unknown = [letter for k, letter in enumerate(letters) if not (told.named[0, k] or (by_vector and k >= 3))]
     if unknown:
-        text = f"The first motion line does not say where {', '.join(sorted(unknown))} stand; they are taken as 0 there."
+        text = say(
+            "The first motion line does not say where {unknown} stand; they are taken as 0 there.",
+            unknown=", ".join(sorted(unknown)),
+        )
         found.append(Finding(Severity.NOTE, "position-unknown", text, block=0, line=first))
     if (mode == codes.NONE).any():
         block = int((mode == codes.NONE).argmax())
-        text = "Axis words stand under no G0 or G1; they are taken as G1. Give a motion code."
+        text = say("Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.")
         found.append(Finding(Severity.WARNING, "no-motion-code", text, block=block, line=int(told.at[block])))
     if not np.isin(lines.code, list(grammar.units)).any():
-        text = f"The program says {grammar.units_said}; taken as mm."
+        text = say("The program says {units_said}; taken as mm.", units_said=grammar.units_said)
         found.append(Finding(Severity.NOTE, "units-not-said", text, line=first))
     offsets = np.unique(lines.code[np.isin(lines.code, grammar.offsets)])
     if len(offsets) > 1:
-        text = f"The program uses {len(offsets)} work offsets; their distance is not known, and the blocks between are not right."
+        text = say(
+            "The program uses {count} work offsets; their distance is not known, and the blocks between are not right.",
+            count=len(offsets),
+        )
         found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
     return found
 
@@ -115,17 +156,20 @@ def guide_findings(program: Program, told: Moves) -> tuple[Finding, ...]:
     found = []
     if program.guided is not None:
         count, block = int(program.guided.on.sum()), int(program.guided.on.argmax())
-        text = (
-            f"In {count} blocks the controller guides the tip (RTCP): that it keeps to the segment is the controller's affair, "
-            "and neither measured nor proven here. Limits and rates are those of the axes that this machine file needs for it."
+        text = say(
+            "In {count} blocks the controller guides the tip (RTCP): that it keeps to the segment is the "
+            "controller's affair, and neither measured nor proven here. Limits and rates are those of the axes "
+            "that this machine file needs for it.",
+            count=count,
         )
         found.append(
             Finding(Severity.NOTE, "tip-guided-by-controller", text, float(count), block=block, line=int(program.line[block]))
         )
     if len(told.lost):
         line = int(told.at[told.lost[0]])
-        text = (
-            f"{len(told.lost)} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine."
+        text = say(
+            "{count} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine.",
+            count=len(told.lost),
         )
         found.append(Finding(Severity.ERROR, "axis-not-reachable", text, float(len(told.lost)), line=line))
     return tuple(found)

@@ -12,6 +12,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import say
 
 from .words import Words
 
@@ -37,7 +38,9 @@ class Lines:
         twice = np.flatnonzero(line[1:] == line[:-1])
         if len(twice):
             place = self.words.place(int(at[twice[0] + 1]))
-            raise ProgramError(f"{place}: word {letter.upper()} stands twice; a line takes one of each", letter)
+            raise ProgramError(
+                say("{place}: word {letter} stands twice; a line takes one of each", place=place, letter=letter.upper()), letter
+            )
         column[line] = self.words.value[at]
         return column
 

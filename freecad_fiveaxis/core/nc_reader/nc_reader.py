@@ -5,6 +5,9 @@ motion line  a line with a word of one of the machine's axes under G0, G1, G2 or
 guided       where the controller guides the tip (G43.4, G43.5, G234, M128, M428, TRAORI, FUNCTION TCPM) the words of the axes are
              worked out from the tip and the tool axis; what the file says stays in ``Program.guided``.
 
+start        rapids of single axes from an unknown place, until all places are known: no blocks. Moves to machine positions before
+             the first block and after the last lead nowhere that the program knows, and are passed over.
+
 What is not interpreted (cycles, macros, subprograms, splines, offsets, compensation) is never passed over in silence: each
 kind is a finding with its name, its first line and its count.
 """
@@ -25,6 +28,7 @@ from freecad_fiveaxis.core.program import Guided, Program, rapid_minutes
 from freecad_fiveaxis.core.program.wrapping import wraps_of
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.sentences import say
 
 from . import codes
 from .arcs import Arcs, Chords, chorded
@@ -40,7 +44,7 @@ from .findings import (
     word_findings,
 )
 from .lines import Lines, last_of
-from .positions import INCH, Moves, axis_words, moves, tool_axes, where_axes_stand
+from .positions import INCH, Moves, axis_words, begun, moves, tool_axes, where_axes_stand
 from .words import language_of, read_words
 
 
@@ -65,12 +69,12 @@ def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress:
     mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
     at = _motion_lines(lines, grammar, axes, mode, on)
     if not len(at):
-        raise ProgramError("the file holds no motion blocks: no axis word of this machine under G0 or G1", links.letters)
+        raise ProgramError(say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), links.letters)
     wrap = wraps_of([axis.wrap for axis in links.axes[3:]], dialect)
-    told_moves = moves(lines, at, _meant(lines, axes, at, grammar), on[at], _vectors(lines, at, mode, on), links, wrap)
+    at, told_moves = _moves(lines, at, _meant(lines, axes, at, grammar), mode, on, links, wrap)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
     chords, bad = _chords(lines, told_moves, mode[at], grammar)
-    findings += (*code_findings(words, grammar), *word_findings(words, lines, links.letters, bool(on.any())), *more, *bad)
+    findings += (*code_findings(words, grammar, at), *word_findings(words, lines, links.letters, bool(on.any())), *more, *bad)
     findings += tuple(start_findings(links.letters, told_moves, mode[at], lines, grammar))
     program = _program(links, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect)
     return replace(program, findings=findings + guide_findings(program, told_moves), wrap=wrap)
@@ -117,6 +121,17 @@ def _motion_lines(lines: Lines, grammar: Grammar, axes: list[tuple[Floats, Bytes
     if codes.MACHINE in lines.letters:
         moving &= np.isnan(lines.column(codes.MACHINE))
     return np.flatnonzero(moving)
+
+
+def _moves(
+    lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, on: Bools, links: Chain, wrap: tuple[str, str]
+) -> tuple[Ints, Moves]:
+    """The lines of the blocks, those of a safe start left out, and where they lead."""
+    vector = _vectors(lines, at, mode, on)
+    start = begun(words, on[at], mode[at] == codes.RAPID, vector)
+    kept = [(value[start.row :], kind[start.row :]) for value, kind in words]
+    at, vector = at[start.row :], vector[start.row :]
+    return at, moves(at, kept, on[at], vector, links, wrap, start.said)
 
 
 def _told(lines: Lines, mode: Ints, on: Bools) -> Floats:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from freecad_fiveaxis.core.findings import Finding
+from freecad_fiveaxis.core.sentences import say
 
 from .codes import Kind
 
@@ -32,7 +33,13 @@ class Notes:
                 severity, code, said = kind
                 line = int(np.searchsorted(ends, min(places))) + 1
                 found.append(
-                    Finding(severity, code, f"{name} stands in {len(places)} lines: {said}.", float(len(places)), line=line)
+                    Finding(
+                        severity,
+                        code,
+                        say("{name} stands in {count} lines: {said}.", name=name, count=len(places), said=said),
+                        float(len(places)),
+                        line=line,
+                    )
                 )
         return found
 

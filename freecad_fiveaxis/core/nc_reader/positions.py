@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.kinematics import Chain, forward, inverse_axis, words
 from freecad_fiveaxis.core.program import standing
 from freecad_fiveaxis.core.program.guided import AT_POLE
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.sentences import Number, say
 
 from . import codes
 from .lines import Lines, last_of
@@ -27,6 +28,35 @@ FARTHEST = 1e7
 """mm, deg; a word beyond this is no place of any machine."""
 NOTHING, ABSOLUTE, STEP, SHORTER = 0, 1, 2, 3
 """How a word is meant: not given; absolute; added to the last place; by the shorter way."""
+
+
+@dataclass(eq=False)
+class Start:
+    """Where a program begins: the first ``row`` of its motion lines after which the places of all axes are known, and the words
+    ``said`` (5,) told until there, NaN where none."""
+
+    row: int
+    said: Floats
+
+
+def begun(words: list[tuple[Floats, Bytes]], on: Bools, rapid: Bools, vector: Floats) -> Start:
+    """How the motion lines (m,) begin, given as in :func:`moves`; ``rapid`` (m,).
+
+    A safe start drives Z, the rotary axes, then X and Y, one after the other from an unknown place: these rapids are no blocks.
+    Where other lines than absolute rapids stand before the places of all axes are known, row 0 begins.
+    """
+    rapids = slice(0, len(rapid) if rapid.all() else int(np.argmin(rapid)) + 1)
+    kind, on, vector = np.column_stack([kind[rapids] for _, kind in words]), on[rapids], vector[rapids]
+    row = np.arange(len(kind))[:, None]
+    last = np.maximum.accumulate(np.where((kind == ABSOLUTE) | (kind == SHORTER), row, -1), axis=0)
+    stretch = last_of(np.flatnonzero(np.diff(on, prepend=on[:1])), len(on))
+    by_vector = np.asarray(~np.isnan(vector).all(axis=1))[:, None]
+    known: Bools = np.column_stack([last[:, :3] >= stretch[:, None], (last[:, 3:] >= 0) | by_vector])
+    whole = np.flatnonzero(known.all(axis=1))
+    first = int(whole[0]) if len(whole) and not (kind[: whole[0] + 1] == STEP).any() else 0
+    at = np.where(known[first], last[first], -1)
+    said = np.array([value[source] if source >= 0 else np.nan for (value, _), source in zip(words, at.tolist(), strict=True)])
+    return Start(first, said)
 
 
 @dataclass(eq=False)
@@ -57,21 +87,37 @@ def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
     if len(far):
         at = np.flatnonzero((lines.words.line == far[0]) & (lines.words.letter == ord(letter)))
         place = lines.words.place(int(at[0])) if len(at) else f"line {far[0]}"
-        raise ProgramError(f"{place}: {letter}{value[far[0]]:g} is beyond {FARTHEST:g}; is a decimal point missing?", letter)
+        raise ProgramError(
+            say(
+                "{place}: {letter}{value} is beyond {farthest}; is a decimal point missing?",
+                place=place,
+                letter=letter,
+                value=Number(value[far[0]]),
+                farthest=Number(FARTHEST),
+            ),
+            letter,
+        )
     return value, kind
 
 
 def moves(
-    lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], on: Bools, vector: Floats, links: Chain, wrap: tuple[str, str]
+    at: Ints,
+    words: list[tuple[Floats, Bytes]],
+    on: Bools,
+    vector: Floats,
+    links: Chain,
+    wrap: tuple[str, str],
+    told_before: Floats,
 ) -> Moves:
     """The motion lines ``at`` (m,) with their words (as of :func:`axis_words`, each (m,)), whether they are guided ``on`` (m,),
-    and the vectors ``vector`` (m, 3) that they tell, NaN where none."""
+    and the vectors ``vector`` (m, 3) that they tell, NaN where none; ``told_before`` (5,): as ``Start.said``."""
     count = len(at)
     told = Moves(
         at, np.empty((5, count)).T, np.empty((5, count)).T, on, vector, np.empty(0, np.int64),
         np.column_stack([(kind == ABSOLUTE) | (kind == SHORTER) for _, kind in words]),
     )  # fmt: skip
-    start, lost = np.zeros(5), []
+    start, lost = np.nan_to_num(told_before), []
+    told.named[0] |= ~np.isnan(told_before)
     cuts = np.flatnonzero(on[1:] != on[:-1]) + 1
     for first, last in zip([0, *cuts.tolist()], [*cuts.tolist(), count], strict=True):
         rows = slice(first, last)
@@ -168,8 +214,14 @@ def where_axes_stand(links: Chain, said: Floats, on: Bools) -> Floats:
     if len(lost):
         first, second = said[rows[lost[0]], 3:]
         raise ProgramError(
-            f"with {links.letters[3]}{first:g} {links.letters[4]}{second:g} the linear axes cannot place the tip; is it this "
-            "machine's program?", (first, second),
+            say(
+                "with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?",
+                letter=links.letters[3],
+                first=Number(first),
+                other=links.letters[4],
+                second=Number(second),
+            ),
+            (first, second),
         )  # fmt: skip
     return words
 

@@ -19,7 +19,9 @@ BRACKETED = re.compile(rb"(?<![A-Z_$])([XYZABCIJK]) *= *(AC|IC|DC|ACP|ACN) *\(" 
 VECTOR = re.compile(rb"(?<![A-Z_$])([ABC])3 *=")
 RADIUS = re.compile(rb"(?<![A-Z_$])CR *=")
 ADDRESS = re.compile(rb"(?<![A-Z_$])([XYZABCUVWFIJKSDT]) *=(?= *[-+.0-9])")
-SIDE = re.compile(rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) *=" + NUMBER)
+SIDE = re.compile(
+    rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) *=" + NUMBER
+)
 TOOL = re.compile(rb"(?<![A-Z0-9_$])T *= *$", re.MULTILINE)
 ORIENTATION = re.compile(rb"(?<![A-Z0-9_$])(?:[ABC][2-9]|LEAD|TILT|THETA|PHI|PSI) *=" + NUMBER)
 KEYWORD = re.compile(rb"[A-Z_$][A-Z_$][A-Z0-9_$]*( *\([^()\n]*\)| *=[^\n]*)?")

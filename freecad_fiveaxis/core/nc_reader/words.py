@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.sentences import Template, say
 
 from . import codes, heidenhain, siemens
 from .noted import Notes
@@ -47,8 +48,11 @@ TEXT = bytes({*range(32, 256), *TAPE, *b"\n\r"})
 LEGAL = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-. \n"
 CLEAN = bytes.maketrans(bytes(range(97, 123)) + TAPE, bytes(range(65, 91)) + b" " * len(TAPE))
 LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + bytes(range(97, 123)) + b"\n", b" " * 53)
-SKIPPED = "begin with a slash (block skip); they are read as if the switch were off."
-MACROS = "hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without them."
+SKIPPED = Template("{count} lines begin with a slash (block skip); they are read as if the switch were off.")
+MACROS = Template(
+    "{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without "
+    "them. The first: {shown}."
+)
 HEIDENHAIN_SIGN = re.compile(rb"^ *(?:0+ +)?BEGIN +PGM\b", re.MULTILINE | re.IGNORECASE)
 SIEMENS_SIGN = re.compile(rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE)
 LOOKED_AT = 20_000
@@ -113,7 +117,13 @@ def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
         at = text.index(control[:1])
         line, column = text.count(b"\n", 0, at) + 1, at - text.rfind(b"\n", 0, at)
         raise ProgramError(
-            f"line {line}, column {column}: byte {control[0]}: this is no NC text; give a plain text file", control[0]
+            say(
+                "line {line}, column {column}: byte {control}: this is no NC text; give a plain text file",
+                line=line,
+                column=column,
+                control=control[0],
+            ),
+            control[0],
         )
     forms = [form for begin, form in COMMENTS[language] if begin in text]  # a pattern of one form alone is searched faster
     if forms:
@@ -129,7 +139,7 @@ def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
     if b"/" in text:
         text, lines = _overwritten(text, SLASH, b" ")
         if lines:
-            findings.append(_finding(Severity.NOTE, "block-skip", f"{len(lines)} lines {SKIPPED}", text, lines[0]))
+            findings.append(_finding(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0]))
     if b":" in text:
         text, _ = _overwritten(text, COLON, b"O")
     return text, findings
@@ -155,7 +165,7 @@ def _without_macros(text: bytes, language: str, findings: list[Finding]) -> byte
     shown = b" ".join(lines[hit[0]].split())[:40].decode("latin-1")
     for k in hit:
         lines[k] = b" " * len(lines[k])
-    said = f"{len(hit)} lines {MACROS} The first: {shown!r}."
+    said = MACROS.say(count=len(hit), shown=repr(shown))
     findings.append(Finding(Severity.ERROR, codes.MACRO[1], said, float(len(hit)), line=hit[0] + 1))
     return b"\n".join(lines)
 
@@ -175,7 +185,7 @@ def _between_marks(text: bytes, findings: list[Finding]) -> bytes:
     if mark < 0:
         return text
     if SOLID.search(text, _line_end(text, mark)):
-        findings.append(_finding(Severity.NOTE, "text-after-end", "The text after the closing % is not read.", text, mark))
+        findings.append(_finding(Severity.NOTE, "text-after-end", say("The text after the closing % is not read."), text, mark))
     return text[:mark]
 
 
@@ -199,10 +209,17 @@ def _finding(severity: Severity, code: str, said: str, text: bytes, at: int) -> 
 def _check_characters(text: bytes) -> None:
     if illegal := text.translate(None, LEGAL):
         shown = illegal[:1].decode("latin-1")
-        hint = {"(": "a bracket without its partner", ")": "a bracket without its partner", ",": "write a decimal point"}
-        _fail(text, text.index(illegal[:1]), f"character {shown!r} cannot be read ({hint.get(shown, 'not part of any word')})")
+        partner = say("a bracket without its partner")
+        hint = {"(": partner, ")": partner, ",": say("write a decimal point")}
+        _fail(
+            text,
+            text.index(illegal[:1]),
+            say(
+                "character {shown} cannot be read ({hint})", shown=repr(shown), hint=hint.get(shown, say("not part of any word"))
+            ),
+        )
     if b"E" in text and (found := EXPONENT.search(text)):
-        _fail(text, found.start(), "a number with an exponent; write it out")
+        _fail(text, found.start(), say("a number with an exponent; write it out"))
 
 
 def _malformed(code: NDArray[np.uint8], is_letter: Bools, start: Ints) -> int:
@@ -230,7 +247,7 @@ def _numbers(compact: bytes, count: int) -> Floats:
         warnings.simplefilter("error", DeprecationWarning)  # numpy's way to say that it stopped early
         value = np.fromstring(compact.translate(LETTERS_TO_BLANKS), np.float64, sep=" ")
     if len(value) != count:
-        raise ProgramError(f"{len(value)} numbers for {count} words; the text is malformed", count)
+        raise ProgramError(say("{count} numbers for {words} words; the text is malformed", count=len(value), words=count), count)
     return value
 
 
@@ -245,7 +262,7 @@ def _complain(text: bytes, compact: bytes, at: int) -> NoReturn:
     line = compact.count(b"\n", 0, at)
     begin = _line_start(text, line + 1)
     column = _column(text, line + 1, at - (compact.rfind(b"\n", 0, at) + 1))
-    _fail(text, begin + column - 1, "a word is a letter and one number")
+    _fail(text, begin + column - 1, say("a word is a letter and one number"))
 
 
 def _line_start(text: bytes, line: int) -> int:
@@ -267,4 +284,6 @@ def _fail(text: bytes, at: int, reason: str) -> NoReturn:
     begin = text.rfind(b"\n", 0, at) + 1
     line = text.count(b"\n", 0, at) + 1
     found = text[begin : begin + 200].split(b"\n")[0].decode("latin-1").strip()[:60]
-    raise ProgramError(f"line {line}, column {at - begin + 1}: {reason}: {found!r}", found)
+    raise ProgramError(
+        say("line {line}, column {at}: {reason}: {found}", line=line, at=at - begin + 1, reason=reason, found=repr(found)), found
+    )

@@ -21,6 +21,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.sentences import Option, Sentence, say
 
 ANGLES, VECTORS = "angles", "vectors"
 
@@ -65,6 +66,8 @@ class Dialect:
     ``shorter_on``, ``shorter_off``: the line that tells it so, or not; ``shorter_word``: what stands before and after the number.
     ``high_speed``: lines that switch the high-speed mode on and off, empty where there is none.
     ``metric``, ``absolute``: the words of the head for mm and for absolute words.
+    ``machine_retract``: the lines that drive Z to the machine coordinate ``{z}``; ``reference_return``: those that drive it to
+    its reference point (:mod:`.start`).
     ``speed_call``: the line that sets the speed where no tool is called, if it is not the spindle's.
     ``suffix``: how the names of its NC files end.
     """
@@ -117,6 +120,8 @@ class Dialect:
     shorter_off: str = ""
     shorter_word: tuple[str, str] = ("", "")
     high_speed: tuple[tuple[str, ...], tuple[str, ...]] = ((), ())
+    machine_retract: tuple[str, ...] = ("G53 G0 Z{z}",)
+    reference_return: tuple[str, ...] = ("G28 G91 Z0", "G90")
     tool_call: str = "T{tool} M6"
     tool_length: str = "G43 H{tool}"
     speed_call: str = ""
@@ -140,21 +145,33 @@ class Dialect:
             raise SettingsError(self._no_guide(how), how)
         guide = self.guides[how]
         return replace(
-            self, guide=guide, head=_with(self.guided_head, guide.on), tail=_with(self.guided_tail, guide.off),
+            self, guide=guide, head=_with(_with(self.guided_head, guide.off, "{guide_off}"), guide.on),
+            tail=_with(self.guided_tail, guide.off),
             rotary_in_feed=guide.rotary_in_feed, rapid=guide.straight or self.rapid, straight=guide.straight or self.straight,
         )  # fmt: skip
 
-    def _no_guide(self, how: str) -> str:
+    def _no_guide(self, how: str) -> Sentence:
         if not self.guides:
-            return f"{self.name} does not guide the tip itself (no RTCP): leave --rtcp out, and use --linearize on"
-        return f"{self.name} has no RTCP by {how}; give {' or '.join(self.guides)}"
+            return say(
+                "{name} does not guide the tip itself (no RTCP): leave {rtcp} out, and use {linearize} on",
+                name=self.name,
+                rtcp=Option("rtcp"),
+                linearize=Option("linearize"),
+            )
+        return say("{name} has no RTCP by {how}; give {guides}", name=self.name, how=how, guides=" or ".join(self.guides))
 
     def fast(self) -> Dialect:
         """The same controller in its high-speed mode, which stands before a guide. Raises SettingsError where it has none."""
         on, off = self.high_speed
         if not on:
             raise SettingsError(
-                f"{self.name} has no high-speed mode to switch; leave --high-speed out, or give --blend", self.name
+                say(
+                    "{name} has no high-speed mode to switch; leave {high_speed} out, or give {blend}",
+                    name=self.name,
+                    high_speed=Option("high_speed"),
+                    blend=Option("blend"),
+                ),
+                self.name,
             )
         at, end = (lines.index("{guide}") if lines else 0 for lines in (self.guided_head, self.guided_tail))
         return replace(
@@ -167,7 +184,10 @@ class Dialect:
         """Raises SettingsError, with those on offer, where the controller has no such work offset."""
         pattern, words = self.work_offsets
         if not re.fullmatch(pattern, offset):
-            raise SettingsError(f"work offset {offset!r} is unknown to {self.name}; give {words}", offset)
+            raise SettingsError(
+                say("work offset {offset} is unknown to {name}; give {words}", offset=repr(offset), name=self.name, words=words),
+                offset,
+            )
 
     def remark(self, text: str) -> str:
         """A comment of printable ASCII that no controller takes for an instruction: no brackets, no ``;`` ``%`` or comma.
@@ -179,9 +199,9 @@ class Dialect:
         return self.comment[0] + (plain.upper() if self.upper_case else plain) + self.comment[1]
 
 
-def _with(lines: tuple[str, ...], guide: tuple[str, ...]) -> tuple[str, ...]:
-    """The lines with those of a guide for ``{guide}``."""
-    return tuple(one for line in lines for one in (guide if line == "{guide}" else (line,)))
+def _with(lines: tuple[str, ...], guide: tuple[str, ...], slot: str = "{guide}") -> tuple[str, ...]:
+    """The lines with those of a guide for ``slot``."""
+    return tuple(one for line in lines for one in (guide if line == slot else (line,)))
 
 
 def feed_distance(dialect: Dialect | None, change: Floats) -> Floats:

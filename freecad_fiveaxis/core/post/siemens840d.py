@@ -17,7 +17,9 @@ to 360), "direct coordinate", which is the shorter way. G710: lengths and feeds 
 degree is one millimetre). Under G93 (inverse-time feedrate) F is one over the minutes of the block, in every feed block.
 G64 is continuous path mode; G642 with CTOL rounds within the contour tolerance. Comments after a semicolon. After TRAORI
 the work offset is called again, because the switch drops it. ORIAXES interpolates the rotary axes, ORIVECT turns the vector
-in a plane. CYCLE832 is High Speed Settings: tolerance, mode, version. D1 is the cutting edge with the tool's length.""",
+in a plane. CYCLE832 is High Speed Settings: tolerance, mode, version. D1 is the cutting edge with the tool's length. SUPA
+suppresses all offsets for its block and D0 the tool's length, so that Z is a machine coordinate; G75 FP=1 Z1=0 drives the
+machine axis Z1 to its first fixed point.""",
     language="siemens",
     suffix=".mpf",
     metric="G710",
@@ -66,6 +68,8 @@ in a plane. CYCLE832 is High Speed Settings: tolerance, mode, version. D1 is the
     shorter_way=True,
     shorter_word=("=DC(", ")"),
     high_speed=(("CYCLE832({tolerance},_FINISH,1)",), ("CYCLE832(0,_OFF,1)",)),
+    machine_retract=("G0 SUPA Z{z} D0", "D1"),
+    reference_return=("G75 FP=1 Z1=0",),
     tool_call="T{tool} M6",
     tool_length="D1",
 )

@@ -17,21 +17,26 @@ from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
+from freecad_fiveaxis.core.sentences import say
 
 from .dialect import Dialect
 from .head import PostOptions, framed, slot_texts
+from .start import start_words
 
 
 def write_nc(
-    program: Program, dialect: Dialect, title: str, options: PostOptions | None = None, progress: Progress = silent
-) -> bytes:
-    """The NC file as ASCII. Block i stands in line ``dialect.first_line + i``; numbers are fixed-point, never "-0.0000".
+    program: Program, dialect: Dialect, title: str, options: PostOptions | None = None, progress: Progress = silent,
+    height: float = 0.0,
+) -> bytes:  # fmt: skip
+    """The NC file as ASCII; ``height`` mm: the word of Z of the plane above the part, for a dialect that starts and ends there.
+     Block i stands in line ``dialect.first_line + i``; numbers are fixed-point, never "-0.0000".
 
     Modal words that do not change are left out (where the dialect is modal), the motion word never. Under G93 every feed
     block has its F. Where the feed mode changes inside the program the block says so.
     """
     inverse_first = bool(program.inverse_time[0]) if len(program.words) else False
-    slots = slot_texts(dialect, title, options or PostOptions(), inverse_first, program.letters, "modulo" in program.wrap)
+    modulo, start = "modulo" in program.wrap, start_words(program, dialect, height)
+    slots = slot_texts(dialect, title, options or PostOptions(), inverse_first, program.letters, modulo, start)
     head, tail = framed(dialect, slots, len(program.words))
     rows = table_parts(_block(program, dialect), dialect.newline.encode(), progress) if len(program.words) else ()
     return b"".join([head, *rows, tail])
@@ -85,7 +90,7 @@ def _said(program: Program, dialect: Dialect) -> list[_Said]:
     """The words in the order of the block. Raises ProgramError where the dialect guides and the program is for joints, or not."""
     guided = program.guided if len(program.words) else None
     if len(program.words) and (guided is None) != (dialect.guide is None):
-        raise ProgramError(f"the program was not built for {dialect.name} as it is to be written", dialect.name)
+        raise ProgramError(say("the program was not built for {name} as it is to be written", name=dialect.name), dialect.name)
     linear = program.words if guided is None else guided.tip
     order = sorted(range(5), key=lambda column: dialect.order.index(program.letters[column]))
     vector = None if guided is None or dialect.guide is None else dialect.guide.vector

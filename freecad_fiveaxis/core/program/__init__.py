@@ -4,9 +4,10 @@
 from .feeds import rapid_minutes
 from .guided import Guided, standing, turned_to
 from .program import Program, block_findings, build_program, feed_blocks
+from .retract import plane_above, upwards, within_travel
 from .wrapping import shorter_turns
 
 __all__ = [
-    "Guided", "Program", "block_findings", "build_program", "feed_blocks", "rapid_minutes", "shorter_turns", "standing",
-    "turned_to",
+    "Guided", "Program", "block_findings", "build_program", "feed_blocks", "plane_above", "rapid_minutes", "shorter_turns",
+    "standing", "turned_to", "upwards", "within_travel",
 ]  # fmt: skip

@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.sentences import say
 
 from .layouts import every_layout
 from .model import UNKNOWNS, Layout, rows_of
@@ -52,8 +53,14 @@ class Sequences:
     def paired(self, rows: Ints, blocks: Ints) -> Pairs:
         """Raises ProgramError where hardly any are left."""
         if len(rows) < LEAST:
-            text = f"only {len(rows)} of {len(self.row)} CL rows can be paired with the program's {len(self.line)} blocks"
-            raise ProgramError(f"{text}; give a program that was posted from this CL path", len(rows))
+            text = say(
+                "only {count} of {rows} CL rows can be paired with the program's {blocks} blocks; give a program that was posted "
+                "from this CL path",
+                count=len(rows),
+                rows=len(self.row),
+                blocks=len(self.line),
+            )
+            raise ProgramError(text, len(rows))
         columns = self.tip[rows], self.axis[rows], self.linear[blocks], self.rotary[blocks], self.row[rows], self.line[blocks]
         return Pairs(self.letters, *columns, self.steps)
 

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from html import escape
 
 from freecad_fiveaxis.core.findings import Severity
+from freecad_fiveaxis.core.sentences import Length, say
 from freecad_fiveaxis.core.setup_map.sheet import Table, findings_list, json_text, page, section, table, text_table
 
 from .parameters import Parameter, parameters
@@ -24,12 +25,18 @@ def verdict(found: Recovery) -> str:
     """One plain sentence: which machine, and how well it explains the rows."""
     fit = found.fit
     worst = float(fit.miss[fit.good].max(initial=0.0))
-    rows = f"{int(fit.good.sum())} of {len(fit.good)} rows within {worst:.2g} mm"
-    text = f"The post had in mind: {describe(fit.layout)}. It explains {rows}."
+    text = say(
+        "The post had in mind: {layout}. It explains {count} of {all} rows within {worst}.",
+        layout=describe(fit.layout),
+        count=int(fit.good.sum()),
+        all=len(fit.good),
+        worst=Length(worst, ".2g"),
+    )
     if found.start is None:
         return text
     same = not any(one.code == "post-and-machine-differ" for one in found.findings)
-    return text + (f" {found.start.name} is that machine." if same else f" {found.start.name} is another machine.")
+    name = found.start.name
+    return text + (say(" {name} is that machine.", name=name) if same else say(" {name} is another machine.", name=name))
 
 
 def recovery_text(found: Recovery) -> str:

@@ -16,6 +16,7 @@ import numpy as np
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.machine.machine import ROTARY_LETTERS
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.sentences import say
 
 COARSEST, FINEST = 3, 9
 """Decimals that posts print at least; decimals of a column that was not rounded, or was in another unit."""
@@ -100,6 +101,7 @@ def rotary_letters(text: bytes) -> str:
     if len(letters) != 2:
         names = " ".join(letters) or "none"
         raise ProgramError(
-            f"the program has rotary words of {names}; a five-axis machine is recovered from two of A B C", letters
+            say("the program has rotary words of {names}; a five-axis machine is recovered from two of A B C", names=names),
+            letters,
         )
     return letters

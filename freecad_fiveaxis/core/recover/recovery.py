@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.machine import FARTHEST, Axis, Machine, Vector
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.sentences import say
 
 from .fit import Fit, judged, refined, screened
 from .layouts import Guess, guesses, kinds, start_layout
@@ -149,15 +150,22 @@ def _check(pairs: Pairs) -> None:
     """Raises ProgramError where the rows cannot tell anything."""
     farthest = max(float(np.abs(column).max(initial=0.0)) for column in (pairs.tip, pairs.linear, pairs.rotary))
     if not farthest <= FARTHEST:
-        raise ProgramError(f"a coordinate of {farthest:g} mm or rad is beyond any machine; correct it", farthest)
+        raise ProgramError(
+            say("a coordinate of {farthest} mm or rad is beyond any machine; correct it", farthest=farthest), farthest
+        )
     turned = float(np.ptp(pairs.rotary, axis=0).max())
     if turned < 1e-6:
-        raise ProgramError("the rotary words never change: such rows say nothing of pivots; give a five-axis program", turned)
+        raise ProgramError(
+            say("the rotary words never change: such rows say nothing of pivots; give a five-axis program"), turned
+        )
     leaning = np.linalg.norm(pairs.axis[:, :2], axis=1) > LEANING
     off = float(np.median(np.linalg.norm(pairs.tip - pairs.linear, axis=1)[leaning])) if leaning.any() else math.inf
     if off < 10.0 * (pairs.steps.tip + pairs.steps.linear):
-        text = "X Y Z are the tips of the CL path although the rotary axes turn: the program leaves the pivots to the controller"
-        raise ProgramError(f"{text} (RTCP); post it without tool centre point control", off)
+        text = say(
+            "X Y Z are the tips of the CL path although the rotary axes turn: the program leaves the pivots to the controller "
+            "(RTCP); post it without tool centre point control"
+        )
+        raise ProgramError(text, off)
 
 
 def _spread(count: int, most: int) -> Ints:
@@ -208,7 +216,7 @@ def _without_points(layout: Layout, start: Machine | None, name: str) -> Machine
     axes = {TABLE_TABLE: (first, second, *linear), HEAD_HEAD: (*linear, first, second)}.get(layout.slot, (first, *linear, second))
     if start is None:
         return Machine(name, axes)
-    return Machine(name, axes, start.gauge_point, start.origin, start.singular_cone, controller=start.controller)
+    return replace(start, axes=axes, name=name, description="")
 
 
 def _rotary(layout: Layout, start: Machine | None) -> tuple[Axis, Axis]:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is said about a finished program, and the markers for the 3D view.
 
-The numbers come from ``figures`` (which defines the words), the judgement from ``judgement``; ``text`` writes for the
-terminal, ``json_text`` for scripts, ``html_page`` a page with plots, ``block_table`` and ``rate_table`` the CSV,
-``drawing`` the arrays of a view. ``part_facts`` tells what the program does to the part, ``left_picture`` draws it (``raster``).
+The numbers come from ``figures`` (which defines the words), the judgement from ``judgement``, the traffic light over everything
+from ``verdict``; ``text`` writes for the terminal, ``json_text`` for scripts, ``html_page`` a page with plots, ``block_table``
+and ``rate_table`` the CSV, ``drawing`` the arrays of a view. ``part_facts`` tells what the program does to the part,
+``left_picture`` draws it (``raster``).
 """
 
 from .block_table import blocks_csv
@@ -14,9 +15,10 @@ from .json_text import as_json
 from .judgement import judge
 from .markers import Marker, markers
 from .rate_table import rates_csv
-from .text import as_text, verdict
+from .text import as_text
+from .verdict import Light, Verdict, verdict
 
 __all__ = [
-    "Drawing", "Figures", "Marker", "Row", "Spot", "as_html", "as_json", "as_text", "blocks_csv", "draw", "judge", "listed",
-    "markers", "rates_csv", "scale_values", "spot", "summary", "verdict",
+    "Drawing", "Figures", "Light", "Marker", "Row", "Spot", "Verdict", "as_html", "as_json", "as_text", "blocks_csv", "draw",
+    "judge", "listed", "markers", "rates_csv", "scale_values", "spot", "summary", "verdict",
 ]  # fmt: skip

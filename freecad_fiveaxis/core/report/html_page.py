@@ -19,7 +19,8 @@ from .json_text import plain
 from .left_picture import left_svg
 from .part_facts import deepest_entries, part_verdict
 from .plots import Plot, plots
-from .text import facts, grouped, number, verdict
+from .text import facts, grouped, number, path_verdict
+from .verdict import Light, verdict
 
 NAMED = 11
 """So many findings of one kind are written out: the one for all and the worst ten."""
@@ -54,11 +55,12 @@ GLOSSARY = {
 def as_html(figures: Figures, progress: Progress = silent) -> str:
     """The whole page. The plots need matplotlib; without it the page says how to get them."""
     numbers = summary(figures)
+    whole = verdict(figures, numbers)
     title = escape(f"{figures.title}: {figures.kind} on {figures.machine.name}")
     body = [
         f"<header><h1>{escape(figures.title)}</h1><p>{escape(figures.kind)} on {escape(figures.machine.name)}</p></header>",
-        f'<p class="verdict {_mood(numbers)}">{escape(verdict(figures, numbers))}</p>',
-        *(f'<p class="verdict {mood}">{escape(said)}</p>' for said, mood in part_verdict(numbers, figures.tolerance)),
+        f'<p class="verdict {MOOD[whole.light]}">{escape(whole.text)}</p>',
+        _grounds([(path_verdict(figures, numbers), _path_mood(numbers)), *part_verdict(numbers, figures.tolerance)]),
         _section("Figures", _cards(facts(numbers))),
         _section("Where the tool enters the part", _entries(figures, numbers)),
         *_left_map(figures, numbers),
@@ -76,7 +78,16 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
     return f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body><main>\n{page}\n</main></body></html>\n'
 
 
-def _mood(numbers: Mapping[str, Any]) -> str:
+MOOD = {Light.RED: "bad", Light.AMBER: "open", Light.GREEN: "good"}
+"""The look of the page for each light."""
+
+
+def _grounds(said: Iterable[tuple[str, str]]) -> str:
+    """What the verdict is made of: one sentence for the path, and one for each thing that was looked for on the part."""
+    return '<ul class="grounds">' + "".join(f'<li class="{mood}">{escape(one)}</li>\n' for one, mood in said) + "</ul>"
+
+
+def _path_mood(numbers: Mapping[str, Any]) -> str:
     return "bad" if numbers["over_tolerance"] else "good" if numbers["proven"] else "open"
 
 
@@ -286,6 +297,8 @@ main{max-width:66rem;margin:0 auto;padding:1.25rem}
 h1{font-size:1.7rem;margin:0;overflow-wrap:anywhere}h2{font-size:1.15rem;margin:0 0 .6rem}h3{font-size:1rem;margin:1rem 0 .4rem}
 header p{margin:.1rem 0 1rem;color:var(--soft)}
 .verdict{font-size:1.2rem;padding:.9rem 1.1rem;border-radius:.5rem;margin:0 0 1.2rem;border-left:.4rem solid}
+.grounds{list-style:none;padding:0;margin:0 0 1.2rem}
+.grounds li{padding:.4rem 1.1rem;border-left:.4rem solid;margin:0 0 .3rem;border-radius:.3rem}
 .good{background:var(--good);color:var(--good-ink)}.bad{background:var(--bad);color:var(--bad-ink)}
 .open{background:var(--open);color:var(--open-ink)}
 section,figure{background:var(--card);border:1px solid var(--line);border-radius:.5rem;padding:1rem 1.1rem;margin:0 0 1.2rem}

@@ -15,6 +15,7 @@ import numpy as np
 
 from .figures import Figures, summary, worst_of_audit, worst_table
 from .part_facts import deepest_entries, left_report
+from .verdict import verdict
 
 VERSION = 1
 """Of the JSON report: raised when a key changes its meaning."""
@@ -25,13 +26,15 @@ def as_json(figures: Figures) -> str:
 
     Bytes of a file name that are no Unicode (Python's lone surrogates) become escapes, which JSON readers give back.
 
-    Keys: version, summary (see :func:`~freecad_fiveaxis.core.report.figures.summary`), worst_blocks, findings, inputs; of an
+    Keys: version, summary (see :func:`~freecad_fiveaxis.core.report.figures.summary`; and ``light``: red, amber or green,
+    ``verdict``: the sentence, ``reasons``: its parts), worst_blocks, findings, inputs; of an
     audit also ``audit``: its worst lines by limits, rates, and distance off the CL path or depth in the part; where the part was
     looked at also ``gouge``: the deepest entries, and ``left`` (see :mod:`~freecad_fiveaxis.core.report.part_facts`).
     """
+    numbers = summary(figures)
     report = {
         "version": VERSION,
-        "summary": summary(figures),
+        "summary": numbers | _verdict(figures, numbers),
         "worst_blocks": worst_table(figures),
         **({} if figures.audit is None else {"audit": worst_of_audit(figures)}),
         **_of_part(figures),
@@ -40,6 +43,11 @@ def as_json(figures: Figures) -> str:
     }
     text = json.dumps(plain(report), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     return text.encode("utf-8", "backslashreplace").decode("utf-8")
+
+
+def _verdict(figures: Figures, numbers: Mapping[str, Any]) -> dict[str, Any]:
+    told = verdict(figures, numbers)
+    return {"light": told.light.value, "verdict": told.text, "reasons": told.reasons}
 
 
 def _of_part(figures: Figures) -> dict[str, Any]:

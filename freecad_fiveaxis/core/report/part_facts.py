@@ -49,6 +49,7 @@ def part_numbers(
             name, worst = code.replace("-", "_"), int(depth.argmax()) if depth.any() else None
             told[f"max_{name}"] = float(depth.max(initial=0.0))
             told[f"{name}_blocks"] = int((depth > 0.0).sum())
+            told[f"{name}_places"] = len(spots(depth)[0])
             told[f"{name}_line"] = None if worst is None else int(program.line[worst + 1])
         told["cutter_bound"] = float(gouge.cutter.bound.max(initial=0.0))
         told["buried_blocks"] = int(gouge.buried.sum())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The report for the terminal: the verdict in one sentence, the figures, the worst blocks first, the findings in full."""
+"""The report for the terminal: the verdict and its grounds, the figures, the worst blocks first, the findings in full."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.findings import Finding
 from .audited import audit_facts
 from .figures import Figures, summary, worst_table
 from .part_facts import part_facts, part_verdict
+from .verdict import verdict
 
 WIDTH = 100
 """Columns of the text report."""
@@ -27,7 +28,9 @@ def as_text(figures: Figures) -> str:
     parts = [
         [
             *_wrap(f"{figures.title}: {figures.kind} on {figures.machine.name}"),
-            *_wrap(verdict(figures, numbers)),
+            *_wrap(verdict(figures, numbers).text),
+            "",
+            *_wrap(path_verdict(figures, numbers)),
             *_on_part(figures, numbers),
         ],
         _worst_lines(figures),
@@ -42,7 +45,7 @@ def _on_part(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
     return [line for said, _ in part_verdict(numbers, figures.tolerance) for line in _wrap(said)]
 
 
-def verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
+def path_verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
     """One plain sentence: does the program keep to its path? ``numbers``: the summary."""
     limit, feeds, over = f"{figures.tolerance:g} mm", numbers["feed_blocks"], numbers["over_tolerance"]
     if not feeds:
@@ -55,17 +58,17 @@ def verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
         which = f"all {feeds}" if guided == feeds else f"{guided} of {feeds}"
         rest = "" if guided == feeds else f" The other {feeds - guided} were not found to leave theirs by more than {limit}."
         return (
-            f"Proven are the blocks' ends: in {which} feed blocks the controller guides the tip (RTCP), and that it keeps to the "
-            f"commanded segment is its own affair.{rest}"
+            f"Only the blocks' ends are proven: in {which} feed blocks the controller guides the tip (RTCP), and that it keeps "
+            f"to the commanded segment is its own affair.{rest}"
         )
     if numbers["unproven"]:
         return (
             f"Not proven: no block was found to leave its commanded segment by more than {limit}, but for "
             f"{numbers['unproven']} of {feeds} feed blocks the proven bound does not exclude it."
         )
-    whole = "the one feed block does not leave its" if feeds == 1 else f"none of the {feeds} feed blocks leaves its"
+    whole = "The one feed block does not leave its" if feeds == 1 else f"None of the {feeds} feed blocks leaves its"
     largest = f"largest deviation {numbers['max_segment_deviation']:.4g} mm, proven bound {numbers['max_bound']:.4g} mm"
-    return f"Proven: {whole} commanded segment by more than {limit} ({largest})."
+    return f"{whole} commanded segment by more than {limit}, and that is proven ({largest})."
 
 
 def grouped(findings: Sequence[Finding]) -> list[tuple[Finding, ...]]:

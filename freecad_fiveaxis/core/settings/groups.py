@@ -12,6 +12,7 @@ task      ``mill``: from an STL to a program; ``post``: from a CL file to a prog
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -47,11 +48,13 @@ def option(
     most: float = math.inf,
     above: float = -math.inf,
     bare: str = "",
+    by_task: Mapping[str, Any] | None = None,
 ) -> Any:
     """A field of a settings dataclass. ``kind``: how it is read (core/option_values.py); the range is in the core's units.
-    ``bare``: what the option means on the command line without a value, and as ``true`` in a job file."""
+    ``bare``: what the option means on the command line without a value, and as ``true`` in a job file; ``by_task``: the default
+    in a task that has one of its own."""
     metadata = {"kind": kind, "text": text, "tasks": tasks, "choices": choices, "least": least, "most": most, "above": above}
-    return field(default=default, metadata=metadata | {"bare": bare})
+    return field(default=default, metadata=metadata | {"bare": bare, "by_task": dict(by_task or {})})
 
 
 @dataclass(frozen=True)
@@ -186,8 +189,9 @@ class CureSettings:
     """What is done against deviation and needless turning."""
 
     linearize: Literal["on", "off"] = option(
-        "off", "choice", "divide feed blocks over tolerance into the fewest that hold it", (MILL, POST), choices=("on", "off")
-    )
+        "off", "choice", "divide feed blocks over tolerance into the fewest that hold it; off with rtcp", (MILL, POST),
+        choices=("on", "off"), by_task={MILL: "on", POST: "on"},
+    )  # fmt: skip
     singularity: str = option(
         "report", "choice", "near the pole: only report, divide blocks over tolerance, or lead the tool axis past it (deform)",
         (MILL, POST), choices=SINGULARITY,
@@ -210,7 +214,7 @@ class GougeSettings:
         "off", "choice",
         "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within max-tilt and "
         "lift where the cutter still enters; off: no check",
-        (MILL, AUDIT), choices=GOUGE,
+        (MILL, AUDIT), choices=GOUGE, by_task={MILL: "lift"},
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
         (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge", (MILL, AUDIT)
@@ -231,9 +235,14 @@ class ProofSettings:
     tolerance: float = option(
         0.01, "length", "largest deviation of the tip from the commanded segment", (*FROM_PATH, AUDIT), above=0, most=LONGEST
     )
-    method: Literal["exact", "so2008"] = option(
-        "exact", "choice", "line deviation: exact, or the model of So et al. 2008", ONE_PROGRAM, choices=("exact", "so2008")
-    )
+    method: Literal["exact", "so2008", "so2008-printed"] = option(
+        "exact", "choice", "line deviation: exact, or the model of So et al. 2008", ONE_PROGRAM,
+        choices=("exact", "so2008", "so2008-printed"),
+    )  # fmt: skip
+
+
+USUAL_REGION = (100.0, 100.0, 100.0)
+"""mm; Z of it only where the height of the table is known."""
 
 
 @dataclass(frozen=True)
@@ -241,7 +250,9 @@ class SetupSettings:
     """Where the part may stand."""
 
     region: Vector = option(
-        (100.0, 100.0, 100.0), "lengths", "X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays",
+        USUAL_REGION, "lengths",
+        "X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays, as Z does where nobody says how high "
+        "the table is",
         (SETUP,), least=0, most=FARTHEST,
     )  # fmt: skip
     grid: Vector | None = option(
@@ -254,6 +265,14 @@ class SetupSettings:
         (SETUP,),
         least=1,
         most=360,
+    )
+    table_height: float | None = option(
+        None,
+        "height",
+        "height of the table's face in the machine frame, mm [the machine's]",
+        (SETUP,),
+        least=-LONGEST,
+        most=LONGEST,
     )
 
 
@@ -283,9 +302,9 @@ class RecoverSettings:
 class ProveSettings:
     """What is moved to prove the signs."""
 
-    mark: Vector = option(
-        (30.0, 20.0, 0.0), "point", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach", (PROVE,),
-        least=-LONGEST, most=LONGEST,
+    mark: Vector | None = option(
+        None, "point", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach [nothing above Z 0]",
+        (PROVE,), least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     gap: float = option(
         20.0, "length", "the tip stops so far above the mark, and never comes nearer", (PROVE,), least=5, most=500

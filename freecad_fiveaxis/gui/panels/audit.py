@@ -17,6 +17,8 @@ from .post import nc_files
 class AuditPanel(PathPanel):
     """A new Audit in ``doc``, or the Audit ``obj`` to change."""
 
+    MADE_HERE = False
+
     def __init__(self, doc: Any, obj: Any = None) -> None:
         title, missing = translate("FiveAxis", "Choose an NC file"), translate("FiveAxis", "Choose the NC file to audit.")
         self.file = FileField("nc_file", title, nc_files(), missing=missing)
@@ -64,10 +66,15 @@ def edit(obj: Any) -> AuditPanel:
 
 MORE = ("origin", "method")
 """Options that few need."""
+TOLD = {"machine": ("machine", "controller"), "tool": ("cutter", "holder"), "safety": ("tolerance",)}
+"""What stands in the title of a group."""
+OPEN = ("machine", "comparison", "tool", "safety")
+"""Groups that are open until the user folds them, besides the file."""
 
 
 def _sections() -> list[Section]:
-    """The file, and a section for each group of the task's settings; the cutter beside the part that it is compared with."""
-    groups = group_sections("audit", (*MORE, "cutter"))
-    sections = [(name, title, [*names, "cutter"] if "against" in names else names) for name, title, names in groups]
-    return [("file", translate("FiveAxis", "NC file"), ["nc_file"]), *sections]
+    """The file, and a section for each group of the task's settings."""
+    groups = [
+        Section(name, title, names, TOLD.get(name, ()), name in OPEN) for name, title, names in group_sections("audit", MORE)
+    ]
+    return [Section("file", translate("FiveAxis", "NC file"), ["nc_file"]), *groups]

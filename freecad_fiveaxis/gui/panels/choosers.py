@@ -6,11 +6,16 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .fields import ChoiceField, Field, QuantityField
 from .files import machine_files
-from .labels import choice_label, controller_label, option_label
+from .labels import choice_hint, choice_label, controller_label
+from .rows import Rows
+
+LONG = 110
+"""Pixels of a machine's name beside a label."""
 
 
 class MachineField(ChoiceField):
@@ -30,6 +35,10 @@ class MachineField(ChoiceField):
         self.browse.setText("…")
         self.browse.setToolTip(translate("FiveAxis", "Choose a machine file (.fcm)"))
         self.browse.clicked.connect(self._browse)
+
+    def room(self) -> int:
+        """Names of files may be long: what is cut in the box, the list shows."""
+        return min(super().room(), LONG)
 
     def has_head(self) -> bool:
         """Whether the chosen machine needs the tool's length."""
@@ -57,16 +66,17 @@ class SpacingField(Field):
     """The distance of the passes: by the scallop they leave, or constant. Its values are ``scallop`` and ``stepover``."""
 
     KINDS = ("scallop", "stepover")
+    has_own_labels = True
 
     def __init__(self, hints: dict[str, str]) -> None:
         super().__init__("spacing", QtWidgets.QWidget())
         self.kind = ChoiceField("spacing_kind", [(kind, choice_label(kind)) for kind in self.KINDS])
         self.lengths = {kind: QuantityField(kind, "length", hints[kind]) for kind in self.KINDS}
-        row = QtWidgets.QVBoxLayout(self.editor)
+        row = QtWidgets.QHBoxLayout(self.editor)
         row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self.kind.editor)
+        row.addWidget(self.kind.editor, 1)
         for field in self.lengths.values():
-            row.addWidget(field.editor)
+            row.addWidget(field.editor, 1)
             field.edited.connect(self._changed)
         self.kind.edited.connect(self._turn)
         self._turn()
@@ -80,6 +90,10 @@ class SpacingField(Field):
         """The one that counts, mm, by its name."""
         kind = self.kind.value()
         return {kind: self.lengths[kind].value()}
+
+    def words(self) -> str:
+        """The one that counts."""
+        return self.lengths[self.kind.value()].words()
 
     def show_value(self, value: dict[str, float | None]) -> None:
         """``scallop`` and ``stepover`` in mm, None for the one that does not count."""
@@ -96,11 +110,13 @@ CUTTER_SIZES = {"diameter": "length", "corner": "length", "taper": "angle", "len
 class CutterField(Field):
     """A cutter: its kind and the sizes that it has, by hand, from a tool bit's file, or from a tool of a CAM Job."""
 
+    has_own_labels = True
+
     def __init__(self, name: str, hint: str, doc: Any) -> None:
         from freecad_fiveaxis.app.properties import CORNER, CUTTER, TAPER
         from freecad_fiveaxis.core.cutter import KINDS
 
-        super().__init__(name, QtWidgets.QWidget(), hint)
+        super().__init__(name, Rows(indent=0), hint)
         hints = {one.name: translate("App::Property", one.text) for one in CUTTER}
         self.kind = ChoiceField("cutter_kind", [(kind, choice_label(kind)) for kind in KINDS], hints["CutterKind"])
         self.sizes = {
@@ -122,17 +138,9 @@ class CutterField(Field):
         self._turn()
 
     def _lay_out(self) -> None:
-        grid = QtWidgets.QGridLayout(self.editor)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setColumnStretch(1, 1)
-        self.rows = {}
-        for at, part in enumerate((self.kind, *self.sizes.values())):
-            label = QtWidgets.QLabel(option_label(part.name))
-            grid.addWidget(label, at, 0)
-            grid.addWidget(part.editor, at, 1)
-            self.rows[part.name] = (label, part.editor)
-        grid.addWidget(self.file, len(self.rows), 0, 1, 2)
-        grid.addWidget(self.job, len(self.rows) + 1, 0, 1, 2)
+        self.rows = {part.name: self.editor.add(part) for part in (self.kind, *self.sizes.values())}
+        for chooser in (self.file, self.job):
+            self.editor.add_wide(chooser)
 
     def _turn(self) -> None:
         """Show the sizes that the kind has."""
@@ -151,7 +159,7 @@ class CutterField(Field):
         self.job.addItem(translate("FiveAxis", "From a CAM Job…"))
         for tool in self.tools:
             self.job.addItem(f"T{tool.number} {tool.label}")
-        self.job.setEnabled(bool(self.tools))
+        self.job.setVisible(bool(self.tools))
 
     def _from_job(self, at: int) -> None:
         if at > 0:
@@ -175,7 +183,7 @@ class CutterField(Field):
         try:
             self._take(tool_bit.cutter_of_file(path))
         except FiveAxisError as error:
-            self.show_error(str(error))
+            self.show_error(wording.told(error))
 
     def _take(self, cutter: Any) -> None:
         self.show_value(cutter)
@@ -186,6 +194,10 @@ class CutterField(Field):
         from freecad_fiveaxis.core.cutter import sizes_text
 
         return sizes_text(self.kind.value(), {size: field.value() for size, field in self.sizes.items()})
+
+    def words(self) -> str:
+        """Kind and diameter."""
+        return f"{self.kind.words()} {self.sizes['diameter'].editor.property('text')}"
 
     def show_value(self, value: Any) -> None:
         """As job files write it (a missing length is the core's default), or the core's Cutter."""
@@ -204,13 +216,13 @@ def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
 
     own = translate("FiveAxis", "by the text itself") if reads else translate("FiveAxis", "the machine's own")
     choices = [(None, own), *((dialect, controller_label(dialect)) for dialect in DIALECTS)]
-    made = ChoiceField(name, choices, hint)
-    made.editor.setMinimumContentsLength(max(len(text) for _, text in choices))  # no name is cut
-    return made
+    return ChoiceField(name, choices, hint)
 
 
 def strategy_field(name: str, hint: str) -> ChoiceField:
     """The tool-axis strategies."""
     from freecad_fiveaxis.core.tool_axis import STRATEGIES
 
-    return ChoiceField(name, [(strategy, choice_label(strategy)) for strategy in STRATEGIES], hint)
+    made = ChoiceField(name, [(strategy, choice_label(strategy)) for strategy in STRATEGIES], hint)
+    made.explain({strategy: choice_hint(name, strategy) for strategy in STRATEGIES})
+    return made

@@ -8,40 +8,70 @@ given     the value that the field was shown. Until the user edits the field, it
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-import FreeCAD
+from freecad_fiveaxis.app.units import INCH, inches
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
+from freecad_fiveaxis.gui.scene.units import angle_text, length_text
+from freecad_fiveaxis.gui.wheel import leave_wheel
 
-from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, create
+from .labels import option_label
+from .lines import error_line, note_line, warning_line
+from .measure_box import MeasureBox
 
-from .labels import option_hint
-
-UNITS = {"length": ("mm", "Length"), "angle": ("deg", "Angle")}
-"""FreeCAD's unit of a kind of option, which is the core's too, and its quantity."""
-SHOWN = {"Precision": 6, "NumberFormat": "g", "Denominator": 8}
-"""Six digits, so that 0.01 mm in inches does not read 0.00 in."""
-
-STACK = "40x25,63x50"
-"""An example of cylinders upon each other."""
+UNITS = {"length": "mm", "angle": "deg"}
+"""The core's unit of a kind of option."""
+DIGITS = 6
 
 FLAGS, CHOSEN = int(QtCore.Qt.UserRole) - 1, 33
 """The role under which a list's items keep their flags (as QStandardItem.setFlags does), and those of one that can be chosen:
 selectable (1) and enabled (32)."""
 
 
+NARROW = 60
+"""Pixels that an editor needs at least."""
+ARROW = 30
+"""Pixels of the arrows and the frame of a box."""
+
+
 class Field(QtCore.QObject):
-    """An editor and a line for its error. ``edited`` tells that the user, or a program, changed the value."""
+    """An editor and lines for its error, a warning and a note. ``edited`` tells that the user, or a program, changed the value.
+
+    ``label`` is what the field is called, on the screen and for screen readers; ``has_own_labels``: its parts bear their own.
+    """
 
     edited = QtCore.Signal()
+    has_own_labels = False
 
     def __init__(self, name: str, editor: Any, hint: str = "") -> None:
         super().__init__()
-        self.name, self.editor = name, editor
+        self.name, self.editor, self.label = name, editor, option_label(name)
         editor.setObjectName(name)
+        editor.setAccessibleName(self.label)
         editor.setToolTip(hint)
+        editor.setMinimumWidth(NARROW)
+        leave_wheel(editor)
         self.error = error_line(name + "_error")
+        self.warning = warning_line(name + "_warning")
         self.note = note_line(name + "_note")
+
+    def focus_widget(self) -> Any:
+        """What the field's label leads to."""
+        return self.editor
+
+    def room(self) -> int:
+        """Pixels that the editor needs beside a label."""
+        return NARROW
+
+    def words(self) -> str:
+        """What the title of a group says of the field; empty where it says nothing."""
+        return ""
+
+    def show_warning(self, text: str) -> None:
+        """What to think of before the value is used, in amber under the editor; an empty text takes it away."""
+        self.warning.setText(text)
+        self.warning.setVisible(bool(text))
 
     def show_note(self, text: str) -> None:
         """Why the field counts for nothing, in small letters under the editor, which is then idle; an empty text: it counts."""
@@ -73,25 +103,34 @@ class QuantityField(Field):
     """A length (mm) or an angle (degrees) in the user's units. ``optional``: 0 means not given."""
 
     def __init__(self, name: str, kind: str, hint: str = "", optional: bool = False) -> None:
-        super().__init__(name, create("Gui::QuantitySpinBox"), hint)
-        self.unit, self.quantity = UNITS[kind]
-        self.optional, self._given, self._text = optional, 0.0, None
-        self.editor.setProperty("unit", self.unit)
-        self.editor.setMinimumWidth(70)
+        super().__init__(name, MeasureBox(kind), hint)
+        self.unit = UNITS[kind]
+        self.optional, self._given, self._shown = optional, 0.0, 0.0
         self.show_value(0.0)
         self.editor.valueChanged.connect(self._changed)
 
     def value(self) -> float | None:
         """mm or degrees."""
-        untouched = self.editor.property("text") == self._text
-        value = self._given if untouched else self.editor.property("rawValue")
+        shown = self.editor.measured()
+        value = self._given if shown == self._shown else shown
         return None if self.optional and value == 0.0 else value
 
     def show_value(self, value: float | None) -> None:
         """mm or degrees; None: not given."""
         self._given = float(value or 0.0)
-        self.editor.setProperty("value", quantity(self._given, self.quantity))
-        self._text = self.editor.property("text")
+        self.editor.show_measured(self._given)
+        self._shown = self.editor.measured()
+
+    def room(self) -> int:
+        """Six digits with their unit."""
+        return width_of(self.editor, "0.000000 mm") + ARROW
+
+    def words(self) -> str:
+        """Label and value; of a length or an angle of 0 nothing."""
+        value = self.value()
+        if not value:
+            return ""
+        return f"{self.label} {length_text(value, DIGITS) if self.unit == 'mm' else angle_text(value, DIGITS)}"
 
 
 class FeedField(Field):
@@ -117,14 +156,21 @@ class FeedField(Field):
         self.editor.setValue(self._given / self.factor)
         self._shown = self.editor.value()
 
+    def room(self) -> int:
+        """Seven digits with their unit."""
+        return width_of(self.editor, "00000.00" + self.editor.suffix()) + ARROW
+
+    def words(self) -> str:
+        """As in a program: ``F 1000``."""
+        return f"F {self.editor.value():g}"
+
 
 def feed_unit() -> tuple[str, float]:
     """The unit of feeds in a box, and how many of it one mm/s is.
 
     FreeCAD's own boxes take a plain number for mm/s, and refuse "mm/min" letter by letter.
     """
-    inches = FreeCAD.Units.Quantity("1 mm/s").getUserPreferred()[2].startswith(("in", "ft", "mil"))
-    return (" in/min", 60.0 / 25.4) if inches else (" mm/min", 60.0)
+    return (" in/min", 60.0 / INCH) if inches() else (" mm/min", 60.0)
 
 
 class ChoiceField(Field):
@@ -145,9 +191,24 @@ class ChoiceField(Field):
             on = self.editor.itemData(at) not in unknown
             model.setData(model.index(at, 0), CHOSEN if on else 0, FLAGS)
 
+    def explain(self, hints: Mapping[Any, str]) -> None:
+        """What each choice means, as the tool tip of its line in the list."""
+        for at in range(self.editor.count()):
+            self.editor.setItemData(at, hints.get(self.editor.itemData(at), ""), QtCore.Qt.ToolTipRole)
+
     def value(self) -> Any:
         """The value of the chosen item."""
         return self.editor.currentData()
+
+    def room(self) -> int:
+        """The longest item."""
+        texts = [self.editor.itemText(at) for at in range(self.editor.count())]
+        return max((width_of(self.editor, text) for text in texts), default=0) + ARROW
+
+    def words(self) -> str:
+        """The chosen item; of what is switched on its label, of what is off or not given nothing."""
+        chosen = self.value()
+        return "" if chosen in (None, "off") else self.label if chosen == "on" else self.editor.currentText()
 
     def show_value(self, value: Any) -> None:
         """Choose the item of that value; one that is not in the list joins it under its own name."""
@@ -165,7 +226,8 @@ class NumberField(Field):
         editor = QtWidgets.QSpinBox() if whole else QtWidgets.QDoubleSpinBox()
         super().__init__(name, editor, hint)
         self.optional, self.whole = optional, whole
-        editor.setRange(-10_000_000, 10_000_000)  # the core knows the range, and says it
+        editor.setRange(0 if optional else -10_000_000, 10_000_000)  # the core knows the range, and says it
+        editor.setSpecialValueText(translate("FiveAxis", "not given") if optional else "")
         editor.valueChanged.connect(self._changed)
 
     def value(self) -> float | None:
@@ -175,6 +237,45 @@ class NumberField(Field):
     def show_value(self, value: float | None) -> None:
         """The number, or None."""
         self.editor.setValue(int(value or 0) if self.whole else float(value or 0.0))
+
+    def room(self) -> int:
+        """Six digits, or what says that there are none."""
+        return width_of(self.editor, self.editor.specialValueText() or "000000") + ARROW
+
+
+class SpindleField(NumberField):
+    """The spindle's speed, 1/min; 0 leaves the spindle off, and the field warns of that."""
+
+    def __init__(self, name: str, hint: str = "") -> None:
+        super().__init__(name, hint, whole=True, optional=True)
+        self._given = 0.0
+        self.editor.setSingleStep(500)
+        self.editor.setSuffix(translate("FiveAxis", " 1/min"))
+        self.edited.connect(self._warn)
+        self._warn()
+
+    def value(self) -> float:
+        """1/min; a speed that is no whole number comes back as it was given."""
+        shown = self.editor.value()
+        return self._given if shown == round(self._given) else float(shown)
+
+    def show_value(self, value: float | None) -> None:
+        """1/min."""
+        self._given = float(value or 0.0)
+        super().show_value(round(self._given))
+        self._warn()
+
+    def room(self) -> int:
+        """Five digits with their unit."""
+        return width_of(self.editor, "00000" + self.editor.suffix()) + ARROW
+
+    def words(self) -> str:
+        """As in a program: ``S 8000``."""
+        return f"S {self.value():g}" if self.value() else translate("FiveAxis", "no spindle speed")
+
+    def _warn(self) -> None:
+        missing = translate("FiveAxis", "Spindle speed not given: the program will not start the spindle.")
+        self.show_warning("" if self.value() else missing)
 
 
 class TextField(Field):
@@ -193,102 +294,15 @@ class TextField(Field):
         """The text."""
         self.editor.setText(value or "")
 
+    def room(self) -> int:
+        """What is to be typed there may be long."""
+        return width_of(self.editor, self.editor.placeholderText() or "0" * 12)
 
-class TripleField(Field):
-    """Three lengths (mm), three numbers, or three counts. ``none_text``: what a box says that, ticked, gives None."""
-
-    def __init__(self, name: str, kind: str, hint: str = "", none_text: str = "", width: int = 60) -> None:
-        super().__init__(name, QtWidgets.QWidget(), hint)
-        parts = [f"{name}_{letter}" for letter in "xyz"]
-        makers = {"point": lambda part: QuantityField(part, "length"), "counts": lambda part: NumberField(part, whole=True)}
-        self.parts = [makers.get(kind, RatioField)(part) for part in parts]
-        self.none = QtWidgets.QCheckBox(none_text) if none_text else None
-        self.width = width
-        self._lay_out()
-        for part in self.parts:
-            part.edited.connect(self._changed)
-
-    def _lay_out(self) -> None:
-        self.row = QtWidgets.QGridLayout(self.editor)
-        self.row.setContentsMargins(0, 0, 0, 0)
-        for at, part in enumerate(self.parts):
-            part.editor.setMinimumWidth(self.width)
-            self.row.addWidget(part.editor, 1, at)
-        if self.none:
-            self.row.addWidget(self.none, 0, 0, 1, 3, QtCore.Qt.AlignLeft)
-            self.none.toggled.connect(self._toggled)
-
-    def _toggled(self, ticked: bool) -> None:
-        for part in self.parts:
-            part.editor.setEnabled(not ticked)
-        self._changed()
-
-    def value(self) -> list[float] | None:
-        """Three numbers, mm where they are lengths."""
-        return None if self.none and self.none.isChecked() else [part.value() for part in self.parts]
-
-    def show_value(self, value: Sequence[float] | None) -> None:
-        """Three numbers, or None."""
-        if self.none:
-            self.none.setChecked(value is None)
-        for part, number in zip(self.parts, value or (0.0, 0.0, 0.0), strict=True):
-            part.show_value(number)
+    def words(self) -> str:
+        """Label and text."""
+        return f"{self.label} {self.value()}" if self.value() else ""
 
 
-class RatioField(NumberField):
-    """A number of a direction."""
-
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.editor.setDecimals(6)
-        self.editor.setSingleStep(0.1)
-
-
-def quantity(value: float, kind: str) -> Any:
-    """A value in FreeCAD's own unit as a quantity that shows six digits. ``kind``: Length, Angle, Velocity, TimeSpan ..."""
-    made = FreeCAD.Units.Quantity(value, getattr(FreeCAD.Units, kind))
-    made.Format = dict(SHOWN)
-    return made
-
-
-def error_line(name: str) -> Any:
-    """A line in red, hidden until it says something."""
-    label = QtWidgets.QLabel()
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    label.setStyleSheet("color: #d0342c;")
-    label.hide()
-    return label
-
-
-def note_line(name: str) -> Any:
-    """A line in small letters, hidden until it says something."""
-    label = QtWidgets.QLabel()
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    label.setStyleSheet("color: #6b7785; font-size: small;")
-    label.hide()
-    return label
-
-
-def option_field(leaf: Any, choices: Sequence[tuple[Any, str]] = (), none_text: str = "") -> Field:
-    """The field of one option of the core's settings (a field of its dataclass).
-
-    ``choices`` where it is one of some names; ``none_text`` for a triple that may be left open.
-    """
-    kind, hint = leaf.metadata["kind"], option_hint(leaf)
-    optional = leaf.default is None
-    if choices:
-        return ChoiceField(leaf.name, choices, hint)
-    makers: dict[str, Callable[[], Field]] = {
-        "number": lambda: NumberField(leaf.name, hint, optional=optional),
-        "count": lambda: NumberField(leaf.name, hint, whole=True, optional=optional),
-        "text": lambda: TextField(leaf.name, hint),
-        "stack": lambda: TextField(leaf.name, hint, STACK),
-        "vector": lambda: TripleField(leaf.name, "vector", hint),
-        "point": lambda: TripleField(leaf.name, "point", hint, none_text),
-        "lengths": lambda: TripleField(leaf.name, "point", hint, none_text, 90),
-        "counts": lambda: TripleField(leaf.name, "counts", hint, none_text),
-        "feed": lambda: FeedField(leaf.name, hint),
-    }
-    return makers[kind]() if kind in makers else QuantityField(leaf.name, kind, hint, optional)
+def width_of(editor: Any, text: str) -> int:
+    """Pixels of a text in the editor's font."""
+    return int(editor.fontMetrics().boundingRect(text).width())

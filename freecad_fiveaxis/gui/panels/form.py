@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A form made from the core's settings: one field for each option of a task, in sections.
 
-section   a titled box of fields. MORE is the last one, folded up: every option that no other section names.
+section   a group of fields that folds. MORE is the last one: every option that no other section names.
 options   what the form says, flat, as job files write it; an option that is not given is not in it.
 idle      an option that counts for nothing as the choices stand: hidden where another choice says so, shown with the reason
           where the controller does not know it.
@@ -9,48 +9,37 @@ idle      an option that counts for nothing as the choices stand: hidden where a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .abilities import LACKING, check_guide, reasons, unknown_choices
 from .choosers import CutterField, MachineField, SpacingField, controller_field, strategy_field
-from .fields import Field, TripleField, error_line, option_field
+from .depends import DEPENDS, idle_options
+from .fields import Field, SpindleField
 from .files import any_file
-from .labels import choice_label, group_label, option_hint, option_label
+from .folding import FoldingGroup
+from .labels import choice_hint, choice_label, controller_label, group_label, option_hint
+from .lines import error_line
+from .option_fields import option_field
 
 SPACING = "spacing"
 MORE = "more"
 
-Section = tuple[str, str, Sequence[str]]
-"""Name, title, and the names of the fields in their order."""
 
+class Section(NamedTuple):
+    """``names`` of the fields in their order; ``told``: of those whose words stand in the title; ``opened`` until the user folds
+    it; ``about``: words before them."""
 
-def _is(value: str) -> Callable[[Any], bool]:
-    return lambda chosen: bool(chosen == value)
+    name: str
+    title: str
+    names: Sequence[str]
+    told: Sequence[str] = ()
+    opened: bool = True
+    about: str = ""
 
-
-def _is_path(against: Any) -> bool:
-    return bool(against) and not _is_part(against)
-
-
-def _is_part(against: Any) -> bool:
-    from freecad_fiveaxis.core.settings import is_part
-
-    return bool(against) and is_part(str(against))
-
-
-DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], ...] = (
-    ("tool_axis", _is("fixed"), ("axis",), ()),
-    ("tool_axis", _is("minimax"), ("max_tilt",), ("lead", "tilt")),
-    ("gouge", _is("tilt"), ("max_tilt",), ()),
-    ("singularity", _is("deform"), ("max_axis_change",), ()),
-    ("against", _is_path, ("axis_tolerance",), ()),
-    ("against", _is_part, ("cutter", "gouge"), ()),
-)
-"""A choice and what is asked of it; the options that count only if that holds (of several such lines: any), and those that do
-not count then."""
 
 CHECKS = ("off", "report")
 """The choices of ``gouge`` that change no pass."""
@@ -61,16 +50,16 @@ ANY_MACHINE = ("recover",)
 """Tasks that need no machine."""
 
 
-def group_sections(task: str, less: Sequence[str] = (), only: str = "") -> list[Section]:
-    """A section for each group of a task's settings, so that options that are added appear by themselves; but for those in
-    ``less``, which are left to MORE. ``only``: of this settings class."""
-    from freecad_fiveaxis.app.properties import shown_options
+def group_sections(task: str, less: Sequence[str] = ()) -> list[tuple[str, str, list[str]]]:
+    """Name, title and options of each group of a task's settings, so that options that are added appear by themselves; but
+    for those in ``less``, which are left to MORE."""
+    from freecad_fiveaxis.app.properties import group_of, shown_options
 
     groups: dict[str, list[str]] = {}
     for cls, leaf in shown_options(task):
-        if leaf.name not in less and only in ("", cls.__name__):
-            groups.setdefault(cls.__name__, []).append(leaf.name)
-    return [(name.removesuffix("Settings").lower(), group_label(name), names) for name, names in groups.items()]
+        if leaf.name not in less:
+            groups.setdefault(group_of(cls, leaf), []).append(leaf.name)
+    return [(name.lower(), group_label(name), names) for name, names in groups.items()]
 
 
 class Form(QtCore.QObject):
@@ -79,22 +68,27 @@ class Form(QtCore.QObject):
     edited = QtCore.Signal()
 
     def __init__(
-        self, task: str, doc: Any, sections: Sequence[Section], extras: Sequence[Field] = (), group: str = "",
-        given: Mapping[str, Any] | None = None,
+        self, task: str, doc: Any, sections: Sequence[Any], extras: Sequence[Field] = (), group: str = "",
+        given: Mapping[str, Any] | None = None, only: Sequence[str] = (),
     ) -> None:  # fmt: skip
-        """``group``: the settings class whose options alone are asked for; ``given``: options that are settled elsewhere."""
+        """``sections``: Sections, or plain tuples of their first fields; ``group``: the settings class whose options alone are
+        asked for, ``only``: the options that alone are; ``given``: options that are settled elsewhere."""
         super().__init__()
         from freecad_fiveaxis.app.properties import shown_options
 
         self.task, self.given = task, dict(given or {})
         self.leaves = {leaf.name: leaf for cls, leaf in shown_options(task) if group in ("", cls.__name__)}
+        self.leaves = {name: leaf for name, leaf in self.leaves.items() if not only or name in only}
         self.extras = {field.name: field for field in extras}
         self.fields = {**self._option_fields(doc), **self.extras}
         self.wished: dict[str, Any] = {}
+        self.filling = False
         self.rows: dict[str, list[Any]] = {}
+        self.groups: dict[str, FoldingGroup] = {}
         self.widget = QtWidgets.QWidget()
         self.error = error_line("form_error")
-        self._lay_out(sections)
+        self.sections = self._with_more([Section(*given) for given in sections])
+        self._lay_out()
         for field in self.fields.values():
             field.edited.connect(self._changed)
         if self.task == "audit" and "gouge" in self.fields:  # which changes no pass
@@ -107,6 +101,7 @@ class Form(QtCore.QObject):
             "controller": lambda leaf: controller_field(leaf.name, option_hint(leaf), self.task in READING),
             "tool_axis": lambda leaf: strategy_field(leaf.name, option_hint(leaf)),
             "cutter": lambda leaf: CutterField(leaf.name, option_hint(leaf), doc),
+            "spindle": lambda leaf: SpindleField(leaf.name, option_hint(leaf)),
         }
         made = {}
         for name, leaf in self.leaves.items():
@@ -119,74 +114,54 @@ class Form(QtCore.QObject):
     def _no_machine(self) -> str:
         return translate("FiveAxis", "none") if self.task in ANY_MACHINE else ""
 
-    def _lay_out(self, sections: Sequence[Section]) -> None:
+    def _with_more(self, sections: list[Section]) -> list[Section]:
+        """The sections, and one with the fields that none of them names."""
+        named = {name for section in sections for name in section.names}
+        rest = [name for name in self.fields if name not in named]
+        return [*sections, *([Section(MORE, translate("FiveAxis", "More settings"), rest, opened=False)] if rest else [])]
+
+    def _lay_out(self) -> None:
         column = QtWidgets.QVBoxLayout(self.widget)
         column.setContentsMargins(0, 0, 0, 0)
-        for name, title, names in sections:
-            column.addWidget(self._box(name, title, names))
-        named = {name for _, _, names in sections for name in names}
-        rest = [name for name in self.fields if name not in named]
-        if rest:
-            column.addWidget(self._folded(self._box(MORE, translate("FiveAxis", "More settings"), rest), rest))
+        column.setSpacing(3)
+        for section in self.sections:
+            group = FoldingGroup(section.name, section.title, f"{self.task}_{section.name}", section.opened)
+            for name in section.names:
+                self.rows[name] = group.body.add(self.fields[name])
+            self.groups[section.name] = group
+            column.addWidget(group)
 
-    def _box(self, name: str, title: str, names: Sequence[str]) -> Any:
-        box = QtWidgets.QGroupBox(title)
-        box.setObjectName("section_" + name)
-        grid = QtWidgets.QGridLayout(box)
-        grid.setColumnStretch(1, 1)
-        for field in (self.fields[name] for name in names):
-            self._add_row(grid, field)
-        return box
+    def _tell(self) -> None:
+        """What the fields say stands in the titles of their groups."""
+        for section in self.sections:
+            shown = [name for name in section.told if not self.rows[name][0].isHidden()]
+            words = [section.about, *(self._words(name) for name in shown)]
+            self.groups[section.name].show_state(", ".join(filter(None, words)))
 
-    def _add_row(self, grid: Any, field: Field) -> None:
-        row = grid.rowCount()
-        beside = getattr(field, "browse", None)
-        if field.name == "cutter":  # kind and sizes bear their own labels
-            grid.addWidget(field.editor, row, 0, 1, 3)
-            self.rows[field.name] = [field.editor]
-        elif isinstance(field, TripleField):  # three numbers need the whole width, or their digits are cut
-            label = QtWidgets.QLabel(option_label(field.name))
-            grid.addWidget(label, row, 0, 1, 3)
-            row += 1
-            grid.addWidget(field.editor, row, 0, 1, 3)
-            self.rows[field.name] = [label, field.editor]
-        else:
-            label = QtWidgets.QLabel(translate("FiveAxis", "Spacing by") if field.name == SPACING else option_label(field.name))
-            grid.addWidget(label, row, 0)
-            grid.addWidget(field.editor, row, 1, 1, 1 if beside else 2)
-            self.rows[field.name] = [label, field.editor]
-        if beside:
-            grid.addWidget(beside, row, 2)
-        grid.addWidget(field.error, row + 1, 0, 1, 3)
-        grid.addWidget(field.note, row + 2, 0, 1, 3)
+    def _words(self, name: str) -> str:
+        dialect = self.dialect() if name == "controller" else None
+        return controller_label(dialect.name) if dialect else self.fields[name].words()
 
-    def _folded(self, box: Any, names: Sequence[str]) -> Any:
-        """A box with the fields ``names`` that opens when its title is ticked."""
-        box.setCheckable(True)
-        beside = [self.fields[name].browse for name in names if hasattr(self.fields[name], "browse")]
-        inner = [widget for name in names for widget in self.rows[name]] + beside
-
-        def fold(opened: bool) -> None:
-            for widget in inner:
-                widget.setVisible(opened)
-
-        box.toggled.connect(fold)
-        box.setChecked(False)
-        return box
+    def _unfold_errors(self) -> None:
+        for section in self.sections:
+            if any(self.fields[name].error.text() for name in section.names):
+                self.groups[section.name].unfold()
 
     def _changed(self) -> None:
-        self._depend()
-        self.edited.emit()
+        if not self.filling:
+            self._depend()
+            self.edited.emit()
 
     def _depend(self) -> None:
         """Show only the fields that count for the machine and the choices made; those that its controller lacks are idle."""
         if "tool_length" in self.rows and "machine" in self.fields and self.task not in ANY_MACHINE:
             self._show_row("tool_length", self.fields["machine"].has_head())
         self._lack()
-        idle = self._idle()
+        idle = idle_options(self.fields)
         for name in (one for _, _, only, never in DEPENDS for one in (*only, *never)):
             if name in self.rows:
                 self._show_row(name, name not in idle)
+        self._tell()
 
     def dialect(self) -> Any:
         """The core's table of the controller that is chosen, or of the machine's own; None where that is not known."""
@@ -219,14 +194,6 @@ class Form(QtCore.QObject):
         elif not reason and name in self.wished:
             _show_quietly(field, self.wished.pop(name))
 
-    def _idle(self) -> set[str]:
-        """The options that count for nothing as the choices stand: they are not shown, not checked and not given."""
-        asked = [
-            (holds(self.fields[choice].value()), only, never) for choice, holds, only, never in DEPENDS if choice in self.fields
-        ]
-        wanted = {name for true, only, _ in asked if true for name in only}
-        return {name for true, only, never in asked for name in (never if true else set(only) - wanted)}
-
     def _show_row(self, name: str, shown: bool) -> None:
         for widget in self.rows[name]:
             widget.setVisible(shown)
@@ -237,7 +204,7 @@ class Form(QtCore.QObject):
         for name, field in self.fields.items():
             if name in self.leaves or name == SPACING:
                 said.update(field.value() if name == SPACING else {name: field.value()})
-        idle = self._idle()
+        idle = idle_options(self.fields)
         return {name: value for name, value in said.items() if value is not None and value != "" and name not in idle}
 
     def said(self) -> dict[str, Any]:
@@ -245,14 +212,16 @@ class Form(QtCore.QObject):
         return self.options() | {name: field.value() for name, field in self.extras.items() if name not in self.leaves}
 
     def show_options(self, options: Mapping[str, Any]) -> None:
-        """Fill the fields; one that the options do not name keeps what it shows."""
+        """Fill the fields; one that the options do not name keeps what it shows. ``edited`` tells of it once, at the end."""
+        self.filling = True
         for name, field in self.fields.items():
             if name == SPACING:
                 field.show_value({kind: options.get(kind) for kind in SpacingField.KINDS})
             elif name in options:
                 self.wished.pop(name, None)
                 field.show_value(options[name])
-        self._depend()
+        self.filling = False
+        self._changed()
 
     def check(self) -> bool:
         """Whether the core takes the values; where it does not, the fields say why."""
@@ -260,12 +229,13 @@ class Form(QtCore.QObject):
 
         options = self.options()
         good = [self._check_field(name, field, options) for name, field in self.fields.items()]
+        self._unfold_errors()
         self.show_error("")
         if all(good):
             try:
                 self.check_together(options)
             except FiveAxisError as error:
-                self.show_error(str(error))
+                self.show_error(wording.told(error))
                 return False
         return all(good)
 
@@ -285,7 +255,7 @@ class Form(QtCore.QObject):
             field.check()
             self._try(name, options)
         except FiveAxisError as error:
-            field.show_error(str(error))
+            field.show_error(wording.told(error))
             return False
         return True
 
@@ -326,4 +296,7 @@ def _plain(leaf: Any) -> Field:
     none_text = translate("FiveAxis", "as the machine file says") if leaf.default is None else ""
     if leaf.metadata["kind"] == "counts":
         none_text = translate("FiveAxis", "as many as take some seconds")
-    return option_field(leaf, choices, none_text)
+    made = option_field(leaf, choices, none_text)
+    if choices:
+        made.explain({name: choice_hint(leaf.name, name) for name, _ in choices})
+    return made

@@ -14,12 +14,15 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
-from freecad_fiveaxis.gui.messages import status, warn
+from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.gui.failures import attend
+from freecad_fiveaxis.gui.messages import ask, status, warn
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, later, translate
 from freecad_fiveaxis.gui.undo import OpenStep
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
+from .panel_widget import PanelWidget
 from .summary import Summary
 
 DRAWN = 500
@@ -33,6 +36,8 @@ class PathPanel:
     """A task panel. A subclass fills ``form``, and says how to ``compute``; it may show another ``summary``."""
 
     SUMMARY: type = Summary
+    MADE_HERE = True
+    """The program is made here: one that is not safe is kept only when the user says so."""
 
     def __init__(self, doc: Any, title: str, form: Form, obj: Any = None) -> None:
         self.doc, self.title, self.options, self.obj = doc, title, form, obj
@@ -46,14 +51,7 @@ class PathPanel:
         form.edited.connect(self._edited)
 
     def _widget(self, title: str) -> Any:
-        widget = QtWidgets.QWidget()
-        widget.setObjectName("FiveAxisPanel")
-        widget.setWindowTitle(title)
-        column = QtWidgets.QVBoxLayout(widget)
-        for part in (self.calculate_button, self.summary, self.options.error, self.options.widget):
-            column.addWidget(part)
-        column.addStretch()
-        return widget
+        return PanelWidget(title, (self.calculate_button, self.summary, self.options.error), self.options.widget)
 
     def fill(self, values: Mapping[str, Any]) -> None:
         """Show these values; an object that is there shows its last result."""
@@ -109,7 +107,7 @@ class PathPanel:
         if not isinstance(error, (FiveAxisError, ReferenceError)):
             raise error
         gone = translate("FiveAxis", "The part was deleted meanwhile: press Cancel, and select another one.")
-        self.options.show_error(gone if isinstance(error, ReferenceError) else str(error))
+        self.options.show_error(gone if isinstance(error, ReferenceError) else wording.told(error))
         reveal(self.form)
 
     def _edited(self) -> None:
@@ -124,12 +122,19 @@ class PathPanel:
         return flags(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
 
     def accept(self) -> bool:
-        """OK: calculate if that is not done, keep what there is, close. The panel stays where something cannot be used."""
-        if (self.stale and not self.calculate()) or not self._finished():
+        """OK: calculate if that is not done, keep what there is, close. The panel stays where something cannot be used, and where
+        the path is not safe and the user goes back to change that."""
+        if (self.stale and not self.calculate()) or not self._agreed() or not self._finished():
             return False
         self.step.keep()
         self._close()
         return True
+
+    def _agreed(self) -> bool:
+        if not self.MADE_HERE or self.obj.Light != "red":
+            return True
+        text = self.obj.Verdict + "\n\n" + translate("FiveAxis", "Keep this path anyway?")
+        return ask(text, translate("FiveAxis", "Keep anyway"), translate("FiveAxis", "Go back"))
 
     def _finished(self) -> bool:
         try:
@@ -161,6 +166,7 @@ def show(panel: Any) -> Any:
     if FreeCADGui.Control.activeDialog():
         warn(translate("FiveAxis", "Another task panel is open: close it first."))
         return panel
+    attend(panel)
     FreeCADGui.Control.showDialog(panel)
     return panel
 

@@ -13,13 +13,15 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from freecad_fiveaxis.gui.failures import guards
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, later, translate
 
-from .fields import TripleField
+from .triple import TripleField
 
 Point = tuple[float, float, float]
 
 
+@guards
 class Pick:
     """Waits for one point. ``found`` gets it (document coordinates, mm); ``ended`` is called in any case."""
 

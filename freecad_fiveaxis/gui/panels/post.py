@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that writes a tool path: the NC file, a report where one is wished, a preview for CAM where one is wished.
 
+poor            errors and warnings of the result. A program with errors is written only when the user says so.
 proposed name   the folder of the preferences, else the document's, else the user's own; the path's label; the ending of the
                 controller's files.
 """
@@ -12,15 +13,23 @@ from typing import Any
 
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtWidgets, flags, translate
 from freecad_fiveaxis.gui.undo import transaction
+from freecad_fiveaxis.gui.verdict_label import VerdictLabel
 from freecad_fiveaxis.gui.waiting import waiting
 
+from . import written
 from .fields import TextField, error_line
+from .labels import option_label
+from .option_fields import option_field
 from .path_panel import show
+from .told import findings
 
 REPORTS = ("html", "json")
+NAMED = 5
+"""So many errors, and as many warnings, stand in the question; the list of findings has all."""
 
 
 class PostPanel:
@@ -32,7 +41,10 @@ class PostPanel:
         self.error = error_line("post_error")
         self.reports = {kind: QtWidgets.QCheckBox(text) for kind, text in _report_texts().items()}
         self.preview = QtWidgets.QCheckBox(translate("FiveAxis", "Preview for the CAM workbench"))
+        self.verdict, self.poor = VerdictLabel("post_verdict"), QtWidgets.QLabel()
+        self.spindle = None if path.Spindle else option_field(_spindle_leaf())
         self.form = self._widget()
+        self._show_poor()
         self.file.show_value(proposed_name(path))
 
     def _widget(self) -> Any:
@@ -51,10 +63,29 @@ class PostPanel:
         for kind, box in self.reports.items():
             box.setObjectName("report_" + kind)
         self.preview.setObjectName("preview")
-        for part in (self.error, *self.reports.values(), self.preview):
+        for part in (self.error, *self._spindle_row(), *self.reports.values(), self.preview, self.verdict, self.poor):
             column.addWidget(part)
         column.addStretch()
         return widget
+
+    def _spindle_row(self) -> list[Any]:
+        """The speed that the path does not give, asked for here."""
+        if self.spindle is None:
+            return []
+        label = QtWidgets.QLabel(
+            translate("FiveAxis", "{name} (0: the program leaves it off)").format(name=option_label("spindle"))
+        )
+        label.setWordWrap(True)
+        label.setBuddy(self.spindle.editor)
+        return [label, self.spindle.editor, self.spindle.error]
+
+    def _show_poor(self) -> None:
+        """Verdict, errors and warnings of the last computation; after opening a document the verdict only."""
+        self.poor.setObjectName("post_findings")
+        self.poor.setWordWrap(True)
+        self.verdict.show_verdict(self.path)
+        last = self.path.Proxy.last
+        self.poor.setText("" if last is None else findings(_poor(last.figures)))
 
     def _browse(self, *_: Any) -> None:
         title = translate("FiveAxis", "The NC file to write")
@@ -81,7 +112,7 @@ class PostPanel:
             status(translate("FiveAxis", "Stopped; the document is as it was."))
             return False
         except FiveAxisError as error:
-            self.show_error(str(error))
+            self.show_error(wording.told(error))
             return False
         status(translate("FiveAxis", "Written: {}").format(self.file.value()))
         FreeCADGui.Control.closeDialog()
@@ -92,16 +123,20 @@ class PostPanel:
         from freecad_fiveaxis.app import cam, results
         from freecad_fiveaxis.core import outputs
         from freecad_fiveaxis.core.files import check_writable, write_whole
+        from freecad_fiveaxis.core.report import summary
 
         nc, reports = self._nc_path(), self._report_paths()
         for path in reports.values():
             check_writable(path)
-        replaced = self._agreed([nc, *reports.values()])
-        if replaced is None:
-            return False
         title = translate("FiveAxis", "Post-process")
         with transaction(self.path.Document, title), waiting(title):
+            self._put_spindle()
             figures = results.figures_of(self.path)
+        self._show_poor()
+        replaced = self._agreed([nc, *reports.values()]) if self._is_wanted(figures) else None
+        if replaced is None:
+            return False
+        with transaction(self.path.Document, title), waiting(title):
             sheets = {
                 path: outputs.REPORTS["." + kind](figures).encode("utf-8", "backslashreplace") for kind, path in reports.items()
             }
@@ -110,7 +145,36 @@ class PostPanel:
                 write_whole(path, sheet)
             if self.preview.isChecked():
                 cam.preview(self.path)
+            lines = results.nc_of(self.path).count(b"\n")
+        written.tell(nc, lines, summary(figures)["time_s"])
         return True
+
+    def _put_spindle(self) -> None:
+        """Give the path the speed that was typed here."""
+        from freecad_fiveaxis.app import changes
+
+        speed = self.spindle.value() if self.spindle else None
+        if speed:
+            self.path.Spindle = speed
+            changes.compute(self.path)
+
+    def _is_wanted(self, figures: Any) -> bool:
+        """Whether the program is written: asked where it has errors, which come first, then the warnings."""
+        from freecad_fiveaxis.core.findings import Severity
+        from freecad_fiveaxis.core.report import Light, summary, verdict
+
+        whole = verdict(figures, summary(figures))
+        if whole.light is not Light.RED:
+            return True
+        poor = _poor(figures)
+        parts = [wording.told(whole.text)]
+        for severity, title in (
+            (Severity.ERROR, translate("FiveAxis", "Errors")), (Severity.WARNING, translate("FiveAxis", "Warnings")),
+        ):  # fmt: skip
+            texts = [f"• {wording.told(one.text)}" for one in poor if one.severity is severity]
+            more = [f"• {translate('FiveAxis', 'and {count} more').format(count=len(texts) - NAMED)}"] * (len(texts) > NAMED)
+            parts += [title + "\n" + "\n".join(texts[:NAMED] + more)] * bool(texts)
+        return ask("\n\n".join(parts), translate("FiveAxis", "Write anyway"))
 
     def _nc_path(self) -> str:
         """The name of the NC file, whole. Raises FileError where there is none."""
@@ -145,6 +209,20 @@ class PostPanel:
         """Why nothing was written, in red under the file's name."""
         self.error.setText(text)
         self.error.setVisible(bool(text))
+
+
+def _spindle_leaf() -> Any:
+    from freecad_fiveaxis.app.properties import shown_options
+
+    return next(leaf for _, leaf in shown_options("mill") if leaf.name == "spindle")
+
+
+def _poor(figures: Any) -> list[Any]:
+    """Errors, then warnings, one of each kind: the first of a kind tells of all."""
+    from freecad_fiveaxis.core.findings import Severity
+    from freecad_fiveaxis.core.report.text import grouped
+
+    return [group[0] for group in grouped(figures.findings) if group[0].severity > Severity.NOTE]
 
 
 def write(path: Any) -> PostPanel:

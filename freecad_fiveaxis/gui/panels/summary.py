@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a path came to, in a few lines, in the user's units: passes, blocks, time, deviation, poor blocks."""
+"""What a path came to, in the user's units: the verdict as a traffic light, then passes, blocks, time, deviation, poor blocks."""
 
 from __future__ import annotations
 
 import html
 from typing import Any
 
+from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.units import length_text
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
-
-from .fields import quantity
+from freecad_fiveaxis.gui.verdict_label import VerdictLabel
 
 
 def summary_lines(obj: Any) -> list[tuple[str, str]]:
@@ -43,22 +44,20 @@ CURES = (
 def cured(obj: Any) -> list[str]:
     """What was done against deviation and gouges, in sentences; after opening a document only once it is computed again."""
     last = getattr(obj.Proxy, "last", None)
-    return [] if last is None else [one.text for one in last.figures.findings if one.code in CURES]
+    return [] if last is None else [wording.told(one.text) for one in last.figures.findings if one.code in CURES]
 
 
 def gravest(obj: Any) -> str:
     """The gravest finding of an object that was computed since its document was opened, else the first one."""
     last = getattr(obj.Proxy, "last", None)
     if last is not None and last.figures.findings:
-        return max(last.figures.findings, key=lambda finding: finding.severity).text
+        return wording.told(max(last.figures.findings, key=lambda finding: finding.severity).text)
     return obj.Findings[0] if obj.Findings else ""
 
 
 def length(value: Any) -> str:
     """A length (quantity, or mm) in the user's units with four digits."""
-    shown = quantity(float(getattr(value, "Value", value)), "Length")
-    shown.Format = {"Precision": 4, "NumberFormat": "g", "Denominator": 8}
-    return shown.UserString
+    return length_text(float(getattr(value, "Value", value)))
 
 
 def clock(seconds: float) -> str:
@@ -74,14 +73,18 @@ class Summary(QtWidgets.QGroupBox):
 
     def __init__(self) -> None:
         super().__init__(translate("FiveAxis", "Summary"))
+        self.verdict = VerdictLabel("verdict")
         self.text = QtWidgets.QLabel()
         self.text.setObjectName("summary")
         self.text.setWordWrap(True)
-        QtWidgets.QVBoxLayout(self).addWidget(self.text)
+        column = QtWidgets.QVBoxLayout(self)
+        column.addWidget(self.verdict)
+        column.addWidget(self.text)
         self.forget()
 
     def forget(self) -> None:
         """The settings have changed since the last calculation."""
+        self.verdict.show_verdict(None)
         self.text.setText(translate("FiveAxis", "Press Calculate to see what these settings come to."))
 
     def show_result(self, obj: Any) -> None:
@@ -89,6 +92,7 @@ class Summary(QtWidgets.QGroupBox):
         cells = "".join(
             f"<tr><td>{label}&nbsp;</td><td><b>{html.escape(value)}</b></td></tr>" for label, value in summary_lines(obj)
         )
-        sentences = dict.fromkeys((obj.Verdict if obj.GuidedBlocks else "", *cured(obj), gravest(obj)))
+        sentences = dict.fromkeys((*cured(obj), gravest(obj)))
         found = "".join(f"<p>{html.escape(text)}</p>" for text in sentences if text)
+        self.verdict.show_verdict(obj)
         self.text.setText(f"<table>{cells}</table>{found}")

@@ -15,17 +15,19 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtWidgets, flags, later, translate
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
+from .panel_widget import PanelWidget
 from .path_panel import reveal, show
 
 TALL, LOW = 300, 60
 """Pixels of the result, and of the line that says there is none."""
-OVERLAY = "Gui::OverlayTabWidget"
-"""The class of what FreeCAD lays over a view."""
+OVERLAYS = (1, 0)
+"""The version of FreeCAD from which on the task view may lie over a view, as the user likes."""
 
 
 class WorkPanel:
@@ -48,14 +50,8 @@ class WorkPanel:
         self._edited()
 
     def _widget(self, title: str) -> Any:
-        widget = QtWidgets.QWidget()
-        widget.setObjectName("FiveAxisPanel")
-        widget.setWindowTitle(title)
-        column = QtWidgets.QVBoxLayout(widget)
-        for part in (self.calculate_button, self.result, *self.buttons, self.options.error, self.options.widget):
-            column.addWidget(part)
-        column.addStretch()
-        return widget
+        head = (self.calculate_button, self.result, *self.buttons, self.options.error)
+        return PanelWidget(title, head, self.options.widget)
 
     @property
     def stale(self) -> bool:
@@ -104,7 +100,7 @@ class WorkPanel:
             return
         if not isinstance(error, FiveAxisError):
             raise error
-        self.options.show_error(str(error))
+        self.options.show_error(wording.told(error))
         reveal(self.form)
 
     def _edited(self) -> None:
@@ -155,21 +151,15 @@ class WorkPanel:
 
 def open_panel(panel: WorkPanel) -> WorkPanel:
     """Open the panel in the task view; with a lent document where it would be hidden without one."""
-    if not FreeCADGui.Control.activeDialog() and not FreeCAD.listDocuments() and _lies_over_a_view():
+    if not FreeCADGui.Control.activeDialog() and not FreeCAD.listDocuments() and may_lie_over_a_view():
         panel.lent = FreeCAD.newDocument().Name
     return show(panel)
 
 
-def _lies_over_a_view() -> bool:
-    """Whether the task view is one of the windows that FreeCAD lays over a view."""
-    for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget):
-        if dock.objectName() in ("Tasks", "Combo View"):
-            around = dock.parentWidget()
-            while around is not None and around.metaObject().className() != OVERLAY:
-                around = around.parentWidget()
-            if around is not None:
-                return True
-    return False
+def may_lie_over_a_view() -> bool:
+    """Whether this FreeCAD may hide the task view where there is no view. It is not asked of its windows: under PySide2 a panel's
+    fields die with the wrappers of the windows around them."""
+    return tuple(int(part) for part in FreeCAD.Version()[:2]) >= OVERLAYS
 
 
 def _give_back(name: str) -> None:

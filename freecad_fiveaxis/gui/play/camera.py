@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The camera of the view while the player is open: it can follow the tip, and stands where it stood afterwards."""
+"""The camera of the view while the player is open: it can follow the tip or show the whole machine, and stands where it stood
+afterwards."""
 
 from __future__ import annotations
 
@@ -21,8 +22,17 @@ class Camera:
         position = place - node.focalDistance.getValue() * self._along(node)
         node.position.setValue(*(float(part) for part in position))
 
+    def cover(self, low: np.ndarray, high: np.ndarray) -> None:
+        """Show the whole box between two corners (3,) mm, as drawn; the camera's direction stays."""
+        from pivy import coin
+
+        self._before = self._before or self._view.getCamera()
+        width, height = self._view.getSize()
+        box = coin.SbBox3f(*(float(part) for part in (*low, *high)))
+        self._view.getCameraNode().viewBoundingBox(box, width / max(height, 1), 1.0)
+
     def restore(self) -> None:
-        """Where it stood before it first followed; where it never did, it stays."""
+        """Where it stood before it first followed or covered; where it never did, it stays."""
         if self._before is not None:
             self._view.setCamera(self._before)
             self._before = None

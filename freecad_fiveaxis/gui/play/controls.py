@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
+from freecad_fiveaxis.gui.wheel import leave_wheel
 
 SLIDER = 10_000
 """Steps of the slider over the program's time."""
@@ -82,6 +83,7 @@ class Controls:
         for speed in SPEEDS:
             box.addItem(f"× {speed:g}", speed)
         box.setCurrentIndex(SPEEDS.index(1.0))
+        leave_wheel(box)
         return box
 
     def _laid_out(self) -> Any:

@@ -13,15 +13,18 @@ from typing import Any
 import FreeCADGui
 import numpy as np
 
-from freecad_fiveaxis.app import results
+from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.job import Milled
 from freecad_fiveaxis.core.playback import NCLines
+from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import status
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, icon, later, translate
 
 from .camera import Camera
 from .controls import SLIDER, Controls
+from .machine import machine_of
 from .player import Player
 from .readout import Readout
 from .stage import Stage
@@ -126,8 +129,20 @@ class PlayPanel:
         low, high = figures.tip.min(axis=0), figures.tip.max(axis=0)
         tool = tool_of(self.obj, settings.machine.control_point == "centre")
         reach = max(REACH * float(np.linalg.norm(high - low)), LEAST_REACH)
-        letters = figures.program.letters[3:]
-        return Stage(self.view.getSceneGraph(), tool, np.array(self.obj.WorkZero), letters, (low + high) / 2.0, reach)
+        zero, letters = np.array(self.obj.WorkZero), figures.program.letters[3:]
+        made = results.result_of(self.obj).made
+        origin = made.settings.machine.origin or made.machine.origin
+        table = None if made.machine.table is None else made.machine.table - origin[2]
+        machine = machine_of(self.player.playback, *self._part_box(), tool, table)
+        return Stage(self.view.getSceneGraph(), tool, machine, zero, letters, (low + high) / 2.0, reach)
+
+    def _part_box(self) -> tuple[np.ndarray, np.ndarray]:
+        """The corners (3,) mm of the part's box, work frame; those of the path where no part is known."""
+        made, figures = results.result_of(self.obj).made, self.player.figures
+        points = (
+            made.mesh.vertex if isinstance(made, Milled) else figures.tip[figures.feeds] if len(figures.feeds) else figures.tip
+        )
+        return points.min(axis=0), points.max(axis=0)
 
     # ------------------------------------------------------------------------------------------ changes from outside
 
@@ -147,7 +162,7 @@ class PlayPanel:
             self.player = Player(results.figures_of(self.obj))
             self.readout.use(self.player.figures, NCLines(results.nc_of(self.obj)))
         except FiveAxisError as error:
-            status(str(error))
+            status(wording.told(error))
             self._leave()
             return
         self.player.resume(before)
@@ -233,7 +248,7 @@ class PlayPanel:
                 "forward": lambda: self.step(self.player.forward),
                 "worst": lambda: self.step(self.player.go_to_worst),
                 "singular": lambda: self.step(self.player.go_to_next_singular),
-                "machine": self.refresh,
+                "machine": self._to_machine,
                 "follow": self._followed,
             }
         )
@@ -247,6 +262,15 @@ class PlayPanel:
         if not self.controls.follow.isChecked():
             self.camera.restore()
         self.refresh()
+
+    def _to_machine(self) -> None:
+        """Show the whole machine; over the part again, look from where the user looked before."""
+        self.refresh()
+        if not self.controls.machine.isChecked():
+            self.camera.restore()
+        elif not self.controls.follow.isChecked():
+            low, high = self.stage.machine.room(self.player.playback)
+            self.camera.cover(low + self.stage.zero, high + self.stage.zero)
 
 
 _panels: list[PlayPanel] = []
@@ -263,6 +287,7 @@ def open_panel(obj: Any) -> PlayPanel:
     RuntimeError where another task panel is open."""
     panel = PlayPanel(obj, _view_of(obj))
     try:
+        attend(panel)
         FreeCADGui.Control.showDialog(panel)
     except RuntimeError:
         panel.close()

@@ -7,7 +7,8 @@ that FreeCAD draws after it as the table turns the work. No document object is t
 leaves the view as it was.
 
 over the part   the part stands still and the tool moves over it.
-on the machine  everything moves as it really will: the table with the part on it, and the tool on its head.
+on the machine  everything moves as it really will: the table with the part on it, and the tool on its head; the machine itself
+                is sketched about them.
 """
 
 from __future__ import annotations
@@ -18,9 +19,12 @@ import numpy as np
 from pivy import coin
 
 from freecad_fiveaxis.core.playback import Pose, rotary_lines
+from freecad_fiveaxis.gui.qt import translate
 from freecad_fiveaxis.gui.scene import nodes
-from freecad_fiveaxis.gui.scene.overlay import label_node
+from freecad_fiveaxis.gui.scene.on_screen import Label, Labels, LegendBox
+from freecad_fiveaxis.gui.scene.overlay import Legend
 
+from .machine import DrawnMachine
 from .tool import DrawnTool, tool_node
 
 CHORD, CURVE, TIP = (1.0, 1.0, 1.0), (0.90, 0.30, 0.0), (0.0, 0.0, 0.0)
@@ -35,11 +39,15 @@ class Stage:
     ``letters``: of the two rotary axes; ``centre`` (3,) and ``reach`` mm: middle of the path and how far the axes are
     drawn. ``tip`` (3,) mm: where the tip is drawn, document coordinates."""
 
-    def __init__(self, graph: Any, tool: DrawnTool, zero: np.ndarray, letters: str, centre: np.ndarray, reach: float) -> None:
+    def __init__(
+        self, graph: Any, tool: DrawnTool, machine: DrawnMachine, zero: np.ndarray, letters: str, centre: np.ndarray, reach: float
+    ) -> None:
+        self.machine = machine
         self.zero, self.centre, self.reach = np.asarray(zero, float), np.asarray(centre, float), reach
         self.tool, self.work, self.turn = (coin.SoMatrixTransform() for _ in range(3))
         self.axes, self.chord, self.curve, self.gap, self.dots = (_vertices() for _ in range(5))
-        self.letters = [coin.SoTranslation(), coin.SoTranslation()]
+        self.letters = Labels()
+        self.letters.show([Label((0.0, 0.0, 0.0), letter, LETTER_COLOURS[letter]) for letter in letters])
         self.curve_line = coin.SoLineSet()
         self.root = self._root(tool, letters)
         self._graph, self.tip = graph, np.zeros(3)
@@ -60,6 +68,9 @@ class Stage:
         _put(self.work, scene_from_work)
         _put(self.tool, scene_from_machine @ pose.machine_from_tool)
         _put(self.turn, _about(scene_from_work, self.zero))
+        nodes.turn(self.sketch, on_machine)
+        if on_machine:
+            self.machine.show(pose.machine_from_carried)
         self._draw_axes(rotary_lines(pose, self.centre, self.reach), scene_from_machine)
         if curve is not None:
             _fill(self.curve, curve)
@@ -83,14 +94,17 @@ class Stage:
     def _draw_axes(self, ends: np.ndarray, scene_from_machine: np.ndarray) -> None:
         placed = ends @ scene_from_machine[:3, :3].T + scene_from_machine[:3, 3]
         _fill(self.axes, placed.reshape(-1, 3))
-        for place, end in zip(self.letters, placed[:, 1], strict=True):
-            place.translation.setValue(*end)
+        self.letters.move(placed[:, 1])
 
     def _root(self, tool: DrawnTool, letters: str) -> Any:
         zero = coin.SoTranslation()
         zero.translation.setValue(*self.zero)
         root = nodes.separate(nodes.unpickable(), zero, nodes.separate(self.tool, tool_node(tool)))
         root.setName("FiveAxisPlay")
+        self.legend = LegendBox()
+        self.legend.show(_told())
+        self.sketch = nodes.switch(nodes.separate(self.machine.root, self.legend.root), False)
+        root.addChild(self.sketch)
         root.addChild(nodes.without_box(self._axis_lines(letters)))
         over = coin.SoAnnotation()
         for child in (nodes.flat(), self.work, *self._block_lines()):
@@ -100,12 +114,13 @@ class Stage:
 
     def _axis_lines(self, letters: str) -> Any:
         group = nodes.separate(nodes.flat(), nodes.style(2.0, pattern=DASHES))
-        for at, (letter, place) in enumerate(zip(letters, self.letters, strict=True)):
+        for at, letter in enumerate(letters):
             line, colour = coin.SoLineSet(), nodes.colour(LETTER_COLOURS[letter])
             line.startIndex = 2 * at
             line.vertexProperty = self.axes
             line.numVertices.setValue(2)
-            group.addChild(nodes.separate(colour, line, place, label_node((0.0, 0.0, 0.0), letter)))
+            group.addChild(nodes.separate(colour, line))
+        group.addChild(self.letters.root)
         return group
 
     def _block_lines(self) -> list[Any]:
@@ -115,6 +130,15 @@ class Stage:
             nodes.separate(nodes.colour(CURVE), nodes.style(1.0), _line(self.gap)),
             nodes.separate(nodes.colour(TIP), nodes.style(point=DOT), _dots(self.dots)),
         ]
+
+
+def _told() -> Legend:
+    """What the legend says of the sketched machine."""
+    notes = (
+        translate("FiveAxis", "The machine is a sketch from its axes: not to scale."),
+        translate("FiveAxis", "Collisions are not checked against it."),
+    )
+    return Legend(translate("FiveAxis", "On the machine"), np.zeros((0, 3)), (), ("", ""), (), notes)
 
 
 def _vertices() -> Any:

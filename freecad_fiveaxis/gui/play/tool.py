@@ -38,6 +38,13 @@ def tool_of(obj: Any, centre_driven: bool = False) -> DrawnTool:
     return DrawnTool(body, cutter.corner if centre_driven else 0.0)
 
 
+def size_of(tool: DrawnTool) -> tuple[float, float]:
+    """The tool's largest radius and the height of its top above the driven point, mm."""
+    made = outline(tool.body)
+    points = np.concatenate([made.start, made.end])
+    return float(points[:, 0].max()), float(points[:, 1].max()) - tool.driven
+
+
 def tool_node(tool: DrawnTool) -> Any:
     """The tool's nodes in the tool frame."""
     shift, made = coin.SoTranslation(), outline(tool.body)

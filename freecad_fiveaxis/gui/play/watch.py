@@ -9,11 +9,13 @@ from typing import Any
 import FreeCAD
 
 from freecad_fiveaxis.app.properties import CUTTER
+from freecad_fiveaxis.gui.failures import guards
 
 WATCHED = {"Fingerprint", "WorkZero", "Shank", "Holder", *(one.name for one in CUTTER)}
 """A change of these changes the picture; a new result has a new Fingerprint."""
 
 
+@guards
 class Watch:
     """Watches one object: calls ``changed`` where the picture is out of date, ``gone`` where object or document is deleted."""
 

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The one verdict over everything that is known of a program: a traffic light and one sentence.
+
+red     there is a finding of severity ERROR: part or machine will be spoiled. What enters the part comes first.
+amber   nothing says so, but something is to be looked at (a warning), or was not looked at: blocks whose bound is not proven,
+        or the part, where gouges were not checked.
+green   the tolerance is proven for every feed block, and the tool was seen to stay out of the part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from itertools import groupby
+from typing import TYPE_CHECKING, Any
+
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.sentences import Area, Length, Number, Sentence, Template, first_clause, joined, measure, plural, say
+
+from .judgement import OVER, SINGULAR, UNPROVEN
+
+if TYPE_CHECKING:
+    from .figures import Figures
+
+NAMED = 3
+"""So many kinds of errors, or of warnings, are named in the sentence; the findings tell of all."""
+
+
+class Light(Enum):
+    """The light of a verdict; its value is the word for scripts and properties."""
+
+    RED = "red"
+    AMBER = "amber"
+    GREEN = "green"
+
+
+HEAD = {Light.RED: say("NOT SAFE"), Light.AMBER: say("CHECK"), Light.GREEN: say("SAFE")}
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """``reasons``: why the light shows what it shows, the gravest first, each without a full stop."""
+
+    light: Light
+    reasons: tuple[Sentence, ...]
+
+    @property
+    def text(self) -> Sentence:
+        """The verdict in one sentence, as "NOT SAFE: enters the part at 203 places, 5 mm deep (NC line 17)."."""
+        more = len(self.reasons) - NAMED
+        others = [say("and {count} more", count=more)] if more > 0 else []
+        return say("{light}: {reasons}.", light=HEAD[self.light], reasons=joined([*self.reasons[:NAMED], *others], "; "))
+
+
+def verdict(figures: Figures, numbers: Mapping[str, Any]) -> Verdict:
+    """The verdict over a program; ``numbers``: its summary."""
+    errors = tuple(_errors(figures, numbers))
+    if errors:
+        return Verdict(Light.RED, errors)
+    open_ = tuple(_open(figures, numbers))
+    if open_:
+        return Verdict(Light.AMBER, open_)
+    feeds = numbers["feed_blocks"]
+    held = plural(
+        feeds,
+        "tolerance {tolerance} held in the one feed block, proven",
+        "tolerance {tolerance} held in all {count} feed blocks, proven",
+        tolerance=Length(figures.tolerance),
+    )
+    return Verdict(Light.GREEN, (held, _stays_out(figures)))
+
+
+def is_checked(figures: Figures) -> bool:
+    """Whether it was looked at whether the tool enters the part."""
+    return figures.gouge is not None or (figures.audit is not None and figures.audit.part is not None)
+
+
+def _stays_out(figures: Figures) -> Sentence:
+    above = figures.gouge is not None and any(figures.inputs.get(name) for name in ("shank", "holder"))
+    return say("the tool stays out of the part") if above else say("the cutter stays out of the part (no shank or holder given)")
+
+
+def _of_severity(figures: Figures, severity: Severity) -> dict[str, tuple[Finding, ...]]:
+    """The findings of that severity by their codes, in the order in which they came."""
+    found = [one for one in figures.findings if one.severity is severity]
+    order = {code: at for at, code in enumerate(dict.fromkeys(one.code for one in found))}
+    return {code: tuple(some) for code, some in groupby(sorted(found, key=lambda one: order[one.code]), lambda one: one.code)}
+
+
+# ------------------------------------------------------------------------------------------------ red
+
+ENTERS = {
+    "overcut": say("enters the part"),
+    "rapid-collision": say("hits the part between passes"),
+    "holder-collision": say("shank or holder hits the part"),
+    "buried": say("the whole cutter is inside the part"),
+    "cut-too-deep": say("cuts too deep"),
+}
+"""What enters the part, the most frequent first; all of it before any other error."""
+
+
+def _errors(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
+    found = _of_severity(figures, Severity.ERROR)
+    for code in sorted(found, key=lambda code: [*ENTERS, OVER, code].index(code)):
+        if code in ENTERS:
+            yield ENTERS[code] + _where(code, found[code], numbers)
+        elif code == OVER:
+            yield _leaves_path(figures, numbers)
+        else:
+            yield first_clause(found[code][0].text)
+
+
+def _where(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> Sentence:
+    """As " at 203 places, 5 mm deep (NC line 17)"."""
+    worst = max(found, key=lambda one: one.value or 0.0)
+    depth = worst.value or 0.0
+    if code == "buried":
+        said = say(" in {count} blocks", count=Number(depth))
+    else:
+        places = numbers.get(f"{code.replace('-', '_')}_places", len(found))
+        depth_text = Length(depth, ".3g")
+        said = plural(places, " at {count} place, {depth} deep", " at {count} places, {depth} deep", depth=depth_text)
+    return said if worst.line is None else said + say(" (NC line {line})", line=worst.line)
+
+
+def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
+    return plural(
+        numbers["over_tolerance"],
+        "{count} of {all} feed blocks leaves the path by up to {deviation}, {tolerance} allowed (NC line {line})",
+        "{count} of {all} feed blocks leave the path by up to {deviation}, {tolerance} allowed (NC line {line})",
+        all=numbers["feed_blocks"],
+        deviation=Length(numbers["max_segment_deviation"], ".3g"),
+        tolerance=Length(figures.tolerance),
+        line=numbers["worst_line"],
+    )
+
+
+# ------------------------------------------------------------------------------------------------ amber
+
+
+def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
+    feeds = numbers["feed_blocks"]
+    if not feeds:
+        yield say("the program has no feed blocks, so nothing is proven")
+    if not is_checked(figures):
+        yield say("not checked against the part")
+    if guided := numbers["guided_blocks"]:
+        yield say(
+            "in {guided} of {all} feed blocks the controller guides the tip (RTCP), proven are only their ends",
+            guided=guided,
+            all=feeds,
+        )
+    if numbers["unproven"]:
+        yield say(
+            "tolerance {tolerance} not proven in {count} of {all} feed blocks",
+            tolerance=Length(figures.tolerance),
+            count=numbers["unproven"],
+            all=feeds,
+        )
+    for code, found in _of_severity(figures, Severity.WARNING).items():
+        if code != UNPROVEN:
+            yield _warning(code, found, numbers)
+
+
+WARNED = {
+    "spindle-off": Template("the spindle stays off"),
+    "lifted": Template("the tool is lifted out of the part by up to {value}, what it leaves stays uncut"),
+    "left-out": Template("{value} of the passes are left out"),
+    "uncut": Template("more than scallops stays uncut on {value}"),
+    "facets-beyond-axis-angle": Template("{value} are too steep for the largest axis angle and left out"),
+    "facets-beyond-machine": Template("{value} are beyond the machine's limits and left out"),
+}
+"""What a warning says in the verdict; one that is not here gives its first clause."""
+
+
+def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> Sentence:
+    worst = found[0]
+    if code == "side-not-machined":
+        area = Area(sum(one.value or 0.0 for one in found), ".4g")
+        return plural(len(found), "a side is not machined ({area})", "{count} sides are not machined ({area})", area=area)
+    if code == SINGULAR:
+        return plural(numbers["singular_blocks"], "{count} block near the pole", "{count} blocks near the pole")
+    said = WARNED.get(code)
+    if said is None or (worst.value is None and "{" in said) or (code == "uncut" and worst.unit != "mm2"):
+        return first_clause(worst.text)
+    return said.say(value=measure(worst.value or 0.0, worst.unit, ".3g" if code == "lifted" else ".4g"))

@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sentences that can be said again in another language and in other units.
+
+template  English with places for values, as "The tool enters the part by {depth}."; what a translator translates.
+sentence  a str: the template with its values in the core's units, as the command line and the reports say it. It remembers
+          template and values, so that a window says it in its user's language and units (:func:`render`).
+measure   a value with its unit: a length, an area, an angle, a feed, a time.
+
+The templates are found in the source by ``scripts/translations``: the texts of :func:`say`, :func:`plural` and
+:class:`Template` are therefore written out as literals.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+CONTEXT = "FiveAxisCore"
+"""The context under which the templates are translated."""
+OPTIONS = "App::Property"
+"""The context under which the names of the options are."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """A plain number; ``form`` as in ``format``."""
+
+    value: float
+    form: str = "g"
+
+    def __str__(self) -> str:
+        return f"{self.value:{self.form}}"
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A value, or several with one unit behind the last. ``bare``: the reports leave the unit out, a window never does."""
+
+    value: float | tuple[float, ...]
+    form: str = "g"
+    bare: bool = False
+    between: str = ", "
+    unit: ClassVar[str] = ""
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """The values, one or several."""
+        return self.value if isinstance(self.value, tuple) else (self.value,)
+
+    @property
+    def numbers(self) -> str:
+        """The values alone."""
+        return self.between.join(f"{value:{self.form}}" for value in self.values)
+
+    def __str__(self) -> str:
+        return self.numbers if self.bare else f"{self.numbers} {self.unit}"
+
+
+class Length(Measure):
+    """mm."""
+
+    unit = "mm"
+
+
+@dataclass(frozen=True)
+class Point(Length):
+    """A place or direction of three lengths, in parentheses."""
+
+    form: str = ".6g"
+
+    def __str__(self) -> str:
+        return f"({self.numbers})" if self.bare else f"({self.numbers}) {self.unit}"
+
+
+class Area(Measure):
+    """mm2."""
+
+    unit = "mm2"
+
+
+class Volume(Measure):
+    """mm3."""
+
+    unit = "mm3"
+
+
+class Angle(Measure):
+    """Degrees."""
+
+    unit = "deg"
+
+
+class Feed(Measure):
+    """mm/min."""
+
+    unit = "mm/min"
+
+
+class TurnRate(Measure):
+    """deg/min."""
+
+    unit = "deg/min"
+
+
+class Turn(Measure):
+    """deg/mm: how far an axis turns along the path."""
+
+    unit = "deg/mm"
+
+
+class Time(Measure):
+    """Seconds."""
+
+    unit = "s"
+
+
+MEASURES: dict[str, type[Measure]] = {kind.unit: kind for kind in (Length, Area, Volume, Angle, Feed, TurnRate, Turn, Time)}
+"""The kinds of measures by their unit."""
+
+
+def measure(value: float, unit: str, form: str = "g", bare: bool = False) -> Measure | Number:
+    """A value in ``unit``; a plain number where the unit is no measure's (``1`` or none)."""
+    return MEASURES[unit](value, form, bare) if unit in MEASURES else Number(value, form)
+
+
+@dataclass(frozen=True)
+class Option:
+    """A setting by its name in the core (``max_axis_angle``): ``--max-axis-angle`` on the command line, its label in a window.
+
+    ``flag``: with the two dashes."""
+
+    name: str
+    flag: bool = True
+
+    def __str__(self) -> str:
+        return ("--" if self.flag else "") + self.name.replace("_", "-")
+
+    @property
+    def label(self) -> str:
+        """As the property editor names it: ``Max Axis Angle``."""
+        return " ".join(part.capitalize() for part in self.name.split("_"))
+
+
+Translate = Callable[[str, str], str]
+"""Context and English text -> the text in the user's language; the English one where there is no translation."""
+Units = Callable[[Measure], str]
+"""A measure -> its text in the user's units."""
+
+
+class Sentence(str):
+    """English in the core's units; ``template`` and ``values`` are what it was made of. See :func:`say`."""
+
+    template: str
+    values: Mapping[str, Any]
+    translated: bool
+
+    def __new__(cls, template: str, values: Mapping[str, Any], translated: bool = True) -> Sentence:
+        made = super().__new__(cls, template.format_map({name: str(value) for name, value in values.items()}))
+        made.template, made.values, made.translated = template, values, translated
+        return made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Sentence, (self.template, self.values, self.translated)
+
+    def __add__(self, other: str) -> Sentence:
+        return joined((self, other), "")
+
+    def __radd__(self, other: str) -> Sentence:
+        return joined((other, self), "")
+
+
+def say(template: str, **values: Any) -> Sentence:
+    """The sentence of a template. A value is a Measure, a Number, an Option, a sentence, an error, a number or a name."""
+    return Sentence(template, {name: _value(value) for name, value in values.items()})
+
+
+def plural(count: int, one: str, many: str, **values: Any) -> Sentence:
+    """The sentence of ``one`` for a count of 1, that of ``many`` for any other; both may name ``{count}``."""
+    return say(one if count == 1 else many, count=int(count), **values)
+
+
+class Template(str):
+    """A template that stands in a table and gets its values later."""
+
+    def say(self, **values: Any) -> Sentence:
+        """The sentence of these values."""
+        return say(str(self), **values)
+
+
+def joined(parts: Iterable[str], between: str = " ") -> Sentence:
+    """Sentences one after the other, each of which is translated; empty ones are left out."""
+    given = {f"part{at}": _value(part) for at, part in enumerate(part for part in parts if part)}
+    glue = between.replace("{", "{{").replace("}", "}}")
+    return Sentence(glue.join(f"{{{name}}}" for name in given), given, translated=False)
+
+
+CLAUSE = re.compile(r"[.:;] ")
+"""What ends a clause; a point within a number does not."""
+
+
+@dataclass(frozen=True)
+class Clause:
+    """The first clause of a text, as it goes on in the middle of a sentence."""
+
+    text: str
+
+    def __str__(self) -> str:
+        said = CLAUSE.split(str(self.text), maxsplit=1)[0].rstrip(".")
+        return said[:1].lower() + said[1:] if said[1:2].islower() else said
+
+
+def first_clause(text: str) -> Sentence:
+    """The first clause of a finding's text, in small letters, as a sentence of its own."""
+    return Sentence("{clause}", {"clause": Clause(text)}, translated=False)
+
+
+@dataclass(frozen=True)
+class Beginning:
+    """A text that begins a sentence: with a capital letter."""
+
+    text: str
+
+    def __str__(self) -> str:
+        return str(self.text)[:1].upper() + str(self.text)[1:]
+
+
+def beginning(text: str) -> Sentence:
+    """A text with a capital letter, as a sentence of its own."""
+    return Sentence("{text}", {"text": Beginning(text)}, translated=False)
+
+
+def render(text: str, translate: Translate, units: Units) -> str:
+    """A sentence in another language and other units. A text that is no sentence comes back as it is."""
+    if not isinstance(text, Sentence):
+        return text
+    template = translate(CONTEXT, text.template) if text.translated else text.template
+    return template.format_map({name: _render_value(value, translate, units) for name, value in text.values.items()})
+
+
+def _render_value(value: Any, translate: Translate, units: Units) -> str:
+    if isinstance(value, Option):
+        return translate(OPTIONS, value.label)
+    if isinstance(value, Clause | Beginning):
+        return str(type(value)(render(value.text, translate, units)))
+    return (
+        units(value) if isinstance(value, Measure) else render(value, translate, units) if isinstance(value, str) else str(value)
+    )
+
+
+def _value(value: Any) -> Any:
+    """What a sentence keeps: no arrays' numbers, and of an error its text."""
+    if isinstance(value, Sentence | Measure | Number | Option):
+        return value
+    if isinstance(value, BaseException) and value.args and isinstance(value.args[0], Sentence):
+        return value.args[0]
+    return Number(float(value)) if isinstance(value, float) else str(value)

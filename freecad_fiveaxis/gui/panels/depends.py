@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Options of a form that count only where another choice says so.
+
+idle    an option that counts for nothing as the choices stand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from .fields import Field
+
+
+def _is(value: str) -> Callable[[Any], bool]:
+    return lambda chosen: bool(chosen == value)
+
+
+def _is_not(value: str) -> Callable[[Any], bool]:
+    return lambda chosen: bool(chosen != value)
+
+
+def _is_path(against: Any) -> bool:
+    return bool(against) and not _is_part(against)
+
+
+def _is_part(against: Any) -> bool:
+    from freecad_fiveaxis.core.settings import is_part
+
+    return bool(against) and is_part(str(against))
+
+
+DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], ...] = (
+    ("tool_axis", _is("fixed"), ("axis",), ()),
+    ("tool_axis", _is("minimax"), ("max_tilt",), ("lead", "tilt")),
+    ("gouge", _is("tilt"), ("max_tilt",), ()),
+    ("singularity", _is("deform"), ("max_axis_change",), ()),
+    ("rtcp", _is_not("off"), (), ("linearize",)),
+    ("against", _is_path, ("axis_tolerance",), ()),
+    ("against", _is_part, ("cutter", "gouge"), ()),
+)
+"""A choice and what is asked of it; the options that count only if that holds (of several such lines: any), and those that do
+not count then."""
+
+
+def idle_options(fields: Mapping[str, Field]) -> set[str]:
+    """The options that count for nothing as the choices stand: they are not shown, not checked and not given."""
+    asked = [(holds(fields[choice].value()), only, never) for choice, holds, only, never in DEPENDS if choice in fields]
+    wanted = {name for true, only, _ in asked if true for name in only}
+    return {name for true, only, never in asked for name in (never if true else set(only) - wanted)}

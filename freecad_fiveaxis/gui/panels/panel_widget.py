@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The widget of a task panel: a head that stays in sight, and below it the form, which scrolls by itself.
+
+FreeCAD puts the panel into a scroll area of its own, above a stretch. A panel that would like to be taller than any screen, but
+can be low, gets just what is left there: so only the form scrolls, and nothing of FreeCAD's own has to be asked for its height.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
+
+WIDTH, TALL, LOW = 300, 4000, 160
+"""Pixels: as wide as the panel would like to be, taller than any screen, and as low as the form may get."""
+MARGIN = 4
+
+
+class PanelWidget(QtWidgets.QWidget):
+    """``head``: what stays in sight; ``body``: what scrolls."""
+
+    def __init__(self, title: str, head: Sequence[Any], body: Any) -> None:
+        super().__init__()
+        self.setObjectName("FiveAxisPanel")
+        self.setWindowTitle(title)
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
+        for part in head:
+            column.addWidget(part)
+        column.addWidget(FormArea(body), 1)
+
+    def hasHeightForWidth(self) -> bool:
+        """Qt would ask for the whole height of texts that wrap, and scroll the head away."""
+        return False
+
+    def sizeHint(self) -> Any:
+        """As much as there is."""
+        return QtCore.QSize(WIDTH, TALL)
+
+
+class FormArea(QtWidgets.QScrollArea):
+    """Scrolls the form up and down, and is never narrower than it."""
+
+    def __init__(self, body: Any) -> None:
+        super().__init__()
+        self.setObjectName("form_area")
+        self.setWidgetResizable(True)
+        self.setFrameShape(QtWidgets.QFrame.NoFrame)
+        self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        inner = QtWidgets.QWidget()
+        column = QtWidgets.QVBoxLayout(inner)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(body)
+        column.addStretch()
+        self.setWidget(inner)
+        self.verticalScrollBar().rangeChanged.connect(lambda *_: self.updateGeometry())  # a group was folded, or a row shown
+
+    def minimumSizeHint(self) -> Any:
+        """The form's own width and the scroll bar's."""
+        bar = self.verticalScrollBar().sizeHint().width()
+        return QtCore.QSize(self.widget().minimumSizeHint().width() + bar, LOW)

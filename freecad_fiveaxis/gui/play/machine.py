@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The machine as a picture: the bodies of the core's sketch, each on its axis. Playing moves them and never makes them anew."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from pivy import coin
+
+from freecad_fiveaxis.core.machine_sketch import Body, Box, Cylinder, ToolRoom, corners, sketch
+from freecad_fiveaxis.core.playback import Playback, placements
+from freecad_fiveaxis.gui.scene import nodes
+
+from .tool import DrawnTool, size_of
+
+LOOKS: dict[str, tuple[nodes.Colour, float]] = {
+    "platter": ((0.80, 0.83, 0.86), 0.20),
+    "table": ((0.80, 0.83, 0.86), 0.20),
+    "cradle": ((0.66, 0.76, 0.86), 0.50),
+    "base": ((0.74, 0.76, 0.80), 0.60),
+    "spindle": ((0.84, 0.86, 0.88), 0.30),
+    "fork": ((0.66, 0.76, 0.86), 0.50),
+    "ram": ((0.74, 0.76, 0.80), 0.60),
+}
+"""Quiet colours, and how much of the cut is seen through each body."""
+GLOW = 0.3
+"""How bright a body is where no light falls on it, as a share of its colour."""
+EDGE, TURNS = (0.16, 0.18, 0.22), 48
+MOMENTS = 200
+"""Moments of the program at which the room of all bodies is looked at."""
+
+
+class DrawnMachine:
+    """The bodies of a machine below ``root``, in the machine frame."""
+
+    def __init__(self, bodies: tuple[Body, ...]) -> None:
+        self.bodies = bodies
+        self.carriers = {body.carrier: coin.SoMatrixTransform() for body in bodies}
+        self.root = nodes.separate(_solid())
+        for carrier, placed in self.carriers.items():
+            group = nodes.separate(placed)
+            for body in bodies:
+                if body.carrier == carrier:
+                    group.addChild(_body_node(body))
+            self.root.addChild(group)
+
+    def show(self, machine_from_carried: np.ndarray) -> None:
+        """Put every body where its axis carries it; ``machine_from_carried`` (5, 4, 4) as in a Pose."""
+        for carrier, placed in self.carriers.items():
+            if carrier is not None:
+                placed.matrix.setValue(coin.SbMatrix(*(float(value) for value in machine_from_carried[carrier].T.reshape(-1))))
+
+    def room(self, playback: Playback) -> tuple[np.ndarray, np.ndarray]:
+        """The box (two corners (3,) mm, machine frame) in which the bodies move while the program is played."""
+        words = playback.program.words
+        chosen = np.unique(np.linspace(0, len(words) - 1, MOMENTS).astype(int))
+        carried = placements(playback.links, words[chosen])["machine_from_carried"]
+        reached = [_reached(body, carried) for body in self.bodies]
+        return np.min([low for low, _ in reached], axis=0), np.max([high for _, high in reached], axis=0)
+
+
+def machine_of(
+    playback: Playback, low: np.ndarray, high: np.ndarray, tool: DrawnTool, table: float | None = None
+) -> DrawnMachine:
+    """The machine of a program whose part has the box ``low``, ``high`` (3,) mm, work frame; ``table`` mm: height of the table's
+    face there, None where it is not known."""
+    radius, height = size_of(tool)
+    return DrawnMachine(sketch(playback.links, low, high, ToolRoom(height, radius), table))
+
+
+def _reached(body: Body, carried: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    points = corners(body.shape)
+    if body.carrier is not None:
+        placement = carried[:, body.carrier]
+        points = (points @ np.swapaxes(placement[:, :3, :3], 1, 2) + placement[:, None, :3, 3]).reshape(-1, 3)
+    return points.min(axis=0), points.max(axis=0)
+
+
+def _body_node(body: Body) -> Any:
+    rgb, transparency = LOOKS[body.name]
+    material = coin.SoMaterial()
+    material.diffuseColor.setValue(*rgb)
+    material.emissiveColor.setValue(*(GLOW * part for part in rgb))
+    material.transparency = transparency
+    shape, edges = _box(body.shape) if isinstance(body.shape, Box) else _cylinder(body.shape)
+    drawn = nodes.separate(nodes.flat(), nodes.colour(EDGE), nodes.style(1.0), edges)
+    return nodes.separate(nodes.separate(material, shape), drawn)
+
+
+def _solid() -> Any:
+    """Bodies are closed: their back faces are left out, which would be blended with the front ones in any order."""
+    made = coin.SoShapeHints()
+    made.vertexOrdering, made.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.SOLID
+    return made
+
+
+def _placed(rows: np.ndarray, centre: np.ndarray) -> Any:
+    """Where a shape stands whose own axes are the unit ``rows`` (3, 3)."""
+    made = coin.SoMatrixTransform()
+    placement = np.eye(4)
+    placement[:3, :3], placement[3, :3] = rows, centre
+    made.matrix.setValue(coin.SbMatrix(*(float(value) for value in placement.reshape(-1))))
+    return made
+
+
+_SIGNS = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+_EDGES = np.array([(one, other) for one in range(8) for other in range(one) if np.abs(_SIGNS[one] - _SIGNS[other]).sum() == 2.0])
+
+
+def _box(box: Box) -> tuple[Any, Any]:
+    cube = coin.SoCube()
+    cube.width, cube.height, cube.depth = (2.0 * float(half) for half in box.half)
+    corner = box.centre + (_SIGNS * box.half) @ box.along
+    return nodes.separate(_placed(box.along, box.centre), cube), nodes.lines(corner[_EDGES].reshape(-1, 3))
+
+
+def _cylinder(shape: Cylinder) -> tuple[Any, Any]:
+    axis = shape.end - shape.start
+    length = float(np.linalg.norm(axis))
+    up = axis / length
+    side = np.cross(up, np.eye(3)[np.abs(up).argmin()])
+    side = side / np.linalg.norm(side)
+    drawn = coin.SoCylinder()
+    drawn.radius, drawn.height = shape.radius, length
+    rows = np.stack([side, up, np.cross(side, up)])  # Coin's cylinder stands along y
+    around = np.linspace(0.0, 2.0 * np.pi, TURNS + 1)
+    circle = shape.radius * (np.cos(around)[:, None] * rows[0] + np.sin(around)[:, None] * rows[2])
+    rims = nodes.lines(np.concatenate([shape.start + circle, shape.end + circle]), TURNS + 1)
+    return nodes.separate(_placed(rows, 0.5 * (shape.start + shape.end)), drawn), rims

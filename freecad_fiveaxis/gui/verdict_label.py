@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The verdict of a tool path or an audit, as a coloured line whose words say what its colour says."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .qt import QtWidgets
+
+COLOURS = {"red": "#b3261e", "amber": "#8a5a00", "green": "#0b6b3a"}
+"""Of each light: white letters can be read on it, on a light desktop and on a dark one."""
+
+
+class VerdictLabel(QtWidgets.QLabel):
+    """Hidden until there is a verdict."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setWordWrap(True)
+        self.hide()
+
+    def show_verdict(self, obj: Any) -> None:
+        """The verdict of the last computation of a Toolpath or an Audit; None: hide it."""
+        light = getattr(obj, "Light", "")
+        self.setText(obj.Verdict if light else "")
+        self.setStyleSheet(
+            f"background: {COLOURS.get(light, 'none')}; color: white; font-weight: bold; padding: 6px; border-radius: 4px;"
+        )
+        self.setVisible(light in COLOURS)

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The verdict: one light over everything, errors first; and what the defaults of ``mill`` and ``post`` make of a part."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from gouge_examples import dense_points, prism, sampled_depth, step
+from report_examples import TRUNNION, by_hand, empty, figures_of, table2
+from uncured import UNCURED
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.apt import write_apt
+from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.gouge import Entries, GougeCheck, body_of, program_course
+from freecad_fiveaxis.core.report import Light, as_html, as_json, as_text, html_page, summary, verdict
+from freecad_fiveaxis.core.settings import build_settings
+
+MACHINE = {"machine": "trunnion_ac", "stepover": 3}
+
+
+def filleted():
+    """A block of 40 x 40 x 20 mm whose long upper edges are rounded by 8 mm: in the middle of a pass the tool leans over."""
+    turn = np.radians(np.linspace(0.0, 90.0, 13))
+    round_ = 8.0 * np.column_stack([np.cos(turn), np.sin(turn)])
+    left = (-round_[::-1] * (1, -1)) + (-12.0, 12.0)
+    return prism([(-20, 0), (20, 0), *(round_ + (12.0, 12.0)), *left])
+
+
+@pytest.fixture(scope="module")
+def made():
+    """Results by part and options, each made once."""
+    kept = {}
+
+    def mill(part, **options):
+        key = (part, *sorted(options.items()))
+        if key not in kept:
+            settings = build_settings("mill", "part.stl", {**MACHINE, "cutter": "ball:8", **options})
+            kept[key] = job.prove(job.make(settings, mesh=part()))
+        return kept[key]
+
+    return mill
+
+
+def told(result_or_figures):
+    figures = job.figures(result_or_figures) if isinstance(result_or_figures, job.Result) else result_or_figures
+    return verdict(figures, summary(figures))
+
+
+def test_entering_the_part_comes_before_every_proof(made):
+    """A ball that is held upright cuts into the wall of a step: the machine keeps its path, and the part is scrap."""
+    result = made(step, tool_axis="fixed", stepover=1, gouge="report")
+    numbers, said = summary(job.figures(result)), told(result)
+    assert numbers["proven"], "the path alone is proven"
+    depth = result.gouge.cutter.depth * (result.made.program.motion[1:] <= 1)
+    places = int(((depth > 0) & ~np.append(False, depth[:-1] > 0)).sum())
+    assert said.light is Light.RED and numbers["overcut_places"] == places > 1
+    line = int(result.made.program.line[depth.argmax() + 1])
+    assert said.text.startswith(f"NOT SAFE: enters the part at {places} places, {depth.max():.3g} mm deep (NC line {line})")
+    assert not any(line.lstrip().startswith("Proven") for line in as_text(job.figures(result)).splitlines())
+
+
+def test_every_report_says_the_same_verdict(made, monkeypatch):
+    monkeypatch.setattr(html_page, "plots", lambda *_: ())
+    figures = job.figures(made(step, tool_axis="fixed", stepover=1, gouge="report"))
+    said = told(figures)
+    record = json.loads(as_json(figures))["summary"]
+    assert (record["light"], record["verdict"], record["reasons"]) == ("red", said.text, list(said.reasons))
+    assert f'<p class="verdict bad">{said.text}</p>' in as_html(figures)
+    assert " ".join(as_text(figures).split("\n\n")[0].splitlines()[1:]) == said.text and record["proven"] is True
+
+
+def test_the_defaults_keep_the_tolerance_and_stay_out_of_the_part(made):
+    """The same two parts by default, and uncured: there the tool is far off its path, or deep in the part."""
+    for part, more in ((filleted, {"direction": 90, "lead": 5}), (step, {"tool_axis": "fixed"})):
+        uncured, cured = (made(part, **more, **given) for given in ({**UNCURED, "gouge": "report"}, {}))
+        assert told(uncured).light is Light.RED
+        assert told(cured).light is not Light.RED, told(cured).text
+        numbers = summary(job.figures(cured))
+        assert numbers["proven"] and numbers["overcut_blocks"] == numbers["rapid_collision_blocks"] == 0
+    assert summary(job.figures(made(filleted, direction=90, lead=5, **UNCURED)))["max_segment_deviation"] > 0.1
+
+
+def test_the_step_by_default_is_entered_nowhere_by_dense_sampling(made):
+    """A judge without trees: how deep densely set points of the part lie in the cutter, on all its real way."""
+    result, points = made(step, tool_axis="fixed"), dense_points(step(), 0.5)
+    uncured = made(step, tool_axis="fixed", **{**UNCURED, "gouge": "report"})
+    for one, most in ((result, 0.0101), (uncured, np.inf)):
+        course, body = program_course(one.made.links, one.made.program), body_of(one.made.settings.cutter.cutter)
+        deepest = max(sampled_depth(body, points, course, block, 9) for block in range(0, len(course), 5))
+        assert deepest <= most
+    assert deepest > 1.0, "the judge sees what the cure has cured"
+
+
+def test_post_divides_by_default_and_says_that_no_part_was_looked_at(made, tmp_path):
+    given = made(filleted, direction=90, lead=5, **UNCURED)
+    (tmp_path / "a.apt").write_bytes(write_apt(given.made.path, given.made.settings.cutter.cutter, "a"))
+    posted = job.run(build_settings("post", str(tmp_path / "a.apt"), {"machine": "trunnion_ac"}))
+    assert summary(job.figures(posted))["proven"] and summary(job.figures(given))["over_tolerance"] > 0
+    said = told(posted)
+    assert said.light is Light.AMBER and said.reasons[0] == "not checked against the part"
+
+
+CALM = np.array([[0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [2, 0, 0, 0, 0.1]], float)
+
+
+def calm(**more):
+    """A program that keeps its path, looked at against the part, which it does not enter."""
+    none = np.zeros(2)
+    entries = Entries(none, none, none, np.zeros((2, 3)), none.astype(int), none.astype(int))
+    check = GougeCheck(entries, entries, none.astype(bool), ())
+    return figures_of(TRUNNION, CALM, **({"gouge": check} | more))
+
+
+def found(severity, code="some-code", text="Something is so: do it.", **more):
+    return Finding(severity, code, text, **more)
+
+
+def test_green_says_what_is_proven_and_what_was_looked_at():
+    assert told(calm()).text == (
+        "SAFE: tolerance 0.01 mm held in all 2 feed blocks, proven; the cutter stays out of the part (no shank or holder given)."
+    )
+    assert told(calm(inputs={"holder": "40x25"})).text.endswith("proven; the tool stays out of the part.")
+    assert told(calm(findings=(found(Severity.NOTE),))).light is Light.GREEN
+
+
+def test_what_is_open_is_amber_and_what_is_wrong_is_red_whatever_else_is_said():
+    unchecked = told(calm(gouge=None))
+    assert unchecked.light is Light.AMBER and unchecked.text == "CHECK: not checked against the part."
+    off = told(calm(findings=(found(Severity.WARNING, "spindle-off"), found(Severity.NOTE))))
+    assert off.text == "CHECK: the spindle stays off."
+    assert told(calm(findings=(found(Severity.WARNING),))).text == "CHECK: something is so."
+    wrong = calm(gouge=None, findings=(found(Severity.WARNING), found(Severity.ERROR, "limit", "C 400 deg is too far. Turn it.")))
+    assert told(wrong).text == "NOT SAFE: C 400 deg is too far."
+    assert told(table2()).text == "NOT SAFE: 1 of 1 feed blocks leaves the path by up to 2.13 mm, 0.01 mm allowed (NC line 4)."
+    assert told(by_hand(0.0301)).light is Light.AMBER and "not proven in 1 of 5" in told(by_hand(0.0301)).text
+    assert "nothing is proven" in told(empty()).text
+
+
+def test_errors_are_named_by_what_they_do_to_the_part_and_counted_beyond_three():
+    codes = ("limit", "deviation-over-tolerance", "overcut", "axis-not-reachable", "rapid-collision")
+    errors = tuple(found(Severity.ERROR, code, f"It is {code}. Help.", value=0.5, line=7) for code in codes)
+    said = told(replace(by_hand(), findings=errors))
+    assert said.reasons[0] == "enters the part at 1 place, 0.5 mm deep (NC line 7)"
+    assert said.reasons[1].startswith("hits the part between passes") and said.reasons[2].startswith("2 of 5 feed blocks leave")
+    assert said.text.endswith("; and 2 more.") and len(said.reasons) == 5

@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The story of a sitting, step by step: read it from STEPS downwards."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import sys
+import time
+
+from desk import Desk, run_quietly
+from eyes import ENABLED
+from sitting import HERE, PROJECT, Sitting, Unseen, make_part, table
+
+LIMIT = 3.0
+"""s that the window may stay without an answer in a step of ours."""
+
+
+def install(user: Sitting) -> None:
+    """As the README says: make install."""
+    said = run_quietly([os.path.join(PROJECT, "scripts", "install")])
+    if "->" not in said:
+        raise Unseen(f"install made no link: {said}")
+
+
+def start(user: Sitting) -> None:
+    """Start FreeCAD."""
+    shutil.copyfile(os.path.join(HERE, "user.cfg"), user_config(user))
+    user.start()
+
+
+def user_config(user: Sitting) -> str:
+    """Where this FreeCAD keeps the user's settings."""
+    versioned = [name for name in os.listdir(user.home + "/.local/share/FreeCAD") if name.startswith("v")]
+    folder = os.path.join(user.home, ".config", "FreeCAD", *versioned[:1])
+    os.makedirs(folder, exist_ok=True)
+    return os.path.join(folder, "user.cfg")
+
+
+def workbench(user: Sitting) -> None:
+    """Choose the workbench in its list."""
+    user.hands.click(user.eyes.find("combo box", "Part"))
+    time.sleep(1)
+    user.hands.write("Five")
+    user.hands.press("Return")
+    user.eyes.find("push button", "Tool path.*")
+
+
+def open_part(user: Sitting) -> None:
+    """File, Open."""
+    user.hands.press("ctrl+o")
+    user.eyes.find("dialog", "Open.*")
+    time.sleep(0.5)
+    user.hands.write(user.part)
+    user.hands.press("Return")
+    user.in_tree("Rounded")
+    user.in_tree("Body")
+    user.hands.click_at(900, 600)
+    user.hands.press("0")
+
+
+def select(user: Sitting) -> None:
+    """Click the part in the tree; where it is not drawn, Space draws it."""
+    user.hands.click(user.in_tree("Rounded"))
+    user.hands.press("space")
+    user.press_tool("Fit [Aa]ll")
+    user.until(lambda: user.eyes.find("push button", "Tool path.*").has(ENABLED), 5, "Tool path can be pressed")
+
+
+def tool_path(user: Sitting) -> None:
+    """Open the panel."""
+    user.press_tool("Tool path.*")
+    user.eyes.find("push button", "Calculate")
+
+
+def turn_wheel(user: Sitting) -> None:
+    """Turn the wheel over the panel's boxes: the panel scrolls, and no value changes."""
+    boxes = [*user.eyes.all("combo box"), *user.eyes.all("spin box")]
+    inside = [(box, said(box)) for box in boxes if panel_holds(user, box)]
+    if not inside:
+        raise Unseen("no box in the panel")
+    for box, _ in inside:
+        left, top, width, height = box.box
+        user.hands.point(left + width / 4, top + height / 2)
+        user.hands.wheel(2)
+        user.hands.wheel(-2)
+    time.sleep(0.3)
+    changed = [f"{was} to {said(box)}" for box, was in inside if said(box) != was]
+    if changed:
+        raise Unseen(f"the wheel has changed {changed}")
+
+
+def said(box) -> str:
+    """What stands in a combo box or spin box."""
+    return box.name + "|" + (box.text if box.role == "spin box" else "")
+
+
+def panel_holds(user: Sitting, box) -> bool:
+    """Whether a box stands below the panel's Calculate, near enough to be seen."""
+    left, top, *_ = user.eyes.find("push button", "Calculate").box
+    x, y, *_ = box.box
+    return abs(x - left) < 300 and top < y < top + 500
+
+
+def calculate(user: Sitting) -> None:
+    """Calculate; the tree has a path then."""
+    user.press("Calculate")
+    user.eyes.find("label", ".*Blocks.*", 60)
+
+
+def ok(user: Sitting) -> None:
+    """OK keeps the path and closes the panel."""
+    user.press("OK")
+    user.eyes.gone("push button", "Calculate", 60)
+    user.in_tree("Toolpath")
+
+
+def play(user: Sitting) -> None:
+    """Play the path, stop it, go one block on, close."""
+    user.hands.click(user.in_tree("Toolpath"))
+    user.press_tool("Play.*")
+    time_played = user.eyes.find("label", r"[\d:.]+ of [\d:.]+")  # as 0:00.00 of 4:58.81; looked up now, for while it plays
+    button, on = user.eyes.find("check box", "Play and pause"), user.eyes.find("push button", "One block on")  # answers are slow
+    begun = time_played.name
+    user.hands.click(button)
+    user.until(lambda: time_played.name != begun, 10, "the tool moves")
+    user.hands.click(button)
+    time.sleep(0.5)
+    stopped = time_played.name
+    user.hands.click(on)
+    user.until(lambda: time_played.name != stopped, 10, "one block on")
+    user.press("Close")
+    user.eyes.gone("slider", "")
+
+
+def post_process(user: Sitting) -> None:
+    """Write the NC file where the panel proposes."""
+    user.hands.click(user.in_tree("Toolpath"))
+    user.press_tool("Post-process.*")
+    user.nc_file = user.eyes.find("text", "The NC file to write").text
+    user.press("OK")
+    user.until(lambda: os.path.isfile(user.nc_file), 60, user.nc_file)
+    told = user.eyes.find("dialog", "NC file written")
+    user.hands.click(user.eyes.find("push button", "Close", below=told))
+    user.eyes.gone("push button", "OK")
+
+
+def audit(user: Sitting) -> None:
+    """Audit the file that was written."""
+    user.press_tool("Audit an NC file.*")
+    user.eyes.find("push button", "Calculate")
+    user.hands.click(user.eyes.find("text", "NC file"))
+    user.hands.press("ctrl+a")
+    user.hands.write(user.nc_file)
+    user.hands.press("Tab")
+    user.press("Calculate")
+    user.eyes.find("label", ".*Blocks.*", 60)
+    user.press("OK")
+    user.eyes.gone("push button", "Calculate", 60)
+    user.in_tree("Audit")
+
+
+def undo(user: Sitting) -> None:
+    """Undo takes the audit back, redo brings it again."""
+    user.hands.click(user.in_tree("Toolpath"))
+    user.press_tool("Undo")
+    user.not_in_tree("Audit")
+    user.press_tool("Redo")
+    user.in_tree("Audit")
+
+
+def recompute(user: Sitting) -> None:
+    """Mark the path to be computed anew, and Refresh."""
+    user.hands.click(user.in_tree("Toolpath"))
+    user.press_tool("Refresh|Recompute")
+    user.in_tree("Toolpath")
+
+
+def save(user: Sitting) -> None:
+    """Save."""
+    before = os.path.getmtime(user.part)
+    user.hands.press("ctrl+s")
+    user.until(lambda: os.path.getmtime(user.part) > before, 30, "the file saved")
+
+
+def close(user: Sitting) -> None:
+    """Close the document; after saving nothing is asked."""
+    user.hands.press("ctrl+w")
+    user.not_in_tree("Toolpath")
+
+
+def reopen(user: Sitting) -> None:
+    """Open it again: path and audit are there, and the panel comes with the path's result."""
+    open_part(user)
+    user.in_tree("Audit")
+    user.hands.click(user.in_tree("Toolpath"), double=True)
+    user.eyes.find("push button", "Calculate")
+    user.eyes.find("label", ".*Blocks.*", 60)
+    user.hands.click(user.eyes.find("push button", "Cancel"), at=(0.2, 0.5))  # its right half may be cut off
+    user.eyes.gone("push button", "Calculate")
+
+
+def leave(user: Sitting) -> None:
+    """Quit; what was changed since is not kept."""
+    user.hands.press("ctrl+q")
+    left = user.until(lambda: user.has_left() or user.eyes.see("push button", DISCARD), 20, "FreeCAD to leave or to ask")
+    if left is not True:
+        user.hands.click(left)
+    user.until(user.has_left, 30, "FreeCAD to leave")
+
+
+DISCARD = "(Discard|Close without|Don.t Save).*"
+SHORT = [
+    ("Install", install), ("Start", start), ("Workbench", workbench), ("Open a part", open_part), ("Select it", select),
+    ("Tool path", tool_path), ("Turn the wheel", turn_wheel), ("Calculate", calculate), ("OK", ok), ("Play", play),
+    ("Post-process", post_process), ("Audit", audit), ("Undo, redo", undo), ("Recompute", recompute), ("Save", save),
+    ("Close", close), ("Reopen", reopen), ("Quit", leave),
+]  # fmt: skip
+LONG = SHORT
+FREECADS_OWN = ("Install", "Start", "Workbench", "Open a part", "Save", "Close", "Quit")
+"""Steps in which FreeCAD works, and not we: their silence is told, and not judged."""
+
+
+def main() -> int:
+    said = argparse.ArgumentParser()
+    said.add_argument("form", nargs="?", choices=("short", "long"), default="short")
+    said.add_argument("--limit", type=float, default=LIMIT, help="s that the window may be silent in a step of ours")
+    said.add_argument("--keep", action="store_true")
+    asked = said.parse_args()
+    with Desk() as desk:
+        part = os.path.join(os.environ["HOME"], "part.FCStd")
+        version = make_part(part)
+        folder = os.path.join(PROJECT, "out", "sitting", version)
+        shutil.rmtree(folder, ignore_errors=True)
+        os.makedirs(folder)
+        user = Sitting(desk, folder, part)
+        good = all(
+            user.do(name, step, None if name in FREECADS_OWN else asked.limit)
+            for name, step in (LONG if asked.form == "long" else SHORT)
+        )
+        with open(os.path.join(folder, "table.md"), "w", encoding="utf-8") as file:
+            file.write(table(user.rows, version))
+    print(f"sitting: FreeCAD {version} {'passed' if good else 'FAILED'}, see {folder}")
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
