@@ -104,7 +104,8 @@ def take_back(doc: Any, *objects: Any) -> None:
             doc.removeObject(obj.Name)
 
 
-def _check_open(doc: Any) -> None:
+def check_open(doc: Any) -> None:
+    """Raises Cancelled where the document (None: there is none) was closed while the window's events were handled."""
     if doc is not None and not is_open(doc):
         raise Cancelled(say("the document was closed; nothing was changed"))
 
@@ -123,10 +124,10 @@ def _followed(worker: Worker[T], told: Any, doc: Any) -> T:
             for news in worker.news():
                 told(*news)
             told.pump()
-            _check_open(doc)
+            check_open(doc)
         for news in worker.news():
             told(*news)
-        _check_open(doc)
+        check_open(doc)
     except BaseException:
         worker.stop()
         raise

@@ -46,7 +46,6 @@ def meshed(shape: Any, linear: float, angular: float, progress: Progress) -> tup
 
     ``linear`` mm, ``angular`` rad. Raises Cancelled where the listener stops it.
     """
-    progress("tessellate", 0.0)
     program = command() if hasattr(progress, "pump") and expected(shape, linear, angular) > QUICK else ""
     made = _beside(program, shape, linear, angular, progress) if program else ()
     return mesher.solid_mesh(shape, linear, angular) if made == () else made  # type: ignore[return-value]

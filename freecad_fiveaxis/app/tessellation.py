@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.sentences import Angle, Length, say
 
 from . import meshing, selection
-from .long_work import listening, take_back
+from .long_work import check_open, listening, take_back
 from .properties import HIDDEN, OUTPUT, QT_TRANSLATE_NOOP, RESULT, Property
 from .schema import Proxy
 
@@ -70,10 +70,13 @@ class Tessellation(Proxy):
 
     def build(self, obj: Any) -> None:
         """Make the mesh now. Raises SelectionError, SettingsError, Cancelled; the recompute that follows does no work again."""
-        base, faces = chosen(obj)
+        (base, faces), doc = chosen(obj), obj.Document
         with listening() as progress:
+            progress("tessellate", 0.0)
+            check_open(doc)
             mesh, runs = _meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress)
             progress("tessellate", 1.0)
+        check_open(doc)
         obj.Mesh, obj.FacetRuns, obj.Facets, obj.MadeOf = mesh, runs, mesh.CountFacets, made_of(obj)
         self.built = True
 
@@ -112,7 +115,6 @@ def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
 
 
 def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float, progress: Progress) -> tuple[Any, list[int]]:
-    progress("tessellate", 0.0)
     if base is not None and selection.is_mesh(base):
         return _copied(base, faces), []
     if linear <= 0.0 or angular <= 0.0:

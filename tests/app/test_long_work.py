@@ -137,7 +137,7 @@ def test_a_stopped_worker_ends():
     for work in (in_python, talking):
         with pytest.raises(Cancelled):
             long_work.run(work, Dialog(stop_after=0.1))
-        assert threading.active_count() == before, work.__name__
+        assert threading.active_count() <= before, work.__name__
 
 
 def test_an_abandoned_worker_ends_after_its_call_and_goes_no_further():

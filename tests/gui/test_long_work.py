@@ -253,3 +253,15 @@ def test_lifting_the_tool_leaves_the_window_alive_and_esc_stops_it(doc, stopped)
     before = state(doc)
     gap, late = stopped(in_dialog(lambda: results.result_of(path)))
     assert gap <= LONGEST and late <= SOON and state(doc) == before
+
+
+def test_a_fraction_that_stands_still_is_shown_as_a_bar_that_runs(window, pump):
+    with waiting("Watched") as told:
+        bar = told.dialog.findChild(QtWidgets.QProgressBar)
+        told("weld", 0.25)
+        assert (bar.maximum(), bar.value()) == (100, 25)
+        time.sleep(1.1)
+        told.pump()
+        assert bar.maximum() == 0 and not told.dialog.wasCanceled()
+        told("weld", 0.5)
+        assert (bar.maximum(), bar.value()) == (100, 50)
