@@ -28,10 +28,6 @@
         <translation>Winkelabweichung</translation>
     </message>
     <message>
-        <source>Audit</source>
-        <translation>Prüfung</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
@@ -84,10 +80,6 @@
         <translation>Prüfsumme (sha256) des Geschriebenen</translation>
     </message>
     <message>
-        <source>Checksum of the base and the deflections that the mesh is made of</source>
-        <translation>Prüfsumme der Grundlage und der Abweichungen, aus denen das Netz gemacht ist</translation>
-    </message>
-    <message>
         <source>Clearance</source>
         <translation>Sicherheitsabstand</translation>
     </message>
@@ -136,8 +128,8 @@
         <translation>Farbe der Werkzeugachsen</translation>
     </message>
     <message>
-        <source>Compare</source>
-        <translation>Vergleichen</translation>
+        <source>Comparison</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Control Point</source>
@@ -156,20 +148,12 @@
         <translation>Eckenradius eines Torusfräsers, auch eines konischen; andere Arten haben keinen</translation>
     </message>
     <message>
-        <source>Cure</source>
-        <translation>Abhilfe</translation>
-    </message>
-    <message>
         <source>Cures</source>
         <translation>Abhilfen</translation>
     </message>
     <message>
         <source>Cut Length</source>
         <translation>Schnittweg</translation>
-    </message>
-    <message>
-        <source>Cutter</source>
-        <translation>Fräser</translation>
     </message>
     <message>
         <source>Cutter Corner</source>
@@ -268,10 +252,6 @@
         <translation>Geführte NC-Sätze</translation>
     </message>
     <message>
-        <source>Head</source>
-        <translation>Programmkopf</translation>
-    </message>
-    <message>
         <source>High Speed</source>
         <translation>Hochgeschwindigkeit</translation>
     </message>
@@ -356,6 +336,10 @@
         <translation>Länge der Werkzeugachsen; 0: dem Werkstück angemessen</translation>
     </message>
     <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Line Width</source>
         <translation>Linienbreite</translation>
     </message>
@@ -366,10 +350,6 @@
     <message>
         <source>Linearize</source>
         <translation>Linearisieren</translation>
-    </message>
-    <message>
-        <source>Link</source>
-        <translation>Zwischen den Zeilen</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -394,10 +374,6 @@
     <message>
         <source>Machines</source>
         <translation>Maschinen</translation>
-    </message>
-    <message>
-        <source>Made Of</source>
-        <translation>Gemacht aus</translation>
     </message>
     <message>
         <source>Map</source>
@@ -484,6 +460,10 @@
         <translation>Nullpunkt aus der Maschinendatei</translation>
     </message>
     <message>
+        <source>Output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Over Tolerance</source>
         <translation>Über der Toleranz</translation>
     </message>
@@ -492,8 +472,8 @@
         <translation>Überschnittene Fläche</translation>
     </message>
     <message>
-        <source>Pass</source>
-        <translation>Zeilen</translation>
+        <source>Part</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Passes</source>
@@ -520,14 +500,6 @@
         <translation>Programm</translation>
     </message>
     <message>
-        <source>Proof</source>
-        <translation>Nachweis</translation>
-    </message>
-    <message>
-        <source>Prove</source>
-        <translation>Nachweisen</translation>
-    </message>
-    <message>
         <source>Proven</source>
         <translation>Bewiesen</translation>
     </message>
@@ -544,10 +516,6 @@
         <translation>Empfohlene Drehung</translation>
     </message>
     <message>
-        <source>Recover</source>
-        <translation>Zurückgewinnen</translation>
-    </message>
-    <message>
         <source>Region</source>
         <translation>Bereich</translation>
     </message>
@@ -558,6 +526,10 @@
     <message>
         <source>Rtcp</source>
         <translation>RTCP</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Scallop</source>
@@ -740,6 +712,10 @@
         <translation>Der Werkzeugweg, dessen Werkstück aufgespannt werden soll</translation>
     </message>
     <message>
+        <source>The verdict as a traffic light: red, amber or green</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The work zero in the machine frame about which setups were tried</source>
         <translation>Der Werkstücknullpunkt im Maschinensystem, um den herum Aufspannungen erprobt wurden</translation>
     </message>
@@ -836,10 +812,6 @@
         <translation>Was stehen bleibt, in einem einfachen Satz</translation>
     </message>
     <message>
-        <source>What is proven, in a plain sentence</source>
-        <translation>Was nachgewiesen ist, in einem einfachen Satz</translation>
-    </message>
-    <message>
         <source>What is recommended, in a plain sentence</source>
         <translation>Was empfohlen wird, in einem einfachen Satz</translation>
     </message>
@@ -858,6 +830,10 @@
     <message>
         <source>Where the work zeros of the map lie in the document</source>
         <translation>Wo die Werkstücknullpunkte der Karte im Dokument liegen</translation>
+    </message>
+    <message>
+        <source>Whether the program is safe to run, and why, in a plain sentence</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the path in pixels</source>
@@ -916,8 +892,8 @@
         <translation>Zylinder des Halters über Fräser und Schaft, wie 40x25,63x50 in mm; siehe Eindringen</translation>
     </message>
     <message>
-        <source>divide feed blocks over tolerance into the fewest that hold it</source>
-        <translation>Vorschubsätze über der Toleranz in die wenigsten teilen, die sie einhalten</translation>
+        <source>divide feed blocks over tolerance into the fewest that hold it; off with rtcp</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>facets steeper than this are left out</source>
@@ -1083,17 +1059,13 @@
         <source>work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300</source>
         <translation>Nullpunktverschiebung: G54 bis G59, bei LinuxCNC G59.1 bis G59.3, bei Fanuc G54.1 P1 bis P300</translation>
     </message>
-    <message>
-        <source>Height of the table's face in the machine's coordinates; empty: that of the machine's file</source>
-        <translation>Höhe der Tischfläche in den Koordinaten der Maschine; leer: die der Maschinendatei</translation>
-    </message>
-    <message>
-        <source>Table Height</source>
-        <translation>Tischhöhe</translation>
-    </message>
 </context>
 <context>
     <name>FiveAxis</name>
+    <message>
+        <source> 1/min</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>A controller with tool tip control (RTCP) guides the tip along the line itself.</source>
         <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Spitze von sich aus auf der Geraden.</translation>
@@ -1101,10 +1073,6 @@
     <message>
         <source>A longer tool, a slimmer holder, lead or tilt away from the wall; or leave such places out.</source>
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
-    </message>
-    <message>
-        <source>Against deviation</source>
-        <translation>Gegen Abweichung</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -1151,10 +1119,6 @@
         <translation>Unter der Fläche</translation>
     </message>
     <message>
-        <source>Between passes</source>
-        <translation>Zwischen den Zeilen</translation>
-    </message>
-    <message>
         <source>Block</source>
         <translation>NC-Satz</translation>
     </message>
@@ -1173,10 +1137,6 @@
     <message>
         <source>CL files (*.apt *.cl *.cls *.ncl *.aptsource *.txt)</source>
         <translation>CL-Dateien (*.apt *.cl *.cls *.ncl *.aptsource *.txt)</translation>
-    </message>
-    <message>
-        <source>CL path or part</source>
-        <translation>CL-Weg oder Teil</translation>
     </message>
     <message>
         <source>Calculate</source>
@@ -1237,6 +1197,10 @@
     <message>
         <source>Click a point, or press Esc</source>
         <translation>Einen Punkt anklicken, oder Esc drücken</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Collision between passes</source>
@@ -1335,16 +1299,16 @@
         <translation>Fehler</translation>
     </message>
     <message>
+        <source>Errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Feed</source>
         <translation>Vorschub</translation>
     </message>
     <message>
         <source>Feed mode</source>
         <translation>Vorschubart</translation>
-    </message>
-    <message>
-        <source>Feeds</source>
-        <translation>Vorschübe</translation>
     </message>
     <message>
         <source>File to import</source>
@@ -1399,8 +1363,8 @@
         <translation>Abstand über der Marke</translation>
     </message>
     <message>
-        <source>Head of the NC file</source>
-        <translation>Kopf der NC-Datei</translation>
+        <source>Go back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>High-speed mode</source>
@@ -1447,8 +1411,16 @@
         <translation>Der Name muss auf {endings} enden.</translation>
     </message>
     <message>
+        <source>Keep anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Keep the tip of the tool in the middle of the view</source>
         <translation>Die Werkzeugspitze in der Mitte der Ansicht halten</translation>
+    </message>
+    <message>
+        <source>Keep this path anyway?</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Kind</source>
@@ -1567,6 +1539,10 @@
         <translation>NC-Datei</translation>
     </message>
     <message>
+        <source>NC file written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>NC files (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)</source>
         <translation>NC-Dateien (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)</translation>
     </message>
@@ -1641,6 +1617,10 @@
     <message>
         <source>One block on</source>
         <translation>Einen NC-Satz weiter</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Open a document first: there is nothing to pick from.</source>
@@ -1723,10 +1703,6 @@
         <translation>Vorschau für den Arbeitsbereich CAM</translation>
     </message>
     <message>
-        <source>Proof</source>
-        <translation>Nachweis</translation>
-    </message>
-    <message>
         <source>Prove the signs</source>
         <translation>Vorzeichen nachweisen</translation>
     </message>
@@ -1740,7 +1716,7 @@
     </message>
     <message>
         <source>Recompute</source>
-        <translation>Neu berechnen</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Recover</source>
@@ -1819,6 +1795,10 @@
         <translation>Befunde zeigen</translation>
     </message>
     <message>
+        <source>Show folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Singular blocks</source>
         <translation>Singuläre NC-Sätze</translation>
     </message>
@@ -1835,8 +1815,12 @@
         <translation>Geschwindigkeit, in Vielfachen der wirklichen</translation>
     </message>
     <message>
-        <source>Spindle, 1/min</source>
-        <translation>Drehzahl, 1/min</translation>
+        <source>Spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle speed not given: the program will not start the spindle.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Steepest facet</source>
@@ -2015,6 +1999,10 @@
         <translation>Der Kopf dieser Maschine schwenkt: die Länge vom Bezugspunkt der Spindel bis zur Werkzeugspitze angeben.</translation>
     </message>
     <message>
+        <source>This should not have happened: {error}. The details are in the report view.</source>
+        <translation>Das hätte nicht geschehen dürfen: {error}. Einzelheiten stehen in der Ausgabeansicht.</translation>
+    </message>
+    <message>
         <source>Tick at least one machine and one cure.</source>
         <translation>Mindestens eine Maschine und eine Abhilfe anhaken.</translation>
     </message>
@@ -2095,6 +2083,10 @@
         <translation>Warnung</translation>
     </message>
     <message>
+        <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Way of X, Y, Z</source>
         <translation>Weg von X, Y, Z</translation>
     </message>
@@ -2143,10 +2135,6 @@
         <translation>Wo die Werkzeugspitze am weitesten von ihrer Sollstrecke entfernt ist</translation>
     </message>
     <message>
-        <source>Where the tool enters the part</source>
-        <translation>Wo das Werkzeug in das Teil eindringt</translation>
-    </message>
-    <message>
         <source>Where the work zero lies in the document</source>
         <translation>Wo der Werkstücknullpunkt im Dokument liegt</translation>
     </message>
@@ -2187,6 +2175,10 @@
         <translation>Schlimmster NC-Satz</translation>
     </message>
     <message>
+        <source>Write anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Written: {}</source>
         <translation>Geschrieben: {}</translation>
     </message>
@@ -2201,6 +2193,10 @@
     <message>
         <source>along</source>
         <translation>entlang</translation>
+    </message>
+    <message>
+        <source>and {count} more</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>around an edge</source>
@@ -2415,16 +2411,16 @@
         <translation>Modell von So u. a. 2008</translation>
     </message>
     <message>
-        <source>model of So et al. 2008 as printed</source>
-        <translation>Modell von So u. a. 2008 wie gedruckt</translation>
-    </message>
-    <message>
         <source>near the pole: {count} blocks</source>
         <translation>nahe am Pol: {count} NC-Sätze</translation>
     </message>
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+    <message>
+        <source>no spindle speed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>none</source>
@@ -2437,6 +2433,10 @@
     <message>
         <source>not determined</source>
         <translation>nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>not proven between their ends</source>
@@ -2655,6 +2655,11 @@
         <translation>{document} hat keine 3D-Ansicht: eine öffnen und {path} noch einmal abspielen.</translation>
     </message>
     <message>
+        <source>{file}
+{lines} lines, run time {time}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be too slow for the programmed feed: then the tool dwells and may leave a mark.</source>
         <translation>{first} dreht um {first_turn} und {second} um {second_turn}, um das Werkzeug um {lean} zu neigen. Die Achse kann für den programmierten Vorschub zu langsam sein: dann verweilt das Werkzeug und hinterlässt womöglich eine Marke.</translation>
     </message>
@@ -2669,6 +2674,10 @@
     <message>
         <source>{letter} zero</source>
         <translation>Null von {letter}</translation>
+    </message>
+    <message>
+        <source>{name} (0: the program leaves it off)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{name}, other blocks</source>
@@ -2702,17 +2711,1320 @@
         <source>{} s</source>
         <translation>{} s</translation>
     </message>
+</context>
+<context>
+    <name>FiveAxisCore</name>
     <message>
-        <source>Height of the table</source>
-        <translation>Höhe des Tisches</translation>
+        <source> On that machine the tip would be off by up to {miss}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
+        <source> The path goes straight on to the next GOTO: have curves written as points.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>beyond limits, or below the table</source>
-        <translation>jenseits der Grenzen, oder unter dem Tisch</translation>
+        <source> This is the deepest of {blocks} blocks in {places} places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> of {axes}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> {name} is another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> {name} is that machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 block leads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 feed block (NC line {first})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 feed block asks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 feed block: {count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first NC line {first}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A head's pivot was found as its distance from the tip, tool included. Give {tool_length} to have the gauge point's written; else use the file with tool length 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All {count} facets looked inward and were turned outward; check the export if only some of them should.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the end of {count} feed blocks the tool does not stand as the CL path says: worst NC line {line}, by {lean} ({tolerance} allowed); first NC line {first}. Are signs, order and zeros of the rotary axes those of the machine?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F says {speed}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FEDRAT needs one feed above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For the post {letter} is the rotary axis nearer to the work, for {name} it is {own}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GODLTA stands before the first GOTO: from where is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If not: are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In hollows along the passes the cutter's bottom stands up to about {depth} in the part behind its contact or before it, over {count} rows. Give more lead, take a smaller cutter or a ball, or check for gouges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} blocks the controller guides the tip (RTCP): that it keeps to the segment is the controller's affair, and neither measured nor proven here. Limits and rates are those of the axes that this machine file needs for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} blocks the whole cutter is inside the part, the first at {place}. Check the work zero and the units of the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis would need another branch or winding; its axis deviation stays as it was. Lead the tool round the pole to avoid it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {where} the tip moves over the part more than {factor} times faster or slower than meant: at worst {feed} in NC line {line}, where {meant}. </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the tool be lifted there or leave such places out (gouge lift, leave-out), or use a smaller cutter; where the machine leaves the path by as much, let blocks be divided (linearize on).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct them from the machine's data sheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No HAL file sets {lacking} of {module}; they are 0, as LinuxCNC has them then. Is that so?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On {area} of the machined surface more than {above} is left, most at {place}: {height}; {volume} in all. Cut these places with a smaller cutter or another tool axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On {area} of the machined surface more than {tolerance} is cut too deep, most at {place}: {height}; {volume} in all. Let the tool be lifted there (gouge lift), or use a smaller cutter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On {machine} with cure {cure} the path cannot be driven: {problem}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over {length} of the passes no tilt of up to {most} keeps shank and holder out of the part, the deepest entry at {place}. Allow more tilt ({max_tilt}), use a longer tool, or leave these places out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positive {letter} words turn the tool, seen from the work, left-handed about {plus}, against ISO 841; the direction in the file is reversed accordingly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Post it again for this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STL file {path} cannot be read: {strerror}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The CL file is for a cutter of {diameter}, retracts are laid out for {given}; give {cutter}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The CL file is for a {said}, retracts are laid out for a {given}; give {cutter}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cutter does not fit into the corners at {number} facet segments; {much}. Use a smaller cutter there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out (gouge lift, leave-out).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cutter goes {depth} too deep into the part at {at}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The facets curl tighter than the cutter at {number} segments, and the cutter cuts up to {worst} into them. Use a smaller cutter or a finer mesh, or check these places before milling.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first motion line does not say where {unknown} stand; they are taken as 0 there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or a cutter of less taper.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joint axes are taken as the way the tool moves relative to the work (ISO 841). Prove the signs before cutting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lines after the end of the program in line {last} are not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The machine that the post had in mind is {kind}, {name} is {own}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model of So et al. finds no farthest point in {rootless} of {blocks} blocks and takes the middle there; use the exact line deviation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The post had in mind: {layout}. It explains {count} of {all} rows within {worst}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program counts {name} from {value} (within {certainty}), not from the CL path's zero. A machine file cannot hold that: correct {what}, or the post.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program has rotary words {letters}, {name} has {own}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program says {units_said}; taken as mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program uses {count} work offsets; their distance is not known, and the blocks between are not right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rows are off by up to {worst} and {lean} from the best machine, {scale} times what rounding explains. The program may come from another CL path, or its machine have directions or axes that are not tried here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rows do not determine {name}; it is written {kept}. Give rows in which the rotary axes turn farther.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text after FINI is not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text after the closing % is not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text is {language}, and read as such; give its {option}, so that feeds are taken as it takes them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text is {language}; it is read as a program of {controller}. If it is for another, give its {option}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use less lead or tilt, clamp the part in another position, or take another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool axis was tilted in {count} rows, most by {angle} at {place}, so that the tool stays out of the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or cut these places in another set-up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool was lifted over {length} of the passes, most at {place}, where {lift} stay uncut along its axis. Cut these places with a smaller cutter or another tool axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The zeros of {assumed} are taken as right: these rows could not tell them apart from the offsets. Give rows with larger turns to have them proven too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {count} words {letter} are not interpreted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out (gouge tilt, leave-out), use a longer tool, or more lead or tilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the part, or use another tool axis there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use a smaller cutter or another tool axis there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What an axis change buys on {part} passes that come within {change} of the pole (peak rate and travel of {letter}, blocks that would hold {tolerance}): {rows}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Words count from the work zero: is {origin} where it stood on the machine? Else move it (setup finds a place)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X Y Z are the tips of the CL path although the rotary axes turn: the program leaves the pivots to the controller (RTCP); post it without tool centre point control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X{x} Y{y} Z{z}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bracket without its partner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate of {farthest} mm or rad is beyond any machine; correct it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a facet names vertex {wrong}, but the rows run from 0 to {count}: correct the facets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number with an exponent; write it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a piece of the tool from height {low} to {high} has no volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a piece of the tool has sizes {sizes}; give radii of at least 0, up to {largest}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a slash must follow the word, as in GOTO/1,2,3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole run of facets stays uncut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a word is a letter and one number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above {bound}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arcs of a form that is not known here, taken as straight to their end points; post straight moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or tool length in mind. See {origin} and {tool_length}; recover finds the machine that fits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as in the machine given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ask for a smaller tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least {bound}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least {depth}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most {bound}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {letter} needs it there or under [AXIS_{letter}]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both rotary axes are parallel; tilt one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calls, whose moves are missing here; post one program without them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>character {shown} cannot be read ({hint})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clearance {clearance} must be positive: rapids and rewinds need room about the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>co-edge tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>control_point is {control_point}; choose one of {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter compensation; the words are taken as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter corner radius is {corner}; give 0 to {radius}, half the diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter length is {length}, the taper begins {begins} above the tip; give a longer cutter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter taper is {taper}; give 0 to {least}, from the axis to the flank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter taper {taper} makes it {width} wide; give a smaller taper or length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter {name} is {value}; give {least} to {most}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter {text} needs KIND:{words} or KIND:{words}:LENGTH, as {form} or {form}:60</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter {text}: only {kinds} cutters are on offer; write it as {form}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cycles, whose moves are missing here; post straight moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each of its numbers must be {bounds}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>facet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>facet {facet} is malformed: '{said}' stands where {need} belongs; export the file again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>facets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>facets are given as {dtype} numbers: give integer rows of the vertex table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feeds per spindle turn; no time is given for these blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feeds told by a parameter or the tool; F is not known there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fixed tool axis {fixed} has no direction; give three numbers, as 0,0,1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>folder {folder} cannot be written: {strerror}; choose another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>folder {folder} does not exist; make it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gouge leave-out leaves nothing to cut: {why}; use a smaller cutter or holder, a longer tool or another tool axis, or see where with gouge report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holder {sizes} is no cone; give z0, r0, z1, r1 in mm with 0 &lt;= z0 &lt; z1 and radii of at least 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it must be {bounds}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>job file {path} is not JSON: {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>job file {path} needs "task" (one of {tasks}) and "source", the file to read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>known are {modules}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Linearize.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the CL path, and end off it: a word is wrong there, or they are moves of the post's own, as retracts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let blocks be divided (linearize on)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line 1, column 1: the CL file holds no GOTO statement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line 1, column 1: the GOTO statements cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line {line}, column {at}: {reason}: {found}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line {line}, column {column}: byte {control}: this is no NC text; give a plain text file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line {line}, column {column}: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line {number}, column {column}: {reason}: {statement}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine file {output} needs the ending .fcm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine {name} has a rotary head: give {tool_length}, gauge point to tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine {name}: {problem}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max-tilt {tilt} is out of range; give {least} to {most}, or choose facet_mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves to machine positions unknown to the program; they are not audited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither G20 nor G21</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither G70 nor G71 (G700, G710)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither MM nor INCH in BEGIN PGM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no NC file named; give one with -o OUT.ngc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no block cuts, so nothing can be said of what is left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no facet of the part lies on {name} within {tolerance}; export the faces in the part's own place and units, or raise the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no machine file named; give one with -o OUT.fcm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of the {count} facets has an area: check the units and the export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known and not interpreted; what it does is missing here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not part of any word</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on every pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only {count} of {rows} CL rows can be paired with the program's {blocks} blocks; give a program that was posted from this CL path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>region 0,0,0 with 1 turn has one setup only; give {region} a way to go along X, Y or Z, or {turns} above 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>report {path} needs one of the endings {reports}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setup region {box}: {why}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shifts, turns or scales of the coordinates; post without them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>splines, taken as straight to their end points; post straight moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CL file holds fewer than two rows: there is no path to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arcs need {count} chords, more than {most}; is it a program in inches read as mm?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axes leave their limits everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axis may change by {change}; give an angle from {least_change} to {largest_change}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axis' zero in the controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read; export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends within facet {facet}: it is cut off; export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file holds no motion blocks: no axis word of this machine under G0 or G1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is empty; export the part again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the header announces {facets} facets, but the file holds {held}: it is cut off, damaged or no STL; export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the linear axes X, Y, Z lie in one plane; correct their directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the linear axes lie in one plane at {letter} {first} {other} {second} and cannot place the tip ({count} rows): lower {max_axis_angle} or take another machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the median of all blocks is {speed}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh has no facets: export a solid or a surface with at least one triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program has no block that moves; there is nothing to play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program has rotary words of {names}; a five-axis machine is recovered from two of A B C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rotary words never change: such rows say nothing of pivots; give a five-axis program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the second rotary axis is parallel to the tool and never tilts it; is the order of the two right?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text cannot be shown: {strerror}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool axis is 0, 0, 0, or beyond all bounds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool could not get out along its axis {where}, for the part is over it, as at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool would enter the part {where}, deepest by {depth} at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the work offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the {all}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the {what} are {form}: give numbers of shape {wanted}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the {what} form no regular table: {problem}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no machines to compare; name at least one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no passes: no plane cuts a facet that can be reached; check stepover and direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no block {flat}; the last one is {count}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no path to compare on: it has no rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing to compare; name at least one machine and one cure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this cure leads the tool axes over the part's facets; give it the STL, not a CL file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no CL file: byte {control} (offset {offset}) stands in no text; give a text file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance is {tolerance}; blocks can be divided for a tolerance above 0 only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance is {tolerance}; give a length above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tool-offset is a constant {given}; it is in the trunnion's height. Join it to motion.tooloffset.z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two outputs have the same name; name each file apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown cure {name}; known: {cures}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown method {method} of the line deviation; use one of {methods}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown tool-axis strategy {name}; choose one of {strategies}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown unit; known are MM and INCHES</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to {height} of material stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>variables, expressions or jumps; their words are missing here. Post without them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>word {word} of row {row} is {value}; words are numbers up to {farthest_word}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>words have shape {shape}; give one row of five words for each block</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a decimal point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write one of {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as `post` does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{blocks} {letter} beyond its limit of {limit}: farthest NC line {line}, {letter}{word}, {beyond} too far; first NC line {first}. {help}, or take a machine with more travel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{change} {rate}, {turned}, {blocks}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} arcs have no centre that fits their start and end; they are taken as straight. Post straight moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks are over {tolerance} and were left whole (the first leads to {spot}): no number of blocks holds it there, because the linear axes turn into one plane on the way. Turn the part on the table, or take another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks cannot be held within {tolerance}: words of {linear} and {rotary} decimals put the tip up to {most_off} off. The worst, which leads to {spot}, is proven to hold {value}. Allow more, or use a controller with finer words.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks have no F above 0 in force; most controllers stop there. Give F.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks lead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} blocks were over {tolerance} and were divided into {pieces}, as few as hold it by proof.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not; {gouge} checks and cures against all of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} facets without area were left out, the first at {at}; passes end where that leaves a crack.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} feed blocks (between NC lines {first} and {last})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} feed blocks ask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} lines begin with a slash (block skip); they are read as if the switch were off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without them. The first: {shown}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} moves come before any FEDRAT; give a feed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} numbers for {words} words; the text is malformed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of the {all}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first NC line {first}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, the first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {all} rows do not fit and are left out (NC lines {lines}); their tips would be off by up to {miss}. Look at them: they are wrong in the CL path or in the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} other layouts explain the rows as well: {more}. The plainest is written; give more rows, with larger turns of both rotary axes, or the machine with {machine}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} passes are led past the pole: {letter} turns at most {after} instead of {before} on them, and {turns} instead of {turned} in all, for an axis changed by up to {most}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} passes come within {limit} of the pole and could not be led past it any better: {letter} turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} retracts or approaches pass below the part, because the tool looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} rows of the CL file are not cut: no feed block comes within {tolerance} of them. The first is row {first} of {all}, the farthest row {missed}, {distance} off. Is the program whole, and made from this file?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} statements, line {lines}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} statements, lines {lines}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} tool axes are no unit vectors; they are scaled to length 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{edges} edges have more than two facets, the first at {at}; passes end there. Separate or unite the bodies that meet there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{edges} edges have two facets that run along them in the same sense, the first at {at}; passes end there. Unify the facet normals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{edges} edges leave the mesh open, the first at {at}; passes end there. Close the shell in CAD if it is meant to be solid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{error}; these files are written: {written}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{kind}, {one} nearer to the work turning about {way}, {two} about {other_way}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length} of the passes are left out, because {why}. {remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length} of the path stay uncut at {count} rewinds: on neither side of them do the rotary limits allow the tool axis that is needed. Wider limits or another setup avoid it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns above the part and re-engages, which may leave a mark. Wider limits or another setup avoid it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} is another axis: the post turns it about {way}, {name} about {own}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} turns the other way: the post's positive {letter} is the negative one of {name}.{effect}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} would have to go to {word} inside a divided block, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} {low} to {high}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has {asked}, but only {area} of the part lie on it. Export the faces from the same solid, with as fine facets, or raise the tolerance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is not interpreted ({where}); what it does is missing in the path.{remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is not known and not interpreted ({count} lines); what it does is missing here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give a length above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give a number above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give a number of at least 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give an angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} lies on the part, but its facets look into it; export the faces again, with their normals outward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} stands in {count} lines: {said}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} stands in {count} lines: {text}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} holds a character that no name can have; give another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} is not a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} is not a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} is not of the right kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} is not one of {rules}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} {given} is out of range; {range}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: the post has {value} (within {certainty}), {machine} has {given}, {apart} apart.{effect}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: {problem}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{one} and {other}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{option}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{output} does not end in {suffix}, as machine files do; name it so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{output} exists already; choose another name, so that no machine is lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{part} is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: {strerror}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be the name of a file; give another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} does not exist; name the file to read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has no ending that is known; give LinuxCNC's .ini or FreeCAD's .fcm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is a folder; name a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is a folder; name the file to read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no ordinary file; name the file to read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no text file; give the {what}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is the file that is read; name another output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} line {number}: files include one another in a circle; remove one #INCLUDE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: [JOINT_{joint}], {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: [{section}] {key} is missing; {remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{pin} comes from signal {signal} ({others}), whose value no HAL file says; write setp {pin} VALUE for the import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{place}: word {letter} stands twice; a line takes one of each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{place}: {letter}{value} is beyond {farthest}; is a decimal point missing?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{skipped} blocks have no row of the CL path (moves of the post's own); they are passed over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is no source of a path; give an STL or a CL file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{target} cannot be written: {strerror}; choose another folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{unused} is {given}, but {module} does not use it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {number} of {rows} has {axis} = {value}, and no part exceeds {most}: check the units of the export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {number} of {rows} has {axis} = {value}: coordinates must be finite numbers; export the mesh again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {part} is out of range; give diameters and lengths above 0, up to 10000 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {path} cannot be read: {strerror}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {text} is no stack; write DIAMETERxLENGTH from the cutter upwards, as 40x25,63x50</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {text} is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {text} is not a number with one of the units {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {text} needs three numbers, as 0,0,50</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: [TRAJ] {key} is {text}; known are {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: [{section}] {key} is missing in {path}; add it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: coordinates={letters} does not name {known}; correct it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: kinematics {module} cannot be imported; {remedy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: {what} is {text}, not a number; write the number itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{words} further words ({count} statements) are not interpreted; is this a CL file?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{word} has {count} numbers; give 3 or 6</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

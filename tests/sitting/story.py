@@ -63,9 +63,10 @@ def open_part(user: Sitting) -> None:
 def select(user: Sitting) -> None:
     """Click the part in the tree; where it is not drawn, Space draws it."""
     user.hands.click(user.in_tree("Rounded"))
+    user.until(lambda: user.eyes.find("push button", "Tool path.*").has(ENABLED), 5, "Tool path can be pressed")
+    time.sleep(0.3)
     user.hands.press("space")
     user.press_tool("Fit [Aa]ll")
-    user.until(lambda: user.eyes.find("push button", "Tool path.*").has(ENABLED), 5, "Tool path can be pressed")
 
 
 def tool_path(user: Sitting) -> None:
