@@ -8,6 +8,10 @@
         <translation>Einige Worte zu jeder Markierung</translation>
     </message>
     <message>
+        <source>A machine that comes with the workbench, or a machine file (.fcm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Against</source>
         <translation>Vergleich</translation>
     </message>
@@ -24,12 +28,12 @@
         <translation>Winkel zwischen der Flanke eines konischen Fräsers und seiner Achse; andere Arten haben keinen</translation>
     </message>
     <message>
-        <source>Angular Deflection</source>
-        <translation>Winkelabweichung</translation>
+        <source>Angle of the passes to the X axis, counter-clockwise seen from above</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Audit</source>
-        <translation>Prüfung</translation>
+        <source>Angular Deflection</source>
+        <translation>Winkelabweichung</translation>
     </message>
     <message>
         <source>Axis</source>
@@ -72,6 +76,10 @@
         <translation>NC-Sätze, in denen die Steuerung die Spitze führt (RTCP): nachgewiesen sind nur ihre Enden</translation>
     </message>
     <message>
+        <source>CL file (.apt, .cl) or part (.stl) that the program is compared with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Centre</source>
         <translation>Mitte</translation>
     </message>
@@ -82,6 +90,10 @@
     <message>
         <source>Checksum (sha256) of what was written</source>
         <translation>Prüfsumme (sha256) des Geschriebenen</translation>
+    </message>
+    <message>
+        <source>Checksum of the base and the deflections that the mesh is made of</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Clearance</source>
@@ -132,8 +144,12 @@
         <translation>Farbe der Werkzeugachsen</translation>
     </message>
     <message>
-        <source>Compare</source>
-        <translation>Vergleichen</translation>
+        <source>Comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Constant distance of the passes, instead of a scallop height</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Control Point</source>
@@ -144,28 +160,24 @@
         <translation>Steuerung</translation>
     </message>
     <message>
+        <source>Controller that the NC file is written for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Coolant on while the program runs</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Corner radius of a bull nose, tapered or not; other kinds have none</source>
         <translation>Eckenradius eines Torusfräsers, auch eines konischen; andere Arten haben keinen</translation>
     </message>
     <message>
-        <source>Cure</source>
-        <translation>Abhilfe</translation>
-    </message>
-    <message>
-        <source>Cures</source>
-        <translation>Abhilfen</translation>
-    </message>
-    <message>
         <source>Cut Length</source>
         <translation>Schnittweg</translation>
-    </message>
-    <message>
-        <source>Cutter</source>
-        <translation>Fräser</translation>
     </message>
     <message>
         <source>Cutter Corner</source>
@@ -186,6 +198,14 @@
     <message>
         <source>Cutter Taper</source>
         <translation>Fräser-Kegelwinkel</translation>
+    </message>
+    <message>
+        <source>Cylinders above the cutter, from below: diameter x length in mm, as 8x20,12x30</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cylinders of the holder above cutter and shank, from below: diameter x length in mm, as 40x25,63x50</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Deepest that the cutter goes below the machined surface</source>
@@ -216,6 +236,18 @@
         <translation>Richtung</translation>
     </message>
     <message>
+        <source>Direction I, J, K of the fixed tool axis, from the tip to the holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Divide blocks that deviate by more than the tolerance, into as few as keep it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F words as inverse time (G93), or as feed per minute (G94)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Facet Runs</source>
         <translation>Facettenbereiche</translation>
     </message>
@@ -236,8 +268,20 @@
         <translation>Vorschubart</translation>
     </message>
     <message>
+        <source>Feed rate of the approach to the part; in the property editor type its unit too, as 300 mm/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed rate of the tip over the part; in the property editor type its unit too, as 1000 mm/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Find the rest material and the overcut on the machined surface</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Findings</source>
@@ -246,6 +290,10 @@
     <message>
         <source>Fingerprint</source>
         <translation>Fingerabdruck</translation>
+    </message>
+    <message>
+        <source>From the spindle's gauge point to the tip; machines with a rotary head need it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gap</source>
@@ -264,32 +312,60 @@
         <translation>Geführte NC-Sätze</translation>
     </message>
     <message>
-        <source>Head</source>
-        <translation>Programmkopf</translation>
+        <source>Height of the table's face in the machine's coordinates; empty: that of the machine's file</source>
+        <translation>Höhe der Tischfläche in den Koordinaten der Maschine; leer: die der Maschinendatei</translation>
     </message>
     <message>
         <source>High Speed</source>
         <translation>Hochgeschwindigkeit</translation>
     </message>
     <message>
+        <source>High-speed mode of the controller, with the tolerance given as corner rounding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Holder</source>
         <translation>Halter</translation>
+    </message>
+    <message>
+        <source>How certain the offsets should be, and how near to those of the machine they are compared with</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How deep the tool enters the part at each marker, mm; 0: not at all</source>
         <translation>Wie tief das Werkzeug an jeder Markierung ins Werkstück eindringt, mm; 0: gar nicht</translation>
     </message>
     <message>
+        <source>How far the controller may round corners, where it can; 0: exact path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How far the part should be turned about Z, counter-clockwise</source>
         <translation>Wie weit das Werkstück um Z gedreht werden sollte, gegen den Uhrzeigersinn</translation>
     </message>
     <message>
-        <source>I,J,K of the strategy `fixed`, tip to holder</source>
-        <translation>I,J,K der Strategie „fixed“, von der Spitze zum Halter</translation>
+        <source>How far the tool axis may leave the surface normal, for the least deviation or to keep out of the part</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>KIND:DIAMETER, as ball:10 or ball:0.5in</source>
-        <translation>ART:DURCHMESSER, etwa ball:10 oder ball:0.5in</translation>
+        <source>How far the work zero may move to either side along X, Y, Z; 0: it stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many places along X, Y, Z the map shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many turns of the part about Z are tried, evenly over 360°; 1: as it stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the deviation from the line is computed: exactly, or by the model of So et al. 2008</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the tool axis is found at each contact point</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Kinds</source>
@@ -312,6 +388,14 @@
         <translation>Größter Winkel zwischen benachbarten Facetten</translation>
     </message>
     <message>
+        <source>Largest angle between the tool axis and that of the CL file at the end of a block</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest change of the tool axis where it is turned to pass the pole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Largest deviation in the recommended setup</source>
         <translation>Größte Abweichung in der empfohlenen Aufspannung</translation>
     </message>
@@ -324,16 +408,32 @@
         <translation>Größte Abweichung der Werkzeugspitze von den Geraden durch die Sollstrecken</translation>
     </message>
     <message>
+        <source>Largest deviation of the tip from the programmed line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Largest deviation where the work zero stood</source>
         <translation>Größte Abweichung dort, wo der Werkstücknullpunkt stand</translation>
+    </message>
+    <message>
+        <source>Largest distance between cutter and a convex edge; beyond it the tool rolls around the edge in an arc</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Largest distance of a facet from the surface</source>
         <translation>Größter Abstand einer Facette von der Fläche</translation>
     </message>
     <message>
+        <source>Largest height of the ridges that stay between two passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Lead</source>
         <translation>Voreilwinkel</translation>
+    </message>
+    <message>
+        <source>Lead angle: how far the tool leans in the feed direction</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Least Interval</source>
@@ -352,6 +452,10 @@
         <translation>Länge der Werkzeugachsen; 0: dem Werkstück angemessen</translation>
     </message>
     <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Line Width</source>
         <translation>Linienbreite</translation>
     </message>
@@ -362,10 +466,6 @@
     <message>
         <source>Linearize</source>
         <translation>Linearisieren</translation>
-    </message>
-    <message>
-        <source>Link</source>
-        <translation>Zwischen den Zeilen</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -388,8 +488,8 @@
         <translation>Bearbeitete Fläche, die um mehr als die Toleranz zu tief gefräst wird</translation>
     </message>
     <message>
-        <source>Machines</source>
-        <translation>Maschinen</translation>
+        <source>Made Of</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Map</source>
@@ -460,6 +560,10 @@
         <translation>NC-Datei</translation>
     </message>
     <message>
+        <source>Number of the tool; not given: the program calls no tool, the operator sets tool and length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Of the mesh and the settings that the result is of</source>
         <translation>Des Netzes und der Einstellungen, zu denen das Ergebnis gehört</translation>
     </message>
@@ -476,6 +580,10 @@
         <translation>Nullpunkt aus der Maschinendatei</translation>
     </message>
     <message>
+        <source>Output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Over Tolerance</source>
         <translation>Über der Toleranz</translation>
     </message>
@@ -484,12 +592,16 @@
         <translation>Überschnittene Fläche</translation>
     </message>
     <message>
-        <source>Pass</source>
-        <translation>Zeilen</translation>
+        <source>Part</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Passes</source>
         <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Passes come no closer than this, also on steep walls</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Passes over the part</source>
@@ -508,16 +620,12 @@
         <translation>Eintauchvorschub</translation>
     </message>
     <message>
+        <source>Point of the tool that the program moves: the tip, or the centre of the corner radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Program</source>
         <translation>Programm</translation>
-    </message>
-    <message>
-        <source>Proof</source>
-        <translation>Nachweis</translation>
-    </message>
-    <message>
-        <source>Prove</source>
-        <translation>Nachweisen</translation>
     </message>
     <message>
         <source>Proven</source>
@@ -528,16 +636,16 @@
         <translation>Bewiesene obere Schranke der Abweichung von den Sollstrecken</translation>
     </message>
     <message>
+        <source>Rapid moves stay this far off the part's bounding box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Recommended</source>
         <translation>Empfohlen</translation>
     </message>
     <message>
         <source>Recommended Turn</source>
         <translation>Empfohlene Drehung</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Zurückgewinnen</translation>
     </message>
     <message>
         <source>Region</source>
@@ -550,6 +658,10 @@
     <message>
         <source>Rtcp</source>
         <translation>RTCP</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Scallop</source>
@@ -568,8 +680,16 @@
         <translation>Schaft</translation>
     </message>
     <message>
+        <source>Shape and sizes of the cutter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Shape of the cutter: ball, flat, bull nose, tapered ball, tapered bull nose</source>
         <translation>Form des Fräsers: Kugel, Schaftfräser, Torus, konische Kugel, konischer Torus</translation>
+    </message>
+    <message>
+        <source>Show All Places</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Show Axes</source>
@@ -598,6 +718,10 @@
     <message>
         <source>Show blocks over the tolerance and near the pole</source>
         <translation>NC-Sätze über der Toleranz und nahe am Pol zeigen</translation>
+    </message>
+    <message>
+        <source>Show the places at all heights, not only those at the recommended one</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Show the rapids</source>
@@ -652,12 +776,24 @@
         <translation>Drehzahl</translation>
     </message>
     <message>
+        <source>Spindle speed, 1/min; not given (0): the program does not start the spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Start and stop of the facets on the chosen faces</source>
         <translation>Anfang und Ende der Facetten auf den gewählten Flächen</translation>
     </message>
     <message>
         <source>Stepover</source>
         <translation>Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Surfaces steeper than this are not machined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table Height</source>
+        <translation>Tischhöhe</translation>
     </message>
     <message>
         <source>Take the work zero's place on the machine from the machine's file</source>
@@ -674,6 +810,10 @@
     <message>
         <source>The NC file that is judged</source>
         <translation>Die NC-Datei, die geprüft wird</translation>
+    </message>
+    <message>
+        <source>The cutters of the setup, one a line: number, shape with its sizes, name</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The file is what the toolpath makes now; if it is not, post-process again</source>
@@ -704,6 +844,10 @@
         <translation>Die bewiesene Schranke jedes NC-Satzes liegt in der Toleranz</translation>
     </message>
     <message>
+        <source>The setup whose machine, controller and work zero the path takes; empty: its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The solid, body, compound or mesh, and the faces of it that are milled</source>
         <translation>Der Volumenkörper, Körper, Verbund oder das Netz, und seine Flächen, die gefräst werden</translation>
     </message>
@@ -732,12 +876,20 @@
         <translation>Der Werkzeugweg, dessen Werkstück aufgespannt werden soll</translation>
     </message>
     <message>
+        <source>The verdict as a traffic light: red, amber or green</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The work zero in the machine frame about which setups were tried</source>
         <translation>Der Werkstücknullpunkt im Maschinensystem, um den herum Aufspannungen erprobt wurden</translation>
     </message>
     <message>
         <source>Tilt</source>
         <translation>Seitwinkel</translation>
+    </message>
+    <message>
+        <source>Tilt angle: how far the tool leans across the feed direction</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Time</source>
@@ -780,8 +932,16 @@
         <translation>Werkzeuglänge</translation>
     </message>
     <message>
+        <source>Tool centre point control (RTCP, TCPM, TRAORI): the controller guides the tip itself; off: the program gives the positions of all axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Toolpath</source>
         <translation>Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Travel</source>
@@ -828,16 +988,20 @@
         <translation>Was stehen bleibt, in einem einfachen Satz</translation>
     </message>
     <message>
-        <source>What is proven, in a plain sentence</source>
-        <translation>Was nachgewiesen ist, in einem einfachen Satz</translation>
-    </message>
-    <message>
         <source>What is recommended, in a plain sentence</source>
         <translation>Was empfohlen wird, in einem einfachen Satz</translation>
     </message>
     <message>
         <source>What the result says about itself, in plain sentences</source>
         <translation>Was das Ergebnis über sich selbst sagt, in einfachen Sätzen</translation>
+    </message>
+    <message>
+        <source>What to do near the pole, where a rotary axis turns far to lean the tool a little</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What to do where cutter, shank or holder would enter the part</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Where the markers stand in the document</source>
@@ -848,8 +1012,16 @@
         <translation>Wo der Werkstücknullpunkt stehen sollte, im Maschinensystem</translation>
     </message>
     <message>
+        <source>Where the work zero stands in the machine's coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Where the work zeros of the map lie in the document</source>
         <translation>Wo die Werkstücknullpunkte der Karte im Dokument liegen</translation>
+    </message>
+    <message>
+        <source>Whether the program is safe to run, and why, in a plain sentence</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the path in pixels</source>
@@ -864,6 +1036,10 @@
         <translation>Werkstücknullpunkt</translation>
     </message>
     <message>
+        <source>Work offset: G54 to G59; LinuxCNC also G59.1 to G59.3, Fanuc also G54.1 P1 to P300</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Worst Line</source>
         <translation>Schlimmste NC-Zeile</translation>
     </message>
@@ -872,192 +1048,28 @@
         <translation>Geschrieben</translation>
     </message>
     <message>
-        <source>X,Y,Z of the work zero in the machine frame [the machine's]</source>
-        <translation>X,Y,Z des Werkstücknullpunkts im Maschinensystem [der aus der Maschinendatei]</translation>
-    </message>
-    <message>
         <source>X,Y,Z over the work zero of a place to mark, as high as part and clamps reach</source>
         <translation>X,Y,Z über dem Werkstücknullpunkt: eine Stelle zum Anzeichnen, so hoch, wie Werkstück und Spannmittel reichen</translation>
     </message>
     <message>
-        <source>X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays</source>
-        <translation>X,Y,Z: so weit darf der Werkstücknullpunkt von seinem Ort aus nach beiden Seiten rücken; 0: er bleibt</translation>
-    </message>
-    <message>
-        <source>a shipped machine's name or a path to a .fcm</source>
-        <translation>Name einer mitgelieferten Maschine oder Pfad einer .fcm-Datei</translation>
-    </message>
-    <message>
-        <source>constant distance of the planes, instead of a scallop</source>
-        <translation>fester Abstand der Ebenen, statt einer Kuppenhöhe</translation>
-    </message>
-    <message>
-        <source>coolant during the program</source>
-        <translation>Kühlmittel während des Programms</translation>
-    </message>
-    <message>
-        <source>cures to compare, with commas between [every one there is]</source>
-        <translation>Abhilfen zum Vergleich, mit Komma dazwischen [alle, die es gibt]</translation>
-    </message>
-    <message>
-        <source>cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge</source>
-        <translation>Zylinder über dem Fräser, DURCHMESSERxLÄNGE nach oben in mm, wie 8x20,12x30; siehe Eindringen</translation>
-    </message>
-    <message>
-        <source>cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge</source>
-        <translation>Zylinder des Halters über Fräser und Schaft, wie 40x25,63x50 in mm; siehe Eindringen</translation>
-    </message>
-    <message>
-        <source>divide feed blocks over tolerance into the fewest that hold it</source>
-        <translation>Vorschubsätze über der Toleranz in die wenigsten teilen, die sie einhalten</translation>
-    </message>
-    <message>
-        <source>facets steeper than this are left out</source>
-        <translation>steilere Facetten werden ausgelassen</translation>
+        <source>Zigzag cuts in both directions, one way in one direction only</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>feed of all its moves, mm/min and deg/min</source>
         <translation>Vorschub aller Bewegungen, mm/min und Grad/min</translation>
     </message>
     <message>
-        <source>feed of the approach, mm/min</source>
-        <translation>Vorschub beim Anfahren, mm/min</translation>
-    </message>
-    <message>
-        <source>feed of the tip over the part, mm/min</source>
-        <translation>Vorschub der Werkzeugspitze über das Werkstück, mm/min</translation>
-    </message>
-    <message>
-        <source>gauge point to tip; machines with a rotary head need it</source>
-        <translation>Bezugspunkt der Spindel bis Werkzeugspitze; Maschinen mit Schwenkkopf brauchen sie</translation>
-    </message>
-    <message>
-        <source>how far the controller may round corners, where it can; 0: exact path</source>
-        <translation>wie weit die Steuerung Ecken verschleifen darf, wo sie es kann; 0: genaue Bahn</translation>
-    </message>
-    <message>
-        <source>how far the strategy `minimax` may leave the facet normals, and gouge `tilt` the axes of any strategy</source>
-        <translation>wie weit die Strategie `minimax` von den Facettennormalen abweichen darf, und bei Eindringen `tilt` von den Achsen jeder Strategie</translation>
-    </message>
-    <message>
-        <source>inverse time, or units a minute</source>
-        <translation>zeitreziprok, oder Einheiten je Minute</translation>
-    </message>
-    <message>
-        <source>largest R - r at a convex co-edge before an arc is used</source>
-        <translation>größtes R - r an einer konvexen gemeinsamen Kante, bevor ein Bogen genommen wird</translation>
-    </message>
-    <message>
-        <source>largest angle between the tool axis and that of the CL path at a block's end</source>
-        <translation>größter Winkel zwischen der Werkzeugachse und der des CL-Wegs am Ende eines Satzes</translation>
-    </message>
-    <message>
-        <source>largest change of the tool axis where it is led past the pole (deform)</source>
-        <translation>größte Änderung der Werkzeugachse, wo sie am Pol vorbeigeführt wird (deform)</translation>
-    </message>
-    <message>
-        <source>largest deviation of the tip from the commanded segment</source>
-        <translation>größte Abweichung der Werkzeugspitze von der Sollstrecke</translation>
-    </message>
-    <message>
-        <source>largest scallop left between passes [0.01 where no stepover is given]</source>
-        <translation>größte Kuppenhöhe zwischen den Zeilen [0,01, wo kein Zeilensprung gegeben ist]</translation>
-    </message>
-    <message>
-        <source>lean of the tool across the feed direction</source>
-        <translation>Neigung des Werkzeugs quer zur Vorschubrichtung</translation>
-    </message>
-    <message>
-        <source>lean of the tool along the feed direction</source>
-        <translation>Neigung des Werkzeugs in Vorschubrichtung</translation>
-    </message>
-    <message>
-        <source>line deviation: exact, or the model of So et al. 2008</source>
-        <translation>Abweichung von der Geraden: genau, oder nach dem Modell von So u. a. 2008</translation>
-    </message>
-    <message>
-        <source>machines to compare, as for `mill`, with commas between; or --machine again for each</source>
-        <translation>Maschinen zum Vergleich, wie bei `mill`, mit Komma dazwischen; oder --machine für jede</translation>
-    </message>
-    <message>
-        <source>map of what stays uncut and of what is cut too deep, on the machined facets</source>
-        <translation>Karte dessen, was auf den bearbeiteten Facetten stehen bleibt und was zu tief gefräst wird</translation>
-    </message>
-    <message>
-        <source>near the pole: only report, divide blocks over tolerance, or lead the tool axis past it (deform)</source>
-        <translation>nahe am Pol: nur berichten, NC-Sätze über der Toleranz teilen, oder die Werkzeugachse vorbeiführen (deform)</translation>
-    </message>
-    <message>
-        <source>offsets should be that certain, and that near to those of the machine given</source>
-        <translation>so sicher sollen die Versätze sein, und so nah an denen der angegebenen Maschine</translation>
-    </message>
-    <message>
-        <source>passes run to and fro, or all in one direction</source>
-        <translation>Zeilen laufen hin und her, oder alle in einer Richtung</translation>
-    </message>
-    <message>
-        <source>places that the map shows along X,Y,Z [as many as take some seconds]</source>
-        <translation>Orte, die die Karte entlang X,Y,Z zeigt [so viele, wie einige Sekunden dauern]</translation>
-    </message>
-    <message>
-        <source>planes never come closer than this (steep walls)</source>
-        <translation>dichter liegen die Ebenen nie (steile Wände)</translation>
-    </message>
-    <message>
-        <source>rapids stay this far off the part's bounding box</source>
-        <translation>so weit bleibt der Eilgang vom Hüllquader des Werkstücks weg</translation>
-    </message>
-    <message>
-        <source>so many turns of the part about Z are tried, evenly over 360 deg [1: as it stands]</source>
-        <translation>so viele Drehungen des Werkstücks um Z werden erprobt, gleichmäßig über 360 Grad [1: wie es steht]</translation>
-    </message>
-    <message>
-        <source>spindle speed, 1/min; 0 leaves the spindle off</source>
-        <translation>Spindeldrehzahl, 1/min; 0 lässt die Spindel aus</translation>
-    </message>
-    <message>
-        <source>the CL file (.apt, .cl) or the part (.stl) that the program is compared with [neither]</source>
-        <translation>die CL-Datei (.apt, .cl) oder das Teil (.stl), womit das Programm verglichen wird [nichts]</translation>
-    </message>
-    <message>
         <source>the NC program that was posted from the CL path</source>
         <translation>das NC-Programm, das aus der CL-Bahn gemacht wurde</translation>
-    </message>
-    <message>
-        <source>the controller guides the tip (RTCP), told the tool axis by rotary words (angles) or vectors; off: joint output</source>
-        <translation>die Steuerung führt die Spitze (RTCP); die Werkzeugachse erfährt sie durch Drehachsworte (angles) oder Vektoren (vectors); off: Ausgabe der Achsstellungen</translation>
-    </message>
-    <message>
-        <source>the controller's high-speed mode, with the tolerance of --blend</source>
-        <translation>der Hochgeschwindigkeitsmodus der Steuerung, mit der Toleranz der Eckenverrundung (--blend)</translation>
-    </message>
-    <message>
-        <source>the dialect of the NC file [the machine's, or linuxcnc]</source>
-        <translation>die Sprache der NC-Datei [die der Maschine, sonst linuxcnc]</translation>
     </message>
     <message>
         <source>the machine file (.fcm) to write</source>
         <translation>die Maschinendatei (.fcm), die geschrieben wird</translation>
     </message>
     <message>
-        <source>the point of the tool that the words drive</source>
-        <translation>der Punkt des Werkzeugs, den die Achswerte führen</translation>
-    </message>
-    <message>
         <source>the tip stops so far above the mark, and never comes nearer</source>
         <translation>so weit über der Marke hält die Spitze an, und näher kommt sie nie</translation>
-    </message>
-    <message>
-        <source>tool number [no tool call: the operator has set tool and length]</source>
-        <translation>Werkzeugnummer [kein Werkzeugaufruf: der Bediener hat Werkzeug und Länge eingerichtet]</translation>
-    </message>
-    <message>
-        <source>tool-axis strategy (see `strategies`)</source>
-        <translation>Strategie der Werkzeugachse</translation>
-    </message>
-    <message>
-        <source>travel direction of the passes, counter-clockwise from X</source>
-        <translation>Laufrichtung der Zeilen, gegen den Uhrzeigersinn von X aus</translation>
     </message>
     <message>
         <source>turn of each rotary axis</source>
@@ -1067,25 +1079,13 @@
         <source>way of each linear axis</source>
         <translation>Weg jeder Linearachse</translation>
     </message>
-    <message>
-        <source>where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within max-tilt and lift where the cutter still enters; off: no check</source>
-        <translation>wo das Werkzeug ins Teil eindringt: nur melden, entlang seiner Achse abheben, auslassen oder innerhalb von max-tilt freikippen und abheben, wo die Schneide noch eindringt; off: keine Prüfung</translation>
-    </message>
-    <message>
-        <source>work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300</source>
-        <translation>Nullpunktverschiebung: G54 bis G59, bei LinuxCNC G59.1 bis G59.3, bei Fanuc G54.1 P1 bis P300</translation>
-    </message>
-    <message>
-        <source>Height of the table's face in the machine's coordinates; empty: that of the machine's file</source>
-        <translation>Höhe der Tischfläche in den Koordinaten der Maschine; leer: die der Maschinendatei</translation>
-    </message>
-    <message>
-        <source>Table Height</source>
-        <translation>Tischhöhe</translation>
-    </message>
 </context>
 <context>
     <name>FiveAxis</name>
+    <message>
+        <source> 1/min</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>A controller with tool tip control (RTCP) guides the tip along the line itself.</source>
         <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Spitze von sich aus auf der Geraden.</translation>
@@ -1093,10 +1093,6 @@
     <message>
         <source>A longer tool, a slimmer holder, lead or tilt away from the wall; or leave such places out.</source>
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
-    </message>
-    <message>
-        <source>Against deviation</source>
-        <translation>Gegen Abweichung</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -1143,8 +1139,8 @@
         <translation>Unter der Fläche</translation>
     </message>
     <message>
-        <source>Between passes</source>
-        <translation>Zwischen den Zeilen</translation>
+        <source>Between two facets the axis turns evenly over the steps on either side (Lin and Ye).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Block</source>
@@ -1153,6 +1149,14 @@
     <message>
         <source>Blocks</source>
         <translation>NC-Sätze</translation>
+    </message>
+    <message>
+        <source>Blocks near the pole are listed; the path stays as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blocks near the pole that are over tolerance are divided.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Blocks over tolerance</source>
@@ -1165,10 +1169,6 @@
     <message>
         <source>CL files (*.apt *.cl *.cls *.ncl *.aptsource *.txt)</source>
         <translation>CL-Dateien (*.apt *.cl *.cls *.ncl *.aptsource *.txt)</translation>
-    </message>
-    <message>
-        <source>CL path or part</source>
-        <translation>CL-Weg oder Teil</translation>
     </message>
     <message>
         <source>Calculate</source>
@@ -1231,8 +1231,16 @@
         <translation>Einen Punkt anklicken, oder Esc drücken</translation>
     </message>
     <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Collision between passes</source>
         <translation>Kollision zwischen Bahnen</translation>
+    </message>
+    <message>
+        <source>Collisions are not checked against it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Compare</source>
@@ -1263,6 +1271,10 @@
         <translation>Kühlmittel</translation>
     </message>
     <message>
+        <source>Corner not reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Corner radius</source>
         <translation>Eckenradius</translation>
     </message>
@@ -1271,12 +1283,16 @@
         <translation>Verschleifen</translation>
     </message>
     <message>
-        <source>Cure</source>
-        <translation>Abhilfe</translation>
+        <source>Correction</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cures</source>
-        <translation>Abhilfen</translation>
+        <source>Corrections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut pattern</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Cut too deep</source>
@@ -1311,20 +1327,32 @@
         <translation>Abstand der Werkzeugspitze von der Sollstrecke</translation>
     </message>
     <message>
-        <source>Draw {label}</source>
-        <translation>{label} zeichnen</translation>
+        <source>Divide blocks</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Driven point</source>
-        <translation>Geführter Punkt</translation>
+        <source>Draw {label}</source>
+        <translation>{label} zeichnen</translation>
     </message>
     <message>
         <source>Edge tolerance</source>
         <translation>Kantentoleranz</translation>
     </message>
     <message>
+        <source>Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit the setup: all its paths follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Error</source>
         <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Feed</source>
@@ -1333,10 +1361,6 @@
     <message>
         <source>Feed mode</source>
         <translation>Vorschubart</translation>
-    </message>
-    <message>
-        <source>Feeds</source>
-        <translation>Vorschübe</translation>
     </message>
     <message>
         <source>File to import</source>
@@ -1379,6 +1403,10 @@
         <translation>Aus einer Werkzeugdatei …</translation>
     </message>
     <message>
+        <source>From setup {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>From the gauge point to the tip: machines whose head turns need it</source>
         <translation>Vom Bezugspunkt bis zur Spitze: Maschinen mit drehendem Kopf brauchen sie</translation>
     </message>
@@ -1391,8 +1419,20 @@
         <translation>Abstand über der Marke</translation>
     </message>
     <message>
-        <source>Head of the NC file</source>
-        <translation>Kopf der NC-Datei</translation>
+        <source>Go back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gouge protection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heel of the cutter in the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the table</source>
+        <translation>Höhe des Tisches</translation>
     </message>
     <message>
         <source>High-speed mode</source>
@@ -1439,12 +1479,24 @@
         <translation>Der Name muss auf {endings} enden.</translation>
     </message>
     <message>
+        <source>Keep anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Keep the tip of the tool in the middle of the view</source>
         <translation>Die Werkzeugspitze in der Mitte der Ansicht halten</translation>
     </message>
     <message>
+        <source>Keep this path anyway?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Kind</source>
         <translation>Art</translation>
+    </message>
+    <message>
+        <source>Largest axis angle</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Largest axis change</source>
@@ -1463,10 +1515,6 @@
         <translation>Größter Rest der benutzten Zeilen: {length}</translation>
     </message>
     <message>
-        <source>Largest tilt</source>
-        <translation>Größte Neigung</translation>
-    </message>
-    <message>
         <source>Largest: {largest}</source>
         <translation>Größte: {largest}</translation>
     </message>
@@ -1475,16 +1523,12 @@
         <translation>Voreilwinkel</translation>
     </message>
     <message>
-        <source>Least interval</source>
-        <translation>Kleinster Zeilensprung</translation>
-    </message>
-    <message>
         <source>Left out</source>
         <translation>Ausgelassen</translation>
     </message>
     <message>
-        <source>Let the tool path's panel lead the axis past the pole, lead or tilt the tool by a few degrees, or clamp the part in another position.</source>
-        <translation>Im Fenster des Werkzeugwegs die Achse am Pol vorbeiführen lassen, das Werkzeug um einige Grad voreilen lassen oder zur Seite neigen, oder das Werkstück anders aufspannen.</translation>
+        <source>Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp the part in another position.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Limits</source>
@@ -1493,10 +1537,6 @@
     <message>
         <source>Line deviation by</source>
         <translation>Abweichung von der Geraden</translation>
-    </message>
-    <message>
-        <source>Linearize</source>
-        <translation>Linearisieren</translation>
     </message>
     <message>
         <source>LinuxCNC configurations and machine files (*.ini *.fcm)</source>
@@ -1519,12 +1559,20 @@
         <translation>Maschinendateien (*.fcm)</translation>
     </message>
     <message>
+        <source>Machine, controller and work zero that several paths share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Machines</source>
         <translation>Maschinen</translation>
     </message>
     <message>
         <source>Machines on {label}</source>
         <translation>Maschinen an {label}</translation>
+    </message>
+    <message>
+        <source>Make a setup of these values, so that other paths take them too</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Mark</source>
@@ -1559,12 +1607,20 @@
         <translation>NC-Datei</translation>
     </message>
     <message>
+        <source>NC file written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>NC files (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)</source>
         <translation>NC-Dateien (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)</translation>
     </message>
     <message>
         <source>NC line</source>
         <translation>NC-Zeile</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Name the NC file.</source>
@@ -1591,6 +1647,10 @@
         <translation>Nicht gezeichnet, weil abgebrochen: neu berechnen, um es zu zeichnen</translation>
     </message>
     <message>
+        <source>Not machined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Not proven</source>
         <translation>Nicht bewiesen</translation>
     </message>
@@ -1601,6 +1661,10 @@
     <message>
         <source>Nothing enters the part</source>
         <translation>Nichts dringt ins Werkstück ein</translation>
+    </message>
+    <message>
+        <source>Nothing is checked: the tool may enter the part.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Nothing to report: all blocks are as they should be.</source>
@@ -1627,6 +1691,10 @@
         <translation>Auf {area} der bearbeiteten Fläche bleibt mehr stehen, als die Bahnen stehen lassen sollen.</translation>
     </message>
     <message>
+        <source>One axis everywhere: three-axis milling, or 3 + 2 with a tilted axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>One block back</source>
         <translation>Einen NC-Satz zurück</translation>
     </message>
@@ -1635,16 +1703,16 @@
         <translation>Einen NC-Satz weiter</translation>
     </message>
     <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Open a document first: there is nothing to pick from.</source>
         <translation>Öffnen Sie zuerst ein Dokument: es gibt nichts zum Anklicken.</translation>
     </message>
     <message>
         <source>Open the sheet</source>
         <translation>Blatt öffnen</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Reihenfolge</translation>
     </message>
     <message>
         <source>Output</source>
@@ -1677,6 +1745,14 @@
     <message>
         <source>Places on the map</source>
         <translation>Orte auf der Karte</translation>
+    </message>
+    <message>
+        <source>Places where the tool enters the part are listed; the path stays as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places where the tool would enter the part are not machined.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Play</source>
@@ -1715,8 +1791,8 @@
         <translation>Vorschau für den Arbeitsbereich CAM</translation>
     </message>
     <message>
-        <source>Proof</source>
-        <translation>Nachweis</translation>
+        <source>Programmed point</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Prove the signs</source>
@@ -1729,6 +1805,10 @@
     <message>
         <source>Proven bound</source>
         <translation>Bewiesene Schranke</translation>
+    </message>
+    <message>
+        <source>Recompute</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Recover</source>
@@ -1749,6 +1829,14 @@
     <message>
         <source>Report for programs (.json)</source>
         <translation>Bericht für Programme (.json)</translation>
+    </message>
+    <message>
+        <source>Rest material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retract below the part</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Room for the work zero</source>
@@ -1791,20 +1879,32 @@
         <translation>Schaft oder Halter kollidiert</translation>
     </message>
     <message>
+        <source>Shank or holder not freed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Shank, Ø x length</source>
         <translation>Schaft, Ø x Länge</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Sheet to print</source>
         <translation>Blatt zum Drucken</translation>
     </message>
     <message>
-        <source>Shorter blocks help: half the length leaves about a quarter of the deviation. Linearize, in the tool path's panel, makes as many of them as are needed.</source>
-        <translation>Kürzere NC-Sätze helfen: die halbe Länge lässt etwa ein Viertel der Abweichung übrig. „Linearisieren“ im Fenster des Werkzeugwegs macht so viele davon, wie nötig sind.</translation>
+        <source>Shorter blocks help: half the length leaves about a quarter of the deviation. Divide blocks, in the group Safety of the tool path's panel, makes as many of them as are needed.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Show findings</source>
         <translation>Befunde zeigen</translation>
+    </message>
+    <message>
+        <source>Show folder</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Singular blocks</source>
@@ -1815,6 +1915,10 @@
         <translation>Langsamer Vorschub</translation>
     </message>
     <message>
+        <source>Smallest stepover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Spacing by</source>
         <translation>Abstand nach</translation>
     </message>
@@ -1823,12 +1927,20 @@
         <translation>Geschwindigkeit, in Vielfachen der wirklichen</translation>
     </message>
     <message>
-        <source>Spindle, 1/min</source>
-        <translation>Drehzahl, 1/min</translation>
+        <source>Spindle speed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Steepest facet</source>
-        <translation>Steilste Facette</translation>
+        <source>Spindle speed not given: the program will not start the spindle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start through the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steepest surface</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Stepover</source>
@@ -1875,6 +1987,10 @@
         <translation>Die NC-Datei, die geschrieben wird</translation>
     </message>
     <message>
+        <source>The axis that makes the deviation of this machine smallest, within the largest axis angle; takes long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The block is so near to the tolerance of {tolerance} that the proof does not reach.</source>
         <translation>Der NC-Satz liegt so nahe an der Toleranz von {tolerance}, dass der Nachweis nicht reicht.</translation>
     </message>
@@ -1889,6 +2005,14 @@
     <message>
         <source>The controller guides the tip (RTCP); shown are evenly moving axes.</source>
         <translation>Die Steuerung führt die Spitze (RTCP); gezeigt sind gleichmäßig bewegte Achsen.</translation>
+    </message>
+    <message>
+        <source>The controller guides the tip; the program gives the rotary axes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller guides the tip; the program gives the tool axis as a vector.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The cutter does not fit there, or it was lifted or kept away so that nothing enters the part.</source>
@@ -1911,6 +2035,10 @@
         <translation>Die zu schreibende Maschinendatei</translation>
     </message>
     <message>
+        <source>The machine is a sketch from its axes: not to scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The next block where a rotary axis turns far to lean the tool a little</source>
         <translation>Der nächste NC-Satz, in dem eine Rundachse weit dreht, um das Werkzeug ein wenig zu neigen</translation>
     </message>
@@ -1921,6 +2049,10 @@
     <message>
         <source>The point of the part that is the program's zero</source>
         <translation>Der Punkt des Werkstücks, der Nullpunkt des Programms ist</translation>
+    </message>
+    <message>
+        <source>The program gives the positions of all axes; any controller can run it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The program that was made of the CL file, without tool centre point control</source>
@@ -1959,8 +2091,20 @@
         <translation>Gesehen wurde, dass die Werkzeugspitze um {deviation} von der Strecke abweicht; bewiesen ist nur, dass es nicht mehr als {bound} ist.</translation>
     </message>
     <message>
+        <source>The tool axis is turned by a few degrees, so that it passes beside the pole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool is lifted along its axis until nothing enters the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The tool is short, or leans towards a wall beside what is cut. Walls that are not selected count too.</source>
         <translation>Das Werkzeug ist kurz oder neigt sich zu einer Wand neben dem, was gefräst wird. Auch Wände, die nicht ausgewählt sind, zählen.</translation>
+    </message>
+    <message>
+        <source>The tool is tilted until shank and holder are free; where the cutter still enters, it is lifted.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The tool path was changed since: double-click the map to try again</source>
@@ -1969,6 +2113,10 @@
     <message>
         <source>The tool path was deleted meanwhile: close this panel.</source>
         <translation>Der Werkzeugweg wurde inzwischen gelöscht: dieses Fenster schließen.</translation>
+    </message>
+    <message>
+        <source>The tool stands normal to the surface, leaned by lead and tilt.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There are several paths: select the one to mark.</source>
@@ -2003,8 +2151,12 @@
         <translation>Der Kopf dieser Maschine schwenkt: die Länge vom Bezugspunkt der Spindel bis zur Werkzeugspitze angeben.</translation>
     </message>
     <message>
-        <source>Tick at least one machine and one cure.</source>
-        <translation>Mindestens eine Maschine und eine Abhilfe anhaken.</translation>
+        <source>This should not have happened: {error}. The details are in the report view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick at least one machine and one correction.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tilt</source>
@@ -2083,6 +2235,10 @@
         <translation>Warnung</translation>
     </message>
     <message>
+        <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Way of X, Y, Z</source>
         <translation>Weg von X, Y, Z</translation>
     </message>
@@ -2119,20 +2275,12 @@
         <translation>Worunter der Abstand im ganzen NC-Satz bewiesenermaßen bleibt</translation>
     </message>
     <message>
-        <source>What to do</source>
-        <translation>Was tun</translation>
-    </message>
-    <message>
         <source>Where the program's zero is drawn in the document</source>
         <translation>Wo der Nullpunkt des Programms im Dokument gezeichnet wird</translation>
     </message>
     <message>
         <source>Where the tip is farthest from its commanded segment</source>
         <translation>Wo die Werkzeugspitze am weitesten von ihrer Sollstrecke entfernt ist</translation>
-    </message>
-    <message>
-        <source>Where the tool enters the part</source>
-        <translation>Wo das Werkzeug in das Teil eindringt</translation>
     </message>
     <message>
         <source>Where the work zero lies in the document</source>
@@ -2175,6 +2323,10 @@
         <translation>Schlimmster NC-Satz</translation>
     </message>
     <message>
+        <source>Write anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Written: {}</source>
         <translation>Geschrieben: {}</translation>
     </message>
@@ -2189,6 +2341,10 @@
     <message>
         <source>along</source>
         <translation>entlang</translation>
+    </message>
+    <message>
+        <source>and {count} more</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>around an edge</source>
@@ -2207,16 +2363,20 @@
         <translation>Achse</translation>
     </message>
     <message>
-        <source>ball end</source>
-        <translation>Kugelfräser</translation>
+        <source>ball end mill</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>bull nose</source>
-        <translation>Torusfräser</translation>
+        <source>beyond limits, or below the table</source>
+        <translation>jenseits der Grenzen, oder unter dem Tisch</translation>
     </message>
     <message>
-        <source>by rotary words</source>
-        <translation>durch Drehachsworte</translation>
+        <source>bull nose mill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by rotary axes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>by the text itself</source>
@@ -2231,8 +2391,8 @@
         <translation>trägt</translation>
     </message>
     <message>
-        <source>centre of the rounding</source>
-        <translation>Mitte der Rundung</translation>
+        <source>centre of corner radius</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>certain within</source>
@@ -2291,8 +2451,8 @@
         <translation>NC-Sätze teilen</translation>
     </message>
     <message>
-        <source>driving what is led</source>
-        <translation>Geführtes nachfahren</translation>
+        <source>driving the turned axes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>exact</source>
@@ -2303,12 +2463,12 @@
         <translation>Maschinen werden angepasst</translation>
     </message>
     <message>
-        <source>fixed</source>
-        <translation>fest</translation>
+        <source>fixed axis</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>flat end</source>
-        <translation>Schaftfräser (flach)</translation>
+        <source>flat end mill</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>found</source>
@@ -2339,24 +2499,8 @@
         <translation>Facetten verbinden</translation>
     </message>
     <message>
-        <source>lead the axis past it</source>
-        <translation>die Achse vorbeiführen</translation>
-    </message>
-    <message>
-        <source>lead the axis past the pole</source>
-        <translation>die Achse am Pol vorbeiführen</translation>
-    </message>
-    <message>
-        <source>leading the axis past the pole</source>
-        <translation>Achse am Pol vorbeiführen</translation>
-    </message>
-    <message>
         <source>least deviation (minimax)</source>
         <translation>kleinste Abweichung (minimax)</translation>
-    </message>
-    <message>
-        <source>leave out</source>
-        <translation>auslassen</translation>
     </message>
     <message>
         <source>lift the tool</source>
@@ -2387,10 +2531,6 @@
         <translation>Maschinen</translation>
     </message>
     <message>
-        <source>mean of the facet normals</source>
-        <translation>Mittel der Facettennormalen</translation>
-    </message>
-    <message>
         <source>measuring what is left</source>
         <translation>Messen, was stehen bleibt</translation>
     </message>
@@ -2415,16 +2555,32 @@
         <translation>nein</translation>
     </message>
     <message>
+        <source>no spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
     <message>
-        <source>normals weighted by step</source>
-        <translation>nach Schrittlänge gewichtete Normalen</translation>
+        <source>none: own values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>normal weighted by step</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>not determined</source>
         <translation>nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
     </message>
     <message>
         <source>not proven between their ends</source>
@@ -2461,6 +2617,10 @@
     <message>
         <source>over tolerance</source>
         <translation>über der Toleranz</translation>
+    </message>
+    <message>
+        <source>per minute (G94)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>placing the passes</source>
@@ -2523,8 +2683,16 @@
         <translation>Vorzeichen</translation>
     </message>
     <message>
+        <source>skip these places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>vom Benutzer abgebrochen</translation>
+    </message>
+    <message>
+        <source>surface normal</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>taken as 0</source>
@@ -2537,10 +2705,6 @@
     <message>
         <source>tapered bull nose</source>
         <translation>konischer Torus</translation>
-    </message>
-    <message>
-        <source>the axes leave their limits</source>
-        <translation>die Achsen verlassen ihre Grenzen</translation>
     </message>
     <message>
         <source>the head</source>
@@ -2571,20 +2735,24 @@
         <translation>Werkzeugspitze</translation>
     </message>
     <message>
-        <source>to and fro</source>
-        <translation>hin und her</translation>
-    </message>
-    <message>
         <source>trying setups</source>
         <translation>Aufspannungen erproben</translation>
+    </message>
+    <message>
+        <source>turn the axis past it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the axis past the pole</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>turning the axes</source>
         <translation>Rundachsen berechnen</translation>
     </message>
     <message>
-        <source>units a minute (G94)</source>
-        <translation>Einheiten je Minute (G94)</translation>
+        <source>turning the axis past the pole</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>where the work zero stood</source>
@@ -2607,12 +2775,16 @@
         <translation>ja</translation>
     </message>
     <message>
+        <source>zigzag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{block} of {last}, {motion}</source>
         <translation>{block} von {last}, {motion}</translation>
     </message>
     <message>
-        <source>{controller} does not guide the tip itself; Linearize helps.</source>
-        <translation>{controller} führt die Spitze nicht selbst; Linearisieren hilft.</translation>
+        <source>{controller} does not guide the tip itself: divide blocks instead.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{controller} has no high-speed mode to switch.</source>
@@ -2623,8 +2795,8 @@
         <translation>{controller} hat keine inverse Zeit: F ist in mm/min.</translation>
     </message>
     <message>
-        <source>{controller} needs the number of the tool for it: give it under More settings.</source>
-        <translation>{controller} braucht dafür die Werkzeugnummer: siehe „Weitere Einstellungen“.</translation>
+        <source>{controller} needs the number of the tool for it: give it in the group Tool.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{count}, proven are only their ends</source>
@@ -2635,12 +2807,29 @@
         <translation>{depth} zu tief</translation>
     </message>
     <message>
-        <source>{deviation}, NC line {line}</source>
-        <translation>{deviation}, NC-Zeile {line}</translation>
+        <source>{deviation}, NC line {line}: over {tolerance}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{deviation}, NC line {line}: within {tolerance}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{document} has no 3D view: open one and play {path} again.</source>
         <translation>{document} hat keine 3D-Ansicht: eine öffnen und {path} noch einmal abspielen.</translation>
+    </message>
+    <message>
+        <source>{file}
+{lines} lines, run time {time}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{finding}: {area}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{finding}: {count} places</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be too slow for the programmed feed: then the tool dwells and may leave a mark.</source>
@@ -2659,6 +2848,10 @@
         <translation>Null von {letter}</translation>
     </message>
     <message>
+        <source>{name} (0: the program leaves it off)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{name}, other blocks</source>
         <translation>{name}, andere NC-Sätze</translation>
     </message>
@@ -2669,6 +2862,10 @@
     <message>
         <source>{over_tolerance} blocks are over the tolerance; this is the worst.</source>
         <translation>{over_tolerance} NC-Sätze liegen über der Toleranz; dieser ist der schlimmste.</translation>
+    </message>
+    <message>
+        <source>{shown} of {count} places: those at the recommended height</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{singular_blocks} blocks lie near the pole; this is the worst.</source>
@@ -2690,17 +2887,2728 @@
         <source>{} s</source>
         <translation>{} s</translation>
     </message>
+</context>
+<context>
+    <name>FiveAxisCore</name>
     <message>
-        <source>Height of the table</source>
-        <translation>Höhe des Tisches</translation>
+        <source> (NC line {line})</source>
+        <translation> (NC-Zeile {line})</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
+        <source> (along the axis, which leans)</source>
+        <translation> (entlang der Achse, die geneigt ist)</translation>
     </message>
     <message>
-        <source>beyond limits, or below the table</source>
-        <translation>jenseits der Grenzen, oder unter dem Tisch</translation>
+        <source> Beside it scallops up to {height} are left.</source>
+        <translation> Daneben bleiben Kuppen bis {height} stehen.</translation>
+    </message>
+    <message>
+        <source> On that machine the tip would be off by up to {miss}.</source>
+        <translation> Auf jener Maschine läge die Werkzeugspitze um bis zu {miss} daneben.</translation>
+    </message>
+    <message>
+        <source> The path goes straight on to the next GOTO: have curves written as points.</source>
+        <translation> Der Werkzeugweg geht gerade weiter zum nächsten GOTO: Kurven als Punkte ausgeben lassen.</translation>
+    </message>
+    <message>
+        <source> This is the deepest of {blocks} blocks in {places} places.</source>
+        <translation> Das ist der tiefste von {blocks} NC-Sätzen an {places} Stellen.</translation>
+    </message>
+    <message>
+        <source> and the part turned by {turn}</source>
+        <translation> und das Werkstück um {turn} gedreht</translation>
+    </message>
+    <message>
+        <source> at {count} place, {depth} deep</source>
+        <translation> an {count} Stelle, {depth} tief</translation>
+    </message>
+    <message>
+        <source> at {count} places, {depth} deep</source>
+        <translation> an {count} Stellen, {depth} tief</translation>
+    </message>
+    <message>
+        <source> in {count} blocks</source>
+        <translation> in {count} NC-Sätzen</translation>
+    </message>
+    <message>
+        <source> of {axes}</source>
+        <translation> von {axes}</translation>
+    </message>
+    <message>
+        <source> {name} is another machine.</source>
+        <translation> {name} ist eine andere Maschine.</translation>
+    </message>
+    <message>
+        <source> {name} is that machine.</source>
+        <translation> {name} ist diese Maschine.</translation>
+    </message>
+    <message>
+        <source>1 block leads</source>
+        <translation>1 NC-Satz führt</translation>
+    </message>
+    <message>
+        <source>1 feed block (NC line {first})</source>
+        <translation>1 Vorschubsatz (NC-Zeile {first})</translation>
+    </message>
+    <message>
+        <source>1 feed block asks</source>
+        <translation>1 Vorschubsatz verlangt</translation>
+    </message>
+    <message>
+        <source>1 feed block is</source>
+        <translation>1 Vorschubsatz liegt</translation>
+    </message>
+    <message>
+        <source>1 feed block leaves</source>
+        <translation>1 Vorschubsatz verlässt</translation>
+    </message>
+    <message>
+        <source>1 feed block lies</source>
+        <translation>1 Vorschubsatz liegt</translation>
+    </message>
+    <message>
+        <source>1 feed block: {count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first NC line {first}.</source>
+        <translation>1 Vorschubsatz: {count} von {all} Vorschubsätzen {what} Am schlimmsten ist NC-Zeile {line}, {off} daneben ({tolerance} erlaubt); die erste ist NC-Zeile {first}.</translation>
+    </message>
+    <message>
+        <source>1 of {all} ways holds {tolerance}; the quickest is {way}, {time}.</source>
+        <translation>1 von {all} Wegen hält {tolerance} ein; der schnellste ist {way}, {time}.</translation>
+    </message>
+    <message>
+        <source>; do you mean {close}?</source>
+        <translation> – ist {close} gemeint?</translation>
+    </message>
+    <message>
+        <source>A controller with tool tip control (RTCP) guides the tip along the segment itself.</source>
+        <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Werkzeugspitze von sich aus auf der Strecke.</translation>
+    </message>
+    <message>
+        <source>A display or pose that differs: work offset, tool length or zero positions are not set.</source>
+        <translation>Eine andere Anzeige oder Stellung: Nullpunktverschiebung, Werkzeuglänge oder Nullstellungen sind nicht gesetzt.</translation>
+    </message>
+    <message>
+        <source>A head's pivot was found as its distance from the tip, tool included. Give {tool_length} to have the gauge point's written; else use the file with tool length 0.</source>
+        <translation>Der Drehpunkt eines Kopfes wurde als Abstand von der Werkzeugspitze gefunden, das Werkzeug eingeschlossen. {tool_length} angeben, damit der des Bezugspunkts geschrieben wird; sonst die Datei mit Werkzeuglänge 0 verwenden.</translation>
+    </message>
+    <message>
+        <source>All {count} facets looked inward and were turned outward; check the export if only some of them should.</source>
+        <translation>Alle {count} Facetten zeigten nach innen und wurden nach außen gewendet; den Export prüfen, wenn es nur für einige gelten sollte.</translation>
+    </message>
+    <message>
+        <source>Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.</source>
+        <translation>Anfahrten und NC-Sätze, in denen eine Achse an ihrer Grenze ist, sind zu Recht langsamer; die anderen ansehen.</translation>
+    </message>
+    <message>
+        <source>At every stop compare what you see with this sheet, and stop for good if it differs. The tip stays at least {gap} above the level of the mark, even if a rotary axis turns the wrong way or the two are exchanged.</source>
+        <translation>An jedem Halt mit diesem Blatt vergleichen, was zu sehen ist, und bei einem Unterschied endgültig anhalten. Die Werkzeugspitze bleibt mindestens {gap} über der Höhe der Marke, auch wenn eine Rundachse falsch herum dreht oder die beiden vertauscht sind.</translation>
+    </message>
+    <message>
+        <source>At the end of {count} feed blocks the tool does not stand as the CL path says: worst NC line {line}, by {lean} ({tolerance} allowed); first NC line {first}. Are signs, order and zeros of the rotary axes those of the machine?</source>
+        <translation>Am Ende von {count} Vorschubsätzen steht das Werkzeug nicht so, wie der CL-Weg es sagt: am schlimmsten NC-Zeile {line}, um {lean} ({tolerance} erlaubt); die erste ist NC-Zeile {first}. Sind Vorzeichen, Reihenfolge und Nullpunkte der Rundachsen die der Maschine?</translation>
+    </message>
+    <message>
+        <source>Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.</source>
+        <translation>Achswörter stehen weder unter G0 noch G1; sie werden als G1 genommen. Einen Bewegungscode angeben.</translation>
+    </message>
+    <message>
+        <source>CHECK</source>
+        <translation>PRÜFEN</translation>
+    </message>
+    <message>
+        <source>F says {speed}</source>
+        <translation>F sagt {speed}</translation>
+    </message>
+    <message>
+        <source>FEDRAT needs one feed above 0</source>
+        <translation>FEDRAT braucht einen Vorschub über 0</translation>
+    </message>
+    <message>
+        <source>Feed override at its lowest, single block on, a hand on feed hold. The program waits (M0) after every line below.</source>
+        <translation>Vorschub-Override ganz unten, Einzelsatz an, eine Hand am Vorschub-Halt. Das Programm wartet (M0) nach jeder Zeile unten.</translation>
+    </message>
+    <message>
+        <source>For the post {letter} is the rotary axis nearer to the work, for {name} it is {own}.</source>
+        <translation>Für den Postprozessor ist {letter} die Rundachse näher am Werkstück, für {name} ist es {own}.</translation>
+    </message>
+    <message>
+        <source>FreeCAD could not mesh {label}: check its geometry, or choose other deflections.</source>
+        <translation>FreeCAD konnte {label} nicht vernetzen: die Geometrie prüfen oder andere Abweichungen wählen.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.</source>
+        <translation>FreeCADs Datei sagt nicht alles; angenommen: {lacking}. Unter fiveaxis berichtigen.</translation>
+    </message>
+    <message>
+        <source>GODLTA stands before the first GOTO: from where is not known</source>
+        <translation>GODLTA steht vor dem ersten GOTO: der Ausgangspunkt ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>If not: are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero?</source>
+        <translation>Wenn nicht: Sind {cutter}, {origin} und die Maschine die des Programms, und steht das STL am Werkstücknullpunkt?</translation>
+    </message>
+    <message>
+        <source>If {text}, the tip is off by {size} only at the last stop, which is easily overlooked: rely on the stops</source>
+        <translation>Wenn gilt: {text}, steht die Werkzeugspitze nur am letzten Halt um {size} daneben, was leicht übersehen wird: auf die Halte verlassen</translation>
+    </message>
+    <message>
+        <source>In hollows along the passes the cutter's bottom stands up to about {depth} in the part behind its contact or before it, over {count} rows. Give more lead, take a smaller cutter or a ball, or check for gouges.</source>
+        <translation>In Mulden entlang der Zeilen steht der Boden des Fräsers hinter oder vor seinem Berührpunkt bis zu etwa {depth} im Werkstück, in {count} Punkten. Mehr Voreilwinkel geben, einen kleineren Fräser oder Kugelfräser nehmen oder auf Eindringen prüfen.</translation>
+    </message>
+    <message>
+        <source>In the present setup the axes leave their limits.</source>
+        <translation>In der jetzigen Aufspannung verlassen die Achsen ihre Grenzen.</translation>
+    </message>
+    <message>
+        <source>In the present setup the part reaches below the table.</source>
+        <translation>In der jetzigen Aufspannung reicht das Werkstück unter den Tisch.</translation>
+    </message>
+    <message>
+        <source>In the present setup the part reaches below the table: its work zero must stand at Z {least} or higher. Give another {origin}.</source>
+        <translation>In der jetzigen Aufspannung reicht das Werkstück unter den Tisch: sein Nullpunkt muss bei Z {least} oder höher stehen. {origin} anders angeben.</translation>
+    </message>
+    <message>
+        <source>In {count} blocks F would be below one step; they run faster than programmed. Use G93.</source>
+        <translation>In {count} NC-Sätzen läge F unter einem Schritt; sie laufen schneller als programmiert. G93 verwenden.</translation>
+    </message>
+    <message>
+        <source>In {count} blocks F would exceed the controller's largest; they run slower than programmed.</source>
+        <translation>In {count} NC-Sätzen läge F über dem größten der Steuerung; sie laufen langsamer als programmiert.</translation>
+    </message>
+    <message>
+        <source>In {count} blocks an axis would exceed its maximum rate; they run slower than programmed.</source>
+        <translation>In {count} NC-Sätzen müsste eine Achse schneller als möglich laufen; sie laufen langsamer als programmiert.</translation>
+    </message>
+    <message>
+        <source>In {count} blocks the controller guides the tip (RTCP): that it keeps to the segment is the controller's affair, and neither measured nor proven here. Limits and rates are those of the axes that this machine file needs for it.</source>
+        <translation>In {count} NC-Sätzen führt die Steuerung die Werkzeugspitze (RTCP): Dass sie auf der Strecke bleibt, ist Sache der Steuerung und hier weder gemessen noch nachgewiesen. Grenzen und Geschwindigkeiten sind die der Achsen, die diese Maschinendatei dafür braucht.</translation>
+    </message>
+    <message>
+        <source>In {count} blocks the whole cutter is inside the part, the first at {place}. Check the work zero and the units of the part.</source>
+        <translation>In {count} NC-Sätzen ist der ganze Fräser im Werkstück, zuerst bei {place}. Werkstücknullpunkt und Einheiten des Werkstücks prüfen.</translation>
+    </message>
+    <message>
+        <source>In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis would need another branch or winding; its axis deviation stays as it was. Lead the tool round the pole to avoid it.</source>
+        <translation>In {count} geteilten NC-Sätzen drehen die Rundachsen gleichmäßig, weil der gerade Schwenk der Werkzeugachse einen anderen Zweig oder eine andere Windung bräuchte; die Abweichung der Achse bleibt, wie sie war. Das Werkzeug um den Pol herumführen, um das zu vermeiden.</translation>
+    </message>
+    <message>
+        <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
+        <translation>In {count} von {all} Vorschubsätzen dringt die Kugel von {diameter} um mehr als {tolerance} ins Werkstück ein; am tiefsten in NC-Zeile {line}, {depth}; die erste ist NC-Zeile {first}. Sind {cutter}, {origin} und die Maschine die des Programms, steht das STL am Werkstücknullpunkt? Sonst ist das Werkstück verdorben.</translation>
+    </message>
+    <message>
+        <source>In {where} the tip moves over the part more than {factor} times faster or slower than meant: at worst {feed} in NC line {line}, where {meant}. </source>
+        <translation>In {where} bewegt sich die Werkzeugspitze mehr als {factor}-mal schneller oder langsamer als gewollt über das Werkstück: am schlimmsten {feed} in NC-Zeile {line}, wo {meant}. </translation>
+    </message>
+    <message>
+        <source>It lies</source>
+        <translation>Er liegt</translation>
+    </message>
+    <message>
+        <source>Jog the tool high above the part, rotary axes at 0, before the first line.</source>
+        <translation>Das Werkzeug vor der ersten Zeile von Hand hoch über das Werkstück fahren, Rundachsen auf 0.</translation>
+    </message>
+    <message>
+        <source>Least deviation: {way}, {deviation} in {time}.</source>
+        <translation>Geringste Abweichung: {way}, {deviation} in {time}.</translation>
+    </message>
+    <message>
+        <source>Let the axis be led past the pole (deform), lead or tilt the tool by a few degrees, or clamp the part in another position (setup finds one), so that the tool keeps off the pole.</source>
+        <translation>Die Achse am Pol vorbeiführen lassen (deform), das Werkzeug um einige Grad voreilen lassen oder zur Seite neigen, oder das Werkstück anders aufspannen (der Befehl „Wo aufspannen“ findet eine Lage), damit das Werkzeug vom Pol wegbleibt.</translation>
+    </message>
+    <message>
+        <source>Let the tool be lifted there or leave such places out (gouge lift, leave-out), or use a smaller cutter; where the machine leaves the path by as much, let blocks be divided (linearize on).</source>
+        <translation>Das Werkzeug dort abheben lassen oder solche Stellen auslassen (Eindringen: lift, leave-out), oder einen kleineren Fräser nehmen; wo die Maschine den Weg um so viel verlässt, NC-Sätze teilen lassen (Linearisieren an).</translation>
+    </message>
+    <message>
+        <source>Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct them from the machine's data sheet.</source>
+        <translation>Die Grenzen{of} bleiben offen, und größte Geschwindigkeiten sind angenommen (10 m/min, 10 Umdrehungen je Minute): keine Zeile sagt sie. Nach dem Datenblatt der Maschine berichtigen.</translation>
+    </message>
+    <message>
+        <source>MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system.</source>
+        <translation>MSYS wechselt innerhalb der Datei das Koordinatensystem; ihre Punkte werden in einem genommen. Für jedes System eine eigene Datei ausgeben.</translation>
+    </message>
+    <message>
+        <source>More or less room than {gap}: tool length, work offset or {mark} are wrong. Do not go on.</source>
+        <translation>Mehr oder weniger Platz als {gap}: Werkzeuglänge, Nullpunktverschiebung oder {mark} sind falsch. Nicht weitermachen.</translation>
+    </message>
+    <message>
+        <source>NC line {line} leaves the commanded segment by {deviation}, {tolerance} allowed: {turns} within a step of {step}.</source>
+        <translation>NC-Zeile {line} verlässt die Sollstrecke um {deviation}, erlaubt sind {tolerance}: {turns} innerhalb eines Schritts von {step}.</translation>
+    </message>
+    <message>
+        <source>NC line {line}: deviation {deviation}, proven bound {bound}, {tolerance} allowed. Split it.</source>
+        <translation>NC-Zeile {line}: Abweichung {deviation}, bewiesene Schranke {bound}, erlaubt sind {tolerance}. Den Satz teilen.</translation>
+    </message>
+    <message>
+        <source>NC line {line}: {turns} to lean the tool by {lean}. Keep the tool off the pole.</source>
+        <translation>NC-Zeile {line}: {turns}, um das Werkzeug um {lean} zu neigen. Das Werkzeug vom Pol fernhalten.</translation>
+    </message>
+    <message>
+        <source>NOT SAFE</source>
+        <translation>NICHT SICHER</translation>
+    </message>
+    <message>
+        <source>No HAL file sets {lacking} of {module}; they are 0, as LinuxCNC has them then. Is that so?</source>
+        <translation>Keine HAL-Datei setzt {lacking} von {module}; sie sind 0, wie bei LinuxCNC dann üblich. Stimmt das?</translation>
+    </message>
+    <message>
+        <source>No setup of the region keeps all axes within their limits and the part on the table.</source>
+        <translation>Keine Aufspannung des Bereichs hält alle Achsen in ihren Grenzen und das Werkstück auf dem Tisch.</translation>
+    </message>
+    <message>
+        <source>No work zero of the setup region keeps the linear axes within their limits: they are exceeded by {over} at least. Widen the region, turn the part, or take a larger machine.</source>
+        <translation>Kein Werkstücknullpunkt des Bereichs hält die Linearachsen in ihren Grenzen: sie werden um mindestens {over} überschritten. Den Bereich erweitern, das Werkstück drehen oder eine größere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>No work zero of the setup region puts the part on the table. Move the region up ({origin}), or widen it.</source>
+        <translation>Kein Werkstücknullpunkt des Bereichs stellt das Werkstück auf den Tisch. Den Bereich nach oben versetzen ({origin}) oder erweitern.</translation>
+    </message>
+    <message>
+        <source>None of the machines can drive this path.</source>
+        <translation>Keine der Maschinen kann diesen Werkzeugweg fahren.</translation>
+    </message>
+    <message>
+        <source>Nothing here holds {tolerance} within the limits of its machine.</source>
+        <translation>Nichts hier hält {tolerance} innerhalb der Grenzen seiner Maschine ein.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected: {what}.</source>
+        <translation>Nichts ist ausgewählt: {what}.</translation>
+    </message>
+    <message>
+        <source>Nothing may stand above Z {z} of the work zero: remove the part, or give {mark} as high as part and clamps reach.</source>
+        <translation>Über Z {z} vom Werkstücknullpunkt darf nichts stehen: das Werkstück entfernen oder {mark} so hoch angeben, wie Werkstück und Spannmittel reichen.</translation>
+    </message>
+    <message>
+        <source>Of {whole} that are machined, all are cut: no more than {allowed} is left, nothing is cut too deep.</source>
+        <translation>Von {whole} bearbeiteter Fläche ist alles gefräst: nicht mehr als {allowed} bleibt stehen, nichts ist zu tief.</translation>
+    </message>
+    <message>
+        <source>Of {whole} that are machined, {parts}.</source>
+        <translation>Von {whole} bearbeiteter Fläche: {parts}.</translation>
+    </message>
+    <message>
+        <source>On {area} of the machined surface more than {above} is left, most at {place}: {height}; {volume} in all. Cut these places with a smaller cutter or another tool axis.</source>
+        <translation>Auf {area} der bearbeiteten Fläche bleibt mehr als {above} Restmaterial stehen, am meisten bei {place}: {height}; insgesamt {volume}. Diese Stellen mit einem kleineren Fräser oder anderer Werkzeugachse fräsen.</translation>
+    </message>
+    <message>
+        <source>On {area} of the machined surface more than {tolerance} is cut too deep, most at {place}: {height}; {volume} in all. Let the tool be lifted there (gouge lift), or use a smaller cutter.</source>
+        <translation>Auf {area} der bearbeiteten Fläche wird um mehr als {tolerance} zu tief gefräst, am meisten bei {place}: {height}; insgesamt {volume}. Das Werkzeug dort abheben lassen (Eindringen: lift) oder einen kleineren Fräser nehmen.</translation>
+    </message>
+    <message>
+        <source>On {machine} with cure {cure} the path cannot be driven: {problem}</source>
+        <translation>Auf {machine} mit Korrektur {cure} kann der Werkzeugweg nicht gefahren werden: {problem}</translation>
+    </message>
+    <message>
+        <source>Only {letter} moves: the table goes {wrong} by {travel}; the tool, seen from the part, goes {right}.</source>
+        <translation>Nur {letter} fährt: der Tisch geht {travel} {wrong}; das Werkzeug geht, vom Werkstück aus gesehen, {right}.</translation>
+    </message>
+    <message>
+        <source>Only {letter} moves: the tool goes {right} by {travel}, the table rests.</source>
+        <translation>Nur {letter} fährt: das Werkzeug geht {travel} {right}, der Tisch steht.</translation>
+    </message>
+    <message>
+        <source>Only {letter} turns: the {what} turns {right} by {degrees}, seen {view}; {mark}.</source>
+        <translation>Nur {letter} dreht: {what} dreht {right} um {degrees}, {view} gesehen; {mark}.</translation>
+    </message>
+    <message>
+        <source>Over {length} of the passes no tilt of up to {most} keeps shank and holder out of the part, the deepest entry at {place}. Allow more tilt ({max_tilt}), use a longer tool, or leave these places out.</source>
+        <translation>Auf {length} der Zeilen hält keine Neigung bis {most} Schaft und Halter aus dem Werkstück, am tiefsten bei {place}. Mehr Neigung erlauben ({max_tilt}), ein längeres Werkzeug nehmen oder diese Stellen auslassen.</translation>
+    </message>
+    <message>
+        <source>Positive {letter} words turn the tool, seen from the work, left-handed about {plus}, against ISO 841; the direction in the file is reversed accordingly.</source>
+        <translation>Positive {letter}-Wörter drehen das Werkzeug, vom Werkstück aus gesehen, linksherum um {plus}, entgegen ISO 841; die Richtung in der Datei ist entsprechend umgekehrt.</translation>
+    </message>
+    <message>
+        <source>Post it again for this machine</source>
+        <translation>Für diese Maschine neu ausgeben</translation>
+    </message>
+    <message>
+        <source>Right is +X of the machine, back is +Y (away from you), up is +Z. If your machine's axes point elsewhere, stand so that they do.</source>
+        <translation>Rechts ist +X der Maschine, hinten ist +Y (von Ihnen weg), oben ist +Z. Zeigen die Achsen Ihrer Maschine anders, so hinstellen, dass es stimmt.</translation>
+    </message>
+    <message>
+        <source>SAFE</source>
+        <translation>SICHER</translation>
+    </message>
+    <message>
+        <source>STL file {path} cannot be read: {strerror}</source>
+        <translation>Die STL-Datei {path} ist nicht lesbar: {strerror}</translation>
+    </message>
+    <message>
+        <source>Shorter blocks help: half the length leaves about a quarter of the deviation; linearize makes as many as are needed.</source>
+        <translation>Kürzere Sätze helfen: halbe Länge lässt etwa ein Viertel der Abweichung; Linearisieren macht so viele, wie nötig sind.</translation>
+    </message>
+    <message>
+        <source>Spindle off and locked; no cutter that can hurt: a pointed rod of the tool's length.</source>
+        <translation>Spindel aus und gesperrt; kein Fräser, der verletzen kann: ein spitzer Stab von der Länge des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>Split it, or keep the tool off the pole.</source>
+        <translation>Den Satz teilen oder das Werkzeug vom Pol fernhalten.</translation>
+    </message>
+    <message>
+        <source>Split it.</source>
+        <translation>Den Satz teilen.</translation>
+    </message>
+    <message>
+        <source>Stand {place}: largest deviation {deviation} instead of {now}, {times} times less.</source>
+        <translation>Aufstellen: {place}. Größte Abweichung {deviation} statt {now}, {times}-mal weniger.</translation>
+    </message>
+    <message>
+        <source>Stand {place}: largest deviation {deviation}.</source>
+        <translation>Aufstellen: {place}. Größte Abweichung {deviation}.</translation>
+    </message>
+    <message>
+        <source>The CL file is for a cutter of {diameter}, retracts are laid out for {given}; give {cutter}.</source>
+        <translation>Die CL-Datei ist für einen Fräser von {diameter}, die Rückzüge sind für {given} ausgelegt; {cutter} angeben.</translation>
+    </message>
+    <message>
+        <source>The CL file is for a {said}, retracts are laid out for a {given}; give {cutter}.</source>
+        <translation>Die CL-Datei ist für {said}, die Rückzüge sind für {given} ausgelegt; {cutter} angeben.</translation>
+    </message>
+    <message>
+        <source>The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part.</source>
+        <translation>Der CL-Weg beginnt mit einer Vorschubbewegung; das Programm fährt seinen ersten Ort im Eilgang an. Über dem Werkstück beginnen.</translation>
+    </message>
+    <message>
+        <source>The controller guides the tip (RTCP). Proven is that every block ends within {off} of the path's tip and {lean} of its tool axis, as the machine file describes the machine; how tip and axes go from end to end is the controller's affair, and not proven here.</source>
+        <translation>Die Steuerung führt die Werkzeugspitze (RTCP). Nachgewiesen ist, dass jeder Satz innerhalb {off} an der Spitze des Werkzeugwegs und innerhalb {lean} an seiner Werkzeugachse endet, so wie die Maschinendatei die Maschine beschreibt; wie Spitze und Achsen von Ende zu Ende gehen, ist Sache der Steuerung und hier nicht nachgewiesen.</translation>
+    </message>
+    <message>
+        <source>The cutter does not fit into the corners at {number} facet segments; {much}. Use a smaller cutter there.</source>
+        <translation>Der Fräser passt an {number} Facettenstücken nicht in die Ecken; {much}. Dort einen kleineren Fräser nehmen.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out (gouge lift, leave-out).</source>
+        <translation>Der Fräser dringt auf dem Weg zwischen den Zeilen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen (Eindringen: lift, leave-out).</translation>
+    </message>
+    <message>
+        <source>The cutter goes {depth} too deep into the part at {at}.</source>
+        <translation>Der Fräser dringt bei {at} {depth} zu tief ins Werkstück ein.</translation>
+    </message>
+    <message>
+        <source>The display shows {place}. The tool stands upright, the table level. Nothing is near the tool.</source>
+        <translation>Die Anzeige zeigt {place}. Das Werkzeug steht senkrecht, der Tisch waagrecht. Nichts ist nahe am Werkzeug.</translation>
+    </message>
+    <message>
+        <source>The facets curl tighter than the cutter at {number} segments, and the cutter cuts up to {worst} into them. Use a smaller cutter or a finer mesh, or check these places before milling.</source>
+        <translation>Die Facetten sind an {number} Stücken enger gekrümmt als der Fräser, und er schneidet bis zu {worst} in sie ein. Einen kleineren Fräser oder ein feineres Netz nehmen oder diese Stellen vor dem Fräsen prüfen.</translation>
+    </message>
+    <message>
+        <source>The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool.</source>
+        <translation>Die Datei wechselt die Werkzeuge ({told}), das Programm nicht: es fräst alles mit einem. Für jedes Werkzeug eine eigene Datei ausgeben.</translation>
+    </message>
+    <message>
+        <source>The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.</source>
+        <translation>Das Grundsystem der Datei ist verschoben oder gedreht und wird nicht verwendet; die Achsen im System der Maschine selbst angeben.</translation>
+    </message>
+    <message>
+        <source>The first motion line does not say where {unknown} stand; they are taken as 0 there.</source>
+        <translation>Die erste Bewegungszeile sagt nicht, wo {unknown} stehen; sie werden dort als 0 genommen.</translation>
+    </message>
+    <message>
+        <source>The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or a cutter of less taper.</source>
+        <translation>Die Flanke des Kegelfräsers neigt sich auf {length} der Zeilen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitenwinkel oder einen Fräser mit weniger Kegel wählen.</translation>
+    </message>
+    <message>
+        <source>The height of the table is not known: check that the part stands on it, or give {table_height}.</source>
+        <translation>Die Höhe des Tisches ist nicht bekannt: prüfen, dass das Werkstück auf ihm steht, oder {table_height} angeben.</translation>
+    </message>
+    <message>
+        <source>The height of the table is not known: check that the part stands on it.</source>
+        <translation>Die Höhe des Tisches ist nicht bekannt: prüfen, dass das Werkstück auf ihm steht.</translation>
+    </message>
+    <message>
+        <source>The joint axes are taken as the way the tool moves relative to the work (ISO 841). Prove the signs before cutting.</source>
+        <translation>Die Achsen werden so genommen, wie sich das Werkzeug relativ zum Werkstück bewegt (ISO 841). Vor dem Fräsen die Vorzeichen prüfen.</translation>
+    </message>
+    <message>
+        <source>The least interval of {least} binds {count} times and leaves scallops up to {height} where {scallop} are asked: give a smaller least interval or turn the direction along the steep walls.</source>
+        <translation>Der kleinste Abstand von {least} greift {count}-mal und lässt Kuppen bis {height} stehen, wo {scallop} verlangt sind: einen kleineren Abstand geben oder die Richtung entlang der steilen Wände drehen.</translation>
+    </message>
+    <message>
+        <source>The lines after the end of the program in line {last} are not read.</source>
+        <translation>Die Zeilen nach dem Programmende in Zeile {last} werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine.</source>
+        <translation>Die Maschine hat keine Achse {letter}: deren {count} Wörter sind ausgelassen. Die Maschine des Programms wählen.</translation>
+    </message>
+    <message>
+        <source>The machine that the post had in mind is {kind}, {name} is {own}.</source>
+        <translation>Die Maschine, die der Postprozessor meinte, ist {kind}, {name} ist {own}.</translation>
+    </message>
+    <message>
+        <source>The mesh of {label} was deleted: undo that, or choose another one in its property Mesh.</source>
+        <translation>Das Netz von {label} wurde gelöscht: das rückgängig machen oder in der Eigenschaft Netz ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>The model of So et al. finds no farthest point in {rootless} of {blocks} blocks and takes the middle there; use the exact line deviation.</source>
+        <translation>Das Modell von So et al. findet in {rootless} von {blocks} NC-Sätzen keinen fernsten Punkt und nimmt dort die Mitte; die exakte Abweichung von der Geraden verwenden.</translation>
+    </message>
+    <message>
+        <source>The part that {label} was made of was deleted: undo that, or choose another one in its property Base</source>
+        <translation>Das Werkstück, aus dem {label} entstand, wurde gelöscht: das rückgängig machen oder in der Eigenschaft Basis ein anderes wählen</translation>
+    </message>
+    <message>
+        <source>The part was deleted: undo that, or choose another one in the property Base.</source>
+        <translation>Das Werkstück wurde gelöscht: das rückgängig machen oder in der Eigenschaft Basis ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>The part's lowest place is then {height} above the table.</source>
+        <translation>Die tiefste Stelle des Werkstücks ist dann {height} über dem Tisch.</translation>
+    </message>
+    <message>
+        <source>The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.</source>
+        <translation>Der Werkzeugweg selbst ist dort frei vom Werkstück, aber die Maschine verlässt ihn zwischen den Enden der NC-Sätze: {way}.</translation>
+    </message>
+    <message>
+        <source>The path of {label} was deleted: choose another one in its property Path.</source>
+        <translation>Der Werkzeugweg von {label} wurde gelöscht: in der Eigenschaft Werkzeugweg einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>The plane above the part at which the rotary axes turn lies at Z {height}, beyond the limit {limit}: the program begins and ends at that limit. Watch the first moves, or set the machine file's safe_start to machine or reference.</source>
+        <translation>Die Ebene über dem Werkstück, auf der die Rundachsen drehen, liegt bei Z {height}, jenseits der Grenze {limit}: das Programm beginnt und endet an dieser Grenze. Die ersten Bewegungen beobachten oder safe_start der Maschinendatei auf machine oder reference setzen.</translation>
+    </message>
+    <message>
+        <source>The post had in mind: {layout}. It explains {count} of {all} rows within {worst}.</source>
+        <translation>Der Postprozessor meinte: {layout}. Das erklärt {count} von {all} Zeilen auf {worst} genau.</translation>
+    </message>
+    <message>
+        <source>The present setup is as good as any of the region: largest deviation {deviation}.</source>
+        <translation>Die jetzige Aufspannung ist so gut wie jede des Bereichs: größte Abweichung {deviation}.</translation>
+    </message>
+    <message>
+        <source>The program counts {name} from {value} (within {certainty}), not from the CL path's zero. A machine file cannot hold that: correct {what}, or the post.</source>
+        <translation>Das Programm zählt {name} von {value} (auf {certainty} genau), nicht vom Nullpunkt des CL-Wegs. Eine Maschinendatei kann das nicht festhalten: {what} oder den Postprozessor berichtigen.</translation>
+    </message>
+    <message>
+        <source>The program has rotary words {letters}, {name} has {own}.</source>
+        <translation>Das Programm hat die Rundachsen {letters}, {name} hat {own}.</translation>
+    </message>
+    <message>
+        <source>The program says {units_said}; taken as mm.</source>
+        <translation>Das Programm sagt {units_said}; als mm genommen.</translation>
+    </message>
+    <message>
+        <source>The program uses {count} work offsets; their distance is not known, and the blocks between are not right.</source>
+        <translation>Das Programm benutzt {count} Nullpunktverschiebungen; ihr Abstand ist nicht bekannt, und die NC-Sätze dazwischen stimmen nicht.</translation>
+    </message>
+    <message>
+        <source>The recommended setup lies on the edge of the region ({edges}); beyond it may be a better one.</source>
+        <translation>Die empfohlene Aufspannung liegt am Rand des Bereichs ({edges}); dahinter mag eine bessere liegen.</translation>
+    </message>
+    <message>
+        <source>The rows are off by up to {worst} and {lean} from the best machine, {scale} times what rounding explains. The program may come from another CL path, or its machine have directions or axes that are not tried here.</source>
+        <translation>Die Zeilen liegen um bis zu {worst} und {lean} neben der besten Maschine, das {scale}-fache dessen, was Rundung erklärt. Das Programm kommt vielleicht von einem anderen CL-Weg, oder seine Maschine hat Richtungen oder Achsen, die hier nicht erprobt werden.</translation>
+    </message>
+    <message>
+        <source>The rows do not determine {name}; it is written {kept}. Give rows in which the rotary axes turn farther.</source>
+        <translation>Die Zeilen bestimmen {name} nicht; geschrieben ist {kept}. Zeilen angeben, in denen die Rundachsen weiter drehen.</translation>
+    </message>
+    <message>
+        <source>The shape of {label} is invalid, so its mesh would have cracks: repair it (Part workbench: Check geometry shows where), or select another solid.</source>
+        <translation>Die Form von {label} ist ungültig, ihr Netz hätte Risse: reparieren (Part: Geometrie prüfen zeigt, wo) oder einen anderen Volumenkörper wählen.</translation>
+    </message>
+    <message>
+        <source>The spindle stays off: give the spindle speed ({spindle} S).</source>
+        <translation>Die Spindel bleibt aus: {spindle} angeben (Wort S).</translation>
+    </message>
+    <message>
+        <source>The table goes {right}: {letter} has the wrong sign.</source>
+        <translation>Der Tisch geht {right}: {letter} hat das falsche Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>The text after FINI is not read.</source>
+        <translation>Der Text nach FINI wird nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The text after the closing % is not read.</source>
+        <translation>Der Text nach dem schließenden % wird nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The text is {language}, and read as such; give its {option}, so that feeds are taken as it takes them.</source>
+        <translation>Der Text ist {language} und wird so gelesen; {option} angeben, damit die Vorschübe genommen werden, wie sie es tut.</translation>
+    </message>
+    <message>
+        <source>The text is {language}; it is read as a program of {controller}. If it is for another, give its {option}.</source>
+        <translation>Der Text ist {language}; er wird als Programm von {controller} gelesen. Ist er für eine andere Steuerung, {option} angeben.</translation>
+    </message>
+    <message>
+        <source>The tip stands {gap} over the highest place of part and clamps (a gauge block fits). Draw a cross on part or plate straight below the tip: this is the mark.</source>
+        <translation>Die Werkzeugspitze steht {gap} über der höchsten Stelle von Werkstück und Spannmitteln (ein Endmaß passt dazwischen). Senkrecht unter der Spitze ein Kreuz auf Werkstück oder Platte zeichnen: das ist die Marke.</translation>
+    </message>
+    <message>
+        <source>The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use less lead or tilt, clamp the part in another position, or take another machine.</source>
+        <translation>Die Werkzeugachse liegt auf {length} der Zeilen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitenwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>The tool axis was tilted in {count} rows, most by {angle} at {place}, so that the tool stays out of the part.</source>
+        <translation>Die Werkzeugachse wurde in {count} Punkten geneigt, am meisten um {angle} bei {place}, damit das Werkzeug nicht ins Werkstück eindringt.</translation>
+    </message>
+    <message>
+        <source>The tool goes {wrong}: {letter} has the wrong sign.</source>
+        <translation>Das Werkzeug geht {wrong}: {letter} hat das falsche Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or cut these places in another set-up.</source>
+        <translation>Das Werkzeug neigt sich auf {length} der Zeilen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitenwinkel wählen oder diese Stellen in einer anderen Aufspannung fräsen.</translation>
+    </message>
+    <message>
+        <source>The tool points elsewhere: see the table below for what that means. Signs seen right: pivot offsets are wrong.</source>
+        <translation>Das Werkzeug zeigt woandershin: was das heißt, sagt die Tabelle unten. Sind die Vorzeichen richtig gesehen: die Drehpunktversätze sind falsch.</translation>
+    </message>
+    <message>
+        <source>The tool was lifted over {length} of the passes, most at {place}, where {lift} stay uncut along its axis. Cut these places with a smaller cutter or another tool axis.</source>
+        <translation>Das Werkzeug wurde auf {length} der Zeilen abgehoben, am meisten bei {place}, wo entlang seiner Achse {lift} stehen bleiben. Diese Stellen mit einem kleineren Fräser oder anderer Werkzeugachse fräsen.</translation>
+    </message>
+    <message>
+        <source>The tool {what} along Z through the part, because the tool axis points downwards there. Begin and end with an upright tool, or set the machine file's safe_start to none and begin by hand.</source>
+        <translation>Das Werkzeug {what} entlang Z durch das Werkstück, weil die Werkzeugachse dort nach unten zeigt. Mit senkrechtem Werkzeug beginnen und enden oder safe_start der Maschinendatei auf none setzen und von Hand beginnen.</translation>
+    </message>
+    <message>
+        <source>The toolpath of {label} was deleted</source>
+        <translation>Der Werkzeugweg von {label} wurde gelöscht</translation>
+    </message>
+    <message>
+        <source>The toolpath of {label} was deleted: make the map of another one.</source>
+        <translation>Der Werkzeugweg von {label} wurde gelöscht: die Karte eines anderen erstellen.</translation>
+    </message>
+    <message>
+        <source>The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the spindle. Turn the part over to cut it.</source>
+        <translation>Die Unterseite bei Z {height} ist nicht bearbeitet: {area} ({share} % des Werkstücks) zeigen von der Spindel weg. Das Werkstück wenden, um sie zu fräsen.</translation>
+    </message>
+    <message>
+        <source>The zeros of {assumed} are taken as right: these rows could not tell them apart from the offsets. Give rows with larger turns to have them proven too.</source>
+        <translation>Die Nullpunkte von {assumed} gelten als richtig: diese Zeilen konnten sie nicht von den Versätzen unterscheiden. Zeilen mit größeren Drehungen angeben, um auch sie nachzuweisen.</translation>
+    </message>
+    <message>
+        <source>The {count} words {letter} are not interpreted.</source>
+        <translation>Die {count} Wörter {letter} werden nicht ausgewertet.</translation>
+    </message>
+    <message>
+        <source>The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out (gouge tilt, leave-out), use a longer tool, or more lead or tilt.</source>
+        <translation>{part}: dringt bei {at} {depth} ins Werkstück ein. Das Werkzeug freineigen lassen oder diese Stellen auslassen (Eindringen: tilt, leave-out), ein längeres Werkzeug oder mehr Voreil- oder Seitenwinkel nehmen.</translation>
+    </message>
+    <message>
+        <source>The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not {letter} (if it is {other}, the two letters are exchanged).</source>
+        <translation>{what} dreht {wrong}, {opposite}: {letter} hat das falsche Vorzeichen. Eine andere Achse dreht: es ist nicht {letter} (ist es {other}, sind die beiden Buchstaben vertauscht).</translation>
+    </message>
+    <message>
+        <source>Turn the part, or use another tool axis there.</source>
+        <translation>Das Werkstück drehen oder dort eine andere Werkzeugachse nehmen.</translation>
+    </message>
+    <message>
+        <source>Under {split} the program begins and ends at the reference point of Z, because before it no tool length is active. Set the machine file's safe_start to reference or machine.</source>
+        <translation>Unter {split} beginnt und endet das Programm am Referenzpunkt von Z, weil vorher keine Werkzeuglänge gilt. safe_start der Maschinendatei auf reference oder machine setzen.</translation>
+    </message>
+    <message>
+        <source>Use a smaller cutter or another tool axis there.</source>
+        <translation>Dort einen kleineren Fräser oder eine andere Werkzeugachse nehmen.</translation>
+    </message>
+    <message>
+        <source>What an axis change buys on {part} passes that come within {change} of the pole (peak rate and travel of {letter}, blocks that would hold {tolerance}): {rows}.</source>
+        <translation>Was eine Änderung der Achse auf {part} Zeilen bringt, die dem Pol näher als {change} kommen (größte Drehung je Weg und gesamte Drehung von {letter}, NC-Sätze, die {tolerance} einhielten): {rows}.</translation>
+    </message>
+    <message>
+        <source>With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93).</source>
+        <translation>Wenn Rundachsen drehen, bedeutet F unter G94 auf anderen Steuerungen anderes. Mit zeitreziprokem Vorschub (G93) ausgeben.</translation>
+    </message>
+    <message>
+        <source>With the part turned by {angle} the rotary limits allow no way: {error}.</source>
+        <translation>Mit dem um {angle} gedrehten Werkstück erlauben die Grenzen der Rundachsen keinen Weg: {error}.</translation>
+    </message>
+    <message>
+        <source>With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is {distance} from it, measured along the tool.</source>
+        <translation>Mit {letter} auf {first} und {other} auf {second} zeigt das Werkzeug auf das Kreuz: seine Spitze ist {distance} davon entfernt, entlang des Werkzeugs gemessen.</translation>
+    </message>
+    <message>
+        <source>Words count from the work zero: is {origin} where it stood on the machine? Else move it (setup finds a place)</source>
+        <translation>Die Wörter zählen vom Werkstücknullpunkt: Ist {origin} dort, wo er auf der Maschine stand? Sonst versetzen (der Befehl „Wo aufspannen“ findet einen Platz)</translation>
+    </message>
+    <message>
+        <source>Work offset and tool length set as for the real program; tool centre point control off.</source>
+        <translation>Nullpunktverschiebung und Werkzeuglänge wie für das echte Programm gesetzt; Werkzeugspitzenführung aus.</translation>
+    </message>
+    <message>
+        <source>X Y Z are the tips of the CL path although the rotary axes turn: the program leaves the pivots to the controller (RTCP); post it without tool centre point control</source>
+        <translation>X Y Z sind die Werkzeugspitzen des CL-Wegs, obwohl die Rundachsen drehen: das Programm überlässt die Drehpunkte der Steuerung (RTCP); ohne Werkzeugspitzenführung ausgeben</translation>
+    </message>
+    <message>
+        <source>X{x} Y{y} Z{z}</source>
+        <translation>X{x} Y{y} Z{z}</translation>
+    </message>
+    <message>
+        <source>Z of this machine does not lift the tool: give its file another safe_start than clearance</source>
+        <translation>Z dieser Maschine hebt das Werkzeug nicht: ihrer Datei ein anderes safe_start als clearance geben</translation>
+    </message>
+    <message>
+        <source>a bracket without its partner</source>
+        <translation>eine Klammer ohne Gegenstück</translation>
+    </message>
+    <message>
+        <source>a coordinate of {farthest} mm or rad is beyond any machine; correct it</source>
+        <translation>eine Koordinate von {farthest} mm oder rad liegt jenseits jeder Maschine; berichtigen</translation>
+    </message>
+    <message>
+        <source>a deviation of {enough} cannot be enough; give 0 or more</source>
+        <translation>eine Abweichung von {enough} kann nicht genug sein; 0 oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>a facet names vertex {wrong}, but the rows run from 0 to {count}: correct the facets</source>
+        <translation>eine Facette nennt die Ecke {wrong}, aber die Zeilen gehen von 0 bis {count}: die Facetten berichtigen</translation>
+    </message>
+    <message>
+        <source>a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute</source>
+        <translation>ein Vorschub je Umdrehung braucht die Spindeldrehzahl; vorher SPINDL/ angeben oder Vorschub je Minute</translation>
+    </message>
+    <message>
+        <source>a number with an exponent; write it out</source>
+        <translation>eine Zahl mit Exponent; ausschreiben</translation>
+    </message>
+    <message>
+        <source>a piece of the tool from height {low} to {high} has no volume</source>
+        <translation>ein Stück des Werkzeugs von Höhe {low} bis {high} hat kein Volumen</translation>
+    </message>
+    <message>
+        <source>a piece of the tool has sizes {sizes}; give radii of at least 0, up to {largest}</source>
+        <translation>ein Stück des Werkzeugs hat die Maße {sizes}; Radien ab 0 bis {largest} angeben</translation>
+    </message>
+    <message>
+        <source>a plane offset is {wrong}: give finite numbers</source>
+        <translation>ein Ebenenabstand ist {wrong}: endliche Zahlen angeben</translation>
+    </message>
+    <message>
+        <source>a side is not machined ({area})</source>
+        <translation>eine Seite ist nicht bearbeitet ({area})</translation>
+    </message>
+    <message>
+        <source>a slash must follow the word, as in GOTO/1,2,3</source>
+        <translation>dem Wort muss ein Schrägstrich folgen, wie in GOTO/1,2,3</translation>
+    </message>
+    <message>
+        <source>a smaller least interval than {interval}</source>
+        <translation>ein kleinster Abstand unter {interval}</translation>
+    </message>
+    <message>
+        <source>a smaller stepover</source>
+        <translation>ein kleinerer Zeilensprung</translation>
+    </message>
+    <message>
+        <source>a whole run of facets stays uncut</source>
+        <translation>eine ganze Reihe von Facetten bleibt ungefräst</translation>
+    </message>
+    <message>
+        <source>a word is a letter and one number</source>
+        <translation>ein Wort ist ein Buchstabe und eine Zahl</translation>
+    </message>
+    <message>
+        <source>a {kind} axis is called one of {letters}</source>
+        <translation>eine Achse der Art {kind} heißt {letters}</translation>
+    </message>
+    <message>
+        <source>a {side} axis cannot stand on the {other} axis {carrier}</source>
+        <translation>eine Achse der Seite {side} kann nicht auf der Achse {carrier} der Seite {other} stehen</translation>
+    </message>
+    <message>
+        <source>above {bound}</source>
+        <translation>über {bound} sein</translation>
+    </message>
+    <message>
+        <source>and {count} more</source>
+        <translation>und {count} weitere</translation>
+    </message>
+    <message>
+        <source>angle; write it as 10 deg</source>
+        <translation>Winkel; als 10 deg schreiben</translation>
+    </message>
+    <message>
+        <source>arcs of a form that is not known here, taken as straight to their end points; post straight moves</source>
+        <translation>Kreisbögen einer hier unbekannten Form, als Geraden bis zum Endpunkt genommen; Geraden ausgeben</translation>
+    </message>
+    <message>
+        <source>are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or tool length in mind. See {origin} and {tool_length}; recover finds the machine that fits.</source>
+        <translation>liegen neben dem CL-Weg, fast alle gleich ({least} bis {most} an ihren Enden): der Postprozessor meinte eine andere Maschine, einen anderen Werkstücknullpunkt oder eine andere Werkzeuglänge. {origin} und {tool_length} ansehen; „Maschine zurückgewinnen“ findet die passende Maschine.</translation>
+    </message>
+    <message>
+        <source>as 0</source>
+        <translation>als 0</translation>
+    </message>
+    <message>
+        <source>as given</source>
+        <translation>wie gegeben</translation>
+    </message>
+    <message>
+        <source>as in the machine given</source>
+        <translation>wie in der gegebenen Maschine</translation>
+    </message>
+    <message>
+        <source>ask for a smaller tolerance</source>
+        <translation>eine kleinere Toleranz verlangen</translation>
+    </message>
+    <message>
+        <source>at least {bound}</source>
+        <translation>mindestens {bound} sein</translation>
+    </message>
+    <message>
+        <source>at least {depth}</source>
+        <translation>mindestens {depth}</translation>
+    </message>
+    <message>
+        <source>at most {bound}</source>
+        <translation>höchstens {bound} sein</translation>
+    </message>
+    <message>
+        <source>axis {given} has no direction; give I,J,K of the fixed tool axis, as 0,0,1</source>
+        <translation>die Achse {given} hat keine Richtung; I,J,K der festen Werkzeugachse angeben, wie 0,0,1</translation>
+    </message>
+    <message>
+        <source>axis {letter} has no maximum rate; give one, the machine file needs it</source>
+        <translation>die Achse {letter} hat keine größte Geschwindigkeit; eine angeben, die Maschinendatei braucht sie</translation>
+    </message>
+    <message>
+        <source>axis {letter} needs it there or under [AXIS_{letter}]</source>
+        <translation>die Achse {letter} braucht ihn dort oder unter [AXIS_{letter}]</translation>
+    </message>
+    <message>
+        <source>axis {letter}: joint axis</source>
+        <translation>Achse {letter}: Richtung der Achse</translation>
+    </message>
+    <message>
+        <source>axis {letter}: joint origin</source>
+        <translation>Achse {letter}: Punkt der Achse</translation>
+    </message>
+    <message>
+        <source>axis {letter}: {problem}</source>
+        <translation>Achse {letter}: {problem}</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>zurück</translation>
+    </message>
+    <message>
+        <source>ball ends, end mills, bull noses and tapered ball noses are of use here: choose one, or give the cutter by hand</source>
+        <translation>brauchbar sind hier Kugel-, Schaft-, Torus- und kegelige Kugelfräser: einen davon wählen oder den Fräser von Hand angeben</translation>
+    </message>
+    <message>
+        <source>blend tolerance is {blend}; give 0 (exact path) to 999</source>
+        <translation>die Eckenverrundung ist {blend}; 0 (exakter Weg) bis 999 angeben</translation>
+    </message>
+    <message>
+        <source>both rotary axes are parallel; tilt one of them</source>
+        <translation>beide Rundachsen sind parallel; eine davon neigen</translation>
+    </message>
+    <message>
+        <source>both rotary axes turned, tip over the mark</source>
+        <translation>beide Rundachsen gedreht, Werkzeugspitze über der Marke</translation>
+    </message>
+    <message>
+        <source>both stepover {stepover} and scallop {scallop}</source>
+        <translation>sowohl Zeilensprung {stepover} als auch Kuppenhöhe {scallop}</translation>
+    </message>
+    <message>
+        <source>calls, whose moves are missing here; post one program without them</source>
+        <translation>Aufrufe, deren Bewegungen hier fehlen; ein Programm ohne sie ausgeben</translation>
+    </message>
+    <message>
+        <source>character {shown} cannot be read ({hint})</source>
+        <translation>das Zeichen {shown} ist nicht lesbar ({hint})</translation>
+    </message>
+    <message>
+        <source>clearance {clearance} must be positive: rapids and rewinds need room about the part</source>
+        <translation>der Sicherheitsabstand {clearance} muss über 0 sein: Eilgänge und Rückdrehungen brauchen Platz um das Werkstück</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>co-edge tolerance</source>
+        <translation>die Kantentoleranz</translation>
+    </message>
+    <message>
+        <source>comes down to its first place</source>
+        <translation>kommt zu seinem ersten Ort herunter</translation>
+    </message>
+    <message>
+        <source>control_point is {control_point}; choose one of {known}</source>
+        <translation>der geführte Punkt ist {control_point}; einen wählen von {known}</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>cuts too deep</source>
+        <translation>fräst zu tief</translation>
+    </message>
+    <message>
+        <source>cutter</source>
+        <translation>Fräser</translation>
+    </message>
+    <message>
+        <source>cutter compensation; the words are taken as they are</source>
+        <translation>Fräserradiuskorrektur; die Wörter werden genommen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>cutter corner radius is {corner}; give 0 to {radius}, half the diameter</source>
+        <translation>der Eckenradius des Fräsers ist {corner}; 0 bis {radius} angeben, den halben Durchmesser</translation>
+    </message>
+    <message>
+        <source>cutter length is {length}, the taper begins {begins} above the tip; give a longer cutter</source>
+        <translation>die Länge des Fräsers ist {length}, der Kegel beginnt {begins} über der Spitze; einen längeren Fräser angeben</translation>
+    </message>
+    <message>
+        <source>cutter radius</source>
+        <translation>der Fräserradius</translation>
+    </message>
+    <message>
+        <source>cutter taper is {taper}; give 0 to {least}, from the axis to the flank</source>
+        <translation>der Kegelwinkel des Fräsers ist {taper}; 0 bis {least} angeben, von der Achse zur Flanke</translation>
+    </message>
+    <message>
+        <source>cutter taper {taper} makes it {width} wide; give a smaller taper or length</source>
+        <translation>mit dem Kegelwinkel {taper} wird der Fräser {width} breit; einen kleineren Winkel oder eine kleinere Länge angeben</translation>
+    </message>
+    <message>
+        <source>cutter {name} is {value}; give {least} to {most}</source>
+        <translation>Fräser: {name} ist {value}; {least} bis {most} angeben</translation>
+    </message>
+    <message>
+        <source>cutter {text} needs KIND:{words} or KIND:{words}:LENGTH, as {form} or {form}:60</source>
+        <translation>der Fräser {text} braucht KIND:{words} oder KIND:{words}:LENGTH, wie {form} oder {form}:60</translation>
+    </message>
+    <message>
+        <source>cutter {text}: only {kinds} cutters are on offer; write it as {form}</source>
+        <translation>Fräser {text}: im Angebot sind nur {kinds}; schreiben wie {form}</translation>
+    </message>
+    <message>
+        <source>cycles, whose moves are missing here; post straight moves</source>
+        <translation>Zyklen, deren Bewegungen hier fehlen; Geraden ausgeben</translation>
+    </message>
+    <message>
+        <source>did you mean {near}? </source>
+        <translation>ist {near} gemeint? </translation>
+    </message>
+    <message>
+        <source>direction {angle} is no angle; give a number of degrees</source>
+        <translation>die Richtung {angle} ist kein Winkel; eine Zahl in Grad angeben</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>each of its numbers must be {bounds}</source>
+        <translation>jede der Zahlen muss {bounds}</translation>
+    </message>
+    <message>
+        <source>enters the part</source>
+        <translation>dringt ins Werkstück ein</translation>
+    </message>
+    <message>
+        <source>faces need the part (.stl), {source} is none; leave faces out</source>
+        <translation>Flächen brauchen das Werkstück (.stl), {source} ist keines; die Flächen weglassen</translation>
+    </message>
+    <message>
+        <source>facet</source>
+        <translation>Facette</translation>
+    </message>
+    <message>
+        <source>facet {facet} is malformed: '{said}' stands where {need} belongs; export the file again</source>
+        <translation>die Facette {facet} ist fehlerhaft: „{said}“ steht, wo {need} hingehört; die Datei neu exportieren</translation>
+    </message>
+    <message>
+        <source>facets</source>
+        <translation>Facetten</translation>
+    </message>
+    <message>
+        <source>facets are given as {dtype} numbers: give integer rows of the vertex table</source>
+        <translation>die Facetten sind als Zahlen {dtype} gegeben: ganzzahlige Zeilen der Eckentabelle angeben</translation>
+    </message>
+    <message>
+        <source>feeds per spindle turn; no time is given for these blocks</source>
+        <translation>Vorschübe je Umdrehung; für diese NC-Sätze gibt es keine Zeit</translation>
+    </message>
+    <message>
+        <source>feeds told by a parameter or the tool; F is not known there</source>
+        <translation>Vorschübe aus einem Parameter oder vom Werkzeug; F ist dort nicht bekannt</translation>
+    </message>
+    <message>
+        <source>fixed tool axis {fixed} has no direction; give three numbers, as 0,0,1</source>
+        <translation>die feste Werkzeugachse {fixed} hat keine Richtung; drei Zahlen angeben, wie 0,0,1</translation>
+    </message>
+    <message>
+        <source>folder {folder} cannot be made: {strerror}; choose another one</source>
+        <translation>der Ordner {folder} kann nicht angelegt werden: {strerror}; einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>folder {folder} cannot be written: {strerror}; choose another one</source>
+        <translation>in den Ordner {folder} kann nicht geschrieben werden: {strerror}; einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>folder {folder} does not exist; make it first</source>
+        <translation>den Ordner {folder} gibt es nicht; zuerst anlegen</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>from the front</source>
+        <translation>von vorn</translation>
+    </message>
+    <message>
+        <source>from the right</source>
+        <translation>von rechts</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vordere</translation>
+    </message>
+    <message>
+        <source>give Z, a machine coordinate</source>
+        <translation>Z angeben, eine Maschinenkoordinate</translation>
+    </message>
+    <message>
+        <source>gouge leave-out leaves nothing to cut: {why}; use a smaller cutter or holder, a longer tool or another tool axis, or see where with gouge report</source>
+        <translation>das Auslassen (Eindringen: leave-out) lässt nichts zu fräsen: {why}; einen kleineren Fräser oder Halter, ein längeres Werkzeug oder eine andere Werkzeugachse nehmen, oder mit report ansehen, wo</translation>
+    </message>
+    <message>
+        <source>gouge {gouge} changes the passes: use it with `mill`; for an audit give report</source>
+        <translation>Eindringen: {gouge} ändert die Zeilen: nur für Werkzeugwege aus einem Werkstück; für eine Prüfung report angeben</translation>
+    </message>
+    <message>
+        <source>gouge, shank and holder need the part: give its STL with {against}</source>
+        <translation>Eindringen, Schaft und Halter brauchen das Werkstück: dessen STL mit {against} angeben</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>hits the part between passes</source>
+        <translation>trifft das Werkstück zwischen den Zeilen</translation>
+    </message>
+    <message>
+        <source>holder</source>
+        <translation>Halter</translation>
+    </message>
+    <message>
+        <source>holder and {given} say the same; give holder</source>
+        <translation>Halter und {given} sagen dasselbe; den Halter angeben</translation>
+    </message>
+    <message>
+        <source>holder {sizes} is no cone; give z0, r0, z1, r1 in mm with 0 &lt;= z0 &lt; z1 and radii of at least 0</source>
+        <translation>der Halter {sizes} ist kein Kegel; z0, r0, z1, r1 in mm angeben mit 0 &lt;= z0 &lt; z1 und Radien ab 0</translation>
+    </message>
+    <message>
+        <source>in {guided} of {all} feed blocks the controller guides the tip (RTCP), proven are only their ends</source>
+        <translation>in {guided} von {all} Vorschubsätzen führt die Steuerung die Werkzeugspitze (RTCP), nachgewiesen sind nur ihre Enden</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is not JSON ({error})</source>
+        <translation>ist kein JSON ({error})</translation>
+    </message>
+    <message>
+        <source>it must be {bounds}</source>
+        <translation>es muss {bounds}</translation>
+    </message>
+    <message>
+        <source>its {edge} edge goes {way}, {size}</source>
+        <translation>seine {edge} Kante geht {way}, {size}</translation>
+    </message>
+    <message>
+        <source>its {edge} edge going {way}</source>
+        <translation>seine {edge} Kante geht {way}</translation>
+    </message>
+    <message>
+        <source>job file {path} is not JSON: {error}</source>
+        <translation>die Auftragsdatei {path} ist kein JSON: {error}</translation>
+    </message>
+    <message>
+        <source>job file {path} needs "task" (one of {tasks}) and "source", the file to read</source>
+        <translation>die Auftragsdatei {path} braucht „task“ (eines von {tasks}) und „source“, die zu lesende Datei</translation>
+    </message>
+    <message>
+        <source>joint axis {place} has no direction; give a unit vector</source>
+        <translation>die Achse {place} hat keine Richtung; einen Einheitsvektor angeben</translation>
+    </message>
+    <message>
+        <source>keep has shape {shape}: give one value for each of the {count} facets</source>
+        <translation>keep hat die Form {shape}: für jede der {count} Facetten einen Wert angeben</translation>
+    </message>
+    <message>
+        <source>key {key} stands twice in one object; remove one</source>
+        <translation>der Schlüssel {key} steht zweimal in einem Objekt; einen entfernen</translation>
+    </message>
+    <message>
+        <source>known are {modules}</source>
+        <translation>bekannt sind {modules}</translation>
+    </message>
+    <message>
+        <source>known: {names}, or give a {suffix} file</source>
+        <translation>bekannt: {names}, oder eine {suffix}-Datei angeben</translation>
+    </message>
+    <message>
+        <source>largest axis angle {angle} is out of range; give more than 0 and at most 90 deg</source>
+        <translation>der größte Achswinkel {angle} liegt außerhalb; mehr als 0 und höchstens 90 Grad angeben</translation>
+    </message>
+    <message>
+        <source>leave Z out</source>
+        <translation>Z weglassen</translation>
+    </message>
+    <message>
+        <source>leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Linearize.</source>
+        <translation>verlassen den CL-Weg zwischen ihren Enden, die auf ihm liegen: die gleichmäßige Bewegung der Achsen trägt die Spitze hinaus. Linearisieren.</translation>
+    </message>
+    <message>
+        <source>leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind.</source>
+        <translation>verlassen den CL-Weg entlang des Werkzeugs und kommen an dieselbe Stelle zurück: eigene Wege des Postprozessors, etwa zum Zurückdrehen.</translation>
+    </message>
+    <message>
+        <source>leave the CL path, and end off it: a word is wrong there, or they are moves of the post's own, as retracts.</source>
+        <translation>verlassen den CL-Weg und enden neben ihm: dort ist ein Wort falsch, oder es sind eigene Bewegungen des Postprozessors, etwa Rückzüge.</translation>
+    </message>
+    <message>
+        <source>length; write it as 6 mm or 0.25 in</source>
+        <translation>Länge; als 6 mm oder 0.25 in schreiben</translation>
+    </message>
+    <message>
+        <source>let blocks be divided (linearize on)</source>
+        <translation>NC-Sätze teilen lassen (Linearisieren an)</translation>
+    </message>
+    <message>
+        <source>limits min {low} is not below max {high}; swap or widen them</source>
+        <translation>die Grenzen: das Minimum {low} liegt nicht unter dem Maximum {high}; tauschen oder erweitern</translation>
+    </message>
+    <message>
+        <source>line 1, column 1: the CL file holds no GOTO statement</source>
+        <translation>Zeile 1, Spalte 1: die CL-Datei enthält keine GOTO-Anweisung</translation>
+    </message>
+    <message>
+        <source>line 1, column 1: the GOTO statements cannot be read</source>
+        <translation>Zeile 1, Spalte 1: die GOTO-Anweisungen sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>line {line}, column {at}: {reason}: {found}</source>
+        <translation>Zeile {line}, Spalte {at}: {reason}: {found}</translation>
+    </message>
+    <message>
+        <source>line {line}, column {column}: byte {control}: this is no NC text; give a plain text file</source>
+        <translation>Zeile {line}, Spalte {column}: Byte {control}: das ist kein NC-Text; eine reine Textdatei angeben</translation>
+    </message>
+    <message>
+        <source>line {line}, column {column}: {reason}</source>
+        <translation>Zeile {line}, Spalte {column}: {reason}</translation>
+    </message>
+    <message>
+        <source>line {number}, column {column}: {reason}: {statement}</source>
+        <translation>Zeile {number}, Spalte {column}: {reason}: {statement}</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>machine file {output} needs the ending .fcm</source>
+        <translation>die Maschinendatei {output} braucht die Endung .fcm</translation>
+    </message>
+    <message>
+        <source>machine {name} has a rotary head: give {tool_length}, gauge point to tip</source>
+        <translation>die Maschine {name} hat einen Schwenkkopf: {tool_length} angeben, vom Bezugspunkt bis zur Werkzeugspitze</translation>
+    </message>
+    <message>
+        <source>machine {name} has two axes of the same letter: {letters}</source>
+        <translation>die Maschine {name} hat zwei Achsen mit demselben Buchstaben: {letters}</translation>
+    </message>
+    <message>
+        <source>machine {name} has {count}; needs 3 and 2</source>
+        <translation>die Maschine {name} hat {count}; sie braucht 3 und 2</translation>
+    </message>
+    <message>
+        <source>machine {name}: singular_cone {cone} is not between 0 and 90</source>
+        <translation>Maschine {name}: singular_cone {cone} liegt nicht zwischen 0 und 90</translation>
+    </message>
+    <message>
+        <source>machine {name}: table {table} is beyond {farthest}</source>
+        <translation>Maschine {name}: der Tisch {table} liegt jenseits von {farthest}</translation>
+    </message>
+    <message>
+        <source>machine {name}: {letters} does not name the table's axes before the head's</source>
+        <translation>Maschine {name}: {letters} nennt nicht die Achsen des Tisches vor denen des Kopfes</translation>
+    </message>
+    <message>
+        <source>machine {name}: {problem}</source>
+        <translation>Maschine {name}: {problem}</translation>
+    </message>
+    <message>
+        <source>machines are compared on a toolpath: select a toolpath</source>
+        <translation>Maschinen werden an einem Werkzeugweg verglichen: einen Werkzeugweg auswählen</translation>
+    </message>
+    <message>
+        <source>max-tilt {tilt} is out of range; give {least} to {most}, or choose facet_mean</source>
+        <translation>die größte Neigung {tilt} liegt außerhalb; {least} bis {most} angeben oder facet_mean wählen</translation>
+    </message>
+    <message>
+        <source>maximum rate {max_rate} is not positive; give what the drive reaches</source>
+        <translation>die größte Geschwindigkeit {max_rate} ist nicht über 0; angeben, was der Antrieb erreicht</translation>
+    </message>
+    <message>
+        <source>more than scallops stays uncut on {value}</source>
+        <translation>mehr als Kuppen bleibt auf {value} stehen</translation>
+    </message>
+    <message>
+        <source>more than {most_planes} planes; give a larger {what} or check the units of the part</source>
+        <translation>mehr als {most_planes} Ebenen; {what} vergrößern oder die Einheiten des Werkstücks prüfen</translation>
+    </message>
+    <message>
+        <source>moves to machine positions unknown to the program; they are not audited</source>
+        <translation>Bewegungen zu Maschinenpositionen, die das Programm nicht kennt; sie werden nicht geprüft</translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation>keines von beiden</translation>
+    </message>
+    <message>
+        <source>neither G20 nor G21</source>
+        <translation>weder G20 noch G21</translation>
+    </message>
+    <message>
+        <source>neither G70 nor G71 (G700, G710)</source>
+        <translation>weder G70 noch G71 (G700, G710)</translation>
+    </message>
+    <message>
+        <source>neither MM nor INCH in BEGIN PGM</source>
+        <translation>weder MM noch INCH in BEGIN PGM</translation>
+    </message>
+    <message>
+        <source>no NC file named; give one with -o OUT.ngc</source>
+        <translation>keine NC-Datei genannt; eine mit -o OUT.ngc angeben</translation>
+    </message>
+    <message>
+        <source>no block cuts, so nothing can be said of what is left</source>
+        <translation>kein NC-Satz fräst, also lässt sich nichts über Restmaterial sagen</translation>
+    </message>
+    <message>
+        <source>no cure</source>
+        <translation>ohne Korrektur</translation>
+    </message>
+    <message>
+        <source>no distance up to {raises} keeps a machine with wrong signs clear of the mark</source>
+        <translation>kein Abstand bis {raises} hält eine Maschine mit falschen Vorzeichen von der Marke frei</translation>
+    </message>
+    <message>
+        <source>no facet can be cut: {down} % look down, {steep} % lean more than {most}, {beyond} % lie beyond the machine's rotary limits of the area; turn the part, raise the largest axis angle or take another machine</source>
+        <translation>keine Facette lässt sich fräsen: {down} % der Fläche zeigen nach unten, {steep} % neigen sich um mehr als {most}, {beyond} % liegen jenseits der Grenzen der Rundachsen; das Werkstück drehen, den größten Achswinkel erhöhen oder eine andere Maschine nehmen</translation>
+    </message>
+    <message>
+        <source>no facet lies across planes at {angle}; turn the direction</source>
+        <translation>keine Facette liegt quer zu Ebenen bei {angle}; die Richtung drehen</translation>
+    </message>
+    <message>
+        <source>no facet of the part lies on {name} within {tolerance}; export the faces in the part's own place and units, or raise the tolerance</source>
+        <translation>keine Facette des Werkstücks liegt innerhalb {tolerance} auf {name}; die Flächen an ihrem Ort und in den Einheiten des Werkstücks exportieren oder die Toleranz erhöhen</translation>
+    </message>
+    <message>
+        <source>no height up to {raises} keeps a machine with wrong signs clear; give a smaller {angle}</source>
+        <translation>keine Höhe bis {raises} hält eine Maschine mit falschen Vorzeichen frei; {angle} verringern</translation>
+    </message>
+    <message>
+        <source>no machine file named; give one with -o OUT.fcm</source>
+        <translation>keine Maschinendatei genannt; eine mit -o OUT.fcm angeben</translation>
+    </message>
+    <message>
+        <source>no machine given; name one with {machine} (see `machines`)</source>
+        <translation>keine Maschine gegeben; eine mit {machine} nennen (siehe `machines`)</translation>
+    </message>
+    <message>
+        <source>no machine is called {given}; {hint}{known}</source>
+        <translation>keine Maschine heißt {given}; {hint}{known}</translation>
+    </message>
+    <message>
+        <source>no machines given; name them with {machines} A,B (see `machines`)</source>
+        <translation>keine Maschinen gegeben; mit {machines} A,B nennen (siehe `machines`)</translation>
+    </message>
+    <message>
+        <source>no program given; name the NC file that was posted from the CL path</source>
+        <translation>kein Programm gegeben; die NC-Datei nennen, die aus dem CL-Weg ausgegeben wurde</translation>
+    </message>
+    <message>
+        <source>no tool</source>
+        <translation>kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>no tool {number}</source>
+        <translation>kein Werkzeug {number}</translation>
+    </message>
+    <message>
+        <source>none asked for</source>
+        <translation>keine verlangt</translation>
+    </message>
+    <message>
+        <source>none of the {count} facets has an area: check the units and the export</source>
+        <translation>keine der {count} Facetten hat eine Fläche: Einheiten und Export prüfen</translation>
+    </message>
+    <message>
+        <source>not checked against the part</source>
+        <translation>nicht gegen das Werkstück geprüft</translation>
+    </message>
+    <message>
+        <source>not known and not interpreted; what it does is missing here</source>
+        <translation>nicht bekannt und nicht ausgewertet; was es tut, fehlt hier</translation>
+    </message>
+    <message>
+        <source>not part of any word</source>
+        <translation>gehört zu keinem Wort</translation>
+    </message>
+    <message>
+        <source>on every pass</source>
+        <translation>auf jeder Zeile</translation>
+    </message>
+    <message>
+        <source>on {uncut} more than {allowed} is left, at most {most}</source>
+        <translation>auf {uncut} bleibt mehr als {allowed} stehen, höchstens {most}</translation>
+    </message>
+    <message>
+        <source>only a toolpath can be post-processed: select a toolpath</source>
+        <translation>nur ein Werkzeugweg kann als NC-Datei ausgegeben werden: einen Werkzeugweg auswählen</translation>
+    </message>
+    <message>
+        <source>only {count} of {rows} CL rows can be paired with the program's {blocks} blocks; give a program that was posted from this CL path</source>
+        <translation>nur {count} von {rows} CL-Zeilen lassen sich den {blocks} NC-Sätzen des Programms zuordnen; ein Programm angeben, das aus diesem CL-Weg entstand</translation>
+    </message>
+    <message>
+        <source>order is {order}; choose one of {orders}</source>
+        <translation>die Reihenfolge ist {order}; eine wählen von {orders}</translation>
+    </message>
+    <message>
+        <source>passes along X, in direction {angle}</source>
+        <translation>Zeilen entlang X, in Richtung {angle}</translation>
+    </message>
+    <message>
+        <source>passes along Y, in direction {angle}</source>
+        <translation>Zeilen entlang Y, in Richtung {angle}</translation>
+    </message>
+    <message>
+        <source>passes in direction {angle}</source>
+        <translation>Zeilen in Richtung {angle}</translation>
+    </message>
+    <message>
+        <source>plane offset {offset} follows {before}: give them ascending</source>
+        <translation>der Ebenenabstand {offset} folgt auf {before}: aufsteigend angeben</translation>
+    </message>
+    <message>
+        <source>plane offsets have shape {shape}: give one ascending row of numbers</source>
+        <translation>die Ebenenabstände haben die Form {shape}: eine aufsteigende Reihe von Zahlen angeben</translation>
+    </message>
+    <message>
+        <source>program number is {program}; give 1 to 9999</source>
+        <translation>die Programmnummer ist {program}; 1 bis 9999 angeben</translation>
+    </message>
+    <message>
+        <source>region 0,0,0 with 1 turn has one setup only; give {region} a way to go along X, Y or Z, or {turns} above 1</source>
+        <translation>der Bereich 0,0,0 mit 1 Drehung hat nur eine Aufspannung; {region} einen Weg entlang X, Y oder Z geben, oder {turns} über 1</translation>
+    </message>
+    <message>
+        <source>report {path} needs one of the endings {reports}</source>
+        <translation>der Bericht {path} braucht eine der Endungen {reports}</translation>
+    </message>
+    <message>
+        <source>retract Z {z} is not finite; give a machine coordinate</source>
+        <translation>Rückzug: Z {z} ist nicht endlich; eine Maschinenkoordinate angeben</translation>
+    </message>
+    <message>
+        <source>retract {retract} is none of {retracts}</source>
+        <translation>Rückzug: {retract} ist keines von {retracts}</translation>
+    </message>
+    <message>
+        <source>retract {retract} takes no such key; leave it out</source>
+        <translation>Rückzug: {retract} nimmt keinen solchen Schlüssel; weglassen</translation>
+    </message>
+    <message>
+        <source>retract {retract}: {remedy}</source>
+        <translation>Rückzug {retract}: {remedy}</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechte</translation>
+    </message>
+    <message>
+        <source>rises from its last place</source>
+        <translation>steigt von seinem letzten Ort</translation>
+    </message>
+    <message>
+        <source>rotary</source>
+        <translation>rotatorisch</translation>
+    </message>
+    <message>
+        <source>rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words</source>
+        <translation>Rundachswörter mit Drehsinn (ACP, ACN); auf dem kürzeren Weg genommen. Absolute Wörter ausgeben</translation>
+    </message>
+    <message>
+        <source>row {row} of the CL path is a feed move with feed {value}; give a feed above 0</source>
+        <translation>Zeile {row} des CL-Wegs ist eine Vorschubbewegung mit dem Vorschub {value}; einen Vorschub über 0 angeben</translation>
+    </message>
+    <message>
+        <source>rtcp lets the controller guide the tip, linearize divides blocks where it does not; give one</source>
+        <translation>RTCP lässt die Steuerung die Spitze führen, Linearisieren teilt Sätze, wo sie es nicht tut; eines davon angeben</translation>
+    </message>
+    <message>
+        <source>scallop and stepover exclude each other; give one of them</source>
+        <translation>Kuppenhöhe und Zeilensprung schließen einander aus; eines davon angeben</translation>
+    </message>
+    <message>
+        <source>scallop {scallop} is not below the cutter radius {radius}; give a smaller scallop</source>
+        <translation>die Kuppenhöhe {scallop} liegt nicht unter dem Fräserradius {radius}; eine kleinere angeben</translation>
+    </message>
+    <message>
+        <source>select a solid, faces of a solid, a body, a compound of solids, or a mesh</source>
+        <translation>einen Volumenkörper, Flächen eines solchen, einen Körper (Body), einen Verbund von Volumenkörpern oder ein Netz auswählen</translation>
+    </message>
+    <message>
+        <source>setup grid {count} with {turns} turns has no place; give at least 1</source>
+        <translation>das Raster {count} mit {turns} Drehungen hat keinen Platz; mindestens 1 angeben</translation>
+    </message>
+    <message>
+        <source>setup region {box}: {why}</source>
+        <translation>Bereich der Aufspannungen {box}: {why}</translation>
+    </message>
+    <message>
+        <source>setup region {low} to {high} is not finite or beyond {farthest}</source>
+        <translation>der Bereich {low} bis {high} ist nicht endlich oder jenseits von {farthest}</translation>
+    </message>
+    <message>
+        <source>setup region {low} to {high}: the low corner is above the high; swap them</source>
+        <translation>der Bereich {low} bis {high}: die untere Ecke liegt über der oberen; tauschen</translation>
+    </message>
+    <message>
+        <source>setups are tried for a toolpath: select a toolpath</source>
+        <translation>Aufspannungen werden für einen Werkzeugweg erprobt: einen Werkzeugweg auswählen</translation>
+    </message>
+    <message>
+        <source>shank</source>
+        <translation>Schaft</translation>
+    </message>
+    <message>
+        <source>shank or holder hits the part</source>
+        <translation>Schaft oder Halter trifft das Werkstück</translation>
+    </message>
+    <message>
+        <source>shifts, turns or scales of the coordinates; post without them</source>
+        <translation>Verschiebungen, Drehungen oder Maßstäbe der Koordinaten; ohne sie ausgeben</translation>
+    </message>
+    <message>
+        <source>side {side} is neither table nor head</source>
+        <translation>die Seite {side} ist weder table noch head</translation>
+    </message>
+    <message>
+        <source>singularity deform needs the part's passes: use it with `mill`; a CL file keeps its axes</source>
+        <translation>Singularität deform braucht die Zeilen des Werkstücks: eine CL-Datei behält ihre Achsen</translation>
+    </message>
+    <message>
+        <source>spindle speed is {speed} 1/min; give 0 to 999999</source>
+        <translation>die Spindeldrehzahl ist {speed} 1/min; 0 bis 999999 angeben</translation>
+    </message>
+    <message>
+        <source>splines, taken as straight to their end points; post straight moves</source>
+        <translation>Splines, als Geraden bis zum Endpunkt genommen; Geraden ausgeben</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>stopped; nothing was changed</source>
+        <translation>angehalten; nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>the CL file holds fewer than two rows: there is no path to compare with</source>
+        <translation>die CL-Datei enthält weniger als zwei Zeilen: es gibt keinen Weg zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>the arcs need {count} chords, more than {most}; is it a program in inches read as mm?</source>
+        <translation>die Kreisbögen brauchen {count} Sehnen, mehr als {most}; ist es ein Programm in Zoll, das als mm gelesen wird?</translation>
+    </message>
+    <message>
+        <source>the axes leave their limits everywhere</source>
+        <translation>die Achsen verlassen überall ihre Grenzen</translation>
+    </message>
+    <message>
+        <source>the axis may change by {change}; give an angle from {least_change} to {largest_change}</source>
+        <translation>die Achse darf sich um {change} ändern; einen Winkel von {least_change} bis {largest_change} angeben</translation>
+    </message>
+    <message>
+        <source>the axis' zero in the controller</source>
+        <translation>den Nullpunkt der Achse in der Steuerung</translation>
+    </message>
+    <message>
+        <source>the base</source>
+        <translation>dem Gestell</translation>
+    </message>
+    <message>
+        <source>the cutter stays out of the part (no shank or holder given)</source>
+        <translation>der Fräser bleibt aus dem Werkstück (kein Schaft oder Halter gegeben)</translation>
+    </message>
+    <message>
+        <source>the deflections are {linear} and {angular}; both must be above 0</source>
+        <translation>die Abweichungen des Netzes sind {linear} und {angular}; beide müssen über 0 sein</translation>
+    </message>
+    <message>
+        <source>the direction of the planes is {angle}: give a finite angle</source>
+        <translation>die Richtung der Ebenen ist {angle}: einen endlichen Winkel angeben</translation>
+    </message>
+    <message>
+        <source>the document was closed; nothing was changed</source>
+        <translation>das Dokument wurde geschlossen; nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read; export it again</source>
+        <translation>die Datei wurde beim Lesen kürzer; neu exportieren</translation>
+    </message>
+    <message>
+        <source>the file ends within facet {facet}: it is cut off; export it again</source>
+        <translation>die Datei endet innerhalb der Facette {facet}: sie ist abgeschnitten; neu exportieren</translation>
+    </message>
+    <message>
+        <source>the file holds no motion blocks: no axis word of this machine under G0 or G1</source>
+        <translation>die Datei enthält keine Bewegungssätze: kein Achswort dieser Maschine unter G0 oder G1</translation>
+    </message>
+    <message>
+        <source>the file holds {data} instead of an object with the key "machine"</source>
+        <translation>die Datei enthält {data} statt eines Objekts mit dem Schlüssel „machine“</translation>
+    </message>
+    <message>
+        <source>the file is empty; export the part again</source>
+        <translation>die Datei ist leer; das Werkstück neu exportieren</translation>
+    </message>
+    <message>
+        <source>the file {kind}; export the machine from FreeCAD again</source>
+        <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
+    </message>
+    <message>
+        <source>the header announces {facets} facets, but the file holds {held}: it is cut off, damaged or no STL; export it again</source>
+        <translation>der Kopf kündigt {facets} Facetten an, die Datei enthält {held}: sie ist abgeschnitten, beschädigt oder kein STL; neu exportieren</translation>
+    </message>
+    <message>
+        <source>the key is missing; add "{key}"</source>
+        <translation>der Schlüssel fehlt; „{key}“ ergänzen</translation>
+    </message>
+    <message>
+        <source>the linear axes X, Y, Z lie in one plane; correct their directions</source>
+        <translation>die Linearachsen X, Y, Z liegen in einer Ebene; ihre Richtungen berichtigen</translation>
+    </message>
+    <message>
+        <source>the linear axes lie in one plane at {letter} {first} {other} {second} and cannot place the tip ({count} rows): lower {max_axis_angle} or take another machine</source>
+        <translation>die Linearachsen liegen bei {letter} {first} {other} {second} in einer Ebene und können die Werkzeugspitze nicht setzen ({count} Punkte): {max_axis_angle} verringern oder eine andere Maschine nehmen</translation>
+    </message>
+    <message>
+        <source>the mark</source>
+        <translation>die Marke</translation>
+    </message>
+    <message>
+        <source>the median of all blocks is {speed}</source>
+        <translation>der Median aller NC-Sätze {speed} ist</translation>
+    </message>
+    <message>
+        <source>the mesh has no facets: export a solid or a surface with at least one triangle</source>
+        <translation>das Netz hat keine Facetten: einen Volumenkörper oder eine Fläche mit mindestens einem Dreieck exportieren</translation>
+    </message>
+    <message>
+        <source>the name is empty; give the machine one</source>
+        <translation>der Name ist leer; der Maschine einen geben</translation>
+    </message>
+    <message>
+        <source>the program has no block that moves; there is nothing to play</source>
+        <translation>das Programm hat keinen NC-Satz mit Bewegung; es gibt nichts abzuspielen</translation>
+    </message>
+    <message>
+        <source>the program has no feed blocks, so nothing is proven</source>
+        <translation>das Programm hat keine Vorschubsätze, also ist nichts nachgewiesen</translation>
+    </message>
+    <message>
+        <source>the program has rotary words of {names}; a five-axis machine is recovered from two of A B C</source>
+        <translation>das Programm hat Rundachswörter von {names}; eine Fünfachsmaschine wird aus zweien von A B C zurückgewonnen</translation>
+    </message>
+    <message>
+        <source>the program was not built for {name} as it is to be written</source>
+        <translation>das Programm wurde nicht für {name} aufgebaut, wie es geschrieben werden soll</translation>
+    </message>
+    <message>
+        <source>the rotary words never change: such rows say nothing of pivots; give a five-axis program</source>
+        <translation>die Rundachswörter ändern sich nie: solche Zeilen sagen nichts über Drehpunkte; ein fünfachsiges Programm angeben</translation>
+    </message>
+    <message>
+        <source>the second rotary axis is parallel to the tool and never tilts it; is the order of the two right?</source>
+        <translation>die zweite Rundachse ist parallel zum Werkzeug und neigt es nie; stimmt die Reihenfolge der beiden?</translation>
+    </message>
+    <message>
+        <source>the side at {letter} {at}</source>
+        <translation>die Seite bei {letter} {at}</translation>
+    </message>
+    <message>
+        <source>the side that faces {way} at {place}</source>
+        <translation>die Seite, die nach {way} zeigt, bei {place}</translation>
+    </message>
+    <message>
+        <source>the spindle stays off</source>
+        <translation>die Spindel bleibt aus</translation>
+    </message>
+    <message>
+        <source>the text cannot be shown: {strerror}</source>
+        <translation>der Text kann nicht gezeigt werden: {strerror}</translation>
+    </message>
+    <message>
+        <source>the tip swinging {way}</source>
+        <translation>die Werkzeugspitze schwenkt {way}</translation>
+    </message>
+    <message>
+        <source>the tip swings {way}, {size}</source>
+        <translation>die Werkzeugspitze schwenkt {way}, {size}</translation>
+    </message>
+    <message>
+        <source>the tool axis is 0, 0, 0, or beyond all bounds</source>
+        <translation>die Werkzeugachse ist 0, 0, 0 oder jenseits aller Grenzen</translation>
+    </message>
+    <message>
+        <source>the tool could not get out along its axis {where}, for the part is over it, as at {place}</source>
+        <translation>das Werkzeug {where} entlang seiner Achse nicht herauskäme, denn das Werkstück ist darüber, etwa bei {place}</translation>
+    </message>
+    <message>
+        <source>the tool is lifted out of the part by up to {value}, what it leaves stays uncut</source>
+        <translation>das Werkzeug ist um bis zu {value} aus dem Werkstück gehoben, was es stehen lässt, bleibt ungefräst</translation>
+    </message>
+    <message>
+        <source>the tool stays out of the part</source>
+        <translation>das Werkzeug bleibt aus dem Werkstück</translation>
+    </message>
+    <message>
+        <source>the tool turning about itself the other way</source>
+        <translation>das Werkzeug dreht sich anders herum um sich selbst</translation>
+    </message>
+    <message>
+        <source>the tool turns about itself</source>
+        <translation>das Werkzeug dreht sich um sich selbst</translation>
+    </message>
+    <message>
+        <source>the tool would enter the part {where}, deepest by {depth} at {place}</source>
+        <translation>das Werkzeug {where} ins Werkstück eindringen würde, am tiefsten um {depth} bei {place}</translation>
+    </message>
+    <message>
+        <source>the toolpath</source>
+        <translation>der Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>the toolpath of the map was deleted: make the map of another one</source>
+        <translation>der Werkzeugweg der Karte wurde gelöscht: die Karte eines anderen erstellen</translation>
+    </message>
+    <message>
+        <source>the toolpath of this preview is gone; delete the preview</source>
+        <translation>der Werkzeugweg dieser Vorschau ist fort; die Vorschau löschen</translation>
+    </message>
+    <message>
+        <source>the toolpath of {label} was deleted; the file stays as it is</source>
+        <translation>der Werkzeugweg von {label} wurde gelöscht; die Datei bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>the wall at {letter} {at}</source>
+        <translation>die Wand bei {letter} {at}</translation>
+    </message>
+    <message>
+        <source>the whole cutter is inside the part</source>
+        <translation>der ganze Fräser ist im Werkstück</translation>
+    </message>
+    <message>
+        <source>the work offset</source>
+        <translation>die Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>the work zero at X {x} Y {y} Z {z} of the machine</source>
+        <translation>der Werkstücknullpunkt bei X {x} Y {y} Z {z} der Maschine</translation>
+    </message>
+    <message>
+        <source>the {all}</source>
+        <translation>den {all}</translation>
+    </message>
+    <message>
+        <source>the {what} are {form}: give numbers of shape {wanted}</source>
+        <translation>{what}: {form}; Zahlen der Form {wanted} angeben</translation>
+    </message>
+    <message>
+        <source>the {what} form no regular table: {problem}</source>
+        <translation>{what}: keine regelmäßige Tabelle: {problem}</translation>
+    </message>
+    <message>
+        <source>there</source>
+        <translation>dort</translation>
+    </message>
+    <message>
+        <source>there are no machines to compare; name at least one</source>
+        <translation>es gibt keine Maschinen zu vergleichen; mindestens eine nennen</translation>
+    </message>
+    <message>
+        <source>there are no passes: no plane cuts a facet that can be reached; check stepover and direction</source>
+        <translation>es gibt keine Zeilen: keine Ebene schneidet eine erreichbare Facette; Zeilensprung und Richtung prüfen</translation>
+    </message>
+    <message>
+        <source>there is no block {flat}; the last one is {count}</source>
+        <translation>den NC-Satz {flat} gibt es nicht; der letzte ist {count}</translation>
+    </message>
+    <message>
+        <source>there is no path to compare on: it has no rows</source>
+        <translation>es gibt keinen Weg zum Vergleichen: er hat keine Zeilen</translation>
+    </message>
+    <message>
+        <source>there is no path to set up: it has no rows</source>
+        <translation>es gibt keinen Weg aufzuspannen: er hat keine Zeilen</translation>
+    </message>
+    <message>
+        <source>there is nothing to compare; name at least one machine and one cure</source>
+        <translation>es gibt nichts zu vergleichen; mindestens eine Maschine und eine Korrektur nennen</translation>
+    </message>
+    <message>
+        <source>this cure leads the tool axes over the part's facets; give it the STL, not a CL file</source>
+        <translation>diese Korrektur führt die Werkzeugachsen über die Facetten des Werkstücks; das STL angeben, keine CL-Datei</translation>
+    </message>
+    <message>
+        <source>this is no CL file: byte {control} (offset {offset}) stands in no text; give a text file</source>
+        <translation>das ist keine CL-Datei: Byte {control} (Stelle {offset}) kommt in keinem Text vor; eine Textdatei angeben</translation>
+    </message>
+    <message>
+        <source>this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header</source>
+        <translation>das ist keine STL-Datei: ihre {size} Bytes beginnen weder mit „solid“, noch enthalten sie einen binären Kopf</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>nach hinten</translation>
+    </message>
+    <message>
+        <source>to the front</source>
+        <translation>nach vorn</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>tolerance is {tolerance}; blocks can be divided for a tolerance above 0 only</source>
+        <translation>die Toleranz ist {tolerance}; NC-Sätze lassen sich nur für eine Toleranz über 0 teilen</translation>
+    </message>
+    <message>
+        <source>tolerance is {tolerance}; give a length above 0</source>
+        <translation>die Toleranz ist {tolerance}; eine Länge über 0 angeben</translation>
+    </message>
+    <message>
+        <source>tolerance {tolerance} held in all {count} feed blocks, proven</source>
+        <translation>Toleranz {tolerance} in allen {count} Vorschubsätzen eingehalten, nachgewiesen</translation>
+    </message>
+    <message>
+        <source>tolerance {tolerance} held in the one feed block, proven</source>
+        <translation>Toleranz {tolerance} in dem einen Vorschubsatz eingehalten, nachgewiesen</translation>
+    </message>
+    <message>
+        <source>tolerance {tolerance} not proven in {count} of {all} feed blocks</source>
+        <translation>Toleranz {tolerance} in {count} von {all} Vorschubsätzen nicht nachgewiesen</translation>
+    </message>
+    <message>
+        <source>tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors</source>
+        <translation>Werkzeugachsen durch Raum-, Euler- oder Voreilwinkel; sie fehlen hier. Rundachswörter oder Vektoren ausgeben</translation>
+    </message>
+    <message>
+        <source>tool number is {tool}; give 1 to 99999</source>
+        <translation>die Werkzeugnummer ist {tool}; 1 bis 99999 angeben</translation>
+    </message>
+    <message>
+        <source>tool-offset is a constant {given}; it is in the trunnion's height. Join it to motion.tooloffset.z.</source>
+        <translation>tool-offset ist fest {given}; es steckt in der Höhe der Wiege. Mit motion.tooloffset.z verbinden.</translation>
+    </message>
+    <message>
+        <source>triangle corners</source>
+        <translation>Dreiecksecken</translation>
+    </message>
+    <message>
+        <source>turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only</source>
+        <translation>zuerst das Werkstück um {turn} um Z durch seinen Nullpunkt drehen, gegen den Uhrzeigersinn, und nur eine Drehung erproben</translation>
+    </message>
+    <message>
+        <source>two outputs have the same name; name each file apart</source>
+        <translation>zwei Ausgaben haben denselben Namen; jede Datei anders benennen</translation>
+    </message>
+    <message>
+        <source>unknown controller {name}; known are {dialects}</source>
+        <translation>unbekannte Steuerung {name}; bekannt sind {dialects}</translation>
+    </message>
+    <message>
+        <source>unknown cure {name}; known: {cures}</source>
+        <translation>unbekannte Korrektur {name}; bekannt: {cures}</translation>
+    </message>
+    <message>
+        <source>unknown method {method} of the line deviation; use one of {methods}</source>
+        <translation>unbekanntes Verfahren {method} der Abweichung von der Geraden; eines nehmen von {methods}</translation>
+    </message>
+    <message>
+        <source>unknown option {name} for {task}</source>
+        <translation>unbekannte Einstellung {name} für {task}</translation>
+    </message>
+    <message>
+        <source>unknown task {task}; known: {tasks}</source>
+        <translation>unbekannte Aufgabe {task}; bekannt: {tasks}</translation>
+    </message>
+    <message>
+        <source>unknown tool-axis strategy {name}; choose one of {strategies}</source>
+        <translation>unbekannte Strategie {name} der Werkzeugachse; eine wählen von {strategies}</translation>
+    </message>
+    <message>
+        <source>unknown unit; known are MM and INCHES</source>
+        <translation>unbekannte Einheit; bekannt sind MM und INCHES</translation>
+    </message>
+    <message>
+        <source>unknown {option} {value}; choose one of {known}</source>
+        <translation>unbekannt: {option} {value}; eines wählen von {known}</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>up to {height} of material stays</source>
+        <translation>bis zu {height} Material bleiben stehen</translation>
+    </message>
+    <message>
+        <source>variables, expressions or jumps; their words are missing here. Post without them</source>
+        <translation>Variablen, Ausdrücke oder Sprünge; ihre Wörter fehlen hier. Ohne sie ausgeben</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>what is left is known of a toolpath only: select a toolpath</source>
+        <translation>Restmaterial ist nur von einem Werkzeugweg bekannt: einen Werkzeugweg auswählen</translation>
+    </message>
+    <message>
+        <source>with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?</source>
+        <translation>mit {letter}{first} {other}{second} können die Linearachsen die Werkzeugspitze nicht setzen; ist es ein Programm dieser Maschine?</translation>
+    </message>
+    <message>
+        <source>word {word} of row {row} is {value}; words are numbers up to {farthest_word}</source>
+        <translation>Wort {word} der Zeile {row} ist {value}; Wörter sind Zahlen bis {farthest_word}</translation>
+    </message>
+    <message>
+        <source>words have shape {shape}; give one row of five words for each block</source>
+        <translation>die Wörter haben die Form {shape}; je NC-Satz eine Zeile von fünf Wörtern angeben</translation>
+    </message>
+    <message>
+        <source>work offset is {offset}; give G54 to G59, or another that the controller has</source>
+        <translation>die Nullpunktverschiebung ist {offset}; G54 bis G59 angeben oder eine andere, die die Steuerung hat</translation>
+    </message>
+    <message>
+        <source>work offset {offset} is unknown to {name}; give {words}</source>
+        <translation>die Nullpunktverschiebung {offset} kennt {name} nicht; angeben: {words}</translation>
+    </message>
+    <message>
+        <source>wrap_strategy {wrap} is none of {wraps}</source>
+        <translation>wrap_strategy {wrap} ist keines von {wraps}</translation>
+    </message>
+    <message>
+        <source>write a decimal point</source>
+        <translation>einen Dezimalpunkt schreiben</translation>
+    </message>
+    <message>
+        <source>write one of {known}</source>
+        <translation>eines schreiben von {known}</translation>
+    </message>
+    <message>
+        <source>{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as `post` does.</source>
+        <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {asked}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben.</translation>
+    </message>
+    <message>
+        <source>{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far to lean the tool a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. The axis may be too slow for the programmed feed, the tool dwells, and marks or a deviation from the path may show.</source>
+        <translation>{blocks} nahe am Pol (das Werkzeug fast entlang der Achse {letter}), wo {letter} weit drehen muss, um das Werkzeug ein wenig zu neigen. Am schlimmsten ist NC-Zeile {line}: {turns}, um das Werkzeug um {lean} zu neigen. Die Achse ist vielleicht zu langsam für den programmierten Vorschub, das Werkzeug verweilt, und Marken oder eine Abweichung vom Weg können zu sehen sein.</translation>
+    </message>
+    <message>
+        <source>{blocks} so near to the tolerance of {tolerance} that the proof does not reach: the deviation is within it, its proven upper bound is not (worst, NC line {line}: bound {bound}).</source>
+        <translation>{blocks} so nahe an der Toleranz von {tolerance}, dass der Nachweis nicht reicht: die Abweichung liegt darin, ihre bewiesene obere Schranke nicht (am schlimmsten NC-Zeile {line}: Schranke {bound}).</translation>
+    </message>
+    <message>
+        <source>{blocks} the commanded path by more than {tolerance}; the worst, NC line {line}, by {deviation}: there {turns} within a step of {step}. While rotary axes turn, straight moves of the axes carry the tip along a curve beside the straight segment.</source>
+        <translation>{blocks} den Sollweg um mehr als {tolerance}; am schlimmsten NC-Zeile {line}, um {deviation}: dort {turns} innerhalb eines Schritts von {step}. Während Rundachsen drehen, tragen gerade Bewegungen der Achsen die Werkzeugspitze auf einer Kurve neben der Sollstrecke.</translation>
+    </message>
+    <message>
+        <source>{blocks} {letter} beyond its limit of {limit}: farthest NC line {line}, {letter}{word}, {beyond} too far; first NC line {first}. {help}, or take a machine with more travel.</source>
+        <translation>{blocks} {letter} über die Grenze von {limit} hinaus: am weitesten NC-Zeile {line}, {letter}{word}, {beyond} zu weit; die erste ist NC-Zeile {first}. {help}, oder eine Maschine mit mehr Weg nehmen.</translation>
+    </message>
+    <message>
+        <source>{change} {rate}, {turned}, {blocks}</source>
+        <translation>{change} {rate}, {turned}, {blocks}</translation>
+    </message>
+    <message>
+        <source>{count} arcs have no centre that fits their start and end; they are taken as straight. Post straight moves.</source>
+        <translation>{count} Kreisbögen haben keinen Mittelpunkt, der zu Anfang und Ende passt; sie werden als Geraden genommen. Geraden ausgeben.</translation>
+    </message>
+    <message>
+        <source>{count} block near the pole</source>
+        <translation>{count} NC-Satz nahe am Pol</translation>
+    </message>
+    <message>
+        <source>{count} blocks are over {tolerance} and were left whole (the first leads to {spot}): no number of blocks holds it there, because the linear axes turn into one plane on the way. Turn the part on the table, or take another machine.</source>
+        <translation>{count} NC-Sätze liegen über {tolerance} und blieben ganz (der erste führt zu {spot}): keine Zahl von Sätzen hält es dort ein, weil die Linearachsen unterwegs in eine Ebene drehen. Das Werkstück auf dem Tisch drehen oder eine andere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>{count} blocks cannot be held within {tolerance}: words of {linear} and {rotary} decimals put the tip up to {most_off} off. The worst, which leads to {spot}, is proven to hold {value}. Allow more, or use a controller with finer words.</source>
+        <translation>{count} NC-Sätze lassen sich nicht innerhalb {tolerance} halten: Wörter mit {linear} und {rotary} Dezimalen setzen die Werkzeugspitze bis zu {most_off} daneben. Der schlimmste, der zu {spot} führt, hält nachweislich {value} ein. Mehr erlauben oder eine Steuerung mit feineren Wörtern nehmen.</translation>
+    </message>
+    <message>
+        <source>{count} blocks have no F above 0 in force; most controllers stop there. Give F.</source>
+        <translation>{count} NC-Sätze haben kein gültiges F über 0; die meisten Steuerungen halten dort an. F angeben.</translation>
+    </message>
+    <message>
+        <source>{count} blocks lead</source>
+        <translation>{count} NC-Sätze führen</translation>
+    </message>
+    <message>
+        <source>{count} blocks near the pole</source>
+        <translation>{count} NC-Sätze nahe am Pol</translation>
+    </message>
+    <message>
+        <source>{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block.</source>
+        <translation>{count} NC-Sätze unter G93 haben kein eigenes F; die meisten Steuerungen halten dort an. F in jedem Satz angeben.</translation>
+    </message>
+    <message>
+        <source>{count} blocks were over {tolerance} and were divided into {pieces}, as few as hold it by proof.</source>
+        <translation>{count} NC-Sätze lagen über {tolerance} und wurden in {pieces} geteilt, so wenige, wie es nachweislich einhalten.</translation>
+    </message>
+    <message>
+        <source>{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the control takes the shorter way there (wrap_strategy modulo), and so do the words here. Linearize, or set wrap_strategy to unwound.</source>
+        <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Linearisieren oder wrap_strategy auf unwound setzen.</translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to cut them.</source>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) zeigen von der Spindel weg und sind ausgelassen; das Werkstück wenden, um sie zu fräsen.</translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise the largest axis angle to cut them.</source>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) neigen sich um mehr als {most} gegen Z und sind ausgelassen; den größten Achswinkel erhöhen, um sie zu fräsen.</translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not; {gouge} checks and cures against all of them.</source>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) liegen auf {name} und werden bearbeitet. Die anderen nicht; {gouge} prüft und korrigiert gegen alle.</translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take another machine to cut them.</source>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) brauchen {limits} jenseits der Grenzen und sind ausgelassen; das Werkstück drehen oder eine andere Maschine nehmen, um sie zu fräsen.</translation>
+    </message>
+    <message>
+        <source>{count} facets without area were left out, the first at {at}; passes end where that leaves a crack.</source>
+        <translation>{count} Facetten ohne Fläche sind ausgelassen, die erste bei {at}; Zeilen enden, wo dadurch ein Riss bleibt.</translation>
+    </message>
+    <message>
+        <source>{count} feed blocks (between NC lines {first} and {last})</source>
+        <translation>{count} Vorschubsätzen (zwischen den NC-Zeilen {first} und {last})</translation>
+    </message>
+    <message>
+        <source>{count} feed blocks are</source>
+        <translation>{count} Vorschubsätze liegen</translation>
+    </message>
+    <message>
+        <source>{count} feed blocks ask</source>
+        <translation>{count} Vorschubsätze verlangen</translation>
+    </message>
+    <message>
+        <source>{count} feed blocks leave</source>
+        <translation>{count} Vorschubsätze verlassen</translation>
+    </message>
+    <message>
+        <source>{count} feed blocks lie</source>
+        <translation>{count} Vorschubsätze liegen</translation>
+    </message>
+    <message>
+        <source>{count} lines begin with a slash (block skip); they are read as if the switch were off.</source>
+        <translation>{count} Zeilen beginnen mit einem Schrägstrich (Satz ausblenden); sie werden gelesen, als wäre der Schalter aus.</translation>
+    </message>
+    <message>
+        <source>{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without them. The first: {shown}.</source>
+        <translation>{count} Zeilen enthalten Variablen, Ausdrücke oder Sprünge, die nicht ausgewertet werden; ihre Wörter fehlen hier. Ohne sie ausgeben. Die erste: {shown}.</translation>
+    </message>
+    <message>
+        <source>{count} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright.</source>
+        <translation>{count} Bewegungen nach MULTAX/OFF nennen keine Achse; das Werkzeug behält die letzte, die nicht senkrecht ist.</translation>
+    </message>
+    <message>
+        <source>{count} moves come before any FEDRAT; give a feed.</source>
+        <translation>{count} Bewegungen kommen vor jedem FEDRAT; einen Vorschub angeben.</translation>
+    </message>
+    <message>
+        <source>{count} numbers for {words} words; the text is malformed</source>
+        <translation>{count} Zahlen für {words} Wörter; der Text ist fehlerhaft</translation>
+    </message>
+    <message>
+        <source>{count} objects are selected ({labels}): select one, or make a compound of them.</source>
+        <translation>{count} Objekte sind ausgewählt ({labels}): eines auswählen oder einen Verbund daraus machen.</translation>
+    </message>
+    <message>
+        <source>{count} of the {all}</source>
+        <translation>{count} der {all}</translation>
+    </message>
+    <message>
+        <source>{count} of them lie</source>
+        <translation>{count} davon liegen</translation>
+    </message>
+    <message>
+        <source>{count} of them lies</source>
+        <translation>{count} davon liegt</translation>
+    </message>
+    <message>
+        <source>{count} of {all} feed blocks leave the path by up to {deviation}, {tolerance} allowed (NC line {line})</source>
+        <translation>{count} von {all} Vorschubsätzen verlassen den Weg um bis zu {deviation}, erlaubt sind {tolerance} (NC-Zeile {line})</translation>
+    </message>
+    <message>
+        <source>{count} of {all} feed blocks leaves the path by up to {deviation}, {tolerance} allowed (NC line {line})</source>
+        <translation>{count} von {all} Vorschubsätzen verlässt den Weg um bis zu {deviation}, erlaubt sind {tolerance} (NC-Zeile {line})</translation>
+    </message>
+    <message>
+        <source>{count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first NC line {first}.</source>
+        <translation>{count} von {all} Vorschubsätzen {what} Am schlimmsten ist NC-Zeile {line}, {off} daneben ({tolerance} erlaubt); die erste ist NC-Zeile {first}.</translation>
+    </message>
+    <message>
+        <source>{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, the first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another machine</source>
+        <translation>{count} von {all} Punkten brauchen eine Werkzeugachse, die die Grenzen der Rundachsen {letters} nicht erlauben, zuerst {axis} bei {place}: die Grenzen erweitern, {max_axis_angle} verringern oder eine andere Maschine nehmen</translation>
+    </message>
+    <message>
+        <source>{count} of {all} rows do not fit and are left out (NC lines {lines}); their tips would be off by up to {miss}. Look at them: they are wrong in the CL path or in the program.</source>
+        <translation>{count} von {all} Zeilen passen nicht und sind ausgelassen (NC-Zeilen {lines}); ihre Werkzeugspitzen lägen um bis zu {miss} daneben. Ansehen: sie sind im CL-Weg oder im Programm falsch.</translation>
+    </message>
+    <message>
+        <source>{count} of {all} ways hold {tolerance}; the quickest is {way}, {time}.</source>
+        <translation>{count} von {all} Wegen halten {tolerance} ein; der schnellste ist {way}, {time}.</translation>
+    </message>
+    <message>
+        <source>{count} other layouts explain the rows as well: {more}. The plainest is written; give more rows, with larger turns of both rotary axes, or the machine with {machine}.</source>
+        <translation>{count} andere Anordnungen erklären die Zeilen ebenso: {more}. Geschrieben ist die einfachste; mehr Zeilen mit größeren Drehungen beider Rundachsen angeben, oder die Maschine mit {machine}.</translation>
+    </message>
+    <message>
+        <source>{count} passes are led past the pole: {letter} turns at most {after} instead of {before} on them, and {turns} instead of {turned} in all, for an axis changed by up to {most}.</source>
+        <translation>{count} Zeilen sind am Pol vorbeigeführt: {letter} dreht auf ihnen höchstens {after} statt {before}, und insgesamt {turns} statt {turned}, bei einer um bis zu {most} geänderten Achse.</translation>
+    </message>
+    <message>
+        <source>{count} passes come within {limit} of the pole and could not be led past it any better: {letter} turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.</source>
+        <translation>{count} Zeilen kommen dem Pol näher als {limit} und ließen sich nicht besser vorbeiführen: {letter} dreht dort bis zu {rate}. Ein größerer Winkel, weitere Grenzen der Rundachsen oder eine andere Aufspannung können helfen.</translation>
+    </message>
+    <message>
+        <source>{count} retracts or approaches pass below the part, because the tool looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>
+        <translation>{count} Rückzüge oder Anfahrten gehen unter dem Werkstück durch, weil das Werkzeug dort nach unten zeigt. Prüfen, dass nichts das Werkstück von unten hält, oder eine Werkzeugachse wählen, die nach oben zeigt.</translation>
+    </message>
+    <message>
+        <source>{count} rows of the CL file are not cut: no feed block comes within {tolerance} of them. The first is row {first} of {all}, the farthest row {missed}, {distance} off. Is the program whole, and made from this file?</source>
+        <translation>{count} Zeilen der CL-Datei werden nicht gefräst: kein Vorschubsatz kommt ihnen näher als {tolerance}. Die erste ist Zeile {first} von {all}, die fernste Zeile {missed}, {distance} entfernt. Ist das Programm vollständig und aus dieser Datei entstanden?</translation>
+    </message>
+    <message>
+        <source>{count} sides are not machined ({area})</source>
+        <translation>{count} Seiten sind nicht bearbeitet ({area})</translation>
+    </message>
+    <message>
+        <source>{count} statements, line {lines}</source>
+        <translation>{count} Anweisung, Zeile {lines}</translation>
+    </message>
+    <message>
+        <source>{count} statements, lines {lines}</source>
+        <translation>{count} Anweisungen, Zeilen {lines}</translation>
+    </message>
+    <message>
+        <source>{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.</source>
+        <translation>{count}-mal lassen die Grenzen der Rundachsen das Werkzeug mitten im Schnitt freifahren, zurückdrehen und wieder eintauchen.</translation>
+    </message>
+    <message>
+        <source>{count} tool axes are no unit vectors; they are scaled to length 1.</source>
+        <translation>{count} Werkzeugachsen sind keine Einheitsvektoren; sie werden auf Länge 1 gebracht.</translation>
+    </message>
+    <message>
+        <source>{count} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine.</source>
+        <translation>{count} Werkzeugachsen kann diese Maschine nicht einnehmen; die jeweils vorige bleibt. Die Maschine des Programms wählen.</translation>
+    </message>
+    <message>
+        <source>{deep} are cut too deep, at most by {most}</source>
+        <translation>{deep} sind zu tief gefräst, höchstens um {most}</translation>
+    </message>
+    <message>
+        <source>{edges} edges have more than two facets, the first at {at}; passes end there. Separate or unite the bodies that meet there.</source>
+        <translation>{edges} Kanten haben mehr als zwei Facetten, die erste bei {at}; Zeilen enden dort. Die Körper, die sich dort treffen, trennen oder vereinigen.</translation>
+    </message>
+    <message>
+        <source>{edges} edges have two facets that run along them in the same sense, the first at {at}; passes end there. Unify the facet normals.</source>
+        <translation>{edges} Kanten haben zwei Facetten, die sie im selben Sinn durchlaufen, die erste bei {at}; Zeilen enden dort. Die Facettennormalen vereinheitlichen.</translation>
+    </message>
+    <message>
+        <source>{edges} edges leave the mesh open, the first at {at}; passes end there. Close the shell in CAD if it is meant to be solid.</source>
+        <translation>{edges} Kanten lassen das Netz offen, die erste bei {at}; Zeilen enden dort. Die Schale im CAD schließen, wenn sie ein Volumenkörper sein soll.</translation>
+    </message>
+    <message>
+        <source>{error}; choose another machine, or put the file back</source>
+        <translation>{error}; eine andere Maschine wählen oder die Datei zurücklegen</translation>
+    </message>
+    <message>
+        <source>{error}; post-process again</source>
+        <translation>{error}; die NC-Datei neu ausgeben</translation>
+    </message>
+    <message>
+        <source>{error}; these files are written: {written}</source>
+        <translation>{error}; diese Dateien sind geschrieben: {written}</translation>
+    </message>
+    <message>
+        <source>{fcm_file} does not end in {suffix}, as machine files do; name it so</source>
+        <translation>{fcm_file} endet nicht auf {suffix} wie Maschinendateien; so benennen</translation>
+    </message>
+    <message>
+        <source>{fcm_file} exists already; choose another name, so that no machine is lost</source>
+        <translation>{fcm_file} gibt es schon; einen anderen Namen wählen, damit keine Maschine verloren geht</translation>
+    </message>
+    <message>
+        <source>{file} exists; choose another name, or ask for it to be overwritten</source>
+        <translation>{file} gibt es schon; einen anderen Namen wählen oder Überschreiben verlangen</translation>
+    </message>
+    <message>
+        <source>{file} needs one of the endings {reports}</source>
+        <translation>{file} braucht eine der Endungen {reports}</translation>
+    </message>
+    <message>
+        <source>{file} was changed by somebody else; post-process to another file, or ask for it to be overwritten</source>
+        <translation>{file} wurde von anderer Seite geändert; in eine andere Datei ausgeben oder Überschreiben verlangen</translation>
+    </message>
+    <message>
+        <source>{first} and {second} are exchanged</source>
+        <translation>{first} und {second} sind vertauscht</translation>
+    </message>
+    <message>
+        <source>{first} and {second} both turn the wrong way</source>
+        <translation>{first} und {second} drehen beide falsch herum</translation>
+    </message>
+    <message>
+        <source>{first} turns {turn} and {second} {other_turn}</source>
+        <translation>{first} dreht {turn} und {second} {other_turn}</translation>
+    </message>
+    <message>
+        <source>{given} given; give either a stepover or a scallop</source>
+        <translation>{given} angegeben; entweder Zeilensprung oder Kuppenhöhe angeben</translation>
+    </message>
+    <message>
+        <source>{joint} is not [[origin], [axis]]</source>
+        <translation>{joint} ist nicht [[origin], [axis]]</translation>
+    </message>
+    <message>
+        <source>{joint} is not {{"origin": [x, y, z], "axis": [x, y, z]}}</source>
+        <translation>{joint} ist nicht {{"origin": [x, y, z], "axis": [x, y, z]}}</translation>
+    </message>
+    <message>
+        <source>{key}: {problem}</source>
+        <translation>{key}: {problem}</translation>
+    </message>
+    <message>
+        <source>{kind}, {one} nearer to the work turning about {way}, {two} about {other_way}</source>
+        <translation>{kind}, {one} näher am Werkstück, drehend um {way}, {two} um {other_way}</translation>
+    </message>
+    <message>
+        <source>{label} ({kind}) has no solid: {what}.</source>
+        <translation>{label} ({kind}) hat keinen Volumenkörper: {what}.</translation>
+    </message>
+    <message>
+        <source>{label} ({typeid}) has no solid: {what}.</source>
+        <translation>{label} ({typeid}) hat keinen Volumenkörper: {what}.</translation>
+    </message>
+    <message>
+        <source>{label} could not be computed: {why}</source>
+        <translation>{label} konnte nicht berechnet werden: {why}</translation>
+    </message>
+    <message>
+        <source>{label} has changed since {file} was written; post-process again</source>
+        <translation>{label} hat sich geändert, seit {file} geschrieben wurde; die NC-Datei neu ausgeben</translation>
+    </message>
+    <message>
+        <source>{label} has changed since: try the setups again</source>
+        <translation>{label} hat sich seither geändert: die Aufspannungen neu erproben</translation>
+    </message>
+    <message>
+        <source>{label} has no model; add one in the Job's editor, or select the part itself</source>
+        <translation>{label} hat kein Modell; im Editor des Auftrags eines hinzufügen oder das Werkstück selbst auswählen</translation>
+    </message>
+    <message>
+        <source>{label} has no {name} on a solid: select its faces again.</source>
+        <translation>{label} hat kein {name} an einem Volumenkörper: die Flächen neu auswählen.</translation>
+    </message>
+    <message>
+        <source>{label} has {named}; add one to it, or give the cutter by hand</source>
+        <translation>{label} hat {named}; eines hinzufügen oder den Fräser von Hand angeben</translation>
+    </message>
+    <message>
+        <source>{label} is a mesh already: leave out {unused}</source>
+        <translation>{label} ist schon ein Netz: {unused} weglassen</translation>
+    </message>
+    <message>
+        <source>{label} is a mesh and has no faces to choose: select the whole of it.</source>
+        <translation>{label} ist ein Netz und hat keine Flächen zur Wahl: das Ganze auswählen.</translation>
+    </message>
+    <message>
+        <source>{label} is an empty mesh: select a mesh with facets, or a solid.</source>
+        <translation>{label} ist ein leeres Netz: ein Netz mit Facetten oder einen Volumenkörper auswählen.</translation>
+    </message>
+    <message>
+        <source>{label} is in another document: select something in {document}.</source>
+        <translation>{label} ist in einem anderen Dokument: etwas in {document} auswählen.</translation>
+    </message>
+    <message>
+        <source>{label} is no mesh: choose a tessellation or a mesh.</source>
+        <translation>{label} ist kein Netz: eine Vernetzung oder ein Netz wählen.</translation>
+    </message>
+    <message>
+        <source>{label} is no toolpath and no audit: select one of these.</source>
+        <translation>{label} ist weder Werkzeugweg noch Prüfung: eines davon auswählen.</translation>
+    </message>
+    <message>
+        <source>{label} names no NC file: choose one in its property NCFile</source>
+        <translation>{label} nennt keine NC-Datei: in der Eigenschaft NC-Datei eine wählen</translation>
+    </message>
+    <message>
+        <source>{label} shows the result of other settings, or of another version: recompute the document</source>
+        <translation>{label} zeigt das Ergebnis anderer Einstellungen oder einer anderen Version: das Dokument neu berechnen</translation>
+    </message>
+    <message>
+        <source>{label} was changed: recompute the document</source>
+        <translation>{label} wurde geändert: das Dokument neu berechnen</translation>
+    </message>
+    <message>
+        <source>{label}: {errors}</source>
+        <translation>{label}: {errors}</translation>
+    </message>
+    <message>
+        <source>{length} of the passes are left out, because {why}. {remedy}</source>
+        <translation>{length} der Zeilen sind ausgelassen, weil {why}. {remedy}</translation>
+    </message>
+    <message>
+        <source>{length} of the path stay uncut at {count} rewinds: on neither side of them do the rotary limits allow the tool axis that is needed. Wider limits or another setup avoid it.</source>
+        <translation>{length} des Werkzeugwegs bleiben an {count} Rückdrehungen ungefräst: auf keiner Seite davon erlauben die Grenzen der Rundachsen die nötige Werkzeugachse. Weitere Grenzen oder eine andere Aufspannung vermeiden das.</translation>
+    </message>
+    <message>
+        <source>{letter} ({low} to {high})</source>
+        <translation>{letter} ({low} bis {high})</translation>
+    </message>
+    <message>
+        <source>{letter} alone, {amount}</source>
+        <translation>{letter} allein, {amount}</translation>
+    </message>
+    <message>
+        <source>{letter} back</source>
+        <translation>{letter} zurück</translation>
+    </message>
+    <message>
+        <source>{letter} cannot turn by {angle} within its limits {low} to {high}</source>
+        <translation>{letter} kann innerhalb der Grenzen {low} bis {high} nicht um {angle} drehen</translation>
+    </message>
+    <message>
+        <source>{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns above the part and re-engages, which may leave a mark. Wider limits or another setup avoid it.</source>
+        <translation>{letter} muss mitten im Schnitt von {before} auf {after} zurückdrehen: das Werkzeug fährt frei, dreht über dem Werkstück und taucht wieder ein, was eine Marke hinterlassen kann. Weitere Grenzen oder eine andere Aufspannung vermeiden das.</translation>
+    </message>
+    <message>
+        <source>{letter} is another axis: the post turns it about {way}, {name} about {own}.</source>
+        <translation>{letter} ist eine andere Achse: der Postprozessor dreht sie um {way}, {name} um {own}.</translation>
+    </message>
+    <message>
+        <source>{letter} names no axis; use X Y Z and two of A B C</source>
+        <translation>{letter} nennt keine Achse; X Y Z und zwei von A B C verwenden</translation>
+    </message>
+    <message>
+        <source>{letter} turns the other way: the post's positive {letter} is the negative one of {name}.{effect}</source>
+        <translation>{letter} dreht anders herum: das positive {letter} des Postprozessors ist das negative von {name}.{effect}</translation>
+    </message>
+    <message>
+        <source>{letter} turns the wrong way</source>
+        <translation>{letter} dreht falsch herum</translation>
+    </message>
+    <message>
+        <source>{letter} would have to go to {word} inside a divided block, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
+        <translation>{letter} müsste in einem geteilten NC-Satz nach {word} fahren, die Grenze ist {limit} ({count} Punkte): den Werkstücknullpunkt versetzen ({origin}) oder eine größere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
+        <translation>{letter} müsste nach {word} fahren, die Grenze ist {limit} ({count} Punkte): den Werkstücknullpunkt versetzen ({origin}) oder eine größere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>{letter} would leave its limits by {over}</source>
+        <translation>{letter} würde die Grenzen um {over} verlassen</translation>
+    </message>
+    <message>
+        <source>{letter} {low} to {high}</source>
+        <translation>{letter} {low} bis {high}</translation>
+    </message>
+    <message>
+        <source>{lies} near the pole, where {letter} must turn far to lean the tool a little.</source>
+        <translation>{lies} nahe am Pol, wo {letter} weit drehen muss, um das Werkzeug ein wenig zu neigen.</translation>
+    </message>
+    <message>
+        <source>{light}: {reasons}.</source>
+        <translation>{light}: {reasons}.</translation>
+    </message>
+    <message>
+        <source>{lost} carry one another in a circle; give one the parent null</source>
+        <translation>{lost} tragen einander im Kreis; einer davon parent null geben</translation>
+    </message>
+    <message>
+        <source>{machine} with {cure}</source>
+        <translation>{machine} mit Korrektur {cure}</translation>
+    </message>
+    <message>
+        <source>{machine} with {cure}, tool-centre control</source>
+        <translation>{machine} mit Korrektur {cure}, Werkzeugspitzenführung</translation>
+    </message>
+    <message>
+        <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
+        <translation>{name} = {value} ist nur auf {certainty} sicher; Zeilen mit größeren Drehungen angeben.</translation>
+    </message>
+    <message>
+        <source>{name} deflection {value} is out of range; it must be above 0</source>
+        <translation>Abweichung des Netzes {name}: {value} liegt außerhalb; sie muss über 0 sein</translation>
+    </message>
+    <message>
+        <source>{name} does not guide the tip itself (no RTCP): leave {rtcp} out, and use {linearize} on</source>
+        <translation>{name} führt die Werkzeugspitze nicht selbst (kein RTCP): {rtcp} weglassen und {linearize} auf on setzen</translation>
+    </message>
+    <message>
+        <source>{name} does not take the shorter way to a word of 0 to 360, as the machine file says of {letter} (modulo): the words count their turns on. Set the control accordingly, or wrap_strategy to unwound.</source>
+        <translation>{name} nimmt nicht den kürzeren Weg zu einem Wort von 0 bis 360, wie es die Maschinendatei von {letter} sagt (modulo): die Wörter zählen ihre Umdrehungen weiter. Die Steuerung entsprechend einstellen oder wrap_strategy auf unwound setzen.</translation>
+    </message>
+    <message>
+        <source>{name} has no RTCP by {how}; give {guides}</source>
+        <translation>{name} hat kein RTCP durch {how}; angeben: {guides}</translation>
+    </message>
+    <message>
+        <source>{name} has no corner radius; give it one in FreeCAD's tool editor</source>
+        <translation>{name} hat keinen Eckenradius; in FreeCADs Werkzeugeditor angeben</translation>
+    </message>
+    <message>
+        <source>{name} has no diameter; give it one in FreeCAD's tool editor</source>
+        <translation>{name} hat keinen Durchmesser; in FreeCADs Werkzeugeditor angeben</translation>
+    </message>
+    <message>
+        <source>{name} has no high-speed mode to switch; leave {high_speed} out, or give {blend}</source>
+        <translation>{name} hat keinen schaltbaren Hochgeschwindigkeitsmodus; {high_speed} weglassen oder {blend} angeben</translation>
+    </message>
+    <message>
+        <source>{name} has no inverse time (G93): F is written in mm/min, one for each block.</source>
+        <translation>{name} hat keinen zeitreziproken Vorschub (G93): F steht in mm/min, eines für jeden Satz.</translation>
+    </message>
+    <message>
+        <source>{name} has no taper angle; give it one in FreeCAD's tool editor</source>
+        <translation>{name} hat keinen Kegelwinkel; in FreeCADs Werkzeugeditor angeben</translation>
+    </message>
+    <message>
+        <source>{name} has {asked}, but only {area} of the part lie on it. Export the faces from the same solid, with as fine facets, or raise the tolerance.</source>
+        <translation>{name} hat {asked}, aber nur {area} des Werkstücks liegen darauf. Die Flächen aus demselben Volumenkörper exportieren, mit ebenso feinen Facetten, oder die Toleranz erhöhen.</translation>
+    </message>
+    <message>
+        <source>{name} is a tool of the shape {shape}; {remedy}</source>
+        <translation>{name} ist ein Werkzeug der Form {shape}; {remedy}</translation>
+    </message>
+    <message>
+        <source>{name} is no setting of a document object; it is not one of {fields}</source>
+        <translation>{name} ist keine Einstellung eines Dokumentobjekts; sie ist keine von {fields}</translation>
+    </message>
+    <message>
+        <source>{name} is no tool bit ({error}); choose a {suffix} file of FreeCAD</source>
+        <translation>{name} ist kein Werkzeug ({error}); eine {suffix}-Datei von FreeCAD wählen</translation>
+    </message>
+    <message>
+        <source>{name} is no tool bit; choose a {suffix} file of FreeCAD</source>
+        <translation>{name} ist kein Werkzeug; eine {suffix}-Datei von FreeCAD wählen</translation>
+    </message>
+    <message>
+        <source>{name} is not interpreted ({where}); what it does is missing in the path.{remedy}</source>
+        <translation>{name} wird nicht ausgewertet ({where}); was es tut, fehlt im Werkzeugweg.{remedy}</translation>
+    </message>
+    <message>
+        <source>{name} is not known and not interpreted ({count} lines); what it does is missing here.</source>
+        <translation>{name} ist nicht bekannt und wird nicht ausgewertet ({count} Zeilen); was es tut, fehlt hier.</translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give a length above 0</source>
+        <translation>{name} ist {value}; eine Länge über 0 angeben</translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give a number above 0</source>
+        <translation>{name} ist {value}; eine Zahl über 0 angeben</translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give a number of at least 0</source>
+        <translation>{name} ist {value}; eine Zahl ab 0 angeben</translation>
+    </message>
+    <message>
+        <source>{name} is {value}; give an angle</source>
+        <translation>{name} ist {value}; einen Winkel angeben</translation>
+    </message>
+    <message>
+        <source>{name} lies on the part, but its facets look into it; export the faces again, with their normals outward</source>
+        <translation>{name} liegt auf dem Werkstück, aber die Facetten zeigen hinein; die Flächen mit den Normalen nach außen neu exportieren</translation>
+    </message>
+    <message>
+        <source>{name} lists no sizes; save the tool once more in FreeCAD's tool editor</source>
+        <translation>{name} nennt keine Maße; das Werkzeug in FreeCADs Werkzeugeditor noch einmal speichern</translation>
+    </message>
+    <message>
+        <source>{name} stands in {count} lines: {said}.</source>
+        <translation>{name} steht in {count} Zeilen: {said}.</translation>
+    </message>
+    <message>
+        <source>{name} stands in {count} lines: {text}.</source>
+        <translation>{name} steht in {count} Zeilen: {text}.</translation>
+    </message>
+    <message>
+        <source>{name} {given} holds a character that no name can have; give another</source>
+        <translation>{name}: {given} enthält ein Zeichen, das kein Name haben kann; einen anderen angeben</translation>
+    </message>
+    <message>
+        <source>{name} {given} is not a text</source>
+        <translation>{name}: {given} ist kein Text</translation>
+    </message>
+    <message>
+        <source>{name} {given} is not a whole number</source>
+        <translation>{name}: {given} ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>{name} {given} is not of the right kind</source>
+        <translation>{name}: {given} ist nicht von der richtigen Art</translation>
+    </message>
+    <message>
+        <source>{name} {given} is not one of {rules}</source>
+        <translation>{name}: {given} ist keines von {rules}</translation>
+    </message>
+    <message>
+        <source>{name} {given} is out of range; {range}</source>
+        <translation>{name}: {given} liegt außerhalb; {range}</translation>
+    </message>
+    <message>
+        <source>{name} {given} needs three numbers, as 0,0,50</source>
+        <translation>{name}: {given} braucht drei Zahlen, wie 0,0,50</translation>
+    </message>
+    <message>
+        <source>{name} {lean} leaves minimax no choice; leave it out, or choose facet_mean</source>
+        <translation>{name} {lean} lässt minimax keine Wahl; weglassen oder facet_mean wählen</translation>
+    </message>
+    <message>
+        <source>{name} {value} is out of range; give more than 0 mm</source>
+        <translation>{name} {value} liegt außerhalb; mehr als 0 mm angeben</translation>
+    </message>
+    <message>
+        <source>{name}'s {switch} names the tool's length offset: give {tool}, its number</source>
+        <translation>{switch} von {name} nennt den Längenversatz des Werkzeugs: {tool} angeben, seine Nummer</translation>
+    </message>
+    <message>
+        <source>{name}: the post has {value} (within {certainty}), {machine} has {given}, {apart} apart.{effect}</source>
+        <translation>{name}: der Postprozessor hat {value} (auf {certainty} genau), {machine} hat {given}, {apart} auseinander.{effect}</translation>
+    </message>
+    <message>
+        <source>{name}: {key} {given} is no {what}</source>
+        <translation>{name}: {key} {given} ist keine Angabe der Art {what}</translation>
+    </message>
+    <message>
+        <source>{name}: {problem}</source>
+        <translation>{name}: {problem}</translation>
+    </message>
+    <message>
+        <source>{nc_path} exists; choose another name, or ask for it to be overwritten</source>
+        <translation>{nc_path} gibt es schon; einen anderen Namen wählen oder Überschreiben verlangen</translation>
+    </message>
+    <message>
+        <source>{one} and {other}</source>
+        <translation>{one} und {other}</translation>
+    </message>
+    <message>
+        <source>{one} or {other}</source>
+        <translation>{one} oder {other}</translation>
+    </message>
+    <message>
+        <source>{option}</source>
+        <translation>{option}</translation>
+    </message>
+    <message>
+        <source>{output} does not end in {suffix}, as machine files do; name it so</source>
+        <translation>{output} endet nicht auf {suffix} wie Maschinendateien; so benennen</translation>
+    </message>
+    <message>
+        <source>{output} exists already; choose another name, so that no machine is lost</source>
+        <translation>{output} gibt es schon; einen anderen Namen wählen, damit keine Maschine verloren geht</translation>
+    </message>
+    <message>
+        <source>{parent} is no axis of this machine; name one, or null for the base</source>
+        <translation>{parent} ist keine Achse dieser Maschine; eine nennen, oder null für das Gestell</translation>
+    </message>
+    <message>
+        <source>{part} is no number</source>
+        <translation>{part} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: {strerror}</source>
+        <translation>{path} ist nicht lesbar: {strerror}</translation>
+    </message>
+    <message>
+        <source>{path} cannot be the name of a file; give another</source>
+        <translation>{path} kann kein Dateiname sein; einen anderen angeben</translation>
+    </message>
+    <message>
+        <source>{path} does not exist; name the file to read</source>
+        <translation>{path} gibt es nicht; die zu lesende Datei nennen</translation>
+    </message>
+    <message>
+        <source>{path} has no ending that is known; give LinuxCNC's .ini or FreeCAD's .fcm</source>
+        <translation>{path} hat keine bekannte Endung; LinuxCNCs .ini oder FreeCADs .fcm angeben</translation>
+    </message>
+    <message>
+        <source>{path} is a folder; name a file</source>
+        <translation>{path} ist ein Ordner; eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>{path} is a folder; name the file to read</source>
+        <translation>{path} ist ein Ordner; die zu lesende Datei nennen</translation>
+    </message>
+    <message>
+        <source>{path} is no file name: it holds a null character</source>
+        <translation>{path} ist kein Dateiname: er enthält ein Nullzeichen</translation>
+    </message>
+    <message>
+        <source>{path} is no ordinary file; name the file to read</source>
+        <translation>{path} ist keine gewöhnliche Datei; die zu lesende Datei nennen</translation>
+    </message>
+    <message>
+        <source>{path} is no text file; give the {what}</source>
+        <translation>{path} ist keine Textdatei; angeben: {what}</translation>
+    </message>
+    <message>
+        <source>{path} is the file that is read; name another output</source>
+        <translation>{path} ist die Datei, die gelesen wird; eine andere Ausgabe nennen</translation>
+    </message>
+    <message>
+        <source>{path} is there already: name another file, or ask for it to be replaced</source>
+        <translation>{path} gibt es schon: eine andere Datei nennen oder Ersetzen verlangen</translation>
+    </message>
+    <message>
+        <source>{path} line {number}: files include one another in a circle; remove one #INCLUDE</source>
+        <translation>{path} Zeile {number}: Dateien binden einander im Kreis ein; ein #INCLUDE entfernen</translation>
+    </message>
+    <message>
+        <source>{path}: [JOINT_{joint}], {error}</source>
+        <translation>{path}: [JOINT_{joint}], {error}</translation>
+    </message>
+    <message>
+        <source>{path}: [{section}] {key} is missing; {remedy}</source>
+        <translation>{path}: [{section}] {key} fehlt; {remedy}</translation>
+    </message>
+    <message>
+        <source>{path}: {error}</source>
+        <translation>{path}: {error}</translation>
+    </message>
+    <message>
+        <source>{pin} comes from signal {signal} ({others}), whose value no HAL file says; write setp {pin} VALUE for the import</source>
+        <translation>{pin} kommt vom Signal {signal} ({others}), dessen Wert keine HAL-Datei nennt; für den Import setp {pin} WERT schreiben</translation>
+    </message>
+    <message>
+        <source>{place}: word {letter} stands twice; a line takes one of each</source>
+        <translation>{place}: das Wort {letter} steht zweimal; eine Zeile nimmt von jedem eines</translation>
+    </message>
+    <message>
+        <source>{place}: {letter}{value} is beyond {farthest}; is a decimal point missing?</source>
+        <translation>{place}: {letter}{value} liegt jenseits von {farthest}; fehlt ein Dezimalpunkt?</translation>
+    </message>
+    <message>
+        <source>{rivals} both stand on {carrier}; say by "parent" which carries which</source>
+        <translation>{rivals} stehen beide auf {carrier}; mit „parent“ sagen, welche welche trägt</translation>
+    </message>
+    <message>
+        <source>{role} contradicts the type of the axis; make them agree</source>
+        <translation>{role} widerspricht der Art der Achse; in Übereinstimmung bringen</translation>
+    </message>
+    <message>
+        <source>{sides}; name another, or null for the base</source>
+        <translation>{sides}; eine andere nennen, oder null für das Gestell</translation>
+    </message>
+    <message>
+        <source>{side} is not machined: {area}.</source>
+        <translation>{side} ist nicht bearbeitet: {area}.</translation>
+    </message>
+    <message>
+        <source>{size} setups are more than {most}; take a coarser grid or fewer turns</source>
+        <translation>{size} Aufspannungen sind mehr als {most}; ein gröberes Raster oder weniger Drehungen nehmen</translation>
+    </message>
+    <message>
+        <source>{skipped} blocks have no row of the CL path (moves of the post's own); they are passed over.</source>
+        <translation>{skipped} NC-Sätze haben keine Zeile des CL-Wegs (eigene Bewegungen des Postprozessors); sie werden übergangen.</translation>
+    </message>
+    <message>
+        <source>{source} is no source of a path; give an STL or a CL file</source>
+        <translation>{source} ist keine Quelle eines Werkzeugwegs; ein STL oder eine CL-Datei angeben</translation>
+    </message>
+    <message>
+        <source>{target} cannot be written: {strerror}; choose another folder</source>
+        <translation>{target} kann nicht geschrieben werden: {strerror}; einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>{target} exists already; choose another name</source>
+        <translation>{target} gibt es schon; einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>{text} is no usable number; write a finite one</source>
+        <translation>{text} ist keine brauchbare Zahl; eine endliche schreiben</translation>
+    </message>
+    <message>
+        <source>{text}; give a smaller {angle}</source>
+        <translation>{text}; {angle} verringern</translation>
+    </message>
+    <message>
+        <source>{text}; give a smaller {angle}, or a {mark} nearer to the rotary axes</source>
+        <translation>{text}; {angle} verringern oder {mark} näher an die Rundachsen legen</translation>
+    </message>
+    <message>
+        <source>{text}; give another {origin} or {mark}, or less {gap}, {travel} or {angle}</source>
+        <translation>{text}; {origin} oder {mark} anders angeben, oder weniger {gap}, {travel} oder {angle}</translation>
+    </message>
+    <message>
+        <source>{travel} for each {arm} from the axis</source>
+        <translation>{travel} je {arm} Abstand von der Achse</translation>
+    </message>
+    <message>
+        <source>{unknown}: no setting of a tessellation; known: {known}</source>
+        <translation>{unknown}: keine Einstellung einer Vernetzung; bekannt: {known}</translation>
+    </message>
+    <message>
+        <source>{unused} is {given}, but {module} does not use it.</source>
+        <translation>{unused} ist {given}, aber {module} benutzt es nicht.</translation>
+    </message>
+    <message>
+        <source>{value} are beyond the machine's limits and left out</source>
+        <translation>{value} liegen jenseits der Grenzen der Maschine und sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>{value} are too steep for the largest axis angle and left out</source>
+        <translation>{value} sind zu steil für den größten Achswinkel und ausgelassen</translation>
+    </message>
+    <message>
+        <source>{value} is none of {known}</source>
+        <translation>{value} ist keines von {known}</translation>
+    </message>
+    <message>
+        <source>{value} is not a finite number</source>
+        <translation>{value} ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>{value} is not a text that can be shown; write one in quotes</source>
+        <translation>{value} ist kein Text, der gezeigt werden kann; einen in Anführungszeichen schreiben</translation>
+    </message>
+    <message>
+        <source>{value} is not a vector; write [x, y, z]</source>
+        <translation>{value} ist kein Vektor; [x, y, z] schreiben</translation>
+    </message>
+    <message>
+        <source>{value} is not an object; write {{ ... }}</source>
+        <translation>{value} ist kein Objekt; {{ ... }} schreiben</translation>
+    </message>
+    <message>
+        <source>{value} of the passes are left out</source>
+        <translation>{value} der Zeilen sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>{version} cannot be read; only version {known} can</source>
+        <translation>{version} ist nicht lesbar; nur Version {known} ist es</translation>
+    </message>
+    <message>
+        <source>{ways} would cut it.</source>
+        <translation>{ways} würden sie fräsen.</translation>
+    </message>
+    <message>
+        <source>{ways} would cut it; cut the {area} that lie along those passes with another path.</source>
+        <translation>{ways} würden sie fräsen; die {area}, die entlang dieser Zeilen liegen, mit einem anderen Werkzeugweg fräsen.</translation>
+    </message>
+    <message>
+        <source>{what} is not a vector of three numbers</source>
+        <translation>{what} ist kein Vektor aus drei Zahlen</translation>
+    </message>
+    <message>
+        <source>{what} {number} of {rows} has {axis} = {value}, and no part exceeds {most}: check the units of the export</source>
+        <translation>{what} {number} von {rows} hat {axis} = {value}, und kein Werkstück ist größer als {most}: die Einheiten des Exports prüfen</translation>
+    </message>
+    <message>
+        <source>{what} {number} of {rows} has {axis} = {value}: coordinates must be finite numbers; export the mesh again</source>
+        <translation>{what} {number} von {rows} hat {axis} = {value}: Koordinaten müssen endliche Zahlen sein; das Netz neu exportieren</translation>
+    </message>
+    <message>
+        <source>{what} {part} is out of range; give diameters and lengths above 0, up to 10000 mm</source>
+        <translation>{what}: {part} liegt außerhalb; Durchmesser und Längen über 0 bis 10000 mm angeben</translation>
+    </message>
+    <message>
+        <source>{what} {path} cannot be read: {strerror}</source>
+        <translation>{what} {path} ist nicht lesbar: {strerror}</translation>
+    </message>
+    <message>
+        <source>{what} {place} is not finite or beyond {most}</source>
+        <translation>{what} {place} ist nicht endlich oder jenseits von {most}</translation>
+    </message>
+    <message>
+        <source>{what} {text} is no stack; write DIAMETERxLENGTH from the cutter upwards, as 40x25,63x50</source>
+        <translation>{what}: {text} ist kein Stapel; DURCHMESSERxLÄNGE vom Fräser aufwärts schreiben, wie 40x25,63x50</translation>
+    </message>
+    <message>
+        <source>{what} {text} is not a number</source>
+        <translation>{what}: {text} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{what} {text} is not a number with one of the units {known}</source>
+        <translation>{what}: {text} ist keine Zahl mit einer der Einheiten {known}</translation>
+    </message>
+    <message>
+        <source>{what} {text} needs three numbers, as 0,0,50</source>
+        <translation>{what}: {text} braucht drei Zahlen, wie 0,0,50</translation>
+    </message>
+    <message>
+        <source>{what} {value} needs {remedy}</source>
+        <translation>{what} {value} braucht {remedy}</translation>
+    </message>
+    <message>
+        <source>{where}: [TRAJ] {key} is {text}; known are {known}</source>
+        <translation>{where}: [TRAJ] {key} ist {text}; bekannt sind {known}</translation>
+    </message>
+    <message>
+        <source>{where}: [{section}] {key} is missing in {path}; add it</source>
+        <translation>{where}: [{section}] {key} fehlt in {path}; ergänzen</translation>
+    </message>
+    <message>
+        <source>{where}: coordinates={letters} does not name {known}; correct it</source>
+        <translation>{where}: coordinates={letters} nennt nicht {known}; berichtigen</translation>
+    </message>
+    <message>
+        <source>{where}: kinematics {module} cannot be imported; {remedy}</source>
+        <translation>{where}: die Kinematik {module} kann nicht importiert werden; {remedy}</translation>
+    </message>
+    <message>
+        <source>{where}: {what} is {text}, not a number; write the number itself</source>
+        <translation>{where}: {what} ist {text}, keine Zahl; die Zahl selbst schreiben</translation>
+    </message>
+    <message>
+        <source>{words} further words ({count} statements) are not interpreted; is this a CL file?</source>
+        <translation>{words} weitere Wörter ({count} Anweisungen) werden nicht ausgewertet; ist das eine CL-Datei?</translation>
+    </message>
+    <message>
+        <source>{word} has {count} numbers; give 3 or 6</source>
+        <translation>{word} hat {count} Zahlen; 3 oder 6 angeben</translation>
     </message>
 </context>
 <context>
@@ -2875,12 +5783,12 @@
 <context>
     <name>FiveAxis_Compare</name>
     <message>
-        <source>Compare machines…</source>
-        <translation>Maschinen vergleichen …</translation>
+        <source>Compare a tool path on several machines, with each correction: deviation and time of each</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drive a tool path on several machines, with each cure, and show what each makes of it</source>
-        <translation>Einen Werkzeugweg auf mehreren Maschinen fahren, mit jeder Abhilfe, und zeigen, was jede daraus macht</translation>
+        <source>Compare machines…</source>
+        <translation>Maschinen vergleichen …</translation>
     </message>
 </context>
 <context>
@@ -2892,6 +5800,17 @@
     <message>
         <source>Make a machine file of a LinuxCNC configuration or of a FreeCAD machine file</source>
         <translation>Aus einer LinuxCNC-Konfiguration oder einer FreeCAD-Maschinendatei eine Maschinendatei machen</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_JobSetup</name>
+    <message>
+        <source>Choose machine, controller and work zero once for all tool paths of the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Setup…</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2987,6 +5906,10 @@
     <message>
         <source>Five-axis</source>
         <translation>Fünfachsig</translation>
+    </message>
+    <message>
+        <source>Five-axis machines</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Five-axis tool paths with a proven deviation for every block</source>
