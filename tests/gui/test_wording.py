@@ -21,6 +21,9 @@ SCHEMAS = {0: "mm", 1: "mm", 2: "in", 3: "in", 4: "mm", 5: "in", 6: "mm"}
 def unit(request):
     before = FreeCAD.Units.getSchema()
     FreeCAD.Units.setSchema(request.param)
+    if hasattr(FreeCAD.ActiveDocument, "UnitSystem"):  # from 1.0 on a document has units of its own, which win over the user's
+        document = FreeCAD.ActiveDocument
+        document.UnitSystem = document.getEnumerationsOfProperty("UnitSystem")[request.param]
     yield SCHEMAS[request.param]
     FreeCAD.Units.setSchema(before)
 
@@ -47,7 +50,7 @@ def test_an_error_names_the_field_as_the_window_does(german):
     assert str(caught.value).startswith("max-tilt 400")
 
 
-def test_the_document_holds_what_is_shown(german, unit, doc, dome):
+def test_the_document_holds_what_is_shown(german, doc, dome, unit):
     path = app.create_toolpath(doc, dome, stepover=8.0, tolerance=0.05)
     doc.recompute()
     head = path.Verdict.split(":")[0]
