@@ -11,6 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import lin_ye_arc as arc
+import lin_ye_curvature as curvature
 import lin_ye_parts as parts
 import lin_ye_profiles as profiles
 import numpy as np
@@ -105,7 +106,13 @@ def others_table() -> Table:
     return lines
 
 
+def curvature_table() -> Table:
+    """Eq. (8) beside the curvature that spaces the passes."""
+    return curvature.table(row, heading)
+
+
 TABLES: dict[str, Callable[[], Table]] = {
+    "curvature": curvature_table,
     "steps": arc.steps_table,
     "beta": arc.beta_table,
     "profiles": profiles_table,

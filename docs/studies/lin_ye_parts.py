@@ -105,7 +105,7 @@ def mill(part: str, table: str, strategy: str, depth: float | None, **others: fl
     options = {
         "machine": str(workshop() / f"{table}.fcm"), "origin": list(origin(part, depth)), "cutter": "ball:10",
         "stepover": STEPOVER, "order": "one_way", "tool_axis": strategy, "control_point": "centre",
-        "max_axis_angle": STEEPEST, **others,
+        "linearize": "off", "gouge": "off", "max_axis_angle": STEEPEST, **others,
     }  # fmt: skip
     result = job.run(build_settings("mill", str(workshop() / f"{part}.stl"), options))
     program, path = result.made.program, result.made.joints.path

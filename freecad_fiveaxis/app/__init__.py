@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import Any
 
 __all__ = [
-    "annotate", "apply_setup", "audit", "compare", "create_toolpath", "import_machine", "left_map", "post_process", "prove_signs",
-    "recover", "setup_map", "tessellate",
+    "annotate", "apply_setup", "audit", "compare", "create_setup", "create_toolpath", "import_machine", "left_map",
+    "post_process", "prove_signs", "recover", "setup_map", "tessellate",
 ]  # fmt: skip
 
 
@@ -27,13 +27,26 @@ def tessellate(obj: Any, stl_path: Any = None, *, overwrite: bool = False, **set
     return act(obj, stl_path, overwrite, settings)
 
 
+def create_setup(doc: Any, job: Any = None, **settings: Any) -> Any:
+    """Machine, controller and work zero for several toolpaths; returns the Setup object.
+
+    Settings: ``machine``, ``controller``, ``origin`` mm, ``tool_length`` mm, ``work_offset``, ``work_zero`` mm; ``tools``, lines
+    as "T3 ball:6:30 name", without them those of the CAM ``job``, or of the document's first one.
+    ``create_toolpath(..., setup=obj)`` links a path to it. Raises FiveAxisError; then the document is as it was.
+    """
+    from .job_setup import create as act
+
+    return act(doc, settings, job)
+
+
 def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
     """A computed toolpath; returns the Toolpath object.
 
     ``base``: a solid, body, compound, mesh or Tessellation object, or ``(object, ["Face3"])``. Settings as in job files:
     ``machine="trunnion_ac", cutter="bull:10:2", holder="40x25,63x50", gouge="report", scallop=0.01, feed=1000, ...``; also
     ``work_zero=(x, y, z)`` mm, ``faces``, ``linear_deflection`` mm, ``angular_deflection`` deg; ``holder_diameter`` and
-    ``holder_length`` mm are a holder of one cylinder.
+    ``holder_length`` mm are a holder of one cylinder. ``setup``: a Setup, whose machine, controller and work zero the path takes;
+    in a document with just one Setup it takes that where it is given nothing of the kind; None: none.
     Raises FiveAxisError; then the document is as it was.
     """
     from .actions import create_toolpath as act

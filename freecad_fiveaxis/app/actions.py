@@ -11,10 +11,12 @@ from typing import Any
 from freecad_fiveaxis.core.errors import FileError, SettingsError
 from freecad_fiveaxis.core.files import check_writable, write_whole
 from freecad_fiveaxis.core.quantity import ANGLES, LENGTHS, parse, parse_length, parse_stack, parse_triple, stack_text
+from freecad_fiveaxis.core.sentences import Number, say
 from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
 
-from . import auditing, markers, selection, tessellation, toolpath
+from . import auditing, job_setup, markers, selection, tessellation, toolpath
 from .convert import stl_bytes
+from .long_work import take_back
 from .properties import drawn_tool, property_name
 from .results import result_of
 from .tessellation import Tessellation
@@ -26,7 +28,13 @@ def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, 
     """See :func:`freecad_fiveaxis.app.tessellate`."""
     mesh = _deflections(settings)
     if unknown := set(settings) - _OF_MESH:
-        raise SettingsError(f"{', '.join(sorted(unknown))}: no setting of a tessellation; known: {', '.join(sorted(_OF_MESH))}")
+        raise SettingsError(
+            say(
+                "{unknown}: no setting of a tessellation; known: {known}",
+                unknown=", ".join(sorted(unknown)),
+                known=", ".join(sorted(_OF_MESH)),
+            )
+        )
     base, faces = _base(obj, settings.get("faces"))
     if stl_path is not None:
         _check_new(stl_path, overwrite)
@@ -40,23 +48,30 @@ def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, 
 
 def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.create_toolpath`."""
-    settings = _with_holder(settings)
+    settings, setup = _with_setup(doc, _with_holder(settings))
     extra = _extra(settings, _EXTRA)
     options = {name: value for name, value in settings.items() if name not in _OF_MESH and name not in _EXTRA}
     options["machine"] = options.get("machine") or DEFAULT_MACHINE
     build_settings(MILL, "mesh", options)
     chosen, faces = _base(base, settings.get("faces"))
     if chosen.Document.Name != doc.Name:
-        raise selection.SelectionError(f"{chosen.Label} is in another document: select something in {doc.Label}.", chosen.Label)
+        raise selection.SelectionError(
+            say("{label} is in another document: select something in {document}.", label=chosen.Label, document=doc.Label),
+            chosen.Label,
+        )
     with _all_or_nothing(doc) as added:
         mesh = chosen
         if not selection.is_mesh(chosen) or faces:
             mesh = tessellation.make(doc, chosen, faces, **_deflections(settings))
             added.append(mesh)
         elif unused := {"linear_deflection", "angular_deflection"} & set(settings):
-            raise SettingsError(f"{chosen.Label} is a mesh already: leave out {', '.join(sorted(unused))}", chosen.Label)
+            raise SettingsError(
+                say("{label} is a mesh already: leave out {unused}", label=chosen.Label, unused=", ".join(sorted(unused))),
+                chosen.Label,
+            )
         path = toolpath.make(doc, mesh, options, extra)
         added.append(path)
+        path.Setup = setup
         _compute(path)
     return path
 
@@ -93,12 +108,20 @@ _OLD_HOLDER = {"holder_diameter": 40.0, "holder_length": 60.0}
 """mm; one cylinder, as macros gave the holder before there were stacks, with what the other of them was if one was given."""
 
 
+def _with_setup(doc: Any, settings: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
+    """The settings with those of the Setup, and that. Where none is given and nothing that it says, the document's only one."""
+    rest = {name: value for name, value in settings.items() if name != "setup"}
+    shared = {name for name in (*job_setup.OPTIONS, "work_zero") if rest.get(name) is not None}
+    setup = settings.get("setup") if "setup" in settings or shared else job_setup.only_setup(doc)
+    return (rest | job_setup.options_of(setup), setup) if setup is not None else (rest, None)
+
+
 def _with_holder(settings: Mapping[str, Any]) -> dict[str, Any]:
     """The settings with a holder of one cylinder as a stack. Raises SettingsError where the holder is given twice."""
     rest = {name: value for name, value in settings.items() if name not in _OLD_HOLDER}
     given = {name: settings[name] for name in _OLD_HOLDER if settings.get(name) is not None}
     if given and rest.get("holder") is not None:
-        raise SettingsError(f"holder and {', '.join(given)} say the same; give holder", rest["holder"])
+        raise SettingsError(say("holder and {given} say the same; give holder", given=", ".join(given)), rest["holder"])
     row = tuple(parse_length(given.get(name, size), name) for name, size in _OLD_HOLDER.items())
     return {**rest, "holder": stack_text((row,))} if given else rest  # type: ignore[arg-type]
 
@@ -116,7 +139,7 @@ def _stack(given: Any, name: str) -> str:
 
 def _place(given: Any, name: str) -> tuple[float, float, float]:
     if not isinstance(given, str) and not hasattr(given, "__len__"):
-        raise SettingsError(f"{name} {given!r} needs three numbers, as 0,0,50", given)
+        raise SettingsError(say("{name} {given} needs three numbers, as 0,0,50", name=name, given=repr(given)), given)
     return parse_triple(given if isinstance(given, str) else tuple(given), LENGTHS, name)
 
 
@@ -129,7 +152,9 @@ def _deflections(settings: Mapping[str, Any]) -> dict[str, float]:
         read["angular"] = parse(settings["angular_deflection"], ANGLES, "angular deflection") / ANGLES["deg"]
     for name, value in read.items():
         if value <= 0.0:
-            raise SettingsError(f"{name} deflection {value:g} is out of range; it must be above 0", value)
+            raise SettingsError(
+                say("{name} deflection {value} is out of range; it must be above 0", name=name, value=Number(value)), value
+            )
     return read
 
 
@@ -137,7 +162,7 @@ def _base(given: Any, faces: Sequence[str] | None) -> tuple[Any, tuple[str, ...]
     """The base and its faces, recomputed where it waits for that. Raises SelectionError."""
     base, named = (given[0], given[1]) if isinstance(given, (tuple, list)) and len(given) == 2 else (given, ())
     if base is None or not hasattr(base, "Document"):
-        raise selection.SelectionError(f"Nothing is selected: {selection.WHAT}.", None)
+        raise selection.SelectionError(say("Nothing is selected: {what}.", what=selection.WHAT), None)
     if base.State != ["Up-to-date"] or base.MustExecute:
         base.Document.recompute([base])
     names = (faces,) if isinstance(faces, str) else tuple(faces or named or ())
@@ -162,7 +187,7 @@ def _check_new(path: Any, overwrite: bool) -> None:
     """Raises FileError where the file cannot be written, or has content that nobody allowed to replace."""
     check_writable(path)
     if not overwrite and os.path.exists(path) and os.path.getsize(path):
-        raise FileError(f"{path} is there already: name another file, or ask for it to be replaced", path)
+        raise FileError(say("{path} is there already: name another file, or ask for it to be replaced", path=path), path)
 
 
 @contextmanager
@@ -172,6 +197,5 @@ def _all_or_nothing(doc: Any) -> Iterator[list[Any]]:
     try:
         yield added
     except BaseException:
-        for obj in reversed(added):
-            doc.removeObject(obj.Name)
+        take_back(doc, *added)
         raise

@@ -12,6 +12,7 @@ from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.errors import FileError
 from freecad_fiveaxis.core.files import check_readable, read_bytes
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import AUDIT, build_settings
 
 from . import convert, results
@@ -37,7 +38,7 @@ class Audit(Proxy):
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
         if not obj.NCFile:
-            raise FileError(f"{obj.Label} names no NC file: choose one in its property NCFile", "")
+            raise FileError(say("{label} names no NC file: choose one in its property NCFile", label=obj.Label), "")
         check_readable(obj.NCFile)
         settings = build_settings(AUDIT, obj.NCFile, asked(convert.options_of(obj, AUDIT)))
         return results.Task(settings, read_bytes(obj.NCFile, "NC file"))

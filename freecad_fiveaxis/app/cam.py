@@ -19,6 +19,7 @@ import numpy as np
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.cutter import kind_of
 from freecad_fiveaxis.core.report import Figures
+from freecad_fiveaxis.core.sentences import joined, say
 
 from . import results
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property
@@ -48,7 +49,7 @@ class Preview(Proxy):
     def execute(self, obj: Any) -> None:
         """Draw the toolpath as it is now. Raises the core's errors where it cannot be computed."""
         if obj.Toolpath is None:
-            raise SelectionError("the toolpath of this preview is gone; delete the preview", obj.Label)
+            raise SelectionError(say("the toolpath of this preview is gone; delete the preview"), obj.Label)
         figures, zero = results.figures_of(obj.Toolpath), work_zero(obj.Toolpath)
         obj.Path = path_of(figures, zero)
         _show(obj, (figures.tip[0] + zero).tolist() if len(figures.tip) else ())
@@ -143,7 +144,9 @@ def settings_from_job(job: Any, number: int | None = None) -> tuple[list[Any], d
     """
     model = list(job.Model.Group)
     if not model:
-        raise SelectionError(f"{job.Label} has no model; add one in the Job's editor, or select the part itself", job.Label)
+        raise SelectionError(
+            say("{label} has no model; add one in the Job's editor, or select the part itself", label=job.Label), job.Label
+        )
     tool = _tool(job, number)
     given = {"feed": tool.feed, "plunge_feed": tool.plunge_feed, "spindle": tool.spindle}
     return model, {"cutter": tool.cutter, "tool": tool.number} | {name: value for name, value in given.items() if value > 0}
@@ -155,9 +158,11 @@ def _tool(job: Any, number: int | None) -> JobTool:
     if able:  # a Job begins with an end mill that nobody has chosen
         return next((tool for tool in able if kind_of(tool.cutter) == "ball"), able[0])
     if not tools:
-        named = "no tool" if number is None else f"no tool {number}"
-        raise SelectionError(f"{job.Label} has {named}; add one to it, or give the cutter by hand", number)
-    raise SelectionError(f"{job.Label}: " + "; ".join(tool.error for tool in tools), number)
+        named = say("no tool") if number is None else say("no tool {number}", number=number)
+        raise SelectionError(
+            say("{label} has {named}; add one to it, or give the cutter by hand", label=job.Label, named=named), number
+        )
+    raise SelectionError(say("{label}: {errors}", label=job.Label, errors=joined((tool.error for tool in tools), "; ")), number)
 
 
 def _is_preview(obj: Any) -> bool:

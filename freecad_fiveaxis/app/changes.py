@@ -13,8 +13,9 @@ from freecad_fiveaxis.core.cutter import cutter_text
 from freecad_fiveaxis.core.quantity import LENGTHS, parse_triple
 from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
 
-from . import convert, properties
+from . import convert, properties, toolpath
 from .auditing import asked
+from .job_setup import follow
 from .properties import default_value, property_name
 from .results import result_of
 
@@ -27,10 +28,16 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     An option that is not among them goes back to its default; ``work_zero`` and the deflections stay unless they are given.
     Raises FiveAxisError; the caller's transaction then takes back what was done.
     """
-    options = {name: value for name, value in settings.items() if name not in (*_OF_MESH, "work_zero")}
+    options = {name: value for name, value in settings.items() if name not in (*_OF_MESH, "work_zero", "setup")}
     build_settings(MILL, "mesh", options)
+    if obj.Mesh is None:
+        raise toolpath.mesh_is_gone(obj)
     _put_mesh(obj.Mesh, settings)
     _put(obj, MILL, options, settings.get("work_zero"))
+    if "setup" in settings and obj.Setup is not settings["setup"]:
+        obj.Setup = settings["setup"]
+    elif obj.Setup is not None:
+        follow(obj)
     return compute(obj)
 
 

@@ -15,6 +15,7 @@ from typing import Any
 from freecad_fiveaxis.core import trials
 from freecad_fiveaxis.core.cures import CURES
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import COMPARE, CureSettings, Settings, build_settings
 
 from . import convert
@@ -32,7 +33,7 @@ def cures() -> tuple[str, ...]:
 def settings_of(toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (), tool_length: float | None = None) -> Settings:
     """What is asked of the core: the toolpath's settings without its own cure, on other machines. Raises FiveAxisError."""
     if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
-        raise SelectionError("machines are compared on a toolpath: select a toolpath", toolpath)
+        raise SelectionError(say("machines are compared on a toolpath: select a toolpath"), toolpath)
     path = toolpath.Proxy.task(toolpath).settings
     given = {"machines": list(machines), "cures": list(cures), "tool_length": tool_length or path.machine.tool_length}
     own = build_settings(COMPARE, path.source, given)

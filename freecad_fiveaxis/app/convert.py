@@ -26,8 +26,10 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.quantity import parse_stack
 from freecad_fiveaxis.core.records import Bools
 from freecad_fiveaxis.core.report import Figures, summary, verdict
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import Settings, build_settings
 
+from . import wording
 from .properties import MACHINES_OWN, RESULTS, cutter_values, default_value, property_name, property_value, shown_options
 from .selection import check_mesh, holder_of
 
@@ -67,7 +69,7 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
             if not getattr(obj, property_name(leaf.name) + "FromMachine"):
                 options[leaf.name] = plain(getattr(obj, property_name(leaf.name)))
         elif (value := plain(getattr(obj, property_name(leaf.name)))) != plain(default_value(leaf)):
-            options[leaf.name] = plain(value * 60.0) if kind == "feed" else value
+            options[leaf.name] = float(f"{value * 60.0:.11g}") if kind == "feed" else value  # of mm/s 12 digits are known
     return options
 
 
@@ -101,7 +103,10 @@ def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
     fields = {leaf.name: leaf for _, leaf in shown_options(task)}
     for name in options:
         if name not in fields:
-            raise SettingsError(f"{name} is no setting of a document object; it is not one of {', '.join(fields)}", name)
+            raise SettingsError(
+                say("{name} is no setting of a document object; it is not one of {fields}", name=name, fields=", ".join(fields)),
+                name,
+            )
     given = {name: value for name, value in options.items() if value is not None}
     read = {name: read_option(fields[name], value) for name, value in given.items()}
     for name, value in read.items():
@@ -127,7 +132,12 @@ def _choice(option: str, value: str, choices: Sequence[str]) -> str:
     found = [one for one in choices if one.lower() == value.lower()]
     if not found:
         known = ", ".join(one for one in choices if one != MACHINES_OWN)
-        raise SettingsError(f"unknown {option.replace('_', ' ')} {value!r}; choose one of {known}", value)
+        raise SettingsError(
+            say(
+                "unknown {option} {value}; choose one of {known}", option=option.replace("_", " "), value=repr(value), known=known
+            ),
+            value,
+        )
     return found[0]
 
 
@@ -194,12 +204,12 @@ def put_result(obj: Any, figures: Figures, fingerprint: str) -> None:
     whole = verdict(figures, told)
     values = {
         "Passes": told["passes"], "Blocks": told["blocks"], "SingularBlocks": told["singular_blocks"],
-        "GuidedBlocks": told["guided_blocks"], "Verdict": whole.text, "Light": whole.light.value,
+        "GuidedBlocks": told["guided_blocks"], "Verdict": wording.told(whole.text), "Light": whole.light.value,
         "OverTolerance": told["over_tolerance"],
         "WorstLine": told["worst_line"] or 0, "Time": told["time_s"],
         "CutLength": told["cut_length"], "MaxSegmentDeviation": told["max_segment_deviation"],
         "MaxLineDeviation": told["max_line_deviation"], "MaxBound": told["max_bound"], "Proven": told["proven"],
-        "Findings": [finding.text for finding in figures.findings], "Fingerprint": fingerprint,
+        "Findings": [wording.told(finding.text) for finding in figures.findings], "Fingerprint": fingerprint,
     }  # fmt: skip
     for name, value in values.items():
         setattr(obj, name, UNKNOWN if isinstance(value, float) and not math.isfinite(value) else value)

@@ -11,6 +11,7 @@ from freecad_fiveaxis.core.errors import FileError, SettingsError
 from freecad_fiveaxis.core.files import check_readable, check_writable
 from freecad_fiveaxis.core.machine import save_machine
 from freecad_fiveaxis.core.machine_import import Imported, import_machine
+from freecad_fiveaxis.core.sentences import say
 
 from . import machines
 
@@ -24,9 +25,16 @@ def read(source: Any) -> Imported:
 def check_target(fcm_file: Any) -> None:
     """Before the work: a machine file of that name can be written, and none is there. Raises FiveAxisError."""
     if Path(os.fspath(fcm_file)).suffix.lower() != machines.SUFFIX:
-        raise SettingsError(f"{fcm_file} does not end in {machines.SUFFIX}, as machine files do; name it so", fcm_file)
+        raise SettingsError(
+            say(
+                "{fcm_file} does not end in {suffix}, as machine files do; name it so", fcm_file=fcm_file, suffix=machines.SUFFIX
+            ),
+            fcm_file,
+        )
     if os.path.lexists(fcm_file):
-        raise FileError(f"{fcm_file} exists already; choose another name, so that no machine is lost", fcm_file)
+        raise FileError(
+            say("{fcm_file} exists already; choose another name, so that no machine is lost", fcm_file=fcm_file), fcm_file
+        )
     if not machines.is_new_folder(fcm_file):
         check_writable(fcm_file)
 

@@ -20,9 +20,10 @@ from freecad_fiveaxis.core.gouge_free import allowed
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.report import Figures
+from freecad_fiveaxis.core.sentences import Area, Length, joined, say
 
-from . import results
-from .long_work import listening, run
+from . import results, wording
+from .long_work import listening, run, take_back
 from .properties import FINGERPRINT, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
 from .schema import Proxy
 from .selection import SelectionError
@@ -112,27 +113,27 @@ def of(path: Any) -> Any:
 def left_map(path: Any) -> Any:
     """See :func:`freecad_fiveaxis.app.left_map`."""
     _check(path)
-    obj = of(path)
+    obj, doc = of(path), path.Document
     new = obj is None
     if new:
-        obj = path.Document.addObject("App::FeaturePython", "LeftMap")
+        obj = doc.addObject("App::FeaturePython", "LeftMap")
         LeftMap(obj)
         obj.Label = "What is left"
     try:
         obj.Path = path
         heights_of(obj)  # errors reach the caller; the recompute then finds the work done
         obj.touch()
-        path.Document.recompute([obj])
+        doc.recompute([obj])
     except BaseException:
         if new:
-            path.Document.removeObject(obj.Name)
+            take_back(doc, obj)
         raise
     return obj
 
 
 def _check(path: Any) -> None:
     if not isinstance(getattr(path, "Proxy", None), Toolpath):
-        raise SelectionError("what is left is known of a toolpath only: select a toolpath", path)
+        raise SelectionError(say("what is left is known of a toolpath only: select a toolpath"), path)
 
 
 def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
@@ -141,7 +142,7 @@ def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
     Raises FiveAxisError, as SelectionError where the toolpath was deleted; Cancelled where the listener stops the work.
     """
     if obj.Path is None:
-        raise SelectionError(f"The toolpath of {obj.Label} was deleted: make the map of another one.", obj.Label)
+        raise SelectionError(say("The toolpath of {label} was deleted: make the map of another one.", label=obj.Label), obj.Label)
     with listening(progress) as listener:
         figures, known = results.figures_of(obj.Path, listener), obj.Path.Proxy.last
         if obj.Proxy.last is None or obj.Proxy.last.fingerprint != known.fingerprint:
@@ -158,7 +159,7 @@ def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights
 def out_of_date(obj: Any) -> str:
     """Why the map does not show what its toolpath leaves now; an empty text where it does."""
     if obj.Path is None:
-        return f"The toolpath of {obj.Label} was deleted"
+        return wording.told(say("The toolpath of {label} was deleted", label=obj.Label))
     if said := results.out_of_date(obj.Path):
         return said
     return "" if obj.UpToDate and obj.Fingerprint == obj.Path.Fingerprint else f"{obj.Label} is old: recompute the document"
@@ -171,7 +172,8 @@ def _show(obj: Any, found: Heights) -> None:
     values = {
         "LargestUndercut": max(float(height.max(initial=0.0)), 0.0), "LargestOvercut": max(float(-height.min(initial=0.0)), 0.0),
         "UncutArea": uncut, "OvercutArea": left.taken(found.tolerance)[0], "MachinedArea": float(left.area.sum()),
-        "UncutVolume": volume, "Allowed": found.allowed, "Verdict": verdict(found), "Fingerprint": found.fingerprint,
+        "UncutVolume": volume, "Allowed": found.allowed, "Verdict": wording.told(verdict(found)),
+        "Fingerprint": found.fingerprint,
         "UpToDate": True,
     }  # fmt: skip
     for name, value in values.items():
@@ -182,12 +184,24 @@ def verdict(found: Heights) -> str:
     """What is left, in a plain sentence."""
     left = found.left
     whole, (uncut, _), (deep, _) = float(left.area.sum()), left.left(found.allowed), left.taken(found.tolerance)
-    said = f"Of {whole:.4g} mm2 that are machined, "
     if not uncut and not deep:
-        return said + f"all are cut: no more than {found.allowed:.3g} mm is left, nothing is cut too deep."
+        return say(
+            "Of {whole} that are machined, all are cut: no more than {allowed} is left, nothing is cut too deep.",
+            whole=Area(whole, ".4g"),
+            allowed=Length(found.allowed, ".3g"),
+        )
     parts = []
     if uncut:
-        parts.append(f"on {uncut:.3g} mm2 more than {found.allowed:.3g} mm is left, at most {left.height.max():.4g} mm")
+        most = Length(float(left.height.max()), ".4g")
+        parts.append(
+            say(
+                "on {uncut} more than {allowed} is left, at most {most}",
+                uncut=Area(uncut, ".3g"),
+                allowed=Length(found.allowed, ".3g"),
+                most=most,
+            )
+        )
     if deep:
-        parts.append(f"{deep:.3g} mm2 are cut too deep, at most by {-left.height.min():.4g} mm")
-    return said + "; ".join(parts) + "."
+        most = Length(-float(left.height.min()), ".4g")
+        parts.append(say("{deep} are cut too deep, at most by {most}", deep=Area(deep, ".3g"), most=most))
+    return say("Of {whole} that are machined, {parts}.", whole=Area(whole, ".4g"), parts=joined(parts, "; "))

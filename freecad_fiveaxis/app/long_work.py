@@ -14,6 +14,7 @@ Nothing here imports numpy before there is work: the window asks for this module
 from __future__ import annotations
 
 import ctypes
+import sys
 import threading
 import time
 from collections import deque
@@ -25,11 +26,14 @@ import FreeCAD
 
 from freecad_fiveaxis.core.errors import Cancelled
 from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.sentences import say
 
 T = TypeVar("T")
 
 TICK = 0.03
 """s between two looks at the window's events."""
+TURN = 0.001
+"""s after which Python leaves the worker for this thread when it wants to go on: it does so several times in each look."""
 POLITE, PATIENCE = 0.15, 0.25
 """s that a stopped worker gets to the next word of progress, and then to the next step of Python; after both it is abandoned."""
 
@@ -93,9 +97,17 @@ def _float_rules() -> AbstractContextManager[None]:
     return np.errstate(**np.geterr())
 
 
-def _check_open(doc: Any) -> None:
+def take_back(doc: Any, *objects: Any) -> None:
+    """Remove what work that failed had made, unless the document was closed meanwhile."""
+    if is_open(doc):
+        for obj in reversed(objects):
+            doc.removeObject(obj.Name)
+
+
+def check_open(doc: Any) -> None:
+    """Raises Cancelled where the document (None: there is none) was closed while the window's events were handled."""
     if doc is not None and not is_open(doc):
-        raise Cancelled("the document was closed; nothing was changed")
+        raise Cancelled(say("the document was closed; nothing was changed"))
 
 
 def _is_main() -> bool:
@@ -104,19 +116,23 @@ def _is_main() -> bool:
 
 def _followed(worker: Worker[T], told: Any, doc: Any) -> T:
     """The worker's result. Meanwhile the listener hears all news and handles the window's events."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(TURN)
     worker.start()
     try:
         while not worker.done.wait(TICK):
             for news in worker.news():
                 told(*news)
             told.pump()
-            _check_open(doc)
+            check_open(doc)
         for news in worker.news():
             told(*news)
-        _check_open(doc)
+        check_open(doc)
     except BaseException:
         worker.stop()
         raise
+    finally:
+        sys.setswitchinterval(before)
     return worker.result()
 
 
@@ -172,7 +188,7 @@ class Worker(threading.Thread, Generic[T]):
 
     def _tell(self, stage: str, fraction: float) -> None:
         if self._stopped:
-            raise Cancelled("stopped; nothing was changed")
+            raise Cancelled(say("stopped; nothing was changed"))
         self._heard.append((stage, fraction))
 
     def _leave(self) -> None:

@@ -16,8 +16,9 @@ from pathlib import Path
 
 from freecad_fiveaxis.core.errors import FileError, FiveAxisError
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
+from freecad_fiveaxis.core.sentences import say
 
-from . import preferences
+from . import preferences, wording
 
 SHIPPED, USER, FREECAD = "shipped", "user", "freecad"
 SUFFIX = ".fcm"
@@ -75,7 +76,14 @@ def make_folder(file: str | os.PathLike[str]) -> None:
         try:
             user_folder().mkdir(parents=True)
         except OSError as error:
-            raise FileError(f"folder {user_folder()} cannot be made: {error.strerror}; choose another one", file) from error
+            raise FileError(
+                say(
+                    "folder {folder} cannot be made: {strerror}; choose another one",
+                    folder=user_folder(),
+                    strerror=error.strerror,
+                ),
+                file,
+            ) from error
 
 
 def freecad_folders() -> list[Path]:
@@ -104,4 +112,4 @@ def _choice(machine: str, source: str) -> Choice:
     try:
         return Choice(load_machine(machine).name, machine, source)
     except FiveAxisError as error:
-        return Choice(Path(machine).stem, machine, source, str(error))
+        return Choice(Path(machine).stem, machine, source, wording.told(error))

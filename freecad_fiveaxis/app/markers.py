@@ -10,6 +10,7 @@ import FreeCAD
 
 from freecad_fiveaxis.core import report
 from freecad_fiveaxis.core.gouge import GOUGES
+from freecad_fiveaxis.core.sentences import say
 
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property
 from .results import figures_of
@@ -49,7 +50,9 @@ class Markers(Proxy):
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         if obj.Path is None:
-            raise SelectionError(f"The path of {obj.Label} was deleted: choose another one in its property Path.", obj.Label)
+            raise SelectionError(
+                say("The path of {label} was deleted: choose another one in its property Path.", label=obj.Label), obj.Label
+            )
         marks, zero = report.markers(figures_of(obj.Path)), obj.Path.WorkZero
         obj.Places = [FreeCAD.Vector(*mark.place) + zero for mark in marks]
         obj.Kinds = [mark.kind for mark in marks]

@@ -18,8 +18,9 @@ from typing import Any
 
 from freecad_fiveaxis.core.errors import FileError, FiveAxisError
 from freecad_fiveaxis.core.files import check_writable, read_bytes, write_whole
+from freecad_fiveaxis.core.sentences import say
 
-from . import results
+from . import results, wording
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
 from .schema import Proxy
 from .selection import SelectionError
@@ -64,7 +65,7 @@ def post_process(toolpath: Any, nc_path: str | os.PathLike[str], overwrite: bool
     and the core's errors for one that cannot be computed; the file then stays as it was.
     """
     if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
-        raise SelectionError("only a toolpath can be post-processed: select a toolpath", toolpath)
+        raise SelectionError(say("only a toolpath can be post-processed: select a toolpath"), toolpath)
     path = Path(nc_path).expanduser().absolute()
     check_replaceable(toolpath.Document, path, overwrite)
     nc = results.nc_of(toolpath)
@@ -79,7 +80,7 @@ def check_replaceable(doc: Any, nc_path: str | os.PathLike[str], overwrite: bool
     """Before the long work: the file can be written, and replaces nothing of the user's unasked. Raises FileError."""
     check_writable(nc_path)
     if not overwrite and os.path.lexists(nc_path) and not is_ours(doc, nc_path):
-        raise FileError(f"{nc_path} exists; choose another name, or ask for it to be overwritten", nc_path)
+        raise FileError(say("{nc_path} exists; choose another name, or ask for it to be overwritten", nc_path=nc_path), nc_path)
 
 
 def is_ours(doc: Any, nc_path: str | os.PathLike[str]) -> bool:
@@ -94,16 +95,23 @@ def out_of_date(obj: Any) -> str:
     Looks at the document as it stands, also where a recompute is due or has failed; computes no toolpath.
     """
     if obj.Path is None:
-        return f"the toolpath of {obj.Label} was deleted; the file stays as it is"
+        return wording.told(say("the toolpath of {label} was deleted; the file stays as it is", label=obj.Label))
     try:
         if not _holds_written(obj):
-            return f"{obj.File} was changed by somebody else; post-process to another file, or ask for it to be overwritten"
+            return wording.told(
+                say(
+                    "{file} was changed by somebody else; post-process to another file, or ask for it to be overwritten",
+                    file=obj.File,
+                )
+            )
     except FiveAxisError as error:
-        return f"{error}; post-process again"
+        return wording.told(say("{error}; post-process again", error=error))
     why = results.out_of_date(obj.Path)
     if why or obj.UpToDate:
         return why
-    return f"{obj.Path.Label} has changed since {obj.File} was written; post-process again"
+    return wording.told(
+        say("{label} has changed since {file} was written; post-process again", label=obj.Path.Label, file=obj.File)
+    )
 
 
 def _output(toolpath: Any, path: Path) -> Any:

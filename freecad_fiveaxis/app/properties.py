@@ -28,6 +28,8 @@ from freecad_fiveaxis.core.quantity import stack_text
 from freecad_fiveaxis.core.settings import MILL, FacesSettings, OutputSettings, option_fields
 from freecad_fiveaxis.core.tool_axis import STRATEGIES
 
+from .option_texts import text_of
+
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
 """FreeCAD's attributes of a property. OUTPUT: setting it does not touch the object."""
 RESULT = READ_ONLY | OUTPUT
@@ -58,7 +60,7 @@ KINDS = {
     "choice": "App::PropertyEnumeration", "text": "App::PropertyString", "vector": "App::PropertyVector",
     "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance", "counts": "App::PropertyVector",
     "number": "App::PropertyFloat", "count": "App::PropertyInteger", "path": "App::PropertyFile",
-    "stack": "App::PropertyString",
+    "stack": "App::PropertyString", "height": "App::PropertyString",
 }  # fmt: skip
 """FreeCAD's kind of property for each kind of option. A kind that is not here makes no property."""
 _ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRATEGIES)}
@@ -142,7 +144,7 @@ def setting_properties(task: str) -> tuple[Property, ...]:
 
 
 def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
-    kind, text = leaf.metadata["kind"], leaf.metadata["text"]
+    kind, text = leaf.metadata["kind"], text_of(leaf)
     if kind == "cutter":
         values = cutter_values(leaf.default)
         return [dataclasses.replace(one, default=values.get(one.name, _UNUSED.get(one.name))) for one in CUTTER]
@@ -188,7 +190,7 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
     """A value of the core (rad, mm/min) as the property holds it."""
     kind = leaf.metadata["kind"]
     if value is None:
-        none = {"point": (0.0, 0.0, 0.0), "counts": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN, "path": ""}
+        none = {"height": "", "point": (0.0, 0.0, 0.0), "counts": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN, "path": ""}
         return none.get(kind, 0.0)
     if kind == "angle":
         return round(math.degrees(value), 12)
@@ -196,6 +198,8 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
         return value / 60.0
     if kind == "stack":
         return stack_text(value)
+    if kind == "height":
+        return f"{value:.12g}"
     return int(value) if kind == "count" else value
 
 
@@ -269,18 +273,24 @@ _INSTEAD = {"App::PropertyTime": "App::PropertyFloat"}
 
 
 def add_missing(obj: Any, properties: Iterable[Property]) -> None:
-    """Give the object each property that it does not have, with its default; choices and groups are brought up to date."""
+    """Give the object each property that it does not have, with its default; choices, groups and texts are brought up to date."""
     there, known = set(obj.PropertiesList), None
     for one in properties:
         if one.name in there:
             _renew_choices(obj, one)
-            if obj.getGroupOfProperty(one.name) != one.group:
-                obj.setGroupOfProperty(one.name, one.group)
+            _renew_words(obj, one)
             continue
         known = known or set(obj.supportedProperties())
         kind = one.kind if one.kind in known else _INSTEAD[one.kind]
         obj.addProperty(kind, one.name, one.group, one.text, one.attributes)
         _set_default(obj, one)
+
+
+def _renew_words(obj: Any, one: Property) -> None:
+    if obj.getGroupOfProperty(one.name) != one.group:
+        obj.setGroupOfProperty(one.name, one.group)
+    if obj.getDocumentationOfProperty(one.name) != one.text:
+        obj.setDocumentationOfProperty(one.name, one.text)
 
 
 def _set_default(obj: Any, one: Property) -> None:

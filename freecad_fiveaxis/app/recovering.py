@@ -15,6 +15,7 @@ from freecad_fiveaxis.core import outputs, workshop
 from freecad_fiveaxis.core.errors import FileError
 from freecad_fiveaxis.core.files import check_writable, write_whole
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import RECOVER, Settings, build_settings
 
 from . import machines
@@ -48,8 +49,8 @@ def write_report(done: workshop.Work, file: str | os.PathLike[str], overwrite: b
     """What was found, as a page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file that is there."""
     ending = os.path.splitext(os.fspath(file))[1].lower()
     if ending not in workshop.REPORTS:
-        raise FileError(f"{file} needs one of the endings {', '.join(workshop.REPORTS)}", file)
+        raise FileError(say("{file} needs one of the endings {reports}", file=file, reports=", ".join(workshop.REPORTS)), file)
     check_writable(file)
     if not overwrite and os.path.lexists(file):
-        raise FileError(f"{file} exists; choose another name, or ask for it to be overwritten", file)
+        raise FileError(say("{file} exists; choose another name, or ask for it to be overwritten", file=file), file)
     write_whole(file, workshop.REPORTS[ending](done).encode("utf-8", "backslashreplace"))

@@ -19,8 +19,10 @@ from freecad_fiveaxis.core.files import read_bytes
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.report import Figures
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import Settings
 
+from . import wording
 from .convert import clear_result, mark_users, put_result
 from .long_work import run
 from .properties import shown_options
@@ -55,7 +57,7 @@ def _machine(settings: Settings) -> Machine:
     try:
         return load_machine(settings.machine.machine)
     except FileError as error:
-        raise FileError(f"{error}; choose another machine, or put the file back", error.value) from error
+        raise FileError(say("{error}; choose another machine, or put the file back", error=error), error.value) from error
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +92,7 @@ def _last(obj: Any, progress: Progress | None) -> Last:
     proxy = getattr(obj, "Proxy", None)
     if not hasattr(proxy, "made"):
         label = "Nothing" if obj is None else obj.Label
-        raise SelectionError(f"{label} is no toolpath and no audit: select one of these.", label)
+        raise SelectionError(say("{label} is no toolpath and no audit: select one of these.", label=label), label)
     task = proxy.task(obj)
     fingerprint = task.fingerprint
     if proxy.last is None or proxy.last.fingerprint != fingerprint:
@@ -105,32 +107,45 @@ def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> L
 
 
 def execute(obj: Any) -> None:
-    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers; work that
-    was stopped leaves it as it was, and out of date."""
+    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers.
+    Work that was stopped leaves it as it was, and out of date."""
     try:
         last = _last(obj, None)
     except Cancelled:
         mark_users(obj)
         raise
     except FiveAxisError as error:
-        clear_result(obj, str(error))
+        clear_result(obj, wording.told(error))
         raise
     put_result(obj, last.figures, last.fingerprint)
 
 
 def out_of_date(obj: Any) -> str:
     """Why the object does not show the result of its base and settings; an empty text where it does."""
+    if _base_is_gone(obj):
+        return wording.told(
+            say(
+                "The part that {label} was made of was deleted: undo that, or choose another one in its property Base",
+                label=obj.Mesh.Label,
+            )
+        )
     before = [one for one in (_base(obj), getattr(obj, "Mesh", None)) if one is not None]
     for one in (*before, obj):
         if "Invalid" in one.State:
-            return f"{one.Label} could not be computed: {one.getStatusString()}"
+            return wording.told(say("{label} could not be computed: {why}", label=one.Label, why=one.getStatusString()))
         if "Touched" in one.State and one is not obj:
-            return f"{one.Label} was changed: recompute the document"
+            return wording.told(say("{label} was changed: recompute the document", label=one.Label))
     try:
         same = obj.Proxy.task(obj).fingerprint == obj.Fingerprint
     except FiveAxisError as error:
-        return str(error)
-    return "" if same else f"{obj.Label} shows the result of other settings, or of another version: recompute the document"
+        return wording.told(error)
+    text = say("{label} shows the result of other settings, or of another version: recompute the document", label=obj.Label)
+    return "" if same else wording.told(text)
+
+
+def _base_is_gone(obj: Any) -> bool:
+    mesh = getattr(obj, "Mesh", None)
+    return mesh is not None and hasattr(mesh, "Base") and _base(obj) is None
 
 
 def _base(obj: Any) -> Any:

@@ -21,6 +21,8 @@ from freecad_fiveaxis.core.settings import MILL
 from .properties import CUTTER, HIDDEN, Property, add_missing, drawn_tool, setting_properties, show_sizes
 
 SCHEMA = 4
+LABELS, DOUBLES = "User parameter:BaseApp/Preferences/Document", "DuplicateLabels"
+"""Where FreeCAD keeps whether two objects may have one label."""
 VERSION = Property(
     "SchemaVersion", "App::PropertyInteger", "Base", "The version of this object's properties", 0, HIDDEN
 )  # fmt: skip
@@ -34,6 +36,7 @@ class Proxy:
         add_missing(obj, [*self.properties(), VERSION])
         obj.SchemaVersion = SCHEMA
         show_sizes(obj)
+        give_label(obj)
         self._begin()
 
     def _begin(self) -> None:
@@ -67,6 +70,25 @@ class Proxy:
 
     def __setstate__(self, state: Any) -> None:
         self._begin()
+
+
+def give_label(obj: Any) -> None:
+    """The first label of its kind that no other object has: Toolpath, Toolpath001 ...
+
+    FreeCAD 1.1 never gives a label again that an object had whose making was undone or stopped; it does so while doubles are
+    allowed.
+    """
+    kind, taken = obj.Name.rstrip("0123456789"), {one.Label for one in obj.Document.Objects if one.Name != obj.Name}
+    free = next(label for label in (kind, *(f"{kind}{i:03d}" for i in range(1, len(taken) + 2))) if label not in taken)
+    if obj.Label == free:
+        return
+    group = FreeCAD.ParamGet(LABELS)
+    allowed = {name: value for _, name, value in group.GetContents() or []}.get(DOUBLES)
+    group.SetBool(DOUBLES, True)
+    try:
+        obj.Label = free
+    finally:
+        group.RemBool(DOUBLES) if allowed is None else group.SetBool(DOUBLES, allowed)
 
 
 def migrate(obj: Any, properties: Sequence[Property]) -> None:

@@ -14,8 +14,11 @@ import FreeCAD
 import Part
 
 from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.sentences import say
 
-WHAT = "select a solid, faces of a solid, a body, a compound of solids, or a mesh"
+WHAT = say("select a solid, faces of a solid, a body, a compound of solids, or a mesh")
+CHECKED = 100
+"""Faces of a shape that is looked at for being valid as soon as it is selected: some 0.1 s."""
 _FACE = re.compile(r"Face[1-9]\d*")
 
 
@@ -30,11 +33,18 @@ def pick(chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[Any, tuple[str, .
     """
     rows = [(_leaf(obj, name), name) for obj, names in chosen for name in (tuple(names) or ("",))]
     if not rows:
-        raise SelectionError(f"Nothing is selected: {WHAT}.", None)
+        raise SelectionError(say("Nothing is selected: {what}.", what=WHAT), None)
     objects = {id(obj): obj for obj, _ in rows}
     if len(objects) > 1:
         labels = ", ".join(obj.Label for obj in objects.values())
-        raise SelectionError(f"{len(objects)} objects are selected ({labels}): select one, or make a compound of them.", labels)
+        raise SelectionError(
+            say(
+                "{count} objects are selected ({labels}): select one, or make a compound of them.",
+                count=len(objects),
+                labels=labels,
+            ),
+            labels,
+        )
     (base,) = objects.values()
     names = dict.fromkeys(name for _, name in rows if name)
     if not is_mesh(base):
@@ -59,31 +69,40 @@ def is_mesh(obj: Any) -> bool:
 def check_mesh(obj: Any) -> None:
     """Raises SelectionError for a mesh without facets."""
     if not obj.Mesh.CountFacets:
-        raise SelectionError(f"{obj.Label} is an empty mesh: select a mesh with facets, or a solid.", obj.Label)
+        raise SelectionError(say("{label} is an empty mesh: select a mesh with facets, or a solid.", label=obj.Label), obj.Label)
 
 
 def solids(obj: Any, faces: Sequence[str] = ()) -> tuple[Any, list[int]]:
-    """The object's solids as one shape in the document's coordinates, each with its outside out; and which of its Faces
-    (counted from 0) the names of the object's ``faces`` mean. Raises SelectionError.
+    """The object's solids as one shape in the document's coordinates, and which of its Faces (counted from 0) the names of the
+    object's ``faces`` mean. Raises SelectionError.
+
+    A shape of very many faces is not looked at for being valid: that takes seconds, and the mesher does it.
     """
     shape = _shape(obj)
-    if not shape.isValid():
-        raise SelectionError(
-            f"The shape of {obj.Label} is invalid, so its mesh would have cracks: "
-            "repair it (Part workbench: Check geometry shows where), or select another solid.", obj.Label,
-        )  # fmt: skip
-    outward = [solid if solid.Volume > 0 else solid.reversed() for solid in shape.Solids]
-    if not outward:
-        raise SelectionError(f"{obj.Label} ({_kind(obj, shape)}) has no solid: {WHAT}.", obj.Label)
-    whole = outward[0] if len(outward) == 1 else Part.makeCompound(outward)
+    if len(shape.Faces) <= CHECKED and not shape.isValid():
+        raise invalid(obj.Label)
+    found = shape.Solids
+    if not found:
+        text = say("{label} ({kind}) has no solid: {what}.", label=obj.Label, kind=_kind(obj, shape), what=WHAT)
+        raise SelectionError(text, obj.Label)
+    whole = found[0] if len(found) == 1 else Part.makeCompound(found)
     return whole, [_face_row(obj.Label, shape, whole, name) for name in faces]
+
+
+def invalid(label: str) -> SelectionError:
+    """What to say of a shape that OpenCASCADE calls invalid."""
+    text = say(
+        "The shape of {label} is invalid, so its mesh would have cracks: repair it (Part workbench: Check geometry shows where), "
+        "or select another solid.", label=label,
+    )  # fmt: skip
+    return SelectionError(text, label)
 
 
 def _face_row(label: str, shape: Any, whole: Any, name: str) -> int:
     face = _face(shape, name)
     row = next((i for i, one in enumerate(whole.Faces) if face is not None and one.isSame(face)), None)
     if row is None:
-        raise SelectionError(f"{label} has no {name} on a solid: select its faces again.", name)
+        raise SelectionError(say("{label} has no {name} on a solid: select its faces again.", label=label, name=name), name)
     return row
 
 
@@ -95,10 +114,12 @@ def _face(shape: Any, name: str) -> Any:
 def _shape(obj: Any) -> Any:
     """The object's shape in the document's coordinates."""
     if obj is None:
-        raise SelectionError(f"The base was deleted: {WHAT}, or undo the deletion.", None)
+        raise SelectionError(say("The part was deleted: undo that, or choose another one in the property Base."), None)
     shape = Part.getShape(obj)
     if shape.isNull():
-        raise SelectionError(f"{obj.Label} ({obj.TypeId}) has no solid: {WHAT}.", obj.Label)
+        raise SelectionError(
+            say("{label} ({typeid}) has no solid: {what}.", label=obj.Label, typeid=obj.TypeId, what=WHAT), obj.Label
+        )
     shape.Placement = holder_of(obj).multiply(shape.Placement)
     return shape
 

@@ -26,12 +26,13 @@ from freecad_fiveaxis.core.errors import FileError, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.files import check_writable, write_whole
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import Angle, say
 from freecad_fiveaxis.core.settings import MILL, SETUP, HeadSettings, SetupSettings, build_settings, option_fields
 from freecad_fiveaxis.core.setup_map import SetupMap as Chart
 from freecad_fiveaxis.core.setup_map import marked_rows, verdict
 
-from . import changes, convert
-from .long_work import run
+from . import changes, convert, wording
+from .long_work import is_open, run, take_back
 from .properties import (
     FINGERPRINT,
     QT_TRANSLATE_NOOP,
@@ -152,7 +153,9 @@ class SetupMap(Proxy):
     def task(self, obj: Any) -> Task:
         """What the object asks of the core, about its Centre. Raises FiveAxisError."""
         if obj.Path is None:
-            raise SelectionError(f"The toolpath of {obj.Label} was deleted: make the map of another one.", obj.Label)
+            raise SelectionError(
+                say("The toolpath of {label} was deleted: make the map of another one.", label=obj.Label), obj.Label
+            )
         path = obj.Path.Proxy.task(obj.Path)
         own = build_settings(SETUP, path.settings.source, {"machine": path.settings.machine.machine, **own_options(obj)})
         x, y, z = convert.plain(obj.Centre)
@@ -187,12 +190,12 @@ def of(path: Any) -> Any:
 def setup_map(path: Any, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.setup_map`."""
     if not isinstance(getattr(path, "Proxy", None), Toolpath):
-        raise SelectionError("setups are tried for a toolpath: select a toolpath", path)
+        raise SelectionError(say("setups are tried for a toolpath: select a toolpath"), path)
     build_settings(SETUP, "part.stl", {"machine": path.Machine, **settings})
-    obj = of(path)
+    obj, doc = of(path), path.Document
     new = obj is None
     if new:
-        obj = path.Document.addObject("App::FeaturePython", "SetupMap")
+        obj = doc.addObject("App::FeaturePython", "SetupMap")
         SetupMap(obj)
         obj.Label = "Setup map"
     try:
@@ -202,23 +205,24 @@ def setup_map(path: Any, settings: Mapping[str, Any]) -> Any:
             setattr(obj, property_name(leaf.name), FreeCAD.Vector(*value) if isinstance(value, tuple) else value)
         convert.put_options(obj, SETUP, settings)
         try_out(obj)
-        path.Document.recompute([obj])
+        doc.recompute([obj])
     except BaseException:
         if new:
-            path.Document.removeObject(obj.Name)
+            take_back(doc, obj)
         raise
     return obj
 
 
 def try_out(obj: Any) -> None:
     """Try the setups about the toolpath's present work zero. Raises FiveAxisError, and then the old map is out of date."""
-    before = obj.Centre
+    before, doc = obj.Centre, obj.Document
     obj.UpToDate = False
     try:
         obj.Centre = FreeCAD.Vector(*present_zero(obj.Path))
         trial = trial_of(obj)
     except BaseException:
-        obj.Centre = before
+        if is_open(doc):
+            obj.Centre = before
         raise
     _show(obj, trial.chart, obj.Proxy.last.fingerprint)
     obj.Proxy.asked = False
@@ -227,7 +231,7 @@ def try_out(obj: Any) -> None:
 def present_zero(path: Any) -> Vector:
     """Where a toolpath's work zero stands in the machine frame, mm. Raises FiveAxisError."""
     if path is None:
-        raise SelectionError("the toolpath of the map was deleted: make the map of another one", path)
+        raise SelectionError(say("the toolpath of the map was deleted: make the map of another one"), path)
     return clamped(convert.settings_of(path, MILL, "part.stl"))[1].origin
 
 
@@ -260,12 +264,16 @@ def apply(obj: Any) -> Any:
     A turn of the part is a matter of the solid, which is the user's: it is asked for, not made.
     """
     if not is_up_to_date(obj):
-        raise SelectionError(f"{obj.Path.Label if obj.Path else 'the toolpath'} has changed since: try the setups again", obj)
+        raise SelectionError(
+            say("{label} has changed since: try the setups again", label=obj.Path.Label if obj.Path else say("the toolpath")), obj
+        )
     turn = obj.RecommendedTurn.Value
     if turn:
-        text = f"turn the part by {turn:g} deg about Z through its zero first, counter-clockwise, and try one turn only"
+        text = say(
+            "turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only", turn=Angle(turn)
+        )
         raise SettingsError(text, turn)
-    convert.put_options(obj.Path, MILL, {"origin": convert.plain(obj.Recommended)})
+    convert.put_options(obj.Path.Setup or obj.Path, MILL, {"origin": convert.plain(obj.Recommended)})
     return changes.compute(obj.Path)
 
 
@@ -278,10 +286,10 @@ def write_report(trial: Any, file: str | os.PathLike[str], overwrite: bool) -> N
     """Write what ``trial()`` gives, as the ending of the file says. A file that is there is replaced only where asked."""
     ending = os.path.splitext(os.fspath(file))[1].lower()
     if ending not in trials.REPORTS:
-        raise FileError(f"{file} needs one of the endings {', '.join(trials.REPORTS)}", file)
+        raise FileError(say("{file} needs one of the endings {reports}", file=file, reports=", ".join(trials.REPORTS)), file)
     check_writable(file)
     if not overwrite and os.path.lexists(file):
-        raise FileError(f"{file} exists; choose another name, or ask for it to be overwritten", file)
+        raise FileError(say("{file} exists; choose another name, or ask for it to be overwritten", file=file), file)
     write_whole(file, trials.REPORTS[ending](trial()).encode("utf-8", "backslashreplace"))
 
 
@@ -306,8 +314,8 @@ def _show(obj: Any, chart: Chart, fingerprint: str) -> None:
     values = {
         "Recommended": FreeCAD.Vector(*chart.origin[best]), "RecommendedTurn": math.degrees(chart.turn[best]),
         "DeviationBefore": _known(chart.max_deviation[0]), "DeviationAfter": _known(chart.max_deviation[best]),
-        "TimeBefore": _known(chart.time[0]), "TimeAfter": _known(chart.time[best]), "Verdict": verdict(chart),
-        "Findings": [finding.text for finding in chart.findings],
+        "TimeBefore": _known(chart.time[0]), "TimeAfter": _known(chart.time[best]), "Verdict": wording.told(verdict(chart)),
+        "Findings": [wording.told(finding.text) for finding in chart.findings],
         "Places": [FreeCAD.Vector(*chart.origin[row]) + shift for row, _ in marked],
         "Kinds": [kind for _, kind in marked], "Deviations": [_known(chart.max_deviation[row]) for row, _ in marked],
         "Fingerprint": fingerprint, "UpToDate": True,

@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from freecad_fiveaxis.core import outputs, workshop
 from freecad_fiveaxis.core.errors import FileError
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import PROVE, Settings, build_settings
 
 from .long_work import run
@@ -28,6 +29,13 @@ def prove(nc_file: Any, options: Mapping[str, Any], sheet: Any = None, progress:
     return run(lambda told: workshop.prove(settings, told), progress)
 
 
+def top_of(objects: Iterable[Any]) -> float | None:
+    """The highest Z of the solids and meshes among the objects, mm in the document; None where there is none."""
+    solids = [one.Shape for one in objects if getattr(getattr(one, "Shape", None), "Solids", ())]
+    meshes = [one.Mesh for one in objects if getattr(getattr(one, "Mesh", None), "CountFacets", 0)]
+    return max((shape.BoundBox.ZMax for shape in (*solids, *meshes)), default=None)
+
+
 def targets(done: workshop.Proof) -> list[str]:
     """The files that ``write`` writes."""
     output = done.settings.output
@@ -38,5 +46,5 @@ def write(done: workshop.Proof, overwrite: bool = False) -> list[str]:
     """Write program and sheet; returns their names. Raises FileError for a file that is there, unless ``overwrite``."""
     there = [] if overwrite else [name for name in targets(done) if os.path.lexists(name)]
     if there:
-        raise FileError(f"{there[0]} exists; choose another name, or ask for it to be overwritten", there[0])
+        raise FileError(say("{file} exists; choose another name, or ask for it to be overwritten", file=there[0]), there[0])
     return workshop.write_outputs(done)

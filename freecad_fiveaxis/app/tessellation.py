@@ -10,17 +10,18 @@ many times as long and makes more facets.
 
 from __future__ import annotations
 
+import hashlib
 import math
 from collections.abc import Sequence
 from itertools import accumulate
 from typing import Any
 
-import MeshPart
-
 from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import Angle, Length, say
 
-from . import selection
-from .long_work import listening
+from . import meshing, selection
+from .long_work import check_open, listening, take_back
 from .properties import HIDDEN, OUTPUT, QT_TRANSLATE_NOOP, RESULT, Property
 from .schema import Proxy
 
@@ -44,6 +45,11 @@ PROPERTIES = (
         "FacetRuns", "App::PropertyIntegerList", "Result",
         QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets on the chosen faces"), [], RESULT | HIDDEN | OUTPUT,
     ),
+    Property(
+        "MadeOf", "App::PropertyString", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Checksum of the base and the deflections that the mesh is made of"), "",
+        RESULT | HIDDEN | OUTPUT,
+    ),
 )  # fmt: skip
 
 
@@ -64,12 +70,14 @@ class Tessellation(Proxy):
 
     def build(self, obj: Any) -> None:
         """Make the mesh now. Raises SelectionError, SettingsError, Cancelled; the recompute that follows does no work again."""
-        base, faces = chosen(obj)
+        (base, faces), doc = chosen(obj), obj.Document
         with listening() as progress:
             progress("tessellate", 0.0)
-            mesh, runs = _meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value)
+            check_open(doc)
+            mesh, runs = _meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress)
             progress("tessellate", 1.0)
-        obj.Mesh, obj.FacetRuns, obj.Facets = mesh, runs, mesh.CountFacets
+        check_open(doc)
+        obj.Mesh, obj.FacetRuns, obj.Facets, obj.MadeOf = mesh, runs, mesh.CountFacets, made_of(obj)
         self.built = True
 
     def onChanged(self, obj: Any, name: str) -> None:
@@ -84,6 +92,20 @@ class Tessellation(Proxy):
         self.built = False
 
 
+def made_of(obj: Any) -> str:
+    """A checksum of the base, as far as its vertices tell, the chosen faces and the deflections; empty without a base."""
+    base, faces = chosen(obj)
+    if base is None:
+        return ""
+    if selection.is_mesh(base):
+        box, shape = base.Mesh.BoundBox, (base.Mesh.CountFacets, base.Mesh.CountPoints)
+    else:
+        whole = selection.solids(base)[0]
+        box, shape = whole.BoundBox, tuple(tuple(corner.Point) for corner in whole.Vertexes)
+    said = (shape, str(box), selection.holder_of(base).Matrix.A, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value)
+    return hashlib.sha256(repr(said).encode()).hexdigest()
+
+
 def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
     """The base of a Tessellation and the names of its chosen faces."""
     if obj.Base is None:
@@ -92,19 +114,24 @@ def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
     return base, tuple(name for name in names if name)
 
 
-def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float) -> tuple[Any, list[int]]:
+def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float, progress: Progress) -> tuple[Any, list[int]]:
     if base is not None and selection.is_mesh(base):
         return _copied(base, faces), []
     if linear <= 0.0 or angular <= 0.0:
-        raise SettingsError(f"the deflections are {linear:g} mm and {angular:g} deg; both must be above 0", (linear, angular))
+        raise SettingsError(
+            say(
+                "the deflections are {linear} and {angular}; both must be above 0", linear=Length(linear), angular=Angle(angular)
+            ),
+            (linear, angular),
+        )
     whole, rows = selection.solids(base, faces)
-    mesh = MeshPart.meshFromShape(
-        Shape=whole.copy(), LinearDeflection=linear, AngularDeflection=math.radians(angular), Relative=False, Segments=True
-    )
-    counts = [len(mesh.getSegment(i)) for i in range(mesh.countSegments())]
+    made = meshing.meshed(whole, linear, math.radians(angular), progress)
+    if made is None:
+        raise selection.invalid(base.Label)
+    mesh, counts = made
     if not mesh.CountFacets or len(counts) != len(whole.Faces) or sum(counts) != mesh.CountFacets:
         raise selection.SelectionError(
-            f"FreeCAD could not mesh {base.Label}: check its geometry, or choose other deflections.", base
+            say("FreeCAD could not mesh {label}: check its geometry, or choose other deflections.", label=base.Label), base
         )
     stop = list(accumulate(counts))
     return mesh, [bound for row in sorted(set(rows)) for bound in (stop[row] - counts[row], stop[row])]
@@ -112,7 +139,9 @@ def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float) -> t
 
 def _copied(base: Any, faces: Sequence[str]) -> Any:
     if faces:
-        raise selection.SelectionError(f"{base.Label} is a mesh and has no faces to choose: select the whole of it.", base.Label)
+        raise selection.SelectionError(
+            say("{label} is a mesh and has no faces to choose: select the whole of it.", label=base.Label), base.Label
+        )
     selection.check_mesh(base)
     mesh = base.Mesh.copy()
     mesh.Placement = selection.holder_of(base).multiply(mesh.Placement)
@@ -132,6 +161,6 @@ def make(doc: Any, base: Any, faces: Sequence[str] = (), linear: float = LINEAR,
         obj.Proxy.build(obj)
         doc.recompute([obj])
     except BaseException:
-        doc.removeObject(obj.Name)
+        take_back(doc, obj)
         raise
     return obj

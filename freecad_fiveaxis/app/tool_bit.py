@@ -24,15 +24,16 @@ from typing import Any
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import FiveAxisError, SettingsError
 from freecad_fiveaxis.core.files import read_bytes
+from freecad_fiveaxis.core.sentences import say
 
 SUFFIX = ".fctb"
 BALLS, FLATS, BULLS, TAPERED = ("ballend", "ballendmill"), ("endmill",), ("bullnose", "torus"), ("taperedballnose",)
 """The shapes that are of use here, under all their names; ``ballendmill`` is how the oldest tools spell it."""
 SAME = 1e-3
 """mm; a corner radius this near to the radius makes a ball: files give four decimals."""
-REMEDY = "ball ends, end mills, bull noses and tapered ball noses are of use here: choose one, or give the cutter by hand"
+REMEDY = say("ball ends, end mills, bull noses and tapered ball noses are of use here: choose one, or give the cutter by hand")
 
-LENGTH = "length; write it as 6 mm or 0.25 in"
+LENGTH = say("length; write it as 6 mm or 0.25 in")
 
 Sizes = Callable[[str], "float | None"]
 """A size of the tool, mm or deg, by its name; None where the tool has none of that name."""
@@ -60,7 +61,7 @@ def cutter_of_file(path: str | os.PathLike[str]) -> Cutter:
     bit = _parsed(read_bytes(path, "tool bit"), name)
     sizes = bit.get("parameter")
     if not isinstance(sizes, dict):
-        raise SettingsError(f"{name} lists no sizes; save the tool once more in FreeCAD's tool editor", path)
+        raise SettingsError(say("{name} lists no sizes; save the tool once more in FreeCAD's tool editor", name=name), path)
     shape = bit.get("shape-type") or bit.get("shape") or bit.get("template") or ""
     return _cutter(name, str(shape), lambda key: _size(sizes[key], key, name) if key in sizes else None)
 
@@ -93,18 +94,22 @@ def _parsed(content: bytes, name: str) -> dict[str, Any]:
     try:
         bit = json.loads(content.decode("utf-8-sig"))
     except (ValueError, RecursionError) as error:
-        raise SettingsError(f"{name} is no tool bit ({error}); choose a {SUFFIX} file of FreeCAD", name) from None
+        raise SettingsError(
+            say("{name} is no tool bit ({error}); choose a {suffix} file of FreeCAD", name=name, error=error, suffix=SUFFIX), name
+        ) from None
     if not isinstance(bit, dict):
-        raise SettingsError(f"{name} is no tool bit; choose a {SUFFIX} file of FreeCAD", name)
+        raise SettingsError(say("{name} is no tool bit; choose a {suffix} file of FreeCAD", name=name, suffix=SUFFIX), name)
     return bit
 
 
 def _cutter(name: str, shape: str, size: Sizes) -> Cutter:
     kind = _kind(shape)
     if kind not in BALLS + FLATS + BULLS + TAPERED:
-        raise SettingsError(f"{name} is a tool of the shape {shape or '(none)'}; {REMEDY}", shape)
+        raise SettingsError(
+            say("{name} is a tool of the shape {shape}; {remedy}", name=name, shape=shape or "(none)", remedy=REMEDY), shape
+        )
     if (diameter := size("Diameter")) is None:
-        raise SettingsError(f"{name} has no diameter; give it one in FreeCAD's tool editor", name)
+        raise SettingsError(say("{name} has no diameter; give it one in FreeCAD's tool editor", name=name), name)
     given = {"length": edge} if (edge := size("CuttingEdgeHeight")) is not None else {}
     if kind in FLATS:
         given["corner"] = 0.0
@@ -124,7 +129,7 @@ def _kind(shape: str) -> str:
 def _corner(name: str, diameter: float, size: Sizes) -> float:
     corner, flat = size("CornerRadius"), size("FlatRadius")
     if corner is None and flat is None:
-        raise SettingsError(f"{name} has no corner radius; give it one in FreeCAD's tool editor", name)
+        raise SettingsError(say("{name} has no corner radius; give it one in FreeCAD's tool editor", name=name), name)
     corner = diameter / 2 - flat if corner is None and flat is not None else corner
     return diameter / 2 if abs(corner - diameter / 2) <= SAME else corner
 
@@ -133,7 +138,7 @@ def _taper(name: str, size: Sizes) -> float:
     """rad, from the axis to the flank."""
     included = size("TaperAngle")
     if included is None:
-        raise SettingsError(f"{name} has no taper angle; give it one in FreeCAD's tool editor", name)
+        raise SettingsError(say("{name} has no taper angle; give it one in FreeCAD's tool editor", name=name), name)
     return math.radians(included / 2)
 
 
@@ -142,8 +147,8 @@ def _size(given: Any, key: str, name: str) -> float:
     import FreeCAD
 
     units = FreeCAD.Units
-    unit, what = (units.Angle, "angle; write it as 10 deg") if key.endswith("Angle") else (units.Length, LENGTH)
-    said = f"{name}: {key} {given!r} is no {what}"
+    unit, what = (units.Angle, say("angle; write it as 10 deg")) if key.endswith("Angle") else (units.Length, LENGTH)
+    said = say("{name}: {key} {given} is no {what}", name=name, key=key, given=repr(given), what=what)
     try:
         text = given.strip() or "?" if isinstance(given, str) else float(given)  # FreeCAD takes no text at all for 2e-308
         size = units.Quantity(text)

@@ -10,9 +10,10 @@ import FreeCAD
 
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import MILL
 
-from . import convert, results
+from . import convert, job_setup, results
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
 from .schema import Proxy
 from .selection import SelectionError, is_mesh
@@ -33,14 +34,16 @@ class Toolpath(Proxy):
     @classmethod
     def properties(cls) -> Sequence[Property]:
         """The mesh, the settings of task ``mill``, the work zero and the results."""
-        return (MESH, *setting_properties(MILL), WORK_ZERO, *RESULTS)
+        return (MESH, job_setup.LINK, *setting_properties(MILL), WORK_ZERO, *RESULTS)
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
         if obj.Mesh is None:
-            raise SelectionError(f"The mesh of {obj.Label} was deleted: choose another one in its property Mesh.", obj.Label)
+            raise mesh_is_gone(obj)
         if not is_mesh(obj.Mesh):
-            raise SelectionError(f"{obj.Mesh.Label} is no mesh: choose a tessellation or a mesh.", obj.Mesh.Label)
+            raise SelectionError(
+                say("{label} is no mesh: choose a tessellation or a mesh.", label=obj.Mesh.Label), obj.Mesh.Label
+            )
         settings = convert.settings_of(obj, MILL, f"{obj.Mesh.Label}.stl")
         stl = convert.stl_bytes(obj.Mesh, obj.WorkZero)
         return results.Task(settings, stl, tuple(getattr(obj.Mesh, "FacetRuns", ())))
@@ -50,9 +53,26 @@ class Toolpath(Proxy):
         mesh = convert.mesh_of(task.data, progress)
         return job.make(task.settings, progress, mesh=mesh, faces=convert.facet_mask(task.data, mesh, task.runs))
 
+    def onDocumentRestored(self, obj: Any) -> None:
+        """What its setup says cannot be edited."""
+        super().onDocumentRestored(obj)
+        job_setup.follow(obj)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Another setup has other values."""
+        super().onChanged(obj, name)
+        if name == job_setup.LINK.name:
+            job_setup.follow(obj)
+
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         results.execute(obj)
+
+
+def mesh_is_gone(obj: Any) -> SelectionError:
+    """What to say of a Toolpath whose mesh was deleted."""
+    text = say("The mesh of {label} was deleted: undo that, or choose another one in its property Mesh.", label=obj.Label)
+    return SelectionError(text, obj.Label)
 
 
 def make(doc: Any, mesh: Any, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:

@@ -132,6 +132,7 @@ def _metavar(rules: Any) -> str | None:
         return None
     marks = {
         "length": "MM",
+        "height": "MM",
         "angle": "DEG",
         "feed": "MM/MIN",
         "point": "X,Y,Z",

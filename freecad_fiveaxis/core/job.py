@@ -24,9 +24,18 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.minimax import minimax_axes
 from freecad_fiveaxis.core.nc_reader import dialect_of_text, read_nc
-from freecad_fiveaxis.core.passes import ContactPath, place_planes, reachable_facets, slice_mesh
+from freecad_fiveaxis.core.passes import (
+    ContactPath,
+    flat_interval,
+    place_planes,
+    reachable_facets,
+    side_findings,
+    slice_mesh,
+    untouched_sides,
+)
 from freecad_fiveaxis.core.program import Program, block_findings, build_program
 from freecad_fiveaxis.core.report import Figures, judge
+from freecad_fiveaxis.core.sentences import Length, say
 
 from .apt import cutter_note, read_cl_file
 from .asked import axis_options, machine_of, nc_title, post_options, reach, scallop_asked, title_of, with_head
@@ -159,6 +168,7 @@ def mill(
     keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle, faces)
     planes, spacing = _planes(settings, mesh, keep, progress)
     contact = slice_mesh(mesh, planes, passes.direction, progress=progress, plain=~keep, order=settings.links.order)
+    spacing = _with_sides(settings, mesh, keep, planes, contact, spacing)
     closed = close_gaps(
         contact, mesh, corner_radius(cutter), settings.cutter.coedge_tolerance, None if keep.all() else keep, progress
     )
@@ -190,6 +200,19 @@ def _planes(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> 
         mesh, passes.direction, radius, stepover=passes.stepover, scallop=scallop, least=passes.least_interval, keep=keep,
         progress=progress, **more,
     )  # fmt: skip
+
+
+def _with_sides(
+    settings: Settings, mesh: Mesh, keep: Bools, planes: Floats, contact: ContactPath, spacing: tuple[Finding, ...]
+) -> tuple[Finding, ...]:
+    """What was poor about the planes, and the sides of the part that they leave out."""
+    passes, scallop, radius = settings.passes, scallop_asked(settings), settings.cutter.cutter.radius
+    interval = passes.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
+    sides = untouched_sides(mesh, keep, contact.face, planes, passes.direction, interval)
+    finer = say("a smaller stepover")
+    if scallop is not None:
+        finer = say("a smaller least interval than {interval}", interval=Length(passes.least_interval))
+    return side_findings(sides, mesh, keep, passes.direction, spacing, passes.least_interval, finer)
 
 
 def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress = silent) -> CLPath:

@@ -79,11 +79,14 @@ class ToolRoom:
     radius: float
 
 
-def sketch(links: Chain, low: Floats, high: Floats, tool: ToolRoom) -> tuple[Body, ...]:
-    """The bodies of a machine that has a part with the box ``low``, ``high`` (3,) mm, work frame, on its table."""
+def sketch(links: Chain, low: Floats, high: Floats, tool: ToolRoom, table: float | None = None) -> tuple[Body, ...]:
+    """The bodies of a machine that has a part with the box ``low``, ``high`` (3,) mm, work frame, on its table.
+
+    ``table`` mm: height of the table's face, work frame, where it is known; the face never stands in the part.
+    """
     low, high = np.asarray(low, float), np.asarray(high, float)
     spindle = max(1.25 * tool.radius, LEAST_RADIUS)
-    return (*_table(links, low, high, WIDER * spindle), *_head(links, tool.height, spindle))
+    return (*_table(links, low, high, WIDER * spindle, table), *_head(links, tool.height, spindle))
 
 
 def corners(shape: Box | Cylinder) -> Floats:
@@ -141,10 +144,11 @@ def _beyond(order: list[int], axis: int | None) -> int | None:
 # ------------------------------------------------------------------------------------------------ the table's side
 
 
-def _table(links: Chain, low: Floats, high: Floats, least: float) -> list[Body]:
+def _table(links: Chain, low: Floats, high: Floats, least: float, table: float | None) -> list[Body]:
     order = sides(links)[0][::-1]
     turning = [axis for axis in reversed(order) if axis >= 3]
-    part = corners(Box(0.5 * (low + high), np.eye(3), 0.5 * (high - low)))
+    stand = low if table is None else np.array([low[0], low[1], min(low[2], table)])
+    part = corners(Box(0.5 * (stand + high), np.eye(3), 0.5 * (high - stand)))
     if not turning:
         return [_plain_table(part, order[-1] if order else None, least)]
     first = turning[0]

@@ -19,7 +19,7 @@ from .cutter import Cutter, cutter_text, parse_cutter
 from .errors import SettingsError
 from .files import is_name
 
-UNITS = {"length": "mm", "lengths": "mm", "point": "mm", "angle": "deg", "feed": "mm/min"}
+UNITS = {"length": "mm", "height": "mm", "lengths": "mm", "point": "mm", "angle": "deg", "feed": "mm/min"}
 BOUNDS = {"above": Template("above {bound}"), "least": Template("at least {bound}"), "most": Template("at most {bound}")}
 
 
@@ -97,6 +97,7 @@ def _paths(given: Any, name: str) -> tuple[str, ...]:
 
 READERS: dict[str, Any] = {
     "length": quantity.parse_length,
+    "height": quantity.parse_length,
     "angle": quantity.parse_angle,
     "feed": quantity.parse_feed,
     "point": lambda given, name: quantity.parse_triple(given, quantity.LENGTHS, name),

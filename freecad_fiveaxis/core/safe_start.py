@@ -12,6 +12,7 @@ import numpy as np
 from freecad_fiveaxis.core.kinematics import Chain, forward_tip, words_to_q
 from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_NOTHING, Machine
 from freecad_fiveaxis.core.program import Program, plane_above, upwards, within_travel
+from freecad_fiveaxis.core.sentences import Option, say
 
 from .asked import back
 from .findings import Finding, Severity
@@ -47,9 +48,10 @@ def start_findings(
     """What there is to say of spindle, start and end."""
     found = _spindle_off() if settings.head.spindle == 0.0 else ()
     if dialect.guide is not None and by_reference(dialect, machine.safe_start):
-        text = (
-            f"Under {dialect.guide.on[0].split()[0]} the program begins and ends at the reference point of Z, because before it "
-            "no tool length is active. Set the machine file's safe_start to reference or machine."
+        text = say(
+            "Under {split} the program begins and ends at the reference point of Z, because before it no tool "
+            "length is active. Set the machine file's safe_start to reference or machine.",
+            split=dialect.guide.on[0].split()[0],
         )
         found += (Finding(Severity.NOTE, "starts-at-reference", text),)
     if machine.safe_start.retract == BY_NOTHING or not len(program.words):
@@ -58,19 +60,26 @@ def start_findings(
 
 
 def _spindle_off() -> tuple[Finding, ...]:
-    return (Finding(Severity.WARNING, "spindle-off", "The spindle stays off: give the spindle speed (--spindle S)."),)
+    return (
+        Finding(
+            Severity.WARNING,
+            "spindle-off",
+            say("The spindle stays off: give the spindle speed ({spindle} S).", spindle=Option("spindle")),
+        ),
+    )
 
 
 def _through_part(links: Chain, program: Program, box: Box) -> tuple[Finding, ...]:
     """An error where the straight way of Z to the first place, or from the last, meets the part's box."""
     found, ends = [], (0, len(program.words) - 1)
-    for row, what in zip(ends, ("comes down to its first place", "rises from its last place"), strict=True):
+    for row, what in zip(ends, (say("comes down to its first place"), say("rises from its last place")), strict=True):
         words = program.words[row : row + 1]
         place, up = forward_tip(links, words_to_q(words))[0], upwards(links, np.radians(words[:, 3:]))[0]
         if _meets(place, up, *box):
-            text = (
-                f"The tool {what} along Z through the part, because the tool axis points downwards there. Begin and end with an "
-                "upright tool, or set the machine file's safe_start to none and begin by hand."
+            text = say(
+                "The tool {what} along Z through the part, because the tool axis points downwards there. Begin and "
+                "end with an upright tool, or set the machine file's safe_start to none and begin by hand.",
+                what=what,
             )
             x, y, z = place.tolist()
             found.append(

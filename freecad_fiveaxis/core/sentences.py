@@ -12,6 +12,7 @@ The templates are found in the source by ``scripts/translations``: the texts of 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -195,6 +196,41 @@ def joined(parts: Iterable[str], between: str = " ") -> Sentence:
     return Sentence(glue.join(f"{{{name}}}" for name in given), given, translated=False)
 
 
+CLAUSE = re.compile(r"[.:;] ")
+"""What ends a clause; a point within a number does not."""
+
+
+@dataclass(frozen=True)
+class Clause:
+    """The first clause of a text, as it goes on in the middle of a sentence."""
+
+    text: str
+
+    def __str__(self) -> str:
+        said = CLAUSE.split(str(self.text), maxsplit=1)[0].rstrip(".")
+        return said[:1].lower() + said[1:] if said[1:2].islower() else said
+
+
+def first_clause(text: str) -> Sentence:
+    """The first clause of a finding's text, in small letters, as a sentence of its own."""
+    return Sentence("{clause}", {"clause": Clause(text)}, translated=False)
+
+
+@dataclass(frozen=True)
+class Beginning:
+    """A text that begins a sentence: with a capital letter."""
+
+    text: str
+
+    def __str__(self) -> str:
+        return str(self.text)[:1].upper() + str(self.text)[1:]
+
+
+def beginning(text: str) -> Sentence:
+    """A text with a capital letter, as a sentence of its own."""
+    return Sentence("{text}", {"text": Beginning(text)}, translated=False)
+
+
 def render(text: str, translate: Translate, units: Units) -> str:
     """A sentence in another language and other units. A text that is no sentence comes back as it is."""
     if not isinstance(text, Sentence):
@@ -206,6 +242,8 @@ def render(text: str, translate: Translate, units: Units) -> str:
 def _render_value(value: Any, translate: Translate, units: Units) -> str:
     if isinstance(value, Option):
         return translate(OPTIONS, value.label)
+    if isinstance(value, Clause | Beginning):
+        return str(type(value)(render(value.text, translate, units)))
     return (
         units(value) if isinstance(value, Measure) else render(value, translate, units) if isinstance(value, str) else str(value)
     )

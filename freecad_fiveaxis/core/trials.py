@@ -29,6 +29,7 @@ from .post import Dialect
 from .progress import Progress, silent
 from .records import Bools
 from .settings import COMPARE, MILL, POST, SETUP, Settings, flat_options
+from .settings.groups import USUAL_REGION
 
 TRIALS = (SETUP, COMPARE)
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
@@ -74,11 +75,12 @@ def try_setups(
     """
     street = _street(settings)
     machine, base, dialect = clamped(street)
-    _region(settings, base.origin, 1)  # before the long work
+    table = machine.table if settings.setup.table_height is None else settings.setup.table_height
+    _region(settings, base.origin, 1, table)  # before the long work
     made = _posted(street, progress, mesh, faces)
-    region = _region(settings, base.origin, len(made.path.tip))
+    region = _region(settings, base.origin, len(made.path.tip), table)
     posting, enough = _posting(street, made, dialect), settings.proof.tolerance
-    chart = setup_map(made.path, machine, base, region, posting, enough, progress)
+    chart = setup_map(made.path, machine, base, region, posting, enough, progress, table)
     if chart.best is None:
         _refuse(chart)
     return SetupTrial(settings, made, chart, chart.findings)
@@ -127,12 +129,14 @@ def _posting(settings: Settings, made: Posted, dialect: Dialect) -> Posting:
     return Posting(dialect, inverse_time, settings.links.clearance, settings.cutter.cutter.radius, part)
 
 
-def _region(settings: Settings, centre: Vector, rows: int) -> Region:
+def _region(settings: Settings, centre: Vector, rows: int, table: float | None) -> Region:
     """The region about the present work zero, with as many places as are asked for, or as ``rows`` of the path leave time for.
+    Where nobody says how high the ``table`` is, Z of the usual region stays where it is.
 
     Raises SettingsError where there is nothing to choose from.
     """
     half, turns, grid = settings.setup.region, int(settings.setup.turns), settings.setup.grid
+    half = (half[0], half[1], 0.0) if table is None and half == USUAL_REGION else half
     if not any(half) and turns == 1:
         text = say(
             "region 0,0,0 with 1 turn has one setup only; give {region} a way to go along X, Y or Z, or {turns} above 1",

@@ -12,6 +12,7 @@ from typing import Any
 import FreeCAD
 
 from .failures import guards
+from .qt import later
 
 VIEWS = {
     "freecad_fiveaxis.app.tessellation": "view_providers.TessellationView",
@@ -20,6 +21,7 @@ VIEWS = {
     "freecad_fiveaxis.app.markers": "view_providers.MarkersView",
     "freecad_fiveaxis.app.nc_output": "view_providers.NCOutputView",
     "freecad_fiveaxis.app.setups": "view_providers.SetupMapView",
+    "freecad_fiveaxis.app.job_setup": "job_setup_view.JobSetupView",
     "freecad_fiveaxis.app.left": "left_view.LeftMapView",
 }
 """The module of a document object's proxy, and module and class of the view that shows it."""
@@ -53,6 +55,14 @@ class Observer:
         """What says "out of date" may go."""
         _look_again(doc, only_old=True)
 
+    def slotUndoDocument(self, doc: Any) -> None:
+        """What undo brings back may be current, though FreeCAD would have it recomputed."""
+        later(lambda: _settle(doc))
+
+    def slotRedoDocument(self, doc: Any) -> None:
+        """The same of redo."""
+        later(lambda: _settle(doc))
+
     def slotFinishRestoreDocument(self, doc: Any) -> None:
         """A document that was made without a window has no views yet."""
         for obj in doc.Objects:
@@ -82,6 +92,17 @@ def attach(obj: Any) -> None:
     if view and obj.ViewObject is not None and not getattr(obj.ViewObject, "Proxy", None):
         module, name = view.split(".")
         getattr(import_module(f".{module}", __package__), name)(obj.ViewObject)
+
+
+def _settle(doc: Any) -> None:
+    """What is current is not recomputed. Documents without an object of ours are left alone, and numpy unloaded."""
+    if not any(doc is one for one in FreeCAD.listDocuments().values()):
+        return
+    if any(type(getattr(obj, "Proxy", None)).__module__ in VIEWS and "Touched" in obj.State for obj in doc.Objects):
+        from freecad_fiveaxis.app.restored import settle
+
+        if settle(doc):
+            _look_again(doc)
 
 
 def _adopt(path: Any) -> None:

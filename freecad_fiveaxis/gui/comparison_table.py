@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from freecad_fiveaxis.app import wording
+
 from .qt import QtCore, QtWidgets, main_window, translate
 
 NAME = "FiveAxisComparison"
@@ -68,7 +70,7 @@ class Table:
         self.comparison = comparison
         self.label, self.document = path.Label, path.Document.FileName
         self.dock.setWindowTitle(translate("FiveAxis", "Machines on {label}").format(label=path.Label))
-        self.verdict.setText(verdict(comparison.rows, comparison.settings.proof.tolerance))
+        self.verdict.setText(wording.told(verdict(comparison.rows, comparison.settings.proof.tolerance)))
         self.error.setText("")
         self.table.setSortingEnabled(False)
         self.table.setRowCount(len(comparison.rows))
@@ -111,7 +113,7 @@ def show(path: Any, comparison: Any) -> Table:
 def heads() -> list[str]:
     """The titles of the columns."""
     return [
-        translate("FiveAxis", "Machine"), translate("FiveAxis", "Cure"), translate("FiveAxis", "Tip guided (RTCP)"),
+        translate("FiveAxis", "Machine"), translate("FiveAxis", "Correction"), translate("FiveAxis", "Tip guided (RTCP)"),
         translate("FiveAxis", "Largest deviation"), translate("FiveAxis", "Proven bound"), translate("FiveAxis", "Blocks"),
         translate("FiveAxis", "Time"), translate("FiveAxis", "Peak of X, Y, Z"), translate("FiveAxis", "Peak of 1st rotary"),
         translate("FiveAxis", "Peak of 2nd rotary"), translate("FiveAxis", "Limits"),
@@ -127,8 +129,8 @@ def cells(row: Any) -> list[Cell]:
     guided = translate("FiveAxis", "yes") if row.tool_centre else translate("FiveAxis", "no")
     named = [Cell(row.machine), Cell(cure_label(row.cure)), Cell(guided)]
     if row.problem:
-        told = Cell(translate("FiveAxis", "impossible: {why}").format(why=row.problem))
-        told.setToolTip(row.problem)
+        told = Cell(translate("FiveAxis", "impossible: {why}").format(why=wording.told(row.problem)))
+        told.setToolTip(wording.told(row.problem))
         return [*named, *(Cell("–") for _ in range(7)), told]
     linear = max(row.peak_rate[:3])
     within = translate("FiveAxis", "within")

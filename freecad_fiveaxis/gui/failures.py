@@ -19,6 +19,8 @@ from typing import Any
 
 import FreeCAD
 
+from freecad_fiveaxis.app import wording
+
 from .qt import QtWidgets, later, main_window, translate
 
 OURS = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
@@ -71,7 +73,7 @@ def guards(cls: type) -> type:
 
 def attend(panel: Any) -> None:
     """Give a task panel that is about to open its red line, and guard what FreeCAD calls of it. ``panel.form``: its widget."""
-    from .panels.fields import error_line
+    from .panels.lines import error_line
 
     line = error_line("failure")
     panel.form.layout().insertWidget(0, line)
@@ -84,7 +86,7 @@ def attend(panel: Any) -> None:
 def show(error: BaseException) -> None:
     """Tell of an error that should not have happened: in the panel that is open, else in a message box."""
     text = translate("FiveAxis", "This should not have happened: {error}. The details are in the report view.")
-    text = text.format(error=str(error).rstrip(".") or type(error).__name__)
+    text = text.format(error=wording.told(error).rstrip(".") or type(error).__name__)
     if not _show_in_panel(text):
         later(lambda: _show_box(text))  # no event loop within an observer
 

@@ -14,6 +14,8 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
+
 from .failures import guards
 from .qt import QtCore, QtWidgets, main_window, translate
 from .verdict_label import VerdictLabel
@@ -210,7 +212,7 @@ class Panel:
         if finding.line is not None:
             title = translate("FiveAxis", "{what}, NC line {line}").format(what=title, line=finding.line)
         if told is None:
-            return _html([("", finding.text)], title)
+            return _html([("", wording.told(finding.text))], title)
         heads = (translate("FiveAxis", "What happens"), translate("FiveAxis", "Why"), translate("FiveAxis", "What helps"))
         parts = list(zip(heads, told, strict=True))
         return _html([("", words.count_text(row.kind, summary(self.figures))), *parts] if row.whole else parts, title)

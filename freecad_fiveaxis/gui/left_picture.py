@@ -9,15 +9,15 @@ import FreeCAD
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.app import left
+from freecad_fiveaxis.app import left, wording
 from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.gouge import HeightScale, height_scale
 
-from .legend_slot import MAPS, legend_slot
 from .qt import translate
 from .scene import gouge_words, nodes, overlay
 from .scene.left_nodes import bar_marks, left_surface, scale_ramp
-from .scene.marks import OVERCUT
+from .scene.marks import GOUGE_COLOURS, OVERCUT
+from .scene.on_screen import Label, Labels, LegendBox
 from .scene.units import area_text, length_text
 from .waiting import waiting
 
@@ -32,8 +32,8 @@ class LeftPicture:
 
     def __init__(self, vobj: Any) -> None:
         self.vobj, self.obj = vobj, vobj.Object
-        self.origin, self.surface, self.label, self.legend = coin.SoTranslation(), *(nodes.separate() for _ in range(3))
-        self.root = nodes.separate(self.origin, self.surface, self.label, self.legend)
+        self.origin, self.surface, self.labels, self.legend = coin.SoTranslation(), nodes.separate(), Labels(), LegendBox()
+        self.root = nodes.separate(self.origin, self.surface, self.labels.root, self.legend.root)
         self.heights: left.Heights | None = None
         self.scale: HeightScale | None = None
         self.failed = self.warned = ""
@@ -64,27 +64,24 @@ class LeftPicture:
             except Cancelled:
                 self.failed = translate("FiveAxis", "Not drawn, as you stopped it: recompute to draw it")
             except FiveAxisError as error:
-                self.failed = str(error)
+                self.failed = wording.told(error)
                 self.obj.touch()
                 FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
         return known
 
     def _write(self) -> None:
         """Labels and legend."""
-        self.label.removeAllChildren()
-        self.legend.removeAllChildren()
-        if self.vobj.ShowLabel and self.heights is not None:
-            self.label.addChild(overlay.label_nodes(self._extremes(self.heights)))
-        if self.vobj.ShowLegend and (self.heights is not None or self.warned):
-            self.legend.addChild(overlay.legend_node(self._legend(), legend_slot(self.obj, MAPS), right=True))
+        shown = self.heights if self.vobj.ShowLabel else None
+        self.labels.show(self._extremes(shown) if shown is not None else ())
+        self.legend.show(self._legend() if self.vobj.ShowLegend and (self.heights is not None or self.warned) else None)
 
-    def _extremes(self, found: left.Heights) -> list[tuple[list[float], str]]:
-        """Places and texts of the labels: where most is left, and where the cut is deepest, if that is more than may be."""
+    def _extremes(self, found: left.Heights) -> list[Label]:
+        """The labels: where the cut is deepest, and where most is left, if that is more than may be."""
         height, point, made = found.left.height, found.left.point, []
-        if (most := float(height.max())) > found.allowed:
-            made.append((point[height.argmax()].tolist(), _left_text(most)))
         if (least := float(height.min())) < -found.tolerance:
-            made.append((point[height.argmin()].tolist(), _deep_text(-least)))
+            made.append(Label(point[height.argmin()].tolist(), _deep_text(-least), GOUGE_COLOURS[OVERCUT]))
+        if (most := float(height.max())) > found.allowed:
+            made.append(Label(point[height.argmax()].tolist(), _left_text(most)))
         return made
 
     def _legend(self) -> overlay.Legend:

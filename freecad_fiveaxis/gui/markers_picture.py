@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from .scene import gouge_words, nodes, overlay, words
-from .scene.marks import LARGEST, Marks
+from .scene import labels, nodes
+from .scene.marks import Marks, largest_colour
+from .scene.on_screen import Labels
 from .view_properties import rgb
 
 
@@ -16,22 +17,20 @@ class MarkersPicture:
     """Nodes of the markers; ``root`` goes into the view provider."""
 
     def __init__(self, vobj: Any) -> None:
-        self.vobj, self.obj, self.marks = vobj, vobj.Object, Marks()
-        self.label = nodes.separate()
-        self.root = nodes.separate(self.marks.root, self.label)
+        self.vobj, self.obj, self.marks, self.labels = vobj, vobj.Object, Marks(), Labels()
+        self.root = nodes.separate(self.marks.root, self.labels.root)
 
     def refresh(self) -> None:
         """Draw the markers where they stand now."""
-        view, kinds = self.vobj, list(self.obj.Kinds)
+        view, kinds, path = self.vobj, list(self.obj.Kinds), self.obj.Path
         places = np.array([tuple(place) for place in self.obj.Places], float).reshape(-1, 3)
-        self.marks.show(places, kinds, rgb(view.ColourBad), rgb(view.ColourSingular), view.MarkerSize)
-        self.label.removeAllChildren()
-        path = self.obj.Path
-        if not view.ShowLabel or path is None:
-            return
-        texts = []
-        if LARGEST in kinds:
-            said = words.label_text(path.MaxSegmentDeviation.Value, path.WorstLine)
-            texts.append((places[kinds.index(LARGEST)].tolist(), said))
-        texts += gouge_words.labels(places.tolist(), kinds, list(self.obj.Depths))
-        self.label.addChild(overlay.label_nodes(texts))
+        good, bad = rgb(view.ColourGood), rgb(view.ColourBad)
+        deviation, tolerance = (path.MaxSegmentDeviation.Value, path.Tolerance.Value) if path is not None else (0.0, 0.0)
+        self.marks.show(
+            places, kinds, largest_colour(deviation, tolerance, good, bad), bad, rgb(view.ColourSingular), view.MarkerSize
+        )  # fmt: skip
+        texts: list[Any] = []
+        if view.ShowLabel and path is not None:
+            told = labels.Told(deviation, path.WorstLine, tolerance, good, bad)
+            texts = labels.of_marks(places.tolist(), kinds, list(self.obj.Depths), told)
+        self.labels.show(texts)

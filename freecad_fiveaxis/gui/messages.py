@@ -46,6 +46,7 @@ def status(text: str) -> None:
 @contextmanager
 def telling() -> Iterator[None]:
     """What the work within cannot use is told in a message box; stopped work in the status bar. Other errors go on."""
+    from freecad_fiveaxis.app import wording
     from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
 
     try:
@@ -53,4 +54,4 @@ def telling() -> Iterator[None]:
     except Cancelled:
         status(translate("FiveAxis", "Stopped; the document is as it was."))
     except FiveAxisError as error:
-        warn(str(error))
+        warn(wording.told(error))

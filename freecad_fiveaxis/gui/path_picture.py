@@ -7,14 +7,14 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.app import results
+from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.report import Drawing, Figures, draw
 
 from . import findings_panel
-from .legend_slot import PATHS, legend_slot
 from .qt import translate
-from .scene import gouge_words, overlay, words
+from .scene import labels, words
+from .scene.on_screen import Label
 from .scene.path_nodes import Look, PathNodes
 from .view_properties import rgb
 from .view_providers import markers_of
@@ -71,7 +71,7 @@ class Picture:
         except Cancelled:
             self.failed = translate("FiveAxis", "Not drawn, as you stopped it: recompute to draw it")
         except FiveAxisError as error:
-            self.failed = str(error)
+            self.failed = wording.told(error)
             self.obj.touch()
             FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
         return self.obj.Proxy.last
@@ -94,26 +94,24 @@ class Picture:
     def _write(self) -> None:
         """Label and legend."""
         warning = self.failed or self.checked or ""
-        label = legend = None
+        legend = None
         if self.figures is None:
             legend = words.empty_legend(self.obj.Label, warning) if warning else None
         else:
             kinds = [mark.kind for mark in self.drawing.markers] if self.drawing is not None else []
             legend = words.legend_of(self.obj.Label, self.figures, self._look(), warning, kinds)
-            label = self._label()
-        self.nodes.show_overlay("legend", legend and overlay.legend_node(legend, legend_slot(self.obj, PATHS)))
-        self.nodes.show_overlay("label", label)
+        self.nodes.legend.show(legend)
+        self.nodes.labels.show(self._labels())
 
-    def _label(self) -> Any:
-        """The largest deviation's value, and the depth where the tool enters the part deepest."""
+    def _labels(self) -> list[Label]:
+        """What stands at the markers, the most important first."""
         if self.figures is None or self.drawing is None:
-            return None
-        texts = []
-        if len(self.figures.worst):
-            row = self.figures.worst[0]
-            said = words.label_text(self.figures.deviation.segment[row], int(self.figures.program.line[row]))
-            texts.append((self.figures.deviation.place[row].tolist(), said))
+            return []
         marks = self.drawing.markers
         values = [mark.finding.value if mark.finding else None for mark in marks]
-        texts += gouge_words.labels([mark.place for mark in marks], [mark.kind for mark in marks], values)
-        return overlay.label_nodes(texts)
+        deviation = line = None
+        if len(self.figures.worst):
+            row = self.figures.worst[0]
+            deviation, line = float(self.figures.deviation.segment[row]), int(self.figures.program.line[row])
+        told = labels.Told(deviation, line, self.figures.tolerance, rgb(self.vobj.ColourGood), rgb(self.vobj.ColourBad))
+        return labels.of_marks([mark.place for mark in marks], [mark.kind for mark in marks], values, told)

@@ -9,10 +9,10 @@ import numpy as np
 
 from freecad_fiveaxis.app import setups
 
-from .legend_slot import MAPS, legend_slot
 from .qt import translate
 from .scene import colours, nodes, overlay
-from .scene.setup_nodes import BEYOND_COLOUR, PRESENT_COLOUR, setup_points
+from .scene.on_screen import Label, Labels, LegendBox
+from .scene.setup_nodes import BEYOND_COLOUR, PRESENT_COLOUR, layer_rows, setup_points
 from .scene.units import length_text
 from .view_properties import rgb
 
@@ -22,39 +22,46 @@ class SetupPicture:
 
     def __init__(self, vobj: Any) -> None:
         self.vobj, self.obj = vobj, vobj.Object
-        self.points, self.label, self.legend = nodes.separate(), nodes.separate(), nodes.separate()
-        self.root = nodes.separate(self.points, self.label, self.legend)
+        self.points, self.labels, self.legend = nodes.separate(), Labels(), LegendBox()
+        self.root = nodes.separate(self.points, self.labels.root, self.legend.root)
 
     def refresh(self) -> None:
         """Draw the map as it is now."""
-        for group in (self.points, self.label, self.legend):
-            group.removeAllChildren()
+        self.points.removeAllChildren()
         if not self.obj.Places:
+            self.labels.show(())
+            self.legend.show(None)
             return
-        view, scale = self.vobj, setups.scale(self.obj)
+        view, scale, kinds = self.vobj, setups.scale(self.obj), list(self.obj.Kinds)
         places = np.array([tuple(place) for place in self.obj.Places], float).reshape(-1, 3)
         good, bad = rgb(view.ColourGood), rgb(view.ColourBad)
-        self.points.addChild(setup_points(places, list(self.obj.Kinds), scale.level, scale.good, good, bad, view.MarkerSize))
-        if view.ShowLabel and setups.BEST in self.obj.Kinds:
-            self.label.addChild(overlay.label_node(places[self.obj.Kinds.index(setups.BEST)].tolist(), self._best()))
-        if view.ShowLegend:
-            self.legend.addChild(overlay.legend_node(self._legend(scale, good, bad), legend_slot(self.obj, MAPS), right=True))
+        rows = np.arange(len(kinds)) if view.ShowAllPlaces else layer_rows(places, kinds)
+        shown = [kinds[row] for row in rows.tolist()]
+        self.points.addChild(
+            setup_points(places[rows], shown, scale.level[rows], scale.good[rows], good, bad, view.MarkerSize)
+        )  # fmt: skip
+        named = view.ShowLabel and setups.BEST in kinds
+        self.labels.show([Label(places[kinds.index(setups.BEST)].tolist(), self._best(), nodes.WHITE)] if named else ())
+        self.legend.show(self._legend(scale, good, bad, len(rows)) if view.ShowLegend else None)
 
     def _best(self) -> str:
         return translate("FiveAxis", "recommended: {deviation}").format(deviation=length_text(self.obj.DeviationAfter.Value))
 
-    def _legend(self, scale: Any, good: nodes.Colour, bad: nodes.Colour) -> overlay.Legend:
+    def _legend(self, scale: Any, good: nodes.Colour, bad: nodes.Colour, shown: int) -> overlay.Legend:
         said = translate("FiveAxis", "instead of {deviation} where it stood")
-        notes = (
+        notes = [
             translate("FiveAxis", "Largest deviation with the work zero there"),
             self._best(),
             said.format(deviation=length_text(self.obj.DeviationBefore.Value)),
-        )
+        ]
+        if shown < len(self.obj.Places):
+            part = translate("FiveAxis", "{shown} of {count} places: those at the recommended height")
+            notes.append(part.format(shown=shown, count=len(self.obj.Places)))
         keys = (
             (good, translate("FiveAxis", "within tolerance")),
             (nodes.WHITE, translate("FiveAxis", "recommended")),
             (PRESENT_COLOUR, translate("FiveAxis", "where the work zero stood")),
-            (BEYOND_COLOUR, translate("FiveAxis", "the axes leave their limits")),
+            (BEYOND_COLOUR, translate("FiveAxis", "beyond limits, or below the table")),
         )
         old = translate("FiveAxis", "The tool path was changed since: double-click the map to try again")
         marks = [(level, length_text(value)) for level, value in scale.marks]

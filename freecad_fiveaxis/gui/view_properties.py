@@ -44,12 +44,14 @@ PATH: tuple[Row, ...] = (
     *COLOURS,
     ("App::PropertyColor", "ColourAxes", AXIS_COLOUR, QT_TRANSLATE_NOOP("App::Property", "Colour of the tool axes")),
 )  # fmt: skip
-MARKERS: tuple[Row, ...] = (*MARKS, *COLOURS[1:])
+MARKERS: tuple[Row, ...] = (*MARKS, *COLOURS)
 
 
 SETUPS: tuple[Row, ...] = (
     ("App::PropertyBool", "ShowLabel", True, QT_TRANSLATE_NOOP("App::Property", "Show the value at the recommended place")),
     ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours mean")),
+    ("App::PropertyBool", "ShowAllPlaces", False,
+     QT_TRANSLATE_NOOP("App::Property", "Show the places at all heights, not only those at the recommended one")),
     ("App::PropertyFloatConstraint", "MarkerSize", (9.0, 3.0, 25.0, 1.0),
      QT_TRANSLATE_NOOP("App::Property", "Size of the markers in pixels")),
     ("App::PropertyColor", "ColourGood", preferences.colour_good,

@@ -21,7 +21,7 @@ APP = "freecad_fiveaxis.app."
 
 ICONS = {
     "tessellation": "Tessellation", "toolpath": "Toolpath", "audit": "Audit", "markers": "Markers", "nc_output": "NCOutput",
-    "setups": "SetupMap", "left": "LeftMap",
+    "setups": "SetupMap", "left": "LeftMap", "job_setup": "FiveAxis_JobSetup",
 }  # fmt: skip
 
 

@@ -21,7 +21,9 @@ from .qt import QtCore, QtGui, QtWidgets, main_window, translate
 
 REPAINT = 0.05
 """s between two looks at the window's events; more often would cost more than the work."""
-UNSEEN = 0.2
+STILL = 1.0
+"""s after which a fraction that does not move is shown as work without one: the bar runs to and fro."""
+UNSEEN = 0.1
 """s of work that nobody asked for, as a recompute, before the dialog comes up."""
 
 
@@ -29,9 +31,8 @@ class Waiting:
     """A listener for progress that shows a dialog, after ``delay`` s of work."""
 
     def __init__(self, text: str, delay: float = 0.0) -> None:
-        dialog = QtWidgets.QProgressDialog(text, "", 0, 100, main_window())
-        self.button = QtWidgets.QPushButton(translate("FiveAxis", "Cancel"))
-        dialog.setCancelButton(self.button)
+        dialog = QtWidgets.QProgressDialog(text, translate("FiveAxis", "Cancel"), 0, 100, main_window())
+        self.button = dialog.findChild(QtWidgets.QPushButton)
         dialog.setObjectName("FiveAxisWaiting")
         dialog.setWindowTitle(text)
         dialog.setWindowModality(QtCore.Qt.ApplicationModal)
@@ -41,6 +42,7 @@ class Waiting:
         dialog.setAutoReset(False)
         dialog.reset()  # Qt would show it by itself after a while
         self.dialog, self.text, self._due, self._stage = dialog, text, 0.0, ""
+        self._told, self._moved = ("", 0.0), time.monotonic()
         self._shown, self._pressed, self._show_at = False, False, time.monotonic() + delay
 
     def start(self) -> None:
@@ -53,11 +55,14 @@ class Waiting:
     def __call__(self, stage: str, fraction: float) -> None:
         """Show the stage (a word of the core) and its fraction, 0 to 1. Raises Cancelled once the user wants to stop."""
         now = time.monotonic()
+        if (stage, fraction) != self._told:
+            self._told, self._moved = (stage, fraction), now
         if now < self._due and stage == self._stage:
             return
         self._due, self._stage = now + REPAINT, stage
         self.dialog.setLabelText(f"{self.text}\n{stage_words().get(stage, stage)}")
-        if self._shown:
+        if self._shown and now - self._moved <= STILL:
+            self.dialog.setMaximum(100)
             self.dialog.setValue(round(100 * min(max(fraction, 0.0), 1.0)))
         self.pump()
 
@@ -67,6 +72,8 @@ class Waiting:
             if time.monotonic() < self._show_at:
                 return
             self.start()
+        if time.monotonic() - self._moved > STILL:
+            self.dialog.setMaximum(0)
         QtWidgets.QApplication.processEvents()
         if self.dialog.wasCanceled() or self._clicked_in_recompute():
             from freecad_fiveaxis.core.errors import Cancelled
@@ -101,8 +108,8 @@ def stage_words() -> dict[str, str]:
         "joint path": translate("FiveAxis", "turning the axes"),
         "linearize": translate("FiveAxis", "dividing blocks"),
         "minimax axes": translate("FiveAxis", "seeking the axes of least deviation"),
-        "leading past the pole": translate("FiveAxis", "leading the axis past the pole"),
-        "driving what is led": translate("FiveAxis", "driving what is led"),
+        "leading past the pole": translate("FiveAxis", "turning the axis past the pole"),
+        "driving what is led": translate("FiveAxis", "driving the turned axes"),
         "trade of axis change": translate("FiveAxis", "comparing axis changes"),
         "gouge": translate("FiveAxis", "looking where the tool enters the part"),
         "lift": translate("FiveAxis", "lifting the tool out of the part"),

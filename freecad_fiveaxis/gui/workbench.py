@@ -8,6 +8,7 @@ import FreeCADGui
 from .qt import QT_TRANSLATE_NOOP, icon
 
 TITLE = QT_TRANSLATE_NOOP("Workbench", "Five-axis")
+MACHINES = QT_TRANSLATE_NOOP("Workbench", "Five-axis machines")
 
 
 class FiveAxisWorkbench(FreeCADGui.Workbench):
@@ -19,10 +20,11 @@ class FiveAxisWorkbench(FreeCADGui.Workbench):
 
     def Initialize(self) -> None:
         """FreeCAD calls this when the workbench is opened for the first time."""
-        from .commands import NAMES
+        from .commands import SEPARATOR, machine_names, work_names
 
-        self.appendToolbar(TITLE, NAMES)
-        self.appendMenu(TITLE, NAMES)
+        self.appendToolbar(TITLE, work_names())
+        self.appendToolbar(MACHINES, machine_names())
+        self.appendMenu(TITLE, [*work_names(), SEPARATOR, *machine_names()])
 
     def Activated(self) -> None:
         """FreeCAD calls this whenever the workbench is opened."""

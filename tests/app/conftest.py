@@ -15,6 +15,8 @@ sys.path.insert(0, str(ROOT / "resources" / "examples"))
 
 FAST = {"machine": "trunnion_ac", "stepover": 4, "linear_deflection": 0.1}
 """Settings under which a small part takes a fraction of a second."""
+UNCURED = {"linearize": "off", "gouge": "off"}
+"""What tests ask for that look at deviations, blocks and entries as the path has them before any cure."""
 
 
 @pytest.fixture

@@ -5,6 +5,7 @@ import FreeCAD
 import numpy as np
 import Part
 import pytest
+from conftest import UNCURED
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import left, results
@@ -43,7 +44,7 @@ def test_a_ball_leaves_the_bottom_of_a_groove_that_is_too_narrow_for_it(doc, gro
 
 
 def test_a_ball_that_is_not_lifted_cuts_the_other_wall(doc, groove):
-    made = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE))
+    made = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE, **UNCURED))
     assert made.LargestOvercut.Value > 0.5 and made.OvercutArea.Value > 10.0
     assert "cut too deep, at most by" in made.Verdict
 

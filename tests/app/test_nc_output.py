@@ -5,6 +5,7 @@ import os
 
 import FreeCAD
 import pytest
+from conftest import UNCURED
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app.nc_output import NCOutput, is_ours, out_of_date
@@ -18,7 +19,7 @@ def toolpath(doc):
     dome = doc.addObject("Part::Sphere", "Dome")
     dome.Radius, dome.Angle1 = 10, 0
     doc.recompute()
-    return app.create_toolpath(doc, dome, machine="trunnion_ac", cutter="ball:6", stepover=5, linear_deflection=0.2)
+    return app.create_toolpath(doc, dome, machine="trunnion_ac", cutter="ball:6", stepover=5, linear_deflection=0.2, **UNCURED)
 
 
 def test_the_file_holds_what_the_toolpath_makes(toolpath, tmp_path):

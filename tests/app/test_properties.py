@@ -9,7 +9,7 @@ import pytest
 from conftest import FAST
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import auditing, convert, properties, toolpath
+from freecad_fiveaxis.app import auditing, convert, option_texts, properties, toolpath
 from freecad_fiveaxis.core import gouge_free
 from freecad_fiveaxis.core.cutter import KINDS, Cutter, kind_of, parse_cutter
 from freecad_fiveaxis.core.errors import SettingsError
@@ -38,7 +38,7 @@ def test_every_option_that_is_no_file_has_a_property_with_its_group_and_help(pat
         for name in names:
             assert path.getGroupOfProperty(name) == properties.group_of(cls, leaf) in GROUPS
             if kind != "cutter":
-                assert path.getDocumentationOfProperty(name) == leaf.metadata["text"]
+                assert path.getDocumentationOfProperty(name) == option_texts.text_of(leaf)
             assert path.getTypeIdOfProperty(name).startswith("App::Property")
 
 

@@ -2,7 +2,7 @@
 """Documents of earlier versions open whole, and what they lacked is added."""
 
 import pytest
-from conftest import FAST
+from conftest import FAST, UNCURED
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import properties, results, schema, toolpath
@@ -60,7 +60,7 @@ def test_it_is_recomputed_to_the_same_program(old, reopen):
 
 
 def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen):
-    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8})
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, **UNCURED)
     blocks, deviation = path.Blocks, path.MaxSegmentDeviation.Value
     for name in ("Singularity", "MaxTilt", "MaxAxisChange"):
         assert path.removeProperty(name)
@@ -193,3 +193,23 @@ def test_adding_what_is_there_changes_nothing(doc):
     path.purgeTouched()
     properties.add_missing(path, path.Proxy.properties())
     assert "Touched" not in path.State and path.Lead.Value == 4
+
+
+def test_what_was_saved_uncured_stays_uncured_whatever_the_defaults_have_become(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **FAST, **UNCURED)
+    path = reopen(doc).Toolpath
+    assert (path.Linearize, path.Gouge) == ("off", "off") and results.out_of_date(path) == ""
+    task = path.Proxy.task(path)
+    assert (task.settings.cure.linearize, task.settings.gouge.gouge) == ("off", "off")
+
+
+def test_what_had_no_cure_at_all_gets_none(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **FAST, **UNCURED)
+    blocks, path.SchemaVersion = path.Blocks, 3
+    for name in ("Gouge", "Linearize", "Light"):
+        assert path.removeProperty(name)
+    path = reopen(doc).Toolpath
+    assert (path.Linearize, path.Gouge, path.Light) == ("off", "off", "")
+    path.touch()
+    path.Document.recompute()
+    assert path.Blocks == blocks and path.Light == "red"

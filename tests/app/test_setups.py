@@ -4,7 +4,7 @@
 import json
 
 import pytest
-from conftest import FAST
+from conftest import FAST, UNCURED
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import comparing, setups
@@ -17,7 +17,7 @@ SMALL = {"region": (50, 50, 50), "grid": (3, 3, 2)}
 @pytest.fixture
 def path(doc, ball):
     """A coarse path over the half ball, its work zero 40 mm off the document's."""
-    return app.create_toolpath(doc, ball, **{**FAST, "stepover": 6}, work_zero=(0, 0, 40))
+    return app.create_toolpath(doc, ball, **{**FAST, "stepover": 6}, **UNCURED, work_zero=(0, 0, 40))
 
 
 def test_the_map_says_where_to_clamp_and_applying_it_lowers_the_deviation(path):

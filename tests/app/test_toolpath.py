@@ -11,7 +11,7 @@ import pytest
 from conftest import FAST, ROOT, half_ball
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import long_work, results
+from freecad_fiveaxis.app import long_work, results, wording
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.errors import Cancelled, FileError, FiveAxisError
 from freecad_fiveaxis.core.machine import load_machine, save_machine
@@ -44,7 +44,7 @@ def test_it_is_computed_and_shows_the_cores_figures(path):
     assert path.MaxBound.Value == told["max_bound"] >= path.MaxSegmentDeviation.Value
     assert path.CutLength.Value == told["cut_length"] > 100
     assert getattr(path.Time, "Value", path.Time) == told["time_s"] > 1
-    assert list(path.Findings) == [finding.text for finding in results.figures_of(path).findings] and path.Findings
+    assert list(path.Findings) == [wording.told(finding.text) for finding in results.figures_of(path).findings] and path.Findings
 
 
 @pytest.mark.parametrize(
@@ -324,3 +324,21 @@ def test_a_base_that_waits_for_its_recompute_is_computed_first(doc):
     box = doc.addObject("Part::Box", "Box")
     path = app.create_toolpath(doc, box, stepover=3)
     assert path.Blocks > 10 and path.State == box.State == ["Up-to-date"]
+
+
+def test_by_default_the_path_keeps_its_tolerance_and_stays_out_of_the_part(doc, ball):
+    path = app.create_toolpath(doc, ball, **FAST)
+    assert (path.Linearize, path.Gouge) == ("on", "lift")
+    assert path.Proven and path.OverTolerance == 0 and path.MaxBound.Value <= path.Tolerance.Value
+    assert path.Light == "amber" and path.Verdict.startswith("CHECK: ") and "near the pole" in path.Verdict
+    path.Linearize, path.Gouge = "off", "off"
+    doc.recompute()
+    assert path.Light == "red" and path.Verdict.startswith("NOT SAFE: ") and not path.Proven
+    assert f"{path.OverTolerance} of" in path.Verdict
+
+
+def test_a_guided_tip_and_the_default_do_not_contradict_each_other(doc, ball):
+    path = app.create_toolpath(doc, ball, **FAST, controller="heidenhain", rtcp="angles")
+    assert path.GuidedBlocks > 0 and path.Light == "amber" and "the controller guides the tip" in path.Verdict
+    with pytest.raises(FiveAxisError, match="give one"):
+        app.create_toolpath(doc, ball, **FAST, controller="heidenhain", rtcp="angles", linearize="on")

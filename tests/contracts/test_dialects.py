@@ -17,11 +17,21 @@ from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.joint_path import JointPath, solve
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, words_to_q
-from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
+from freecad_fiveaxis.core.machine import (
+    BY_CLEARANCE,
+    BY_MACHINE,
+    BY_NOTHING,
+    BY_REFERENCE,
+    Axis,
+    Machine,
+    SafeStart,
+    load_machine,
+)  # fmt: skip
 from freecad_fiveaxis.core.nc_reader import read_nc
 from freecad_fiveaxis.core.post import DIALECTS, Dialect, PostOptions, find_dialect
 from freecad_fiveaxis.core.post.dialect import feed_distance
 from freecad_fiveaxis.core.post.head import SLOTS
+from freecad_fiveaxis.core.post.start import by_reference, with_start
 from freecad_fiveaxis.core.post.writer import write_nc
 from freecad_fiveaxis.core.program import Program, build_program
 
@@ -449,3 +459,83 @@ def test_linuxcncs_interpreter_reads_the_guided_words_with_the_switches_remapped
     words = np.array([[float(number) for number in numbers.split(",")] for numbers in moves])[:, [0, 1, 2, 5, 3]]
     assert np.abs(words[:, :3] - program.guided.tip).max() < 1e-9
     assert np.abs(words[:, 3:] - program.words[:, 3:]).max() < 1e-9
+
+
+STARTS = [SafeStart(BY_MACHINE, -1.5), SafeStart(BY_REFERENCE), SafeStart(BY_CLEARANCE), SafeStart(BY_NOTHING)]
+EVERY_START = pytest.mark.parametrize("start", STARTS, ids=[start.retract for start in STARTS])
+EVERY_FORM = pytest.mark.parametrize(
+    ("dialect", "how"), [(dialect, "") for dialect in DIALECTS.values()] + GUIDED,
+    ids=[*DIALECTS, *(f"{d.name}-{how}" for d, how in GUIDED)],
+)  # fmt: skip
+PLANE = 777.0
+
+
+@EVERY_FORM
+@EVERY_START
+@pytest.mark.parametrize("by_tip", [False, True], ids=["over", "over-by-tip"])
+def test_a_safe_start_is_read_over_and_the_blocks_stay_what_they_are(dialect, how, start, by_tip) -> None:
+    begun = with_start(dialect, start, by_tip)
+    begun = begun.guided(how) if how else begun
+    program = build_program(some_joints(LINKS), LINKS, begun, False)
+    text = write_nc(program, begun, "part", TOOL, height=PLANE)
+    again = read_nc(text, LINKS, begun)
+    own = np.isin(again.line, program.line)
+    assert np.array_equal(again.line[own], program.line)
+    if how == "vectors":  # of two branches the reader is free to take the other one
+        assert np.array_equal(again.guided.tip[own], program.guided.tip)
+        assert np.array_equal(again.guided.vector[own], program.guided.vector)
+    else:
+        assert np.abs(again.words[own] - program.words).max() < 1e-8
+    assert [found.code for found in again.findings] == (["tip-guided-by-controller"] if how else [])
+    others, plane = again.words[~own], start.retract == BY_CLEARANCE and not (how and by_reference(dialect, start))
+    assert len(others) == ((1 if by_tip and how else 2) if plane else 0) and (np.abs(others[:, 2] - PLANE) < 1e-6).all()
+
+
+@EVERY_FORM
+@EVERY_START
+def test_a_safe_start_retracts_turns_goes_over_and_only_then_guides_and_ends_with_the_retract(dialect, how, start) -> None:
+    begun = with_start(dialect, start)
+    begun = begun.guided(how) if how else begun
+    turn, over = (f"{dialect.rapid} {{{slot}}}{dialect.rapid_end}" for slot in ("rotaries", "over"))
+    if start.retract == BY_NOTHING:
+        assert turn not in begun.head and over not in begun.head and begun.head.count("{cutter}") == 1
+        return
+    plane = f"{dialect.rapid} {{height}}{dialect.rapid_end}"
+    up = {BY_MACHINE: tuple(line.format(z=_minus(dialect)) for line in dialect.machine_retract), BY_CLEARANCE: (plane,)}
+    reference = start.retract == BY_REFERENCE or (how and by_reference(dialect, start))
+    first = (dialect.reference_return if reference else up[start.retract])[0]
+    order = [begun.head.index(line) for line in (first, turn, over)]
+    assert order == sorted(order) and first in begun.tail
+    assert (begun.head.index("{tool}") > order[0]) == (first != plane)  # a plane above the part needs the tool's length
+    if how:
+        guide = begun.guide
+        assert order[2] < begun.head.index(guide.on[0]) and begun.head.index(guide.off[0]) < order[0]
+        assert begun.tail.index(guide.off[0]) < begun.tail.index(first)
+
+
+def _minus(dialect: Dialect) -> str:
+    return f"{-1.5:.{dialect.linear_decimals}f}"
+
+
+@EVERY_START
+@pytest.mark.rs274
+@needs_rs274
+@pytest.mark.parametrize("name", ["linuxcnc", "fanuc", "mach3"])
+def test_linuxcncs_interpreter_takes_every_safe_start_and_end(name, start, tmp_path: Path) -> None:
+    dialect = with_start(DIALECTS[name], start)
+    program = build_program(some_joints(LINKS), LINKS, dialect, False)
+    (tmp_path / "a.ngc").write_bytes(write_nc(program, dialect, "part", height=PLANE))
+    run = subprocess.run(
+        ["rs274", "-g", "a.ngc"], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL
+    )
+    assert run.returncode == 0, run.stderr
+    moves = re.findall(r"STRAIGHT_(?:FEED|TRAVERSE)\(([^)]*)\)", run.stdout)
+    words = np.array([[float(number) for number in numbers.split(",")] for numbers in moves])[:, [0, 1, 2, 5, 3]]
+    before = {BY_MACHINE: 3, BY_REFERENCE: 4, BY_CLEARANCE: 3, BY_NOTHING: 0}[start.retract]
+    assert np.abs(words[before : before + len(program.words)] - program.words).max() < 1e-9
+    driven = np.abs(np.diff(words[: before + 1], axis=0)) > 0.0
+    groups = np.stack([driven[:, 2], driven[:, 3:].any(axis=1), driven[:, :2].any(axis=1)], axis=1)
+    assert (groups.sum(axis=1) <= 1).all()
+    last = words[-1]
+    assert last[2] == {BY_MACHINE: -1.5, BY_REFERENCE: 0.0, BY_CLEARANCE: PLANE}.get(start.retract, program.words[-1, 2])
+    assert np.array_equal(last[[0, 1, 3, 4]], program.words[-1, [0, 1, 3, 4]])

@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.trajectory import at, frames, motion, tip
 HALF = 0.5**0.5
 SAMPLES = 2001
 FARTHEST = 3000.0  # mm: beyond, a table's linear axis has turned parallel to another one
-POINT = 1e-9  # mm: a shorter chord is a point, as docs/deviation.md says
+POINT = 1e-5  # mm: a shorter chord is a point, as docs/deviation.md says
 
 _X, _Y, _Z = (Axis(letter, False, "head", tuple(row)) for letter, row in zip("XYZ", np.eye(3).tolist(), strict=True))
 _C = Axis("C", True, "table", (0, 0, 1), (5, 6, 0))
@@ -73,11 +73,13 @@ def sampled_deviation(links: Chain, start: Floats, end: Floats, samples: int = S
     for first in range(0, len(start), 8):
         part = slice(first, first + 8)
         move = motion(frame, start[part], end[part]).take((slice(None), None))
-        path = tip(frame, at(move, np.linspace(0.0, 1.0, samples)[None]))
+        u = np.linspace(0.0, 1.0, samples)[None]
+        path = tip(frame, at(move, u))
         x = [p - p[:, :1] for p in path]
         chord = [p[:, -1:] for p in x]
         length2 = sum(d * d for d in chord)
-        share = sum(p * d for p, d in zip(x, chord, strict=True)) * (length2 > POINT**2) / np.maximum(length2, POINT**2)
+        foot = sum(p * d for p, d in zip(x, chord, strict=True)) / np.maximum(length2, POINT**2)
+        share = np.where(length2 > POINT**2, foot, u)
         for result, k in ((segment, np.clip(share, 0.0, 1.0)), (line, share)):
             result[part] = _peak(np.sqrt(sum((p - k * d) ** 2 for p, d in zip(x, chord, strict=True))))
     return segment, line

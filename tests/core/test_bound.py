@@ -9,9 +9,10 @@ from five_kinds import KINDS, interleaved, links_of, random_blocks, sampled_devi
 
 from freecad_fiveaxis.core.deviation import measure, quick_bound
 from freecad_fiveaxis.core.deviation.bound import ABSOLUTE, RELATIVE, bending, close_levers, end_levers, quick_levers
-from freecad_fiveaxis.core.deviation.quartic import REMAINDER
+from freecad_fiveaxis.core.deviation.quartic import POINT, REMAINDER
 from freecad_fiveaxis.core.deviation.search import FIRST_PIECES, Chords, _local, _Pieces, _proven, farthest
 from freecad_fiveaxis.core.errors import ProgramError
+from freecad_fiveaxis.core.kinematics import forward, linear_words, words_to_q
 from freecad_fiveaxis.core.trajectory import at, derivatives, frames, inner, motion, tip, tip_at
 
 STEPS = 16
@@ -122,6 +123,43 @@ def test_rounding_never_takes_the_bound_below_the_truth(links, turn):
     words = interleaved(start, end)
     assert (measure(links, words).bound[1::2] >= truth).all()
     assert (quick_bound(links, words)[1::2] >= truth).all()
+
+
+# ------------------------------------------------------------------------------------------------ chords that are points
+
+
+def blocks_with_chords_of(links, length, count=20):
+    """Turns of 5 to 30 deg of both axes whose ends are so many mm apart; and their real path in extended precision."""
+    rng = np.random.default_rng(27)
+    start = rng.uniform(-1, 1, (5 * count, 5)) * (500, 500, 500, 180, 90)
+    end = start + rng.uniform(5, 30, (5 * count, 5)) * (0, 0, 0, 1, 1) * rng.choice((-1, 1), (5 * count, 5))
+    way = rng.normal(size=(5 * count, 3))
+    tips = forward(links, words_to_q(start))[0] + length * way / np.linalg.norm(way, axis=1)[:, None]
+    end[:, :3] = linear_words(links, tips, words_to_q(end)[:, 3:])
+    near = np.flatnonzero(np.abs(end[:, :3]).max(axis=1) < 3000.0)[:count]
+    u = np.linspace(0, 1, 1001).astype(LONG)[:, None]
+    path = [long_tip(links, s.astype(LONG) + u * (e.astype(LONG) - s)) for s, e in zip(start[near], end[near], strict=True)]
+    return start[near], end[near], np.stack(path), u
+
+
+@pytest.mark.parametrize("length", [1e-11, 1e-9, 1e-7, 0.9 * POINT])
+def test_a_chord_too_short_for_a_direction_is_measured_from_its_point_of_the_same_u(links, length):
+    """Its direction is rounding, and so were its line deviation: up to 0.1 mm of it at 1e-9 mm."""
+    start, end, path, u = blocks_with_chords_of(links, length)
+    same_u = np.linalg.norm((path - path[:, :1] - u * (path[:, -1:] - path[:, :1])).astype(float), axis=2).max(axis=1)
+    found = measure(links, interleaved(start, end))
+    for distance in (found.line[1::2], found.segment[1::2]):
+        assert distance == pytest.approx(same_u, rel=1e-5, abs=1e-6)
+    assert (found.bound[1::2] >= same_u).all() and same_u.min() > 0.1
+
+
+@pytest.mark.parametrize("length", [1.1 * POINT, 1e-4])
+def test_a_chord_just_long_enough_for_a_direction_has_the_line_deviation_of_extended_precision(links, length):
+    start, end, path, _ = blocks_with_chords_of(links, length)
+    off, chord = path - path[:, :1], path[:, -1:] - path[:, :1]
+    foot = (off * chord).sum(axis=2, keepdims=True) / (chord * chord).sum(axis=2, keepdims=True)
+    line = np.sqrt(((off - foot * chord) ** 2).sum(axis=2)).astype(float).max(axis=1)
+    assert measure(links, interleaved(start, end)).line[1::2] == pytest.approx(line, rel=1e-5, abs=1e-6)
 
 
 # ------------------------------------------------------------------------------------------------ the two proofs

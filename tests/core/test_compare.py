@@ -15,6 +15,7 @@ from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.apt import write_apt
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.compare import compare, compare_html, compare_json, compare_text, guide, solved, station
+from freecad_fiveaxis.core.compare.compare import Share
 from freecad_fiveaxis.core.compare.words import verdict
 from freecad_fiveaxis.core.cures import CURES, cures, leading
 from freecad_fiveaxis.core.errors import Cancelled, MachineError, ReachError, SettingsError
@@ -231,6 +232,16 @@ def test_the_words_name_the_quickest_that_holds_the_tolerance():
     assert record["rows"][0]["peak_rate"]["C"] == pytest.approx(math.degrees(rows[0].peak_rate[3]))
     page = compare_html(rows, "cap.stl", 0.001)
     assert page.count("<tr>") == 1 + len(rows) and "<script" not in page and "src=" not in page
+
+
+def test_the_progress_of_cures_with_many_stages_never_goes_back():
+    seen = []
+    told = Share(lambda stage, fraction: seen.append(fraction), 1, 4)
+    for stage in ("", "joint path", "minimax axes", "minimax axes", "gouge"):
+        for step in range(11):
+            told(stage, step / 10)
+    assert seen == sorted(seen) and seen[0] == 0.25 and 0.45 < seen[-1] < 0.5
+    assert max(np.diff(seen)) < 0.02, "and it moves with each word of a cure"
 
 
 def test_progress_runs_to_1_and_may_be_cancelled():

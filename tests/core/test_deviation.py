@@ -250,7 +250,8 @@ def departure_in_mid_step(links, words, centre, radius=60.0):
     return radius - np.linalg.norm(tip_at(links, words[:-1], words[1:], 0.5) - centre, axis=1)
 
 
-def test_lin_ye_half_circle_departs_from_the_arc_by_2_70_mm():
+def test_lin_ye_half_circle_departs_from_the_arc_by_2_70_mm_with_the_r0_solved_from_it():
+    """The paper prints 2.70 mm and no R0: 177.73 mm is solved from it by eq. (6). Tested is that the real path agrees with that."""
     links, words, centre = half_circle(177.73, np.radians(20.0))
     departure = departure_in_mid_step(links, words, centre)
     assert departure.max() == pytest.approx(2.70, abs=5e-4)
@@ -258,6 +259,7 @@ def test_lin_ye_half_circle_departs_from_the_arc_by_2_70_mm():
 
 
 def test_lin_ye_half_circle_departs_from_the_chord_by_the_chord_error_less():
+    """With the R0 solved from the paper's 2.70 mm."""
     links, words, _ = half_circle(177.73, np.radians(20.0))
     chord_error = 60.0 * (1 - np.cos(np.radians(10.0)))
     top = len(words) // 2

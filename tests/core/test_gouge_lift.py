@@ -271,7 +271,7 @@ RINGS = {"cutter": "bull:10:2"}, {"cutter": "bull:10:2", "lead": 0}, {"cutter": 
 
 def over_sharp_edges(parts, part, gouge, **options):
     """A path round the edges of a part that is cut on all sides, so that its hub swings over them."""
-    given = {"machine": "trunnion_ac", "origin": (0, 40, 0), "stepover": 12, "lead": 8, **options}
+    given = {"machine": "trunnion_ac", "origin": (0, 40, 0), "stepover": 12, "lead": 8, "linearize": "off", **options}
     return job.make(build_settings("mill", str(parts / f"{part}.stl"), {**given, "gouge": gouge}))
 
 
@@ -284,6 +284,15 @@ def over_sharp_edges(parts, part, gouge, **options):
 def test_round_sharp_edges_of_convex_parts_no_cure_touches_a_ring_cutter(parts, part, options):
     off, lift, out = (over_sharp_edges(parts, part, gouge, **options) for gouge in ("off", "lift", "leave-out"))
     assert off.nc == lift.nc == out.nc
+
+
+@pytest.mark.parametrize("options", RINGS[:2], ids=["lead 8", "lead 0"])
+def test_divided_within_the_tolerance_of_the_tip_the_ring_swings_farther_and_is_kept_out_all_the_same(parts, options):
+    """Blocks that are short enough for the tip are not for the ring: that takes rows half-way, though no row is lifted."""
+    report, lift = (job.prove(over_sharp_edges(parts, "dome", gouge, linearize="on", **options)) for gouge in ("report", "lift"))
+    assert report.gouge.cutter.depth.max() > 1.2 * report.made.settings.proof.tolerance
+    assert not lift.gouge.cutter.depth.any() and "lifted" not in {finding.code for finding in lift.findings}
+    assert len(lift.made.path.tip) < 1.05 * len(report.made.path.tip)
 
 
 @pytest.mark.slow

@@ -24,7 +24,8 @@ DOCUMENT = lin_ye.DOCUMENT.read_text(encoding="utf-8")
 # ------------------------------------------------------------------------------------------------ the half circle
 
 
-def test_the_half_circle_deviates_by_the_papers_2_70_mm():
+def test_the_half_circle_deviates_by_the_papers_2_70_mm_with_the_r0_solved_from_it():
+    """The paper prints no R0; PAPER_R0 is solved from its 2.70 mm by eq. (6). Tested is that the simulated path agrees."""
     assert arc.shift_measured(arc.PAPER_R0, STEP) == pytest.approx(2.70, abs=0.01)
 
 

@@ -242,6 +242,7 @@ def test_it_says_where_it_stands_and_can_be_stopped():
     said = []
     minimax_axes(offset, axis, links, reach, TILT, FEED, lambda stage, share: said.append((stage, share)))
     assert len(said) > 5 and all(0.0 <= share <= 1.0 for _, share in said)
+    assert any(abs(40.0 * share - round(40.0 * share)) > 0.1 for _, share in said), "it speaks within a round, too"
 
     def stop(stage, share):
         raise Cancelled("enough")

@@ -29,7 +29,7 @@ from freecad_fiveaxis.core.prove_signs.seen import linear_seen, rotary_seen
 from freecad_fiveaxis.core.prove_signs.sheet import rows
 
 SETUP = Setup((0.0, 0.0, 0.0), 100.0)
-WISHES = Wishes()
+WISHES = Wishes((30.0, 20.0, 0.0))
 
 machines = pytest.mark.parametrize("name", shipped_machines())
 
@@ -70,7 +70,7 @@ def test_every_move_keeps_the_gap_and_the_limits_whatever_the_signs(name):
     tips = [forward(mirrored(name, which), q)[0] for which in ("", letters[0], letters[1], letters)]
     tips.append(forward(mirrored(name, ""), swapped)[0])
     for tip in tips:
-        assert tip[:, 2].min() >= WISHES.mark[2] + WISHES.gap - 1e-3
+        assert tip[:, 2].min() >= WISHES.place[2] + WISHES.gap - 1e-3
 
 
 def test_without_that_care_a_wrong_sign_would_come_too_near():
@@ -120,6 +120,28 @@ def test_an_axis_turns_to_the_side_that_its_limits_allow():
         make_plan(replace(machine, axes=tuple(axes)), SETUP, WISHES)
 
 
+NOTICE = "Nothing may stand above Z 0 of the work zero: remove the part, or give --mark as high as part and clamps reach."
+
+
+def test_without_a_mark_the_first_line_says_that_nothing_may_stand_there():
+    made = make_plan(load_machine("trunnion_ac"), SETUP, Wishes())
+    program = proof_program(made, find_dialect("linuxcnc"))
+    assert " ".join(sheet_text(made, program).split("\n\n")[0].split()) == NOTICE
+    assert f'<p class="verdict bad">{NOTICE} At every stop' in sheet_html(made, program)
+    assert (made.findings[0].code, made.findings[0].text) == ("mark-not-given", NOTICE)
+    nc = proof_nc(made, program, find_dialect("linuxcnc"), PostOptions()).decode()
+    assert nc[: nc.index("M0")].rstrip().endswith("rotary axes at 0 - then go on)") and "nothing above Z 0 - stop 0" in nc
+    given, program, nc = posted("trunnion_ac")
+    assert NOTICE not in " ".join(sheet_text(given, program).split()) and b"nothing above" not in nc
+    assert not [one for one in given.findings if one.code == "mark-not-given"]
+
+
+def test_the_tip_keeps_the_gap_to_the_mark_s_height():
+    made = plan("trunnion_ac", mark=(30.0, 20.0, 40.0))
+    tips = forward(made.links, along(proof_program(made, find_dialect("linuxcnc")).words))[0]
+    assert 40.0 + WISHES.gap - 1e-3 <= tips[:, 2].min() < 40.0 + WISHES.gap + 1e-3
+
+
 # Right
 
 
@@ -129,7 +151,7 @@ def test_at_the_last_stop_the_tool_points_at_the_mark(name):
     last = rows(made, program)[-1]
     words = np.array([[last["words"][letter] for letter in program.letters]])
     tip, axis = forward(made.links, words_to_q(words))
-    np.testing.assert_allclose(tip[0] - made.distance * axis[0], WISHES.mark, rtol=0, atol=1e-3)
+    np.testing.assert_allclose(tip[0] - made.distance * axis[0], WISHES.place, rtol=0, atol=1e-3)
 
 
 def test_by_linuxcnc_s_own_formulas_too():
@@ -144,7 +166,7 @@ def test_by_linuxcnc_s_own_formulas_too():
         return np.array([np.cos(c) * v[0] + np.sin(c) * v[1], np.cos(c) * v[1] - np.sin(c) * v[0], v[2]])
 
     k = np.array([np.sin(a) * np.sin(c), np.sin(a) * np.cos(c), np.cos(a)])
-    np.testing.assert_allclose(tip(a, c) - made.distance * k, WISHES.mark, rtol=0, atol=1e-3)
+    np.testing.assert_allclose(tip(a, c) - made.distance * k, WISHES.place, rtol=0, atol=1e-3)
     foretold = dict(made.foretold)
     for text, signs in (("C turns the wrong way", (1, -1)), ("A turns the wrong way", (-1, 1))):
         np.testing.assert_allclose(tip(signs[0] * a, signs[1] * c) - tip(a, c), foretold[text], rtol=0, atol=1e-3)

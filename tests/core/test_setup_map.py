@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.setup_map import (
     advice,
     heat_map_html,
     heat_maps,
+    marked_rows,
     origin_option,
     part_box,
     setup_json,
@@ -167,11 +168,47 @@ def test_a_region_that_leaves_every_limit_recommends_nothing_and_tells_by_how_mu
     region = Region((900.0, -10.0, -10.0), (1000.0, 10.0, 10.0), (2, 1, 1))
     chart = setup_map(made.path, made.machine, Setup(), region, posting(made))
     assert chart.best is None and not chart.within_limits[chart.kind == Kind.GRID].any()
-    (finding,) = chart.findings
+    (finding,) = [one for one in chart.findings if one.code != "table-unknown"]
     assert finding.code == "no-setup-within-limits"
     assert 0.9 * chart.over[chart.kind == Kind.GRID].min() <= finding.value <= chart.over[chart.kind == Kind.GRID].min() + 1e-6
     assert verdict(chart).startswith("No setup") and advice(chart) == () and origin_option(chart) == ""
     assert "No setup" in heat_map_html(chart) and setup_markers(chart)[0].kind == "setup-present"
+
+
+UNKNOWN = "The height of the table is not known: check that the part stands on it"
+
+
+def test_no_setup_below_the_table_is_recommended_and_such_setups_are_greyed():
+    made = milled(**COARSE)
+    bottom = min(made.mesh.vertex[:, 2].tolist())
+    table = bottom - 10.0  # the work zero must stand at Z -10 or higher
+    region = Region((-50.0, -50.0, -90.0), (50.0, 50.0, 30.0), (2, 2, 4))
+    free = setup_map(made.path, made.machine, Setup((0.0, 0.0, -20.0)), region, posting(made))
+    chart = setup_map(made.path, made.machine, Setup((0.0, 0.0, -20.0)), region, posting(made), table=table)
+    assert free.origin[free.best, 2] < -10.0 <= chart.origin[chart.best, 2]  # the table is what decides
+    below = chart.origin[:, 2] + bottom < table - 1e-6
+    assert below.any() and np.array_equal(chart.stands, ~below) and free.stands.all()
+    assert {kind for row, kind in marked_rows(chart) if below[row]} == {"setup-present", "setup-beyond-limits"}
+    assert "mm above the table" in verdict(chart) and "In the present setup the part reaches below the table" in verdict(chart)
+    assert UNKNOWN not in verdict(chart) and "below the table" in setup_text(chart)
+    told = [one for one in chart.findings if one.code == "part-below-table"]
+    assert len(told) == 1 and told[0].value == pytest.approx(-10.0)
+    assert chart.least >= free.least - 1e-9  # proven of what stands
+    record = json.loads(setup_json(chart))
+    assert record["table"] == pytest.approx(table) and [one["on_table"] for one in record["setups"]] == (~below).tolist()
+
+
+def test_a_table_that_is_not_known_is_said(chart):
+    assert chart.table is None and verdict(chart).endswith(UNKNOWN + ".")
+    assert [one.code for one in chart.findings].count("table-unknown") == 1
+
+
+def test_a_region_that_lies_below_the_table_recommends_nothing():
+    made = milled(**COARSE)
+    region = Region((-50.0, -50.0, -90.0), (50.0, 50.0, -60.0), (2, 2, 1))
+    chart = setup_map(made.path, made.machine, Setup(), region, posting(made), table=500.0)
+    assert chart.best is None and chart.findings[0].code == "no-setup-on-the-table"
+    assert "the part on the table" in verdict(chart)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from five_kinds import KINDS, TABLE_2, interleaved, links_of, mikron_links
 from freecad_fiveaxis.core.deviation import measure, so2008
 from freecad_fiveaxis.core.deviation.so2008 import line_deviation, model_tip
 from freecad_fiveaxis.core.kinematics import linear_words
-from freecad_fiveaxis.core.trajectory import tip_at
+from freecad_fiveaxis.core.trajectory import chained_motion, frames, inner, tip, tip_at
 
 
 @pytest.fixture(params=KINDS)
@@ -23,12 +23,13 @@ def mikron():
     return mikron_links()
 
 
-def blocks_at(links, tilt, count=300, turn=30.0, seed=1):
-    """Blocks with 1 mm chords, V within ``tilt`` deg of the pole and turning by up to 0.2 deg, U turning by up to ``turn``."""
+def blocks_at(links, tilt, count=300, turn=30.0, seed=1, level=False):
+    """Blocks with 1 mm chords, across U where ``level``, V within ``tilt`` deg of the pole and turning by up to 0.2 deg, U turning by up to ``turn``."""
     rng = np.random.default_rng(seed)
     first = np.stack([rng.uniform(-180, 180, count), rng.uniform(-tilt, tilt, count)], axis=1)
     last = first + np.stack([rng.uniform(10, turn, count) * rng.choice((-1, 1), count), rng.uniform(-0.2, 0.2, count)], axis=1)
     tips, step = rng.uniform(-80, 80, (count, 3)), rng.normal(size=(count, 3))
+    step -= level * (step @ links.direction[3])[:, None] * links.direction[3]
     step /= np.linalg.norm(step, axis=1)[:, None]
     ends = [(tips, np.radians(first)), (tips + step, np.radians(last))]
     start, end = (np.concatenate([linear_words(links, p, q), np.degrees(q)], axis=1) for p, q in ends)
@@ -40,6 +41,32 @@ def test_table_2_line_deviation_is_within_a_micron_of_the_exact_one(mikron):
     assert model.line[1] == pytest.approx(exact.line[1], abs=1e-3)
     assert model.line[1] == pytest.approx(0.93845, abs=3e-4)
     assert model.u_line[1] == pytest.approx(0.40413, abs=1e-4)
+
+
+def test_table_2_by_equation_8_as_printed_is_not_what_the_paper_prints(mikron):
+    printed = measure(mikron, TABLE_2, method="so2008-printed")
+    assert printed.u_line[1] == pytest.approx(0.4708, abs=1e-4)  # the paper: 0.4101
+    assert printed.line[1] == pytest.approx(0.9192, abs=1e-4)  # the paper: 0.9383
+
+
+def test_equation_8_is_the_printed_one_times_n(mikron):
+    """Eqs. (7) and (8) by their own symbols on Table 2, for table-table chains, where G is zero."""
+    frame = frames(mikron)
+    move, poses = chained_motion(frame, TABLE_2)
+    m0, slope, _ = so2008._linear_inner(inner(frame, poses))
+    u = np.linspace(0.0, 1.0, 11)[:, None]
+    ours, _ = so2008._eq_8(move, poses, frame, m0, slope, u)
+    a, phi, turn = np.abs(slope), np.angle(slope), move.a_step
+    a0 = (m0 * slope.conj()).real / a
+    b = (m0.conj() * slope).imag / a  # with its sign, so that s beta = -atan2(b, a0 + u a)
+    r, beta = np.hypot(a0 + u * a, b), -np.arctan2(b, a0 + u * a)
+    slower, faster = (a0 + u * a) * a / r, r * (turn + a * b / r**2)  # r' and r (U' + beta')
+    n, lean = np.hypot(slower, faster), np.arctan2(faster, slower)
+    x, y, _ = tip(frame, poses)
+    omega = np.arctan2(np.diff(y), np.diff(x))
+    printed = np.sin(move.a + u * turn + phi - omega + beta + lean)
+    assert ours / n == pytest.approx(printed, abs=1e-9)
+    assert np.ptp(printed) > 0.5
 
 
 def test_all_but_the_line_columns_are_exact(mikron):
@@ -89,6 +116,39 @@ def test_near_the_pole_it_agrees_with_the_exact_deviation(links):
     exact, model = measure(links, words).line[1::2], measure(links, words, method="so2008").line[1::2]
     assert np.median((exact - model) / exact) < 2e-3
     assert (model <= exact * (1 + 1e-5) + 1e-6).all()  # a distance of the real path, so never more
+
+
+def shortfall(links, words, method):
+    exact, model = measure(links, words).line[1::2], measure(links, words, method=method).line[1::2]
+    assert (model <= exact * (1 + 1e-5) + 1e-6).all()
+    return np.percentile((exact - model) / exact, 95)
+
+
+@pytest.mark.parametrize("kind", ["table_table", "nutating", "head_table"])
+def test_with_level_chords_the_form_with_n_is_right_and_with_climbing_ones_the_printed_form_is_nearer(kind):
+    links = links_of(kind)
+    level, climbing = (blocks_at(links, tilt=1.0, count=600, level=level) for level in (True, False))
+    one, two = ([shortfall(links, words, method) for words in (level, climbing)] for method in ("so2008", "so2008-printed"))
+    assert one[0] < 1e-4 < 0.05 < two[0]
+    assert 5.0 * two[1] < one[1]
+
+
+def test_samples_keep_a_tenth_of_the_block_from_its_ends():
+    k = np.linspace(-3.0, 4.0, 1401)
+    samples = so2008._samples(k)
+    between = samples[1:4]
+    assert between.min() >= 0.1 - 1e-12 and between.max() <= 0.9 + 1e-12
+    assert (np.diff(samples, axis=0) > 0.0).all()
+
+
+def test_samples_as_printed_are_those_of_table_1_wherever_they_differ():
+    k = np.array([-1.0, 0.3, 0.4, 0.7, 2.5])
+    h = np.abs(0.5 - k)
+    below, above = [0 * k, 0.5 - 2 * h, 0.5 - h, 0 * k + 0.5, 0 * k + 1], [0 * k, 0 * k + 0.5, 0.5 + h, 0.5 + 2 * h, 0 * k + 1]
+    assert so2008._samples(k, printed=True) == pytest.approx(np.where(k < 0.5, below, above))
+    for meeting in (0.25, 0.75):  # 0.5 -+ 2h is an end of the block
+        samples = np.sort(so2008._samples(np.array([meeting]), printed=True)[:, 0])
+        assert np.diff(samples).min() > 1e-3
 
 
 @pytest.mark.parametrize("kind", ["head_table", "head_head"])

@@ -8,6 +8,7 @@ import struct
 import pytest
 from translation_script import ROOT, translations
 
+from freecad_fiveaxis.app.option_texts import TEXTS, text_of
 from freecad_fiveaxis.core.sentences import CONTEXT, OPTIONS
 from freecad_fiveaxis.core.settings import option_fields
 
@@ -67,10 +68,31 @@ def test_every_setting_that_is_shown_has_its_help_and_its_name_translated(task):
             shown = (
                 [name] if leaf.name != "cutter" else [f"Cutter{one}" for one in ("Kind", "Diameter", "Corner", "Taper", "Length")]
             )
-            for text in [leaf.metadata["text"], *map(translations.shown_name, shown)]:
+            for text in [text_of(leaf), *map(translations.shown_name, shown)]:
                 assert known.get(("App::Property", text)), text
                 seen += 1
     assert seen > 10
+
+
+INNER = re.compile(
+    r"--[a-z]|`|\[|KIND:|DIAMETERx|\bdeform\b|\bcur(e|es|ed|ing)\b|\bled\b|\blead the\b|\brotary words\b|metadata", re.I
+)
+"""Words of the command line and of the core's own, which no machinist knows."""
+
+
+def test_no_text_of_the_window_speaks_the_language_of_the_command_line_or_of_the_core():
+    inner = sorted(text for context, text in translations.texts() if context != CONTEXT and INNER.search(text))
+    assert not inner, inner
+    assert INNER.search("the tolerance of --blend") and INNER.search("pass it (deform)") and INNER.search("`minimax`")
+
+
+def test_every_option_of_a_panel_is_explained_for_the_window():
+    named = {leaf.name: leaf for _, leaf in option_fields()}
+    assert set(TEXTS) <= set(named), "an option that is gone"
+    shown = {leaf.name for task in ("mill", "audit", "setup") for _, leaf in option_fields(task)}
+    files = {name for name, leaf in named.items() if leaf.metadata["kind"] in ("path", "paths")}
+    assert shown - files <= set(TEXTS)
+    assert all(text[0].isupper() and not text.endswith(".") for text in TEXTS.values())
 
 
 def test_a_forgotten_text_would_be_noticed(tmp_path):

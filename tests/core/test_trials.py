@@ -11,6 +11,7 @@ from setup_examples import cap, milled
 from freecad_fiveaxis.core import cli, trials
 from freecad_fiveaxis.core.apt import write_apt
 from freecad_fiveaxis.core.errors import Cancelled
+from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.mesh import write_stl
 from freecad_fiveaxis.core.settings import build_settings
 
@@ -164,6 +165,21 @@ def test_a_cancelled_trial_writes_nothing(part, tmp_path, monkeypatch):
 )  # fmt: skip
 def test_a_long_path_gets_a_coarser_map(rows, turns, half, count):
     settings = build_settings("setup", "x.stl", {"machine": "trunnion_ac", "region": half, "turns": turns})
-    region = trials._region(settings, (1.0, 2.0, 3.0), rows)
+    region = trials._region(settings, (1.0, 2.0, 3.0), rows, 0.0)
     assert region.count == count and len(region.turns) == turns
     assert region.low == tuple(centre - way for centre, way in zip((1.0, 2.0, 3.0), half, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("table", "given", "moves"), [(None, {}, 0.0), (0.0, {}, 100.0), (None, {"region": (100, 100, 99)}, 99.0)]
+)
+def test_z_stays_where_nobody_says_how_high_the_table_is(table, given, moves):
+    settings = build_settings("setup", "x.stl", {"machine": "trunnion_ac"} | given)
+    region = trials._region(settings, (1.0, 2.0, 3.0), 1000, table)
+    assert (region.low[2], region.high[2]) == (3.0 - moves, 3.0 + moves) and region.high[0] == 101.0
+
+
+def test_the_height_of_the_table_is_the_machine_s_unless_given():
+    assert build_settings("setup", "x.stl", {"machine": "trunnion_ac", "table_height": "-2in"}).setup.table_height == -50.8
+    assert build_settings("setup", "x.stl", {"machine": "trunnion_ac"}).setup.table_height is None
+    assert load_machine("trunnion_ac").table == -100.0

@@ -301,6 +301,7 @@ def unfold():
             for header in form.findChildren(QtWidgets.QToolButton):
                 if header.objectName().startswith("fold_") and not header.isChecked():
                     _click(header)
+                    _pump(150)
 
     return open_all
 

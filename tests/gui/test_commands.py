@@ -59,6 +59,31 @@ def test_the_menu_lists_all_commands(window):
     assert [action.objectName() for action in menu.actions() if not action.isSeparator()] == commands.NAMES
 
 
+ORDER = [
+    ["JobSetup", "Tessellate", "Toolpath", "Setup", "Compare"], ["Play", "Left", "Annotate"], ["PostProcess", "Audit"],
+    ["ProveSigns", "Recover", "ImportMachine"],
+]  # fmt: skip
+"""Of the work: plan, look, write and judge; then what is about machines."""
+
+
+def groups_of(actions):
+    """The names of our commands, divided where a line stands between them."""
+    made = [[]]
+    for action in actions:
+        if action.isSeparator():
+            made.append([])
+        else:
+            made[-1].append(action.objectName().removeprefix("FiveAxis_"))
+    return [group for group in made if group]
+
+
+def test_tool_bars_and_menu_follow_the_order_of_the_work(window):
+    bars = {bar.objectName(): groups_of(bar.actions()) for bar in window.findChildren(QtWidgets.QToolBar)}
+    assert bars["Five-axis"] == ORDER[:-1] and bars["Five-axis machines"] == ORDER[-1:]
+    menu = next(menu for menu in window.findChildren(QtWidgets.QMenu) if menu.title().replace("&", "") == "Five-axis")
+    assert groups_of(menu.actions()) == ORDER
+
+
 FILES_ONLY = {"Audit", "Recover", "ProveSigns", "ImportMachine"}
 
 
@@ -66,7 +91,7 @@ def test_commands_are_enabled_when_they_can_apply(doc, tool_button):
     assert enabled(tool_button) == FILES_ONLY
     part = doc.addObject("Part::Box", "Box")
     doc.recompute()
-    assert enabled(tool_button) == FILES_ONLY | {"Tessellate", "Toolpath", "Setup"}
+    assert enabled(tool_button) == FILES_ONLY | {"JobSetup", "Tessellate", "Toolpath", "Setup"}
     app.create_toolpath(doc, part, **COARSE)
     assert enabled(tool_button) == {command.removeprefix("FiveAxis_") for command in commands.NAMES}
 
@@ -151,7 +176,7 @@ def test_compound_body_and_mesh_can_be_milled(box, make, select, press, panel_bu
     form = FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, "FiveAxisPanel")
     kind = form.findChild(QtWidgets.QComboBox, "spacing_kind")
     kind.setCurrentIndex(kind.findData("stepover"))
-    form.findChild(QtWidgets.QWidget, "stepover").setProperty("rawValue", 6.0)
+    form.findChild(QtWidgets.QWidget, "stepover").show_measured(6.0)
     panel_button("OK", wait=500)
     assert doc.Toolpath.Blocks > 0 and not FreeCADGui.Control.activeDialog()
     assert (doc.Toolpath.Mesh is base) == (make is a_mesh)

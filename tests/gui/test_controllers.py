@@ -70,7 +70,7 @@ def test_what_a_controller_lacks_is_idle_with_the_reason(dome, press, tree_row, 
     choose(field("controller"), "Haas")
     assert items(field("rtcp")) == {"off": True, "angles": True, "vectors": False}
     assert "no RTCP by vectors" in field("rtcp_error").text()
-    choose(field("rtcp"), "by rotary words")
+    choose(field("rtcp"), "by rotary axes")
     assert "the number of the tool" in field("rtcp_error").text()
     click(field("calculate"))
     pump(300)
@@ -83,11 +83,11 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
     tree_row("Dome")
     press("FiveAxis_Toolpath")
     choose(field("controller"), "Heidenhain TNC (TCPM)")
-    choose(field("rtcp"), "by rotary words")
+    choose(field("rtcp"), "by rotary axes")
     click(field("calculate"))
     until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
     text = field("summary").text()
-    assert "proven are only their ends" in text and "the controller guides the tip (RTCP)" in text
+    assert "proven are only their ends" in text and "the controller guides the tip (RTCP)" in field("verdict").text()
     assert "Proven bound" not in text and "Largest deviation" not in text, "zeros that nobody has measured"
     pump(800)
     screenshot("rtcp-summary")
@@ -201,7 +201,7 @@ def test_a_new_group_of_settings_gets_its_section_its_fields_and_its_properties(
     pump(300)
     box = panel_form().findChild(QtWidgets.QWidget, "section_surface")
     assert box is not None and box.title == "Surface"
-    assert field("surface_browse").isVisible() and field("sideways").property("rawValue") == 0.5
+    assert field("surface_browse").isVisible() and field("sideways").measured() == 0.5
     field("surface").setText(str(tmp_path / "gone.stl"))
     assert "does not exist" in field("surface_error").text()
     kinds = {one.name: one.kind for one in properties.setting_properties(AUDIT)}

@@ -48,7 +48,7 @@ def test_minimax_and_deform_by_clicks_give_the_bytes_of_the_command_line(panel, 
     choose(field("tool_axis"), "least deviation (minimax)")
     assert shown(field, "max_tilt") and not shown(field, "lead") and not shown(field, "tilt")
     type_into(field("max_tilt"), "3 deg")
-    choose(field("singularity"), "lead the axis past it")
+    choose(field("singularity"), "turn the axis past it")
     type_into(field("max_axis_change"), "1.5 deg")
     choose(field("linearize"), "on")
     calculate(field, click, until)
@@ -62,7 +62,7 @@ def test_minimax_and_deform_by_clicks_give_the_bytes_of_the_command_line(panel, 
 
 
 def test_an_angle_out_of_range_says_so_in_place_and_not_where_it_does_not_count(panel, field, choose, type_into, screenshot):
-    choose(field("singularity"), "lead the axis past it")
+    choose(field("singularity"), "turn the axis past it")
     type_into(field("max_axis_change"), "50 deg")
     assert "out of range" in field("max_axis_change_error").text()
     screenshot("panel_out_of_range")
@@ -76,7 +76,7 @@ def test_an_angle_out_of_range_says_so_in_place_and_not_where_it_does_not_count(
 def test_a_divided_path_is_drawn_marked_and_played_block_by_block(panel, doc, dome, field, choose, type_into, click, until, press,
                                                                   panel_button, tree_row, shown_pixels, screenshot, tmp_path):  # fmt: skip
     type_into(field("tolerance"), "0.005 mm")
-    choose(field("singularity"), "lead the axis past it")
+    choose(field("singularity"), "turn the axis past it")
     choose(field("linearize"), "on")
     calculate(field, click, until)
     said = field("summary").text()

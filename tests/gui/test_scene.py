@@ -13,10 +13,23 @@ from PySide import QtCore
 
 pytest.importorskip("pivy")
 
+from freecad_fiveaxis.app.units import area_text
 from freecad_fiveaxis.core.gouge import Remainder, height_scale
 from freecad_fiveaxis.core.mesh import from_triangles
 from freecad_fiveaxis.core.report import draw
-from freecad_fiveaxis.gui.scene import camera, colours, left_nodes, marks, nodes, overlay, path_nodes, units, words
+from freecad_fiveaxis.gui.scene import (
+    camera,
+    colours,
+    labels,
+    left_nodes,
+    marks,
+    nodes,
+    on_screen,
+    overlay,
+    path_nodes,
+    units,
+    words,
+)
 
 CORE_TESTS = Path(__file__).parents[1] / "core"
 GOOD, BAD, SINGULAR = (0.0, 0.62, 0.45), (0.835, 0.369, 0.0), (0.8, 0.475, 0.655)
@@ -83,21 +96,6 @@ def test_each_half_of_the_map_darkens_evenly():
         assert steps.min() > 3.0 * steps.mean()
 
 
-@pytest.mark.parametrize(
-    "schema, mm, text", [(0, 2.12642, "2.126 mm"), (0, 0.0123, "12.3 µm"), (3, 2.12642, "in"), (2, 0.5, "thou")]
-)
-def test_lengths_are_shown_in_the_users_units(schema, mm, text):
-    before = FreeCAD.Units.getSchema() if hasattr(FreeCAD.Units, "getSchema") else 0
-    try:
-        FreeCAD.Units.setSchema(schema)
-        said = units.length_text(mm)
-        assert said.endswith(text)
-        assert float(said.split()[0]) * FreeCAD.Units.Quantity(1, FreeCAD.Units.Unit()).Value > 0
-        assert FreeCAD.Units.Quantity(said).Value == pytest.approx(mm, rel=1e-3)
-    finally:
-        FreeCAD.Units.setSchema(before)
-
-
 def test_the_path_is_seen_in_its_colours(dome, scene, screenshot, pixels, view_box):
     picture = path_nodes.PathNodes()
     drawing = draw(dome)
@@ -152,8 +150,8 @@ def test_the_legend_is_no_part_of_the_scenes_box(dome, scene, screenshot, pixels
     picture.show(draw(dome), LOOK)
     view = scene(picture.root)
     height = view.getCameraNode().height.getValue()
-    picture.show_overlay("legend", overlay.legend_node(words.legend_of("Path", dome, LOOK, "Out of date")))
-    picture.show_overlay("label", overlay.label_node((0.0, 0.0, 0.0), words.label_text(0.1278, 459)))
+    picture.legend.show(words.legend_of("Path", dome, LOOK, "Out of date"))
+    picture.labels.show([on_screen.Label((0.0, 0.0, 0.0), words.label_text(0.1278, 459, 0.01))])
     view.fitAll()
     assert view.getCameraNode().height.getValue() == pytest.approx(height, rel=1e-3)
     shot = screenshot("scene-legend")
@@ -161,6 +159,134 @@ def test_the_legend_is_no_part_of_the_scenes_box(dome, scene, screenshot, pixels
     picture.turn("strokes", False)
     picture.turn("legend", False)
     assert pixels(screenshot("scene-no-legend"), overlay.WARN, 40, view_box()) < 10
+
+
+def overlapping(boxes):
+    """Pairs of boxes (n, 4) pixels that share a pixel."""
+    return [
+        (i, j)
+        for i in range(len(boxes))
+        for j in range(i)
+        if (np.maximum(boxes[i, :2], boxes[j, :2]) < np.minimum(boxes[i, 2:], boxes[j, 2:])).all()
+    ]
+
+
+def standing(labels):
+    """The boxes of the labels that have a place."""
+    return labels.boxes[labels.slots >= 0]
+
+
+def test_labels_lie_beside_each_other_and_beside_the_legends_from_every_side(dome, scene, screenshot, pump, monkeypatch, capsys):
+    """Eight labels on 6 mm, in two sets as of two objects, and two legends; the camera goes round. And they cost no time."""
+    rng = np.random.default_rng(2)
+    sets, legends = [on_screen.Labels(), on_screen.Labels()], [on_screen.LegendBox(), on_screen.LegendBox()]
+    places = rng.uniform(-3.0, 3.0, (8, 3))
+    for at, one in enumerate(sets):
+        one.show([on_screen.Label(places[4 * at + i], f"{0.1278 * i:.4f} mm, NC line {1000 * at + i}", BAD) for i in range(4)])
+    for title, one in zip(("First", "Second"), legends, strict=True):
+        one.show(words.legend_of(title, dome, LOOK, ""))
+    ball = nodes.coin.SoSphere()
+    ball.radius = 20.0
+    view = scene(nodes.separate(ball, *(one.root for one in (sets[0], legends[0], sets[1], legends[1]))))
+    spent, place = [], on_screen._Overlay.place
+
+    def timed(overlay, action):
+        began = time.perf_counter()
+        place(overlay, action)
+        spent.append(time.perf_counter() - began)
+
+    monkeypatch.setattr(on_screen._Overlay, "place", timed)
+    for turn in range(12):
+        view.setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(1, 0.3, 0.2), 30 * turn))
+        view.redraw()
+        pump(20)
+        boxes = np.concatenate([*(standing(one) for one in sets), *(one.box for one in legends)])
+        assert len(standing(sets[0])) == len(standing(sets[1])) == 4 and len(boxes) == 10
+        assert not overlapping(boxes), turn
+        width, height = view.getSize()
+        seen = np.array([view.getPointOnScreen(*map(float, place)) for place in places])
+        near = np.concatenate([one.boxes for one in sets])
+        assert (seen > 0).all() and (seen < (width, height)).all()
+        assert np.linalg.norm(np.clip(seen, near[:, :2], near[:, 2:]) - seen, axis=1).max() < 250.0, "far from its place"
+    assert len(spent) >= 12 * 4
+    with capsys.disabled():
+        print(f"\nplaces of 8 labels and 2 legends: {4e3 * np.median(spent):.2f} ms a frame")
+    assert 4.0 * np.median(spent) < 5e-3
+    screenshot("scene-labels")
+
+
+def test_a_legend_that_is_hidden_gives_its_room_to_the_others_in_the_next_frame(dome, scene, pump):
+    legends = [on_screen.LegendBox() for _ in range(3)]
+    switches = [nodes.switch(one.root) for one in legends]
+    for one in legends:
+        one.show(words.legend_of("Path", dome, LOOK, ""))
+    view = scene(nodes.separate(nodes.coin.SoCube(), *switches))
+    before = [one.box for one in legends]
+    assert not overlapping(np.concatenate(before))
+    for hidden in (0, 1):
+        nodes.turn(switches[hidden], False)
+        pump(100)
+        shown = [one.box for one, switch in zip(legends, switches, strict=True) if switch.whichChild.getValue() != -1]
+        assert np.array_equal(np.concatenate(shown), np.concatenate(before[: len(shown)])), "they do not close up"
+    for switch in switches:
+        nodes.turn(switch, True)
+    pump(100)
+    assert np.array_equal(np.concatenate([one.box for one in legends]), np.concatenate(before))
+    view.redraw()
+
+
+def test_an_idle_view_is_not_drawn_again_and_again_because_labels_find_their_places(dome, scene, pump):
+    one, frames = on_screen.Labels(), Frames()
+    one.show([on_screen.Label((0.0, 0.0, 0.0), "here"), on_screen.Label((0.5, 0.0, 0.0), "there")])
+    scene(nodes.separate(frames.node, nodes.coin.SoCube(), one.root))
+    frames.count = 0
+    pump(600)
+    assert frames.count <= 2
+
+
+@pytest.mark.parametrize(
+    "deviation, colour", [(0.0, None), (4e-5, None), (0.004, GOOD), (0.01, GOOD), (0.011, BAD), (float("nan"), BAD)]
+)
+def test_the_largest_deviation_is_loud_only_over_the_tolerance(deviation, colour):
+    assert marks.largest_colour(deviation, 0.01, GOOD, BAD) == colour
+    made = marks.Marks()
+    made.show(np.zeros((1, 3)), [marks.LARGEST], colour, BAD, SINGULAR, 7.0)
+    search = nodes.coin.SoSearchAction()
+    search.setType(nodes.coin.SoMaterial.getClassTypeId())
+    search.setInterest(nodes.coin.SoSearchAction.ALL)
+    search.apply(made.root)
+    found = [search.getPaths()[i].getTail().diffuseColor[0].getValue() for i in range(search.getPaths().getLength())]
+    assert any(np.allclose(one, BAD, atol=1e-6) for one in found) == (colour == BAD)
+    assert any(np.allclose(one, GOOD, atol=1e-6) for one in found) == (colour == GOOD)
+    told = labels.Told(deviation, 12, 0.01, GOOD, BAD)
+    said = labels.of_marks([(0, 0, 0)], [marks.LARGEST], [None], told)
+    assert [one.colour for one in said] == ([colour] if colour else [])
+    assert not said or ("within" in said[0].text) == (colour == GOOD)
+
+
+@pytest.mark.parametrize("factor, seen", [(0.5, {BAD}), (2.0, {GOOD}), (None, {GOOD, BAD})])
+def test_the_real_curves_are_loud_only_over_the_tolerance(dome, factor, seen):
+    from dataclasses import replace
+
+    drawing = draw(dome)
+    off = np.linalg.norm(drawing.spoke[1::2] - drawing.spoke[0::2], axis=1)
+    tolerance = factor * (off.min() if factor < 1.0 else off.max()) if factor else float(np.median(off))
+    made = path_nodes._curves(replace(drawing, tolerance=tolerance), LOOK)
+    (lines,) = [made[2].getChild(i) for i in range(made[2].getNumChildren()) if hasattr(made[2].getChild(i), "numVertices")]
+    codes = np.array(lines.vertexProperty.getValue().orderedRGBA.getValues()).reshape(len(off), -1)
+    assert {int(code) for code in codes.ravel()} == {colours.pack(colour) for colour in seen}
+    assert ((codes[:, 0] == colours.pack(GOOD)) == (off <= tolerance)).all()
+
+
+def test_a_kind_of_markers_has_one_label_and_each_side_that_is_not_machined_its_own():
+    kinds = [marks.LARGEST, marks.OVER, marks.SINGULAR, "side-not-machined", "side-not-machined", marks.OVERCUT,
+             "corner-not-reached", "corner-not-reached", "unit-suspected"]  # fmt: skip
+    places = np.arange(27.0).reshape(-1, 3).tolist()
+    values = [None, None, None, 2100.0, None, 0.4, None, None, None]
+    said = labels.of_marks(places, kinds, values, labels.Told(0.02, 12, 0.01, GOOD, BAD))
+    assert [one.place for one in said] == [places[5], places[0], places[3], places[4], places[6]]  # first what scraps the part
+    assert "0.4" in said[0].text and "over" in said[1].text and area_text(2100.0) in said[2].text
+    assert said[3].text == words.name_of("side-not-machined") and said[4].text.endswith(": 2 places")
 
 
 @pytest.mark.parametrize("behind", ["nothing", "a legend"])
@@ -171,7 +297,7 @@ def test_a_marker_is_found_under_the_mouse(behind, dome, scene):
     drawing, made = draw(dome), marks.Marks()
     places = np.array([one.place for one in drawing.markers])
     kinds = [one.kind for one in drawing.markers]
-    made.show(places, kinds, BAD, SINGULAR, 7.0)
+    made.show(places, kinds, BAD, BAD, SINGULAR, 7.0)
     view = scene(made.root)
     found = []
     for row in range(0, len(places), 7):
@@ -181,7 +307,9 @@ def test_a_marker_is_found_under_the_mouse(behind, dome, scene):
         root = coin.SoSeparator()
         root.addChild(view.getCameraNode())
         if behind == "a legend":
-            root.addChild(overlay.legend_node(words.legend_of("Path", dome, LOOK, "")))
+            legend = on_screen.LegendBox()
+            legend.show(words.legend_of("Path", dome, LOOK, ""))
+            root.addChild(legend.root)
         root.addChild(made.root)
         action.apply(root)
         point = action.getPickedPoint()
@@ -258,8 +386,8 @@ def test_a_long_path_stays_navigable(count, dome, scene, capsys):
     picture = path_nodes.PathNodes()
     began = time.perf_counter()
     picture.show(drawing, LOOK)
-    picture.marks.show(np.tile(pairs[:500], (2, 1)), [marks.OVER, marks.SINGULAR] * 500, BAD, SINGULAR, 7.0)
-    picture.show_overlay("legend", overlay.legend_node(words.legend_of("Path", dome, LOOK, "")))
+    picture.marks.show(np.tile(pairs[:500], (2, 1)), [marks.OVER, marks.SINGULAR] * 500, BAD, BAD, SINGULAR, 7.0)
+    picture.legend.show(words.legend_of("Path", dome, LOOK, ""))
     made = time.perf_counter() - began
     frames = Frames()
     view = scene(nodes.separate(frames.node, picture.root))

@@ -27,8 +27,8 @@ def dome(doc, parameters, tmp_path):
 
 @pytest.fixture
 def path(dome, doc, pump):
-    """A coarse path over the dome, off the rotary centre."""
-    made = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=6, linear_deflection=0.1)
+    """A coarse path over the dome, off the rotary centre; its blocks are not divided, so that the place decides the deviation."""
+    made = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=6, linear_deflection=0.1, linearize="off")
     doc.clearUndos()
     pump(500)
     return made
@@ -60,6 +60,7 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     tree_row(path.Label)
     press("FiveAxis_Setup")
     screenshot("setup_panel")
+    assert field("table_height").placeholderText() == "-100 mm", "the machine file says how high the table is"
     assert not field("apply").isEnabled() and not field("page").isEnabled()
     ask_small()
     click(field("calculate"))

@@ -226,10 +226,10 @@ def test_the_label_honours_the_users_units(audit, schema, value):
 
     try:
         FreeCAD.Units.setSchema(schema)
-        said = words.label_text(audit.MaxSegmentDeviation.Value, audit.WorstLine)
+        said = words.label_text(audit.MaxSegmentDeviation.Value, audit.WorstLine, audit.Tolerance.Value)
     finally:
         FreeCAD.Units.setSchema(0)
-    assert said == f"{value}, NC line 3"
+    assert said.startswith(f"{value}, NC line 3: over ")
 
 
 def test_a_document_that_is_opened_again_shows_its_picture(path, doc, pump, tmp_path, screenshot):
@@ -286,3 +286,47 @@ def test_undo_takes_the_picture_away_and_redo_brings_it_back(doc, pump):
     pump(300)
     path = doc.getObject("Toolpath")
     assert _settled(path, pump).drawing is not None
+
+
+def test_a_legend_goes_with_its_object_and_comes_back_with_it(path, doc, window, pump, screenshot, pixels, view_box):
+    """Hidden itself, hidden with the part that holds it, deleted, brought back by undo; the other's legend closes up."""
+    from freecad_fiveaxis.gui.scene.overlay import INK
+
+    doc.openTransaction("second")
+    second = app.create_toolpath(doc, doc.Dome, machine="trunnion_ac", stepover=8, linear_deflection=0.2)
+    doc.commitTransaction()
+    pump(300)
+    _settled(second, pump)
+    pump(300)
+    window.activateWindow()  # nothing was clicked yet
+    pump(300)
+    boxes = [one.ViewObject.Proxy.picture.nodes.legend.box[0].tolist() for one in (path, second)]
+    assert boxes[1][3] < boxes[0][1] or boxes[0][2] < boxes[1][0], "beside each other"
+
+    def seen(name):
+        left, top, _, height = view_box()
+        shot = screenshot(name)
+        return [
+            pixels(shot, INK, 30, (left + int(x0), top + height - int(y1), int(x1 - x0), int(y1 - y0))) > 100
+            for x0, y0, x1, y1 in boxes
+        ]
+
+    assert seen("legends_both") == [True, True]
+    path.ViewObject.Visibility = False
+    assert seen("legend_hidden") == [True, False], "the second one takes the first place"
+    path.ViewObject.Visibility = True
+    assert seen("legends_back") == [True, True]
+    holder = doc.addObject("App::Part", "Holder")
+    holder.addObject(second)
+    holder.ViewObject.Visibility = False
+    assert seen("legend_in_hidden_part") == [True, False]
+    holder.ViewObject.Visibility = True
+    path.ViewObject.Visibility = False
+    assert seen("legend_in_part") == [True, False]
+    doc.openTransaction("delete")
+    doc.removeObject(second.Name)
+    doc.commitTransaction()
+    assert seen("legend_deleted") == [False, False]
+    doc.undo()
+    pump(300)
+    assert seen("legend_undone") == [True, False]

@@ -174,6 +174,31 @@ def test_files_that_cannot_be_used_and_a_stop_say_so(empty, folder, pair, press,
     panel_button("Cancel")
 
 
+def test_the_mark_starts_at_the_top_of_the_part_in_work_coordinates(doc, press, field, type_into, click, until):
+    box = doc.addObject("Part::Box", "Box")
+    box.Length, box.Width, box.Height, box.Placement.Base.z = 60, 40, 15, 25
+    hidden = doc.addObject("Part::Box", "Tall")
+    hidden.Height, hidden.Visibility = 500, False
+    doc.recompute()
+    press("FiveAxis_ProveSigns", SLID)
+    assert [field(f"mark_{letter}").property("rawValue") for letter in "xyz"] == [30.0, 20.0, 40.0]
+    type_into(field("work_zero_z"), "25 mm")
+    assert field("mark_z").property("rawValue") == 15.0, "counted from the work zero"
+    click(field("calculate"))
+    until(lambda: "Stop 8" in shown(field, "result"), 60000, "a sheet")
+    assert "Nothing may stand" not in shown(field, "result")
+    type_into(field("mark_z"), "60 mm")
+    type_into(field("work_zero_z"), "0 mm")
+    assert field("mark_z").property("rawValue") == 60.0, "what the user has given stays"
+
+
+def test_without_a_part_the_sheet_says_that_nothing_may_stand_there(empty, press, field, click, until):
+    press("FiveAxis_ProveSigns", SLID)
+    click(field("calculate"))
+    until(lambda: "Stop 8" in shown(field, "result"), 60000, "a sheet")
+    assert "Nothing may stand above Z 0" in shown(field, "result")[:400], shown(field, "result")[:400]
+
+
 def test_the_signs_are_proven_without_a_document(empty, folder, press, field, type_into, choose, click, until, panel_button,
                                                  screenshot, tmp_path, monkeypatch, modal, pump):  # fmt: skip
     opened = []
@@ -225,8 +250,8 @@ def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc
     assert field("machine").currentText() == "trunnion_bc"
     click(field("mark_pick"))
     view_click((40, 0, 12))
-    until(lambda: field("mark_x").property("rawValue") == pytest.approx(30, abs=1e-6), 5000, "the corner, from the work zero")
-    mark = [field(f"mark_{letter}").property("rawValue") for letter in "xyz"]
+    until(lambda: field("mark_x").measured() == pytest.approx(30, abs=1e-6), 5000, "the corner, from the work zero")
+    mark = [field(f"mark_{letter}").measured() for letter in "xyz"]
     assert mark == pytest.approx([30, -5, 12], abs=1e-6)
     panel_button("OK", 800)
     made = [one.name for one in tmp_path.iterdir()]

@@ -101,14 +101,28 @@ def compare(
     rows: list[Row] = []
     tasks = [(where, name, cure) for where in stations for name, cure in cures.items()]
     for at, (where, name, cure) in enumerate(tasks):
-
-        def part(stage: str, fraction: float, at: int = at) -> None:
-            progress("compare", (at + min(fraction, 1.0)) / len(tasks))
-
+        part = Share(progress, at, len(tasks))
         part("", 0.0)
         rows += _rows(path, where, name, cure, guided, part)
     progress("compare", 1.0)
     return tuple(rows)
+
+
+class Share:
+    """The progress of one of ``count`` combinations as that of the whole. A cure has many stages, each from 0 to 1, and nobody
+    knows how many are to come: each new one takes up half of what is left, so that the whole never goes back."""
+
+    def __init__(self, progress: Progress, at: int, count: int) -> None:
+        self._progress, self._at, self._count = progress, at, count
+        self._stage, self._last, self._begin, self._room = "", 0.0, 0.0, 0.5
+
+    def __call__(self, stage: str, fraction: float) -> None:
+        fraction = min(max(fraction, 0.0), 1.0)
+        if stage != self._stage or fraction < self._last:
+            self._begin += self._room * self._last
+            self._room, self._stage = 0.5 * (1.0 - self._begin), stage
+        self._last = fraction
+        self._progress("compare", (self._at + self._begin + self._room * fraction) / self._count)
 
 
 def _rows(path: CLPath, where: Station, name: str, cure: Cure, guided: Sequence[bool], progress: Progress) -> list[Row]:
@@ -119,7 +133,7 @@ def _rows(path: CLPath, where: Station, name: str, cure: Cure, guided: Sequence[
     except Cancelled:
         raise
     except FiveAxisError as error:
-        return [Row(where.name, name, one, letters, problem=str(error)) for one in guided]
+        return [Row(where.name, name, one, letters, problem=error.text) for one in guided]
     deviation = measure(where.links, program.words)
     return [
         (_guided if one else _unguided)(where, name, joints, program, deviation)  # columns that depend on tool-centre control

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 
 from freecad_fiveaxis.core.report.text import duration, number
+from freecad_fiveaxis.core.sentences import Length, Sentence, plural, say
 from freecad_fiveaxis.core.setup_map.sheet import Table, json_text, page, section, table, text_table
 
 from .compare import Row
@@ -63,21 +64,33 @@ NOTE = (
 )
 
 
-def verdict(rows: Sequence[Row], tolerance: float | None = None) -> str:
+def verdict(rows: Sequence[Row], tolerance: float | None = None) -> Sentence:
     """One plain sentence: what holds the tolerance soonest; without one, what deviates least."""
     able = [row for row in rows if not row.problem]
     if not able:
-        return "None of the machines can drive this path."
+        return say("None of the machines can drive this path.")
     plain_ones = [row for row in able if not row.tool_centre] or able
     if tolerance is None:
         best = min(plain_ones, key=lambda row: row.deviation)
-        return f"Least deviation: {_name(best)}, {best.deviation:.4g} mm in {duration(best.time)}."
+        return say(
+            "Least deviation: {way}, {deviation} in {time}.",
+            way=_name(best),
+            deviation=Length(best.deviation, ".4g"),
+            time=duration(best.time),
+        )
     good = _good(able, tolerance)
     if not good:
-        return f"Nothing here holds {tolerance:g} mm within the limits of its machine."
+        return say("Nothing here holds {tolerance} within the limits of its machine.", tolerance=Length(tolerance))
     best = min(good, key=lambda row: row.time)
-    many = f"{len(good)} of {len(rows)} ways hold" if len(good) > 1 else f"1 of {len(rows)} ways holds"
-    return f"{many} {tolerance:g} mm; the quickest is {_name(best)}, {duration(best.time)}."
+    return plural(
+        len(good),
+        "1 of {all} ways holds {tolerance}; the quickest is {way}, {time}.",
+        "{count} of {all} ways hold {tolerance}; the quickest is {way}, {time}.",
+        all=len(rows),
+        tolerance=Length(tolerance),
+        way=_name(best),
+        time=duration(best.time),
+    )
 
 
 def _good(rows: Sequence[Row], tolerance: float) -> list[Row]:
@@ -88,9 +101,11 @@ LIMIT_SHOWN = 5e-4
 """mm; less beyond a limit than the table shows is none."""
 
 
-def _name(row: Row) -> str:
-    cure = "no cure" if row.cure == "none" else row.cure
-    return f"{row.machine} with {cure}{', tool-centre control' if row.tool_centre else ''}"
+def _name(row: Row) -> Sentence:
+    cure = say("no cure") if row.cure == "none" else row.cure
+    if row.tool_centre:
+        return say("{machine} with {cure}, tool-centre control", machine=row.machine, cure=cure)
+    return say("{machine} with {cure}", machine=row.machine, cure=cure)
 
 
 def _table(rows: Sequence[Row]) -> Table:

@@ -3,7 +3,8 @@
 
 chord             the straight segment between the real tips at a block's two ends: what the block commands.
 line deviation    largest distance of the real path from the infinite line through the chord (So et al. 2008, eq. 6).
-segment deviation largest distance from the chord itself: where the tool should have been. Never less than the former.
+segment deviation largest distance from the chord itself: where the tool should have been. Never less than the former. A chord
+                  shorter than ``quartic.POINT`` has no direction: both are then measured from its point of the same u.
 bound             a proven upper bound of the segment deviation, whatever u, rounding of the arithmetic included.
 axis deviation    largest angle of the real tool axis off the plane of the block's two end axes (``axis_swing``).
 same-u deviation  largest distance from the point of the chord with the same u; it also counts uneven speed.
@@ -48,7 +49,7 @@ from freecad_fiveaxis.core.trajectory import (
 from . import so2008
 from .axis_swing import small_swing, swing
 from .bound import CHUNK, Levers, allowance, bending, close_levers, end_levers
-from .quartic import POINT, Chord, bow, chord, node_poses
+from .quartic import POINT, Chord, bow, chord, held_back, node_poses
 from .search import Chords, farthest
 
 SEARCHED = 2048
@@ -81,15 +82,15 @@ class Deviation:
         freeze(self, None, line="f", u_line="f", segment="f", u_segment="f", bound="f", axis="f", place="f3")
 
 
-METHODS = ("exact", "so2008")
-"""Of the line deviation; everything else is exact with either."""
+METHODS = ("exact", "so2008", "so2008-printed")
+"""Of the line deviation; everything else is exact with each."""
 
 
 def measure(links: Chain, words: ArrayLike, method: str = "exact", progress: Progress = silent) -> Deviation:
     """The deviation of every block of a program, from its words as rounded for the controller.
 
-    ``words`` (m, 5) mm and **degrees** in the chain's word order, turns not folded. ``method``: ``exact``, or ``so2008`` for
-    ``line`` and ``u_line`` by the model of So et al. (module ``so2008``); every other column is exact with either. Distances
+    ``words`` (m, 5) mm and **degrees** in the chain's word order, turns not folded. ``method``: ``exact``, or ``so2008`` or
+    ``so2008-printed`` for ``line`` and ``u_line`` by the model of So et al. (module ``so2008``); all else is exact. Distances
     are within 1e-5 of their value or 1e-6 mm; ``bound`` is no more than that above ``segment``, but for rounding. Raises
     ProgramError for words that cannot be used (``trajectory.checked_words``), SettingsError for an unknown method.
     """
@@ -106,7 +107,7 @@ def measure(links: Chain, words: ArrayLike, method: str = "exact", progress: Pro
     result = _exact(frames(links), rows, paced(progress))
     if method == "exact":
         return result
-    line, u_line, findings = so2008.line_deviation(links, rows, paced(progress))
+    line, u_line, findings = so2008.line_deviation(links, rows, method == "so2008-printed", paced(progress))
     return replace(result, line=line, u_line=u_line, findings=findings)
 
 
@@ -169,7 +170,7 @@ def _fit(frame: Frames, words: Floats, rows: slice, table: _Table) -> Ints:
     way, nodes, levers = _five_points(frame, move, poses)
     found = bow(way, np.array(tip(frame, nodes)), levers)
     table.put(rows, line=found.distance, u_line=found.u, segment=found.distance, u_segment=found.u)
-    table.put(rows, bound=found.bound + _rounding(move, way), place=np.array(to_work(frame, _columns(found.place))))
+    table.put(rows, bound=found.bound + allowance(move), place=np.array(to_work(frame, _columns(found.place))))
     x, y, z = axis(frame, poses)
     table.put(rows, axis=small_swing((x[:-1], y[:-1], z[:-1]), (x[1:], y[1:], z[1:]), axis(frame, nodes)))
     return np.flatnonzero(~found.proven)
@@ -182,21 +183,17 @@ def _five_points(frame: Frames, move: Motion, poses: Pose) -> tuple[Chord, Pose,
     return chord(tips[:, :-1], tips[:, 1:]), node_poses(move, poses), end_levers(move, reach[:-1], reach[1:])
 
 
-def _rounding(move: Motion, way: Chord) -> Floats:
-    """What to add to a bound: the rounding, and the length of a chord that is taken for a point."""
-    return allowance(move) + np.where(way.length > POINT, 0.0, POINT)
-
-
 def _search(frame: Frames, words: Floats, rows: Ints, table: _Table) -> None:
     """Measure the blocks that end in these rows by search."""
     move = motion(frame, words[rows - 1], words[rows])
     way, zero, endless = _chord_of(frame, move), np.zeros(len(rows)), np.full(len(rows), np.inf)
-    twice = _chords(frame, move, way, zero, way.length).take(np.tile(np.arange(len(rows)), 2))
+    seen = held_back(move, way, way.length <= POINT)
+    twice = _chords(frame, seen, way, zero, way.length).take(np.tile(np.arange(len(rows)), 2))
     low, high = np.concatenate([-endless, zero]), np.concatenate([endless, way.length])
     distance, at_u, proven = farthest(frame, replace(twice, low=low, high=high))
     (line, segment), (u_line, u), bound = np.split(distance, 2), np.split(at_u, 2), proven[len(rows) :]
     place = np.array(to_work(frame, tip(frame, at(move, u))))
-    table.put(rows, line=line, u_line=u_line, segment=segment, u_segment=u, bound=bound + _rounding(move, way))
+    table.put(rows, line=line, u_line=u_line, segment=segment, u_segment=u, bound=bound + allowance(move))
     table.put(rows, axis=swing(frame, move), place=place)
 
 
@@ -238,15 +235,9 @@ def same_u_deviation(links: Chain, words: ArrayLike, progress: Progress = silent
         way = _chord_of(frame, move)
         zero = np.zeros_like(way.length)
         still = replace(way, along=np.zeros_like(way.along))
-        distance[part], at_u[part], _ = farthest(frame, _chords(frame, _held_back(move, way), still, zero, zero))
+        seen = held_back(move, way, np.ones(len(part), np.bool_))
+        distance[part], at_u[part], _ = farthest(frame, _chords(frame, seen, still, zero, zero))
     return distance, at_u
-
-
-def _held_back(move: Motion, way: Chord) -> Motion:
-    """The motion less the even motion along the chord: its path begins and ends at the chord's start."""
-    start = tuple(np.broadcast_to(p, way.length.shape) for p in move.arm[:3])
-    step = tuple(p - v for p, v in zip(move.arm_step[:3], way.vector, strict=True))
-    return replace(move, arm=start + move.arm[3:], arm_step=step + move.arm_step[3:])
 
 
 def lin_ye_deviation(centre_distance: ArrayLike, step: ArrayLike, beta: ArrayLike = 0.0) -> Floats:

@@ -19,7 +19,7 @@ across    the part of a vector across the chord; along, its component in the cho
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -34,8 +34,10 @@ NODES = np.array([[0.25], [0.5], [0.75]])
 REMAINDER = 3.6315 / 4.0**5 / 120.0
 """``max |u (u - 1/4) (u - 1/2) (u - 3/4) (u - 1)| / 5!``, rounded up: ``|t (t^2 - 1) (t^2 - 4)| <= 3.6315`` for |t| <= 2."""
 
-POINT = 1e-9
-"""mm: a chord shorter than this has no direction (its ends differ by rounding only) and counts as a point."""
+POINT = 1e-5
+"""mm: a chord shorter than this, a tenth of the finest step that controllers print, has no direction and counts as a point: where
+it points is the rounding of words and arithmetic, and so would be any distance from the line through it. Distances are then
+measured from its point of the same u, which makes them larger by no more than this."""
 
 NOTHING = 5e-7
 """mm: half the accuracy that is promised for the deviation."""
@@ -78,6 +80,14 @@ def chord(start: Floats, end: Floats) -> Chord:
     return Chord(start, vector, vector * ((length > POINT) / np.maximum(length, POINT)), length)
 
 
+def held_back(move: Motion, way: Chord, blocks: Bools) -> Motion:
+    """The motion, in these ``blocks`` (n,) less the even motion along their chords: the path then begins and ends at the chord's
+    start, and is as far from it as the real path is from the chord's point of the same u."""
+    start = tuple(np.broadcast_to(p, way.length.shape) for p in move.arm[:3])
+    step = tuple(p - np.where(blocks, v, 0.0) for p, v in zip(move.arm_step[:3], way.vector, strict=True))
+    return replace(move, arm=start + move.arm[3:], arm_step=step + move.arm_step[3:])
+
+
 def node_poses(move: Motion, rows: Pose) -> Pose:
     """The poses at the nodes, by angle addition from those of the ``rows`` (n + 1) between the blocks."""
     arm = tuple(p if p.ndim == 0 else p + NODES * step for p, step in zip(move.arm, move.arm_step, strict=True))
@@ -96,7 +106,8 @@ def _added(cos: Floats, sin: Floats, step: Floats) -> tuple[Floats, Floats]:
 
 
 def bow(way: Chord, nodes: Floats, levers: Levers) -> Bow:
-    """The largest distance from the chord of the paths through ``nodes``: components, nodes, blocks (3, 3, n), mm."""
+    """The largest distance from the chord of the paths through ``nodes``: components, nodes, blocks (3, 3, n), mm; from a chord
+    that is a point, from its point of the same u."""
     full = _coefficients(way, nodes)
     along = [_dots(v, way.along) for v in full]
     a, b, c = (v - part * way.along for v, part in zip(full, along, strict=True))

@@ -12,9 +12,12 @@ G, M      eq. (2): the tip in the plane across U is ``G(u) + Rot(U) M(u)``. G is
 k         the foot of the perpendicular from the U axis on the line M0 M1, as a share of the way from M0 to M1: the apex.
 
 Eq. (3) in polar form, ``r (cos theta, sin theta)``, is ``Rot(U) (M0 + u (M1 - M0))`` written out; here it stays Cartesian.
-Eq. (8) is taken times n(u), the speed of the rotating part. The roots are the same, and a quartic fits it: on the paper's
-own example (Table 2) the samples of Table 1 as printed then give u = 0.40413, against 0.4708 without the factor and
-0.40413 for the real maximum. Table 1 is silent where its samples leave the block or meet its ends; h is limited there.
+n(u)      the speed of the rotating part, eq. (7).
+
+Two forms. ``so2008`` takes eq. (8) times n(u): the zeros are the same, but the quartic of eq. (9) is another one, and only this
+one reproduces the paper's own example (Table 2): u = 0.40413 as the real maximum. Eq. (8) as printed (``so2008-printed``) gives
+u = 0.4708 there, though it mostly is nearer on other blocks; the table is in docs/deviation.md. Table 1 is silent where its
+samples leave the block or meet its ends: so2008 limits h there, so2008-printed does not.
 """
 
 from __future__ import annotations
@@ -42,13 +45,16 @@ from freecad_fiveaxis.core.trajectory import (
 )
 
 from .bound import CHUNK
-from .quartic import POINT
+from .quartic import POINT, SMALLEST
 
 SYMMETRIC = 1e-3
 """Table 1's "k about 0.5": nearer than this the samples about 0.5 nearly coincide and u = 0.5 is taken, as there."""
 
 MOST_H = 0.2
 """Largest h of Table 1: at 0.25 the sample 0.5 +- 2h is an end of the block and eq. (9) has no solution."""
+
+APART, MOST_PRINTED = 1e-3, 1e3
+"""As printed h is any number, but so far from 0.25, and no larger: the fourth power of 2h would leave no digits."""
 
 STRAIGHT = 1e-12
 """mm per unit of u, of each mm of radius: a cross product below this is rounding; the model's path is then straight."""
@@ -61,19 +67,21 @@ REAL = 1e-7
 """Largest imaginary part of a real root: a double root, the worst case, is split by the root of the rounding."""
 
 
-def line_deviation(links: Chain, words: Floats, progress: Progress = silent) -> tuple[Floats, Floats, tuple[Finding, ...]]:
+def line_deviation(
+    links: Chain, words: Floats, printed: bool = False, progress: Progress = silent
+) -> tuple[Floats, Floats, tuple[Finding, ...]]:
     """The largest distance (m,) mm from the infinite line by the model, and its u; row 0 zero.
 
-    ``words`` (m, 5) mm and **degrees**. u is the model's (eqs. 7 to 9), the distance that of the real tip at this u (eq. 6).
-    Where the quartic has several roots within the block, the one with the largest distance counts; where it has none, u is
-    0.5 and a finding says of how many blocks this is so.
+    ``words`` (m, 5) mm and **degrees**; ``printed``: eq. (8) and Table 1 to the letter. u is the model's (eqs. 7 to 9), the
+    distance that of the real tip at this u (eq. 6). Where the quartic has several roots within the block, the one with the
+    largest distance counts; where it has none, u is 0.5 and a finding says of how many blocks this is so.
     """
     frame, count = frames(links), len(words)
     line, u_line, rootless = np.zeros(count), np.zeros(count), 0
     for first in range(0, count - 1, CHUNK):
         last = min(first + CHUNK, count - 1)
         move, poses = chained_motion(frame, words[first : last + 1])
-        candidates, valid = _candidates(frame, move, poses)
+        candidates, valid = _candidates(frame, move, poses, printed)
         line[first + 1 : last + 1], u_line[first + 1 : last + 1] = _farthest(frame, move, poses, candidates, valid)
         rootless += int(np.count_nonzero(~valid.any(axis=0)))
         progress("deviation by So et al.", last / count)
@@ -103,24 +111,28 @@ def _linear_inner(y: Vectors) -> tuple[Floats, Floats, Floats]:
     return flat[:-1], np.diff(flat), y[2]
 
 
-def _candidates(frame: Frames, move: Motion, poses: Pose) -> tuple[Floats, Bools]:
+def _candidates(frame: Frames, move: Motion, poses: Pose, printed: bool) -> tuple[Floats, Bools]:
     """u (4, n) where the model's path may be farthest, and which of them are roots within the block."""
     m0, slope, _ = _linear_inner(inner(frame, poses))
     square = np.abs(slope) ** 2
     still = square <= STRAIGHT**2 * np.abs(m0) ** 2  # a circle about U: the farthest point is in the middle
     k = np.where(still, 0.5, -(m0 * slope.conj()).real / np.where(still, 1.0, square))
-    u = _samples(k)
+    u = _samples(k, printed)
     f, scale = _eq_8(move, poses, frame, m0, slope, u)
     middle = (np.abs(k - 0.5) < SYMMETRIC) | (np.abs(f).max(axis=0) <= STRAIGHT * scale)
+    if printed:
+        f = f / np.maximum(np.abs(slope + 1j * move.a_step * (m0 + u * slope)), STRAIGHT * scale + SMALLEST)
     roots = _quartic_roots(u, np.where(middle, 1.0, f))
     valid = (np.abs(roots.imag) <= REAL) & (roots.real >= 0.0) & (roots.real <= 1.0) & ~middle
     valid[0] |= middle
     return np.where(valid & ~middle, roots.real, 0.5), valid
 
 
-def _samples(k: Floats) -> Floats:
-    """Table 1: the five u (5, n), with h = |0.5 - k| no larger than :data:`MOST_H` and no smaller than :data:`SYMMETRIC`."""
-    h = np.clip(np.abs(0.5 - k), SYMMETRIC, MOST_H)
+def _samples(k: Floats, printed: bool = False) -> Floats:
+    """Table 1: the five u (5, n), with h = |0.5 - k| no larger than :data:`MOST_H` and no smaller than :data:`SYMMETRIC`; or, as
+    printed, any h but where two of them coincide."""
+    h = np.clip(np.abs(0.5 - k), SYMMETRIC, MOST_PRINTED if printed else MOST_H)
+    h = np.where(np.abs(h - 0.25) < APART, 0.25 - APART, h)
     low, high = np.zeros_like(h), np.ones_like(h)
     below = np.stack([low, 0.5 - 2.0 * h, 0.5 - h, low + 0.5, high])
     above = np.stack([low, low + 0.5, 0.5 + h, 0.5 + 2.0 * h, high])
@@ -160,7 +172,8 @@ def _farthest(frame: Frames, move: Motion, poses: Pose, u: Floats, valid: Bools)
     vector = tuple(np.diff(p) for p in start)
     square = dot((vector[0], vector[1], vector[2]), (vector[0], vector[1], vector[2]))
     x, y, z = (p - q[:-1] for p, q in zip(tip(frame, at(move, u)), start, strict=True))
-    share = np.where(square > POINT**2, x * vector[0] + y * vector[1] + z * vector[2], 0.0) / np.maximum(square, POINT**2)
+    foot = (x * vector[0] + y * vector[1] + z * vector[2]) / np.maximum(square, POINT**2)
+    share = np.where(square > POINT**2, foot, u)
     across = (x - share * vector[0], y - share * vector[1], z - share * vector[2])
     distance = np.where(valid, np.sqrt(dot(across, across)), -1.0)
     distance[0] = np.where(valid.any(axis=0), distance[0], np.sqrt(dot(across, across))[0])

@@ -41,7 +41,7 @@ CLOSE, CLOSE_LEAST, CLOSE_MOST = 0.05, 0.3, 0.5
 """One piece less is not tried where the load exceeds it by this share of the count, within these limits."""
 MOST_MORE = 0.1
 """Share of the count that is added at most at a time."""
-STUCK = 6
+STUCK = 8
 """Additions after which rounding is what keeps a block from holding."""
 RELAXED = 8
 """How often the tolerance of such a block is doubled."""

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freecad_fiveaxis.core.deviation.bound import Levers, allowance, bending, close_levers, end_levers
-from freecad_fiveaxis.core.deviation.quartic import NODES, POINT, REMAINDER, Chord, bow, chord, node_poses
+from freecad_fiveaxis.core.deviation.quartic import NODES, POINT, REMAINDER, SMALLEST, Chord, bow, chord, held_back, node_poses
 from freecad_fiveaxis.core.deviation.search import Chords, farthest
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.trajectory import Frames, at, chained_motion, flat_length, inner, motion, outer, tip
@@ -48,7 +48,7 @@ def judge_pieces(frame: Frames, words: Floats, inside: Bools, off: Floats, limit
     tips, reach = np.array(outer(poses, y)), flat_length(y[0], y[1])
     way, nodes, levers = chord(tips[:, :-1], tips[:, 1:]), node_poses(move, poses), end_levers(move, reach[:-1], reach[1:])
     least, most = _by_quartic(way, np.array(tip(frame, nodes)), levers)
-    most += allowance(move) + np.where(way.length > POINT, 0.0, POINT)
+    most += allowance(move)
     worse = np.maximum(off[1:], off[:-1])
     beyond = inside & ~(least + worse <= limit)
     open_ = inside & ~beyond & (most + worse > limit)
@@ -73,7 +73,7 @@ def _by_quartic(way: Chord, nodes: Floats, levers: Levers) -> tuple[Floats, Floa
     line = bow(replace(way, length=np.full_like(way.length, np.inf)), nodes, levers)
     full = _bows(way, nodes)
     reach = _longest([_dots(part, way.along) for part in full])
-    over = np.where(reach > way.length, (reach - way.length) ** 2 / np.maximum(4.0 * reach, POINT), 0.0)
+    over = np.where(reach > way.length, (reach - way.length) ** 2 / np.maximum(4.0 * reach, SMALLEST), 0.0)
     remainder = REMAINDER * bending(levers, 5)
     least, most = line.distance, np.where(line.proven, line.bound, np.inf)
     rows = np.flatnonzero((over > 0.0) | ~line.proven)
@@ -101,7 +101,7 @@ def _longest(sizes: list[Floats]) -> Floats:
 def _sampled(points: Floats, start: Floats, vector: Floats) -> Floats:
     """The largest distance (n,) of points (3, k, n) from segments."""
     way = points - start[:, None]
-    share = np.clip(_dots(way, vector) / np.maximum(_dots(vector, vector), POINT * POINT), 0.0, 1.0)
+    share = np.clip(_dots(way, vector) / np.maximum(_dots(vector, vector), SMALLEST), 0.0, 1.0)
     rest = way - share * vector[:, None]
     return np.asarray(np.sqrt(_dots(rest, rest)).max(axis=0))
 
@@ -117,8 +117,9 @@ def searched(frame: Frames, start: Floats, end: Floats) -> tuple[Floats, Floats]
     way, levers = chord(ends[0], ends[1]), close_levers(frame, move)
     origin, along = (way.start[0], way.start[1], way.start[2]), (way.along[0], way.along[1], way.along[2])
     low, second, third = np.zeros_like(way.length), bending(levers, 2), bending(levers, 3)
-    found, _, bound = farthest(frame, Chords(move, origin, along, low, way.length, second, third, levers.turn))
-    return found, bound + allowance(move) + np.where(way.length > POINT, 0.0, POINT)
+    seen = held_back(move, way, way.length <= POINT)
+    found, _, bound = farthest(frame, Chords(seen, origin, along, low, way.length, second, third, levers.turn))
+    return found, bound + allowance(move)
 
 
 def off_segment(frame: Frames, words: Floats, start: Floats, vector: Floats) -> Floats:

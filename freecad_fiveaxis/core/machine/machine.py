@@ -19,6 +19,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from freecad_fiveaxis.core.errors import MachineError
+from freecad_fiveaxis.core.sentences import Angle, Length, Number, Point, measure, say
 
 from .safe_start import SafeStart
 
@@ -60,27 +61,49 @@ class Axis:
 
     def __post_init__(self) -> None:
         letters = ROTARY_LETTERS if self.rotary else LINEAR_LETTERS
-        kind = "rotary" if self.rotary else "linear"
-        self._need(self.letter in letters, f"a {kind} axis is called one of {' '.join(letters)}", self.letter)
-        self._need(self.side in ("table", "head"), f"side {self.side!r} is neither table nor head", self.side)
-        object.__setattr__(self, "direction", self._unit())
-        object.__setattr__(self, "point", finite_vector(self.point, f"axis {self.letter}: joint origin", FARTHEST))
-        low, high, unit = (math.degrees(self.low), math.degrees(self.high), "deg") if self.rotary else (self.low, self.high, "mm")
-        self._need(low < high, f"limits min {low:g} {unit} is not below max {high:g} {unit}; swap or widen them", self.low)
+        kind = say("rotary") if self.rotary else say("linear")
         self._need(
-            self.max_rate > 0, f"maximum rate {self.max_rate:g} is not positive; give what the drive reaches", self.max_rate
+            self.letter in letters,
+            say("a {kind} axis is called one of {letters}", kind=kind, letters=" ".join(letters)),
+            self.letter,
         )
-        self._need(self.wrap in WRAPS, f"wrap_strategy {self.wrap!r} is none of {', '.join(WRAPS)}", self.wrap)
+        self._need(self.side in ("table", "head"), say("side {side} is neither table nor head", side=repr(self.side)), self.side)
+        object.__setattr__(self, "direction", self._unit())
+        object.__setattr__(
+            self, "point", finite_vector(self.point, say("axis {letter}: joint origin", letter=self.letter), FARTHEST)
+        )
+        low, high, unit = (math.degrees(self.low), math.degrees(self.high), "deg") if self.rotary else (self.low, self.high, "mm")
+        self._need(
+            low < high,
+            say(
+                "limits min {low} is not below max {high}; swap or widen them",
+                low=measure(low, unit),
+                high=measure(high, unit),
+            ),
+            self.low,
+        )
+        self._need(
+            self.max_rate > 0,
+            say("maximum rate {max_rate} is not positive; give what the drive reaches", max_rate=Number(self.max_rate)),
+            self.max_rate,
+        )
+        self._need(
+            self.wrap in WRAPS,
+            say("wrap_strategy {wrap} is none of {wraps}", wrap=repr(self.wrap), wraps=", ".join(WRAPS)),
+            self.wrap,
+        )
 
     def _need(self, good: bool, problem: str, value: object) -> None:
         if not good:
-            raise MachineError(f"axis {self.letter}: {problem}", value)
+            raise MachineError(say("axis {letter}: {problem}", letter=self.letter, problem=problem), value)
 
     def _unit(self) -> Vector:
-        x, y, z = finite_vector(self.direction, f"axis {self.letter}: joint axis")
+        x, y, z = finite_vector(self.direction, say("axis {letter}: joint axis", letter=self.letter))
         length = math.hypot(x, y, z)
         self._need(
-            length > SHORTEST_DIRECTION, f"joint axis ({x:g}, {y:g}, {z:g}) has no direction; give a unit vector", (x, y, z)
+            length > SHORTEST_DIRECTION,
+            say("joint axis {place} has no direction; give a unit vector", place=Point((x, y, z), "g", bare=True)),
+            (x, y, z),
         )
         return (x, y, z) if abs(length - 1.0) <= UNIT_ROUNDING else (x / length, y / length, z / length)
 
@@ -113,23 +136,41 @@ class Machine:
         for name in ("gauge_point", "origin"):
             object.__setattr__(self, name, finite_vector(getattr(self, name), name, FARTHEST))
         if self.table is not None and not abs(self.table) <= FARTHEST:
-            raise MachineError(f"machine {self.name}: table {self.table:g} mm is beyond {FARTHEST:g}", self.table)
+            raise MachineError(
+                say(
+                    "machine {name}: table {table} is beyond {farthest}",
+                    name=self.name,
+                    table=Length(self.table),
+                    farthest=Number(FARTHEST),
+                ),
+                self.table,
+            )
         self._check_axes()
         if not 0.0 <= self.singular_cone <= math.pi / 2:
             cone = math.degrees(self.singular_cone)
-            raise MachineError(f"machine {self.name}: singular_cone {cone:g} deg is not between 0 and 90", cone)
+            raise MachineError(
+                say("machine {name}: singular_cone {cone} is not between 0 and 90", name=self.name, cone=Angle(cone)), cone
+            )
 
     def _check_axes(self) -> None:
         kinds = [axis.rotary for axis in self.axes]
         if kinds.count(True) != 2 or kinds.count(False) != 3:
             count = f"{kinds.count(False)} linear and {kinds.count(True)} rotary axes"
-            raise MachineError(f"machine {self.name} has {count}; needs 3 and 2", self.letters)
+            raise MachineError(say("machine {name} has {count}; needs 3 and 2", name=self.name, count=count), self.letters)
         if len(set(self.letters)) != len(self.letters):
-            raise MachineError(f"machine {self.name} has two axes of the same letter: {self.letters}", self.letters)
+            raise MachineError(
+                say("machine {name} has two axes of the same letter: {letters}", name=self.name, letters=self.letters),
+                self.letters,
+            )
         sides = [axis.side for axis in self.axes]
         if sides != sorted(sides, reverse=True):
             raise MachineError(
-                f"machine {self.name}: {self.letters} does not name the table's axes before the head's", self.letters
+                say(
+                    "machine {name}: {letters} does not name the table's axes before the head's",
+                    name=self.name,
+                    letters=self.letters,
+                ),
+                self.letters,
             )
 
     @property
@@ -155,7 +196,15 @@ def finite_vector(value: Sequence[float], what: str, most: float = sys.float_inf
     try:
         x, y, z = (float(component) for component in value)
     except (TypeError, ValueError, OverflowError):
-        raise MachineError(f"{what} is not a vector of three numbers", value) from None
+        raise MachineError(say("{what} is not a vector of three numbers", what=what), value) from None
     if not all(math.isfinite(component) and abs(component) <= most for component in (x, y, z)):
-        raise MachineError(f"{what} ({x:g}, {y:g}, {z:g}) is not finite or beyond {most:g}", value)
+        raise MachineError(
+            say(
+                "{what} {place} is not finite or beyond {most}",
+                what=what,
+                place=Point((x, y, z), "g", bare=True),
+                most=Number(most),
+            ),
+            value,
+        )
     return x, y, z

@@ -29,6 +29,7 @@ from typing import Any, Literal
 
 from freecad_fiveaxis.core.errors import FileError, MachineError
 from freecad_fiveaxis.core.files import read_bytes, write_whole
+from freecad_fiveaxis.core.sentences import say
 
 from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector, finite_vector
 from .safe_start import BY_MACHINE, RETRACTS, SafeStart
@@ -75,9 +76,11 @@ def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
         return _load_file(Path(given))
     names = shipped_machines()
     near = difflib.get_close_matches(given.lower().replace("-", "_"), names, n=1)
-    hint = f"did you mean {near[0]}? " if near else ""
-    known = f"known: {', '.join(names)}, or give a {SUFFIX} file"
-    raise MachineError(f"no machine is called {reprlib.repr(given)}; {hint}{known}", given)
+    hint = say("did you mean {near}? ", near=near[0]) if near else ""
+    known = say("known: {names}, or give a {suffix} file", names=", ".join(names), suffix=SUFFIX)
+    raise MachineError(
+        say("no machine is called {given}; {hint}{known}", given=reprlib.repr(given), hint=hint, known=known), given
+    )
 
 
 def _load_file(path: Path) -> Machine:
@@ -85,12 +88,12 @@ def _load_file(path: Path) -> Machine:
     try:
         return _machine(_parse(content))
     except MachineError as error:
-        raise MachineError(f"{path}: {error}", error.value) from None
+        raise MachineError(say("{path}: {error}", path=path, error=error), error.value) from None
 
 
 def _usable(path: Path) -> Path:
     if "\0" in str(path):
-        raise FileError(f"{str(path)!r} is no file name: it holds a null character", str(path))
+        raise FileError(say("{path} is no file name: it holds a null character", path=repr(str(path))), str(path))
     return path
 
 
@@ -100,19 +103,19 @@ def _parse(content: bytes) -> Any:
     except MachineError:
         raise
     except (ValueError, RecursionError) as error:
-        kind = "is empty" if not content.strip() else f"is not JSON ({error})"
-        raise MachineError(f"the file {kind}; export the machine from FreeCAD again", content[:60]) from None
+        kind = say("is empty") if not content.strip() else say("is not JSON ({error})", error=error)
+        raise MachineError(say("the file {kind}; export the machine from FreeCAD again", kind=kind), content[:60]) from None
 
 
 def _no_constant(text: str) -> float:
-    raise MachineError(f"{text} is no usable number; write a finite one", text)
+    raise MachineError(say("{text} is no usable number; write a finite one", text=text), text)
 
 
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for key, value in pairs:
         if key in found:
-            raise MachineError(f"key {reprlib.repr(key)} stands twice in one object; remove one", key)
+            raise MachineError(say("key {key} stands twice in one object; remove one", key=reprlib.repr(key)), key)
         found[key] = value
     return found
 
@@ -121,19 +124,19 @@ def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _fail(key: str, problem: str, value: object) -> MachineError:
-    return MachineError(f"{key}: {problem}", value)
+    return MachineError(say("{key}: {problem}", key=key, problem=problem), value)
 
 
 def _get(holder: _Object, where: str, key: str) -> Any:
     if key not in holder:
-        raise _fail(where + key, f'the key is missing; add "{key}"', None)
+        raise _fail(where + key, say('the key is missing; add "{key}"', key=key), None)
     return holder[key]
 
 
 def _object(holder: _Object, where: str, key: str) -> _Object:
     value = _get(holder, where, key)
     if not isinstance(value, dict):
-        raise _fail(where + key, f"{reprlib.repr(value)} is not an object; write {{ ... }}", value)
+        raise _fail(where + key, say("{value} is not an object; write {{ ... }}", value=reprlib.repr(value)), value)
     return value
 
 
@@ -142,14 +145,16 @@ def _text(holder: _Object, where: str, key: str) -> str:
     value = _get(holder, where, key)
     text = " ".join(value.splitlines()) if isinstance(value, str) else "\0"
     if not text.isprintable():
-        raise _fail(where + key, f"{reprlib.repr(value)} is not a text that can be shown; write one in quotes", value)
+        raise _fail(
+            where + key, say("{value} is not a text that can be shown; write one in quotes", value=reprlib.repr(value)), value
+        )
     return text
 
 
 def _choice(holder: _Object, where: str, key: str, known: Any) -> str:
     value = _text(holder, where, key)
     if value not in known:
-        raise _fail(where + key, f"{reprlib.repr(value)} is none of {', '.join(known)}", value)
+        raise _fail(where + key, say("{value} is none of {known}", value=reprlib.repr(value), known=", ".join(known)), value)
     return value
 
 
@@ -159,7 +164,7 @@ def _as_number(value: Any, key: str) -> float:
     except OverflowError:
         number = math.inf
     if not math.isfinite(number):
-        raise _fail(key, f"{reprlib.repr(value)} is not a finite number", value)
+        raise _fail(key, say("{value} is not a finite number", value=reprlib.repr(value)), value)
     return number
 
 
@@ -169,7 +174,7 @@ def _number(holder: _Object, where: str, key: str) -> float:
 
 def _as_vector(value: Any, key: str, unit: float = 1.0) -> Vector:
     if not isinstance(value, list) or len(value) != 3:
-        raise _fail(key, f"{reprlib.repr(value)} is not a vector; write [x, y, z]", value)
+        raise _fail(key, say("{value} is not a vector; write [x, y, z]", value=reprlib.repr(value)), value)
     return finite_vector([unit * _as_number(component, key) for component in value], key)
 
 
@@ -178,15 +183,21 @@ def _as_vector(value: Any, key: str, unit: float = 1.0) -> Vector:
 
 def _machine(data: Any) -> Machine:
     if not isinstance(data, dict):
-        raise MachineError(f'the file holds {reprlib.repr(data)} instead of an object with the key "machine"', data)
+        raise MachineError(
+            say('the file holds {data} instead of an object with the key "machine"', data=reprlib.repr(data)), data
+        )
     version = _get(data, "", "version")
     if isinstance(version, bool) or version != VERSION:
-        raise _fail("version", f"{reprlib.repr(version)} cannot be read; only version {VERSION} can", version)
+        raise _fail(
+            "version",
+            say("{version} cannot be read; only version {known} can", version=reprlib.repr(version), known=VERSION),
+            version,
+        )
     machine = _object(data, "", "machine")
     unit = UNITS[_choice(machine, "machine.", "units", UNITS)]
     name = _text(machine, "machine.", "name").strip()
     if not name:
-        raise _fail("machine.name", "the name is empty; give the machine one", name)
+        raise _fail("machine.name", say("the name is empty; give the machine one"), name)
     axes = _object(machine, "machine.", "axes")
     found = {letter: _axis(letter, axes, unit) for letter in axes}
     order = _work_to_tool(found, {letter: _parent(letter, axes) for letter in axes})
@@ -213,18 +224,20 @@ def _safe_start(given: _Object, where: str, unit: float) -> SafeStart:
     retract = _choice(given, where, "retract", RETRACTS)
     spare = [key for key in given if key not in ("retract", *(("Z",) if retract == BY_MACHINE else ()))]
     if spare:
-        raise _fail(where + spare[0], f"retract {retract} takes no such key; leave it out", given[spare[0]])
+        raise _fail(where + spare[0], say("retract {retract} takes no such key; leave it out", retract=retract), given[spare[0]])
     return SafeStart(retract, unit * _number(given, where, "Z") if retract == BY_MACHINE else None)
 
 
 def _axis(letter: str, axes: _Object, unit: float) -> Axis:
     if letter not in LINEAR_LETTERS + ROTARY_LETTERS:
-        raise _fail("machine.axes", f"{reprlib.repr(letter)} names no axis; use X Y Z and two of A B C", letter)
+        raise _fail(
+            "machine.axes", say("{letter} names no axis; use X Y Z and two of A B C", letter=reprlib.repr(letter)), letter
+        )
     axis, where = _object(axes, "machine.axes.", letter), f"machine.axes.{letter}."
     rotary = KINDS[_choice(axis, where, "type", KINDS)]
     role = _choice(axis, where, "role", ROLES)
     if rotary != role.endswith("rotary"):
-        raise _fail(where + "role", f"{role} contradicts the type of the axis; make them agree", role)
+        raise _fail(where + "role", say("{role} contradicts the type of the axis; make them agree", role=role), role)
     side: Literal["table", "head"] = "table" if role.startswith("table") else "head"
     direction, point = _joint(axis, where, rotary, unit)
     limits = _object(axis, where, "limits")
@@ -247,12 +260,12 @@ def _joint(axis: _Object, where: str, rotary: bool, unit: float) -> tuple[Vector
     joint, where = _get(axis, where, "joint"), where + "joint"
     if isinstance(joint, list):
         if len(joint) != 2:
-            raise _fail(where, f"{reprlib.repr(joint)} is not [[origin], [axis]]", joint)
+            raise _fail(where, say("{joint} is not [[origin], [axis]]", joint=reprlib.repr(joint)), joint)
         joint = {"origin": joint[0], "axis": joint[1]}
         if not rotary and joint["axis"] == [0, 0, 0]:
             joint = {"origin": joint["axis"], "axis": joint["origin"]}
     elif not isinstance(joint, dict):
-        raise _fail(where, f'{reprlib.repr(joint)} is not {{"origin": [x, y, z], "axis": [x, y, z]}}', joint)
+        raise _fail(where, say('{joint} is not {{"origin": [x, y, z], "axis": [x, y, z]}}', joint=reprlib.repr(joint)), joint)
     origin, direction = (_get(joint, where + ".", key) for key in ("origin", "axis"))
     return _as_vector(direction, where + ".axis"), _as_vector(origin, where + ".origin", unit)
 
@@ -261,7 +274,7 @@ def _parent(letter: str, axes: _Object) -> str | None:
     where = f"machine.axes.{letter}."
     parent = _get(axes[letter], where, "parent")
     if parent is not None and (not isinstance(parent, str) or parent not in axes):
-        problem = f"{reprlib.repr(parent)} is no axis of this machine; name one, or null for the base"
+        problem = say("{parent} is no axis of this machine; name one, or null for the base", parent=reprlib.repr(parent))
         raise _fail(where + "parent", problem, parent)
     return parent
 
@@ -270,12 +283,19 @@ def _work_to_tool(axes: Mapping[str, Axis], parent: Mapping[str, str | None]) ->
     """The letters from the work over the base to the tool, from the links alone."""
     for letter, carrier in parent.items():
         if carrier is not None and axes[carrier].side != axes[letter].side:
-            sides = f"a {axes[letter].side} axis cannot stand on the {axes[carrier].side} axis {carrier}"
-            raise _fail(f"machine.axes.{letter}.parent", f"{sides}; name another, or null for the base", carrier)
+            sides = say(
+                "a {side} axis cannot stand on the {other} axis {carrier}",
+                side=axes[letter].side,
+                other=axes[carrier].side,
+                carrier=carrier,
+            )
+            raise _fail(f"machine.axes.{letter}.parent", say("{sides}; name another, or null for the base", sides=sides), carrier)
     outwards = _outwards(None, axes, parent)
     lost = [letter for letter in axes if letter not in outwards]
     if lost:
-        raise _fail("machine.axes", f"{', '.join(lost)} carry one another in a circle; give one the parent null", lost)
+        raise _fail(
+            "machine.axes", say("{lost} carry one another in a circle; give one the parent null", lost=", ".join(lost)), lost
+        )
     table = [letter for letter in outwards if axes[letter].side == "table"]
     return table[::-1] + [letter for letter in outwards if axes[letter].side == "head"]
 
@@ -287,7 +307,11 @@ def _outwards(carrier: str | None, axes: Mapping[str, Axis], parent: Mapping[str
     for side in ("table", "head"):
         rivals = [chain[0] for chain in turning if axes[chain[0]].side == side]
         if len(rivals) > 1:
-            problem = f'{" and ".join(rivals)} both stand on {carrier or "the base"}; say by "parent" which carries which'
+            problem = say(
+                '{rivals} both stand on {carrier}; say by "parent" which carries which',
+                rivals=" and ".join(rivals),
+                carrier=carrier or say("the base"),
+            )
             raise _fail("machine.axes", problem, rivals)
     plain = [chain for chain in chains if chain not in turning]
     return [letter for chain in plain + turning for letter in chain]
@@ -305,7 +329,7 @@ def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool
     target = _usable(Path(path))
     text = VECTOR.sub(lambda found: "[" + " ".join(found[1].split()) + "]", json.dumps(_data(machine), indent=4)) + "\n"
     if os.path.exists(target) and not overwrite:
-        raise FileError(f"{target} exists already; choose another name", str(target))
+        raise FileError(say("{target} exists already; choose another name", target=target), str(target))
     write_whole(target, text.encode())
 
 
@@ -346,7 +370,7 @@ def _safe_start_data(start: SafeStart) -> dict[str, Any]:
 def _axis_data(machine: Machine, letter: str) -> dict[str, Any]:
     axis = machine.axes[machine.letters.index(letter)]
     if math.isinf(axis.max_rate):
-        raise MachineError(f"axis {letter} has no maximum rate; give one, the machine file needs it", letter)
+        raise MachineError(say("axis {letter} has no maximum rate; give one, the machine file needs it", letter=letter), letter)
     outwards = [other.letter for other in machine.axes if other.side == axis.side]
     outwards = outwards[::-1] if axis.side == "table" else outwards
     place = outwards.index(letter)

@@ -13,6 +13,7 @@ import math
 from dataclasses import dataclass
 
 from freecad_fiveaxis.core.errors import MachineError
+from freecad_fiveaxis.core.sentences import Length, say
 
 BY_MACHINE, BY_REFERENCE, BY_CLEARANCE, BY_NOTHING = "machine", "reference", "clearance", "none"
 RETRACTS = (BY_MACHINE, BY_REFERENCE, BY_CLEARANCE, BY_NOTHING)
@@ -27,9 +28,12 @@ class SafeStart:
 
     def __post_init__(self) -> None:
         if self.retract not in RETRACTS:
-            raise MachineError(f"retract {self.retract!r} is none of {', '.join(RETRACTS)}", self.retract)
+            raise MachineError(
+                say("retract {retract} is none of {retracts}", retract=repr(self.retract), retracts=", ".join(RETRACTS)),
+                self.retract,
+            )
         if (self.z is None) == (self.retract == BY_MACHINE):
-            remedy = "give Z, a machine coordinate" if self.z is None else "leave Z out"
-            raise MachineError(f"retract {self.retract}: {remedy}", self.z)
+            remedy = say("give Z, a machine coordinate") if self.z is None else say("leave Z out")
+            raise MachineError(say("retract {retract}: {remedy}", retract=self.retract, remedy=remedy), self.z)
         if self.z is not None and not math.isfinite(self.z):
-            raise MachineError(f"retract Z {self.z:g} is not finite; give a machine coordinate", self.z)
+            raise MachineError(say("retract Z {z} is not finite; give a machine coordinate", z=Length(self.z, bare=True)), self.z)

@@ -23,7 +23,9 @@ from freecad_fiveaxis.core.sentences import say
 from .trt import machine_of_ini
 
 UPRIGHT = {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]}
-DEFAULTS = {"gauge_point": "0,0,0", "origin": "0,0,0", "singular_cone": "5 deg"}
+DEFAULTS = {
+    "gauge_point": "0,0,0", "origin": "0,0,0", "singular_cone": "5 deg", "safe_start": "clearance",
+}  # fmt: skip
 """What a FreeCAD file cannot say, and what is taken for it."""
 
 
@@ -87,7 +89,7 @@ def _controller(data: dict[str, object]) -> str:
 def as_text(imported: Imported) -> str:
     """The machine as a table, from the work to the tool, and the findings."""
     machine = imported.machine
-    rows = [f"{machine.name}: {machine.description}", *(_row(axis) for axis in machine.axes)]
+    rows = [f"{machine.name}: {machine.description}", *(_row(axis) for axis in machine.axes), _start(machine)]
     marks = {Severity.NOTE: "note", Severity.WARNING: "warning", Severity.ERROR: "ERROR"}
     return "\n".join([*rows, *(f"{marks[found.severity]}: {found.text}" for found in imported.findings)])
 
@@ -97,6 +99,13 @@ def _row(axis: Axis) -> str:
     line = f"  {axis.letter} {axis.side:5} {_vector(axis.direction):12}"
     line += f" through {_vector(axis.point):18}" if axis.rotary else 27 * " "
     return line + f" {axis.low * scale:g} to {axis.high * scale:g} {unit}, {axis.max_rate * scale:g} {unit}/min"
+
+
+def _start(machine: Machine) -> str:
+    start, table = machine.safe_start, machine.table
+    retract = start.retract if start.z is None else f"{start.retract} Z {start.z:g} mm"
+    height = "at a height that is not known" if table is None else f"at Z {table:g} mm"
+    return f"  programs begin and end by safe_start {retract}; the table's face is {height}"
 
 
 def _vector(value: tuple[float, float, float]) -> str:

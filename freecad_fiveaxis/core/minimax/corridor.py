@@ -12,6 +12,9 @@ grid: no search makes that sum larger.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 
 from freecad_fiveaxis.core.progress import Progress, silent
@@ -24,6 +27,8 @@ from .sweep import cheapest
 
 LINE, GRID = (21, 5), (3, 3)
 """States of a line, and along each side of a grid: of a wide corridor, and of a narrow one."""
+KINDS = 3
+"""A round has so many corridors: two lines and a grid."""
 NARROW = 0.2
 """Half width below which a corridor is narrow, in units of the largest tilt."""
 WIDEST, FINEST = 1.2, 1e-3
@@ -44,16 +49,21 @@ def improve(task: Task, at: Rows, angles: Floats, progress: Progress = silent) -
     width, level = np.full(len(at.first), WIDEST * task.max_tilt), levels(task, at, angles)
     best, best_level = angles, level
     for count in range(ROUNDS):
-        progress("minimax axes", count / ROUNDS)
         busy = np.flatnonzero((width > FINEST * task.max_tilt) & (best_level > GOOD))
         if not len(busy):
             break
-        angles, before = _round(task, at, angles, width, level, busy), level
+        shown = partial(_share, progress, count)
+        angles, before = _round(task, at, angles, width, level, busy, shown), level
         level = levels(task, at, angles)
         width = np.where(level > SLOW * before, SHRINK * width, width)
         better = level < best_level
         best, best_level = np.where(better[at.run][:, None], angles, best), np.minimum(level, best_level)
     return best.copy()
+
+
+def _share(progress: Progress, count: int, part: float) -> None:
+    """How far the search is after ``count`` rounds and a part of the next."""
+    progress("minimax axes", (count + part) / ROUNDS)
 
 
 def portions(at: Rows, runs: Ints, edges: int) -> list[Ints]:
@@ -62,16 +72,20 @@ def portions(at: Rows, runs: Ints, edges: int) -> list[Ints]:
     return [runs[number == value] for value in np.unique(number)]
 
 
-def _round(task: Task, at: Rows, angles: Floats, width: Floats, level: Floats, busy: Ints) -> Floats:
-    """One corridor of each kind for the ``busy`` runs."""
+def _round(
+    task: Task, at: Rows, angles: Floats, width: Floats, level: Floats, busy: Ints, shown: Callable[[float], None]
+) -> Floats:
+    """One corridor of each kind for the ``busy`` runs; ``shown`` hears which share of these is done."""
+    done = 0
     angles, wide = angles.copy(), width[busy] > NARROW * task.max_tilt
     for runs, line, side in zip((busy[wide], busy[~wide]), LINE, GRID, strict=True):
         for part in portions(at, runs, line**2):
             some, rows = at.take(part)
             own, now = task.take(rows), angles[rows]
-            for offsets in _corridors(line, side):
+            for kind, offsets in enumerate(_corridors(line, side)):
+                shown((done + kind / KINDS * len(part)) / len(busy))
                 now = _chosen(own, some, _grid(own, some, now, offsets, width[part]), level[part])
-            angles[rows] = now
+            angles[rows], done = now, done + len(part)
     return angles
 
 

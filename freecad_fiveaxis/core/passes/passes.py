@@ -23,6 +23,7 @@ from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze, owners
+from freecad_fiveaxis.core.sentences import Length, say
 
 from .slicing import Crossings, chain, find_crossings
 
@@ -74,11 +75,14 @@ def slice_mesh(
     Raises SettingsError for offsets that are not finite or not ascending, a ``keep`` of the wrong length, or an unknown order.
     """
     if order not in ORDERS:
-        raise SettingsError(f"order is {order!r}; choose one of {', '.join(ORDERS)}", order)
+        raise SettingsError(say("order is {order}; choose one of {orders}", order=repr(order), orders=", ".join(ORDERS)), order)
     planes = _planes(offsets)
     kept = None if keep is None else np.asarray(keep, dtype=np.bool_)
     if kept is not None and kept.shape != (len(mesh.face),):
-        raise SettingsError(f"keep has shape {kept.shape}: give one value for each of the {len(mesh.face)} facets", kept.shape)
+        raise SettingsError(
+            say("keep has shape {shape}: give one value for each of the {count} facets", shape=kept.shape, count=len(mesh.face)),
+            kept.shape,
+        )
     progress("slice", 0.0)
     cosine, sine = direction(angle)
     x, y, _ = mesh.vertex.T
@@ -99,7 +103,7 @@ def slice_mesh(
 def direction(angle: float) -> tuple[float, float]:
     """Cosine and sine of ``angle`` rad, exact at multiples of a quarter turn, so that planes along x or y keep their vertices."""
     if not math.isfinite(angle):
-        raise SettingsError(f"the direction of the planes is {angle}: give a finite angle", angle)
+        raise SettingsError(say("the direction of the planes is {angle}: give a finite angle", angle=angle), angle)
     cosine, sine = math.cos(angle), math.sin(angle)
     return (0.0 if abs(cosine) < QUARTER else cosine, 0.0 if abs(sine) < QUARTER else sine)
 
@@ -107,13 +111,22 @@ def direction(angle: float) -> tuple[float, float]:
 def _planes(offsets: ArrayLike) -> Floats:
     planes = np.asarray(offsets, dtype=np.float64)
     if planes.ndim != 1:
-        raise SettingsError(f"plane offsets have shape {planes.shape}: give one ascending row of numbers", planes.shape)
+        raise SettingsError(
+            say("plane offsets have shape {shape}: give one ascending row of numbers", shape=planes.shape), planes.shape
+        )
     if not np.isfinite(planes).all():
         wrong = float(planes[~np.isfinite(planes)][0])
-        raise SettingsError(f"a plane offset is {wrong}: give finite numbers", wrong)
+        raise SettingsError(say("a plane offset is {wrong}: give finite numbers", wrong=wrong), wrong)
     if (np.diff(planes) < 0.0).any():
         at = int(np.argmax(np.diff(planes) < 0.0))
-        raise SettingsError(f"plane offset {planes[at + 1]:g} follows {planes[at]:g}: give them ascending", float(planes[at + 1]))
+        raise SettingsError(
+            say(
+                "plane offset {offset} follows {before}: give them ascending",
+                offset=Length(planes[at + 1], bare=True),
+                before=Length(planes[at], bare=True),
+            ),
+            float(planes[at + 1]),
+        )
     return planes
 
 

@@ -9,6 +9,8 @@ within reach  one branch of the inverse kinematics has both rotary words within 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +20,7 @@ from freecad_fiveaxis.core.kinematics import BEYOND, Chain, chunks, dot, inverse
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Bools, Floats
+from freecad_fiveaxis.core.sentences import Angle, Area, Length, Number, Sentence, Template, say
 
 LEVEL = 1e-4
 """rad: STL files keep coordinates to 1e-7 of their size, so the normals of small facets, those of walls too, are this far off."""
@@ -29,6 +32,23 @@ FLAT = 1e-8
 """Where a cosine is so near to 1 or -1, its rounding (1e-16) is worth more than WORD_ERROR / 100 of angle."""
 
 TURN = 2.0 * math.pi
+
+NEARLY = 0.99
+"""Of the area that faces away: where so much is the level underside, the rest is not worth a word."""
+
+
+_DOWN = Template(
+    "{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to "
+    "cut them."
+)
+_STEEP = Template(
+    "{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise the largest axis "
+    "angle to cut them."
+)
+_BEYOND = Template(
+    "{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take "
+    "another machine to cut them."
+)
 
 
 def reachable_facets(
@@ -43,7 +63,8 @@ def reachable_facets(
     if not 0.0 < max_axis_angle <= math.pi:
         angle = math.degrees(max_axis_angle)
         raise SettingsError(
-            f"largest axis angle {angle:g} deg is out of range; give more than 0 and at most 90 deg", max_axis_angle
+            say("largest axis angle {angle} is out of range; give more than 0 and at most 90 deg", angle=Angle(angle)),
+            max_axis_angle,
         )
     up = mesh.normal[:, 2]
     wanted = np.ones(len(up), np.bool_) if wanted is None else wanted
@@ -119,26 +140,43 @@ def _turned_within(word: Floats, low: float, high: float) -> Bools:
 
 
 def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
-    text = "look down and are left out; turn the part over to cut them."
-    return _left_out(Severity.NOTE, "facets-looking-down", text, mesh, area, out)
+    found = _left_out(Severity.NOTE, "facets-looking-down", _DOWN, mesh, area, out)
+    low, size = float(mesh.vertex[:, 2].min()), float(np.ptp(mesh.vertex))
+    level = out & (mesh.vertex[mesh.face, 2].max(axis=1) <= low + LEVEL * size)
+    if found is None or area[level].sum() < NEARLY * area[out].sum():
+        return found
+    lost, share = float(area[out].sum()), 100.0 * float(area[out].sum() / area.sum())
+    text = say(
+        "The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the spindle. Turn the part "
+        "over to cut it.",
+        height=Length(round(low, 3) + 0.0, bare=True),
+        area=Area(lost, ".6g"),
+        share=Number(share, ".3g"),
+    )
+    return replace(found, text=text)
 
 
 def _too_steep(mesh: Mesh, area: Floats, out: Bools, most: float) -> Finding | None:
-    text = f"lean more than {math.degrees(most):g} deg from Z and are left out; raise the largest axis angle to cut them."
-    return _left_out(Severity.WARNING, "facets-beyond-axis-angle", text, mesh, area, out)
+    angle = Angle(math.degrees(most))
+    return _left_out(Severity.WARNING, "facets-beyond-axis-angle", _STEEP, mesh, area, out, most=angle)
 
 
 def _beyond(mesh: Mesh, area: Floats, out: Bools, links: Chain) -> Finding | None:
-    text = f"need {_limits(links)} beyond its limits and are left out; turn the part or take another machine to cut them."
-    return _left_out(Severity.WARNING, "facets-beyond-machine", text, mesh, area, out)
+    return _left_out(Severity.WARNING, "facets-beyond-machine", _BEYOND, mesh, area, out, limits=_limits(links))
 
 
-def _limits(links: Chain) -> str:
-    spans = np.degrees([links.low[3:], links.high[3:]]).T
-    return " or ".join(f"{name} ({low:g} to {high:g} deg)" for name, (low, high) in zip(links.letters[3:], spans, strict=True))
+def _limits(links: Chain) -> Sentence:
+    spans = np.degrees([links.low[3:], links.high[3:]]).T.tolist()
+    one, other = (
+        say("{letter} ({low} to {high})", letter=letter, low=Angle(low, bare=True), high=Angle(high))
+        for letter, (low, high) in zip(links.letters[3:], spans, strict=True)
+    )
+    return say("{one} or {other}", one=one, other=other)
 
 
-def _left_out(severity: Severity, code: str, text: str, mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
+def _left_out(
+    severity: Severity, code: str, text: Template, mesh: Mesh, area: Floats, out: Bools, **values: Any
+) -> Finding | None:
     """The finding that says how much area is left out; its place is the centre of the largest such facet."""
     rows = np.flatnonzero(out)
     if not len(rows):
@@ -146,15 +184,20 @@ def _left_out(severity: Severity, code: str, text: str, mesh: Mesh, area: Floats
     lost, total = float(area[rows].sum()), float(area.sum())
     largest = rows[np.argmax(area[rows])]
     x, y, z = (float(v) for v in mesh.vertex[mesh.face[largest]].mean(axis=0))
-    head = f"{len(rows)} facets of {lost:.6g} mm2 ({100.0 * lost / total:.3g} % of the part) "
-    return Finding(severity, code, head + text, value=lost, unit="mm2", place=(x, y, z))
+    share = Number(100.0 * lost / total, ".3g")
+    said = text.say(count=len(rows), area=Area(lost, ".6g"), share=share, **values)
+    return Finding(severity, code, said, value=lost, unit="mm2", place=(x, y, z))
 
 
-def _nothing_left(area: Floats, down: Bools, steep: Bools, beyond: Bools, most: float) -> str:
-    parts = (
-        (down, "look down"),
-        (steep, f"lean more than {math.degrees(most):g} deg"),
-        (beyond, "lie beyond the machine's rotary limits"),
+def _nothing_left(area: Floats, down: Bools, steep: Bools, beyond: Bools, most: float) -> Sentence:
+    down_share, steep_share, beyond_share = (
+        Number(100.0 * float(area[mask].sum() / area.sum()), ".3g") for mask in (down, steep, beyond)
     )
-    shares = ", ".join(f"{100.0 * area[mask].sum() / area.sum():.3g} % {words}" for mask, words in parts)
-    return f"no facet can be cut: {shares} of the area; turn the part, raise the largest axis angle or take another machine"
+    return say(
+        "no facet can be cut: {down} % look down, {steep} % lean more than {most}, {beyond} % lie beyond the machine's rotary "
+        "limits of the area; turn the part, raise the largest axis angle or take another machine",
+        down=down_share,
+        steep=steep_share,
+        most=Angle(math.degrees(most)),
+        beyond=beyond_share,
+    )

@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import Angle, Length, say
 
 from .pass_pair import Strip, scallop_between, smallest_interval
 from .scallop import flat_interval
@@ -95,7 +96,9 @@ def place_planes(
     rows = np.arange(len(mesh.face)) if keep is None else np.flatnonzero(keep)
     low, high = _extent(mesh, across, rows)
     if not low < high:
-        raise SettingsError(f"no facet lies across planes at {math.degrees(angle):g} deg; turn the direction", angle)
+        raise SettingsError(
+            say("no facet lies across planes at {angle}; turn the direction", angle=Angle(math.degrees(angle))), angle
+        )
     if stepover is not None:
         return _even_planes(low, high, stepover), ()
     assert scallop is not None
@@ -104,17 +107,24 @@ def place_planes(
 
 def _check(angle: float, radius: float, stepover: float | None, scallop: float | None, least: float) -> None:
     if not math.isfinite(angle):
-        raise SettingsError(f"direction {angle} is no angle; give a number of degrees", angle)
+        raise SettingsError(say("direction {angle} is no angle; give a number of degrees", angle=angle), angle)
     lengths = {"cutter radius": radius, "least interval": least, "stepover": stepover, "scallop": scallop}
     for name, value in lengths.items():
         if value is not None and not 0.0 < value < math.inf:
-            raise SettingsError(f"{name} {value:g} mm is out of range; give more than 0 mm", value)
+            raise SettingsError(say("{name} {value} is out of range; give more than 0 mm", name=name, value=Length(value)), value)
     if (stepover is None) == (scallop is None):
-        given = "neither" if stepover is None else f"both stepover {stepover:g} mm and scallop {scallop:g} mm"
-        raise SettingsError(f"{given} given; give either a stepover or a scallop", stepover)
+        given = say("neither")
+        if stepover is not None and scallop is not None:
+            given = say("both stepover {stepover} and scallop {scallop}", stepover=Length(stepover), scallop=Length(scallop))
+        raise SettingsError(say("{given} given; give either a stepover or a scallop", given=given), stepover)
     if scallop is not None and scallop >= radius:
         raise SettingsError(
-            f"scallop {scallop:g} mm is not below the cutter radius {radius:g} mm; give a smaller scallop", scallop
+            say(
+                "scallop {scallop} is not below the cutter radius {radius}; give a smaller scallop",
+                scallop=Length(scallop),
+                radius=Length(radius),
+            ),
+            scallop,
         )
 
 
@@ -134,8 +144,12 @@ def _extent(mesh: Mesh, across: Floats, rows: Ints) -> tuple[float, float]:
 
 def _check_count(planes: float, what: str, value: float) -> None:
     if planes > MOST_PLANES:
-        remedy = f"more than {MOST_PLANES} planes; give a larger {what} or check the units of the part"
-        raise SettingsError(f"{what} {value:g} mm needs {remedy}", value)
+        remedy = say(
+            "more than {most_planes} planes; give a larger {what} or check the units of the part",
+            most_planes=MOST_PLANES,
+            what=what,
+        )
+        raise SettingsError(say("{what} {value} needs {remedy}", what=what, value=Length(value), remedy=remedy), value)
 
 
 def _even_planes(low: float, high: float, stepover: float) -> Floats:
@@ -277,10 +291,13 @@ class _March:
             return ()
         worst = max(self._bound, key=lambda step: step.height)
         x, y, z = (float(v) for v in worst.place)
-        text = (
-            f"The least interval of {self._least:g} mm binds {len(self._bound)} times and leaves scallops up to "
-            f"{worst.height:.4g} mm where {self._scallop:g} mm are asked: give a smaller least interval or turn the direction "
-            "along the steep walls."
+        text = say(
+            "The least interval of {least} binds {count} times and leaves scallops up to {height} where {scallop}"
+            " are asked: give a smaller least interval or turn the direction along the steep walls.",
+            least=Length(self._least),
+            count=len(self._bound),
+            height=Length(worst.height, ".4g"),
+            scallop=Length(self._scallop),
         )
         value, limit = worst.height, self._scallop
         return (Finding(Severity.WARNING, "least-interval", text, value=value, limit=limit, unit="mm", place=(x, y, z)),)

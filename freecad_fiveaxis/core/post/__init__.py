@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.sentences import say
 
 from .dialect import ANGLES, VECTORS, Dialect, Guide
 from .fanuc import FANUC
@@ -24,7 +25,9 @@ DIALECTS: dict[str, Dialect] = {
 def find_dialect(name: str) -> Dialect:
     """The dialect of that name, in any case. Raises SettingsError that lists the names."""
     if name.lower() not in DIALECTS:
-        raise SettingsError(f"unknown controller {name!r}; known are {', '.join(DIALECTS)}", name)
+        raise SettingsError(
+            say("unknown controller {name}; known are {dialects}", name=repr(name), dialects=", ".join(DIALECTS)), name
+        )
     return DIALECTS[name.lower()]
 
 

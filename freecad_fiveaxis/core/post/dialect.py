@@ -21,6 +21,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.sentences import Option, Sentence, say
 
 ANGLES, VECTORS = "angles", "vectors"
 
@@ -149,17 +150,28 @@ class Dialect:
             rotary_in_feed=guide.rotary_in_feed, rapid=guide.straight or self.rapid, straight=guide.straight or self.straight,
         )  # fmt: skip
 
-    def _no_guide(self, how: str) -> str:
+    def _no_guide(self, how: str) -> Sentence:
         if not self.guides:
-            return f"{self.name} does not guide the tip itself (no RTCP): leave --rtcp out, and use --linearize on"
-        return f"{self.name} has no RTCP by {how}; give {' or '.join(self.guides)}"
+            return say(
+                "{name} does not guide the tip itself (no RTCP): leave {rtcp} out, and use {linearize} on",
+                name=self.name,
+                rtcp=Option("rtcp"),
+                linearize=Option("linearize"),
+            )
+        return say("{name} has no RTCP by {how}; give {guides}", name=self.name, how=how, guides=" or ".join(self.guides))
 
     def fast(self) -> Dialect:
         """The same controller in its high-speed mode, which stands before a guide. Raises SettingsError where it has none."""
         on, off = self.high_speed
         if not on:
             raise SettingsError(
-                f"{self.name} has no high-speed mode to switch; leave --high-speed out, or give --blend", self.name
+                say(
+                    "{name} has no high-speed mode to switch; leave {high_speed} out, or give {blend}",
+                    name=self.name,
+                    high_speed=Option("high_speed"),
+                    blend=Option("blend"),
+                ),
+                self.name,
             )
         at, end = (lines.index("{guide}") if lines else 0 for lines in (self.guided_head, self.guided_tail))
         return replace(
@@ -172,7 +184,10 @@ class Dialect:
         """Raises SettingsError, with those on offer, where the controller has no such work offset."""
         pattern, words = self.work_offsets
         if not re.fullmatch(pattern, offset):
-            raise SettingsError(f"work offset {offset!r} is unknown to {self.name}; give {words}", offset)
+            raise SettingsError(
+                say("work offset {offset} is unknown to {name}; give {words}", offset=repr(offset), name=self.name, words=words),
+                offset,
+            )
 
     def remark(self, text: str) -> str:
         """A comment of printable ASCII that no controller takes for an instruction: no brackets, no ``;`` ``%`` or comma.

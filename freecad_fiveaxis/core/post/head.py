@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.sentences import Length, Number, Option, say
 
 from .dialect import Dialect
 
@@ -45,17 +46,20 @@ class PostOptions:
 
     def __post_init__(self) -> None:
         if self.tool is not None and not 0 < self.tool < 100_000:
-            raise SettingsError(f"tool number is {self.tool}; give 1 to 99999", self.tool)
+            raise SettingsError(say("tool number is {tool}; give 1 to 99999", tool=self.tool), self.tool)
         if not 0.0 <= self.speed < 1e6:
-            raise SettingsError(f"spindle speed is {self.speed:g} 1/min; give 0 to 999999", self.speed)
+            raise SettingsError(say("spindle speed is {speed} 1/min; give 0 to 999999", speed=Number(self.speed)), self.speed)
         if not re.fullmatch(r"G(5[4-9]|[15][0-9]{2})(\.[1-9])?( ?P[0-9]{1,3})?", self.offset):
             raise SettingsError(
-                f"work offset is {self.offset!r}; give G54 to G59, or another that the controller has", self.offset
+                say("work offset is {offset}; give G54 to G59, or another that the controller has", offset=repr(self.offset)),
+                self.offset,
             )
         if not 0 < self.program < 10_000:
-            raise SettingsError(f"program number is {self.program}; give 1 to 9999", self.program)
+            raise SettingsError(say("program number is {program}; give 1 to 9999", program=self.program), self.program)
         if not 0.0 <= self.blend < 1000.0:
-            raise SettingsError(f"blend tolerance is {self.blend:g} mm; give 0 (exact path) to 999", self.blend)
+            raise SettingsError(
+                say("blend tolerance is {blend}; give 0 (exact path) to 999", blend=Length(self.blend)), self.blend
+            )
 
 
 def slot_texts(
@@ -70,7 +74,15 @@ def slot_texts(
     dialect.check_offset(options.offset)
     if dialect.guide is not None and dialect.guide.needs_tool and options.tool is None:
         switch = dialect.guide.on[0].split()[0]
-        raise SettingsError(f"{dialect.name}'s {switch} names the tool's length offset: give --tool, its number", None)
+        raise SettingsError(
+            say(
+                "{name}'s {switch} names the tool's length offset: give {tool}, its number",
+                name=dialect.name,
+                switch=switch,
+                tool=Option("tool"),
+            ),
+            None,
+        )
     return {
         "title": dialect.remark(f"for {title}"),
         "program": f"{options.program:04d}",

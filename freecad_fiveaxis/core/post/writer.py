@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats
+from freecad_fiveaxis.core.sentences import say
 
 from .dialect import Dialect
 from .head import PostOptions, framed, slot_texts
@@ -89,7 +90,7 @@ def _said(program: Program, dialect: Dialect) -> list[_Said]:
     """The words in the order of the block. Raises ProgramError where the dialect guides and the program is for joints, or not."""
     guided = program.guided if len(program.words) else None
     if len(program.words) and (guided is None) != (dialect.guide is None):
-        raise ProgramError(f"the program was not built for {dialect.name} as it is to be written", dialect.name)
+        raise ProgramError(say("the program was not built for {name} as it is to be written", name=dialect.name), dialect.name)
     linear = program.words if guided is None else guided.tip
     order = sorted(range(5), key=lambda column: dialect.order.index(program.letters[column]))
     vector = None if guided is None or dialect.guide is None else dialect.guide.vector

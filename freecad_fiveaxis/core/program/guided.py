@@ -17,6 +17,7 @@ import numpy as np
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, chunks, forward, inverse_axis, joint_words, words_to_q
 from freecad_fiveaxis.core.records import Bools, Floats, freeze
+from freecad_fiveaxis.core.sentences import Angle, Length, say
 
 TURN = 2.0 * math.pi
 AT_POLE = 1e-6
@@ -70,9 +71,11 @@ def rounding_finding(links: Chain, words: Floats, tip: Floats, axis: Floats) -> 
         off = max(off, float(np.linalg.norm(place - tip[rows], axis=1).max(initial=0.0)))
         chord = np.linalg.norm(stands - axis[rows], axis=1).max(initial=0.0)
         lean = max(lean, 2.0 * math.asin(min(float(chord) / 2.0, 1.0)))
-    text = (
-        f"The controller guides the tip (RTCP). Proven is that every block ends within {off:.2g} mm of the path's tip and "
-        f"{math.degrees(lean):.2g} deg of its tool axis, as the machine file describes the machine; how tip and axes go from "
-        "end to end is the controller's affair, and not proven here."
+    text = say(
+        "The controller guides the tip (RTCP). Proven is that every block ends within {off} of the path's tip"
+        " and {lean} of its tool axis, as the machine file describes the machine; how tip and axes go from "
+        "end to end is the controller's affair, and not proven here.",
+        off=Length(off, ".2g"),
+        lean=Angle(math.degrees(lean), ".2g"),
     )
     return Finding(Severity.NOTE, "tip-guided-by-controller", text, off, None, "mm")

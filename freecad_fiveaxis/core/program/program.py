@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.post.dialect import Dialect, Guide, feed_distance
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze, picked
+from freecad_fiveaxis.core.sentences import Feed, Template, say
 
 from .feeds import feed_minutes, rapid_minutes, tip_travel
 from .guided import Guided, rounding_finding, standing, turned_to
@@ -102,7 +103,7 @@ def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_tim
 
 
 def _no_inverse_time(dialect: Dialect) -> tuple[Finding, ...]:
-    text = f"{dialect.name} has no inverse time (G93): F is written in mm/min, one for each block."
+    text = say("{name} has no inverse time (G93): F is written in mm/min, one for each block.", name=dialect.name)
     return (Finding(Severity.NOTE, "no-inverse-time", text),)
 
 
@@ -151,13 +152,20 @@ def _check_feeds(row: Ints, motion: Bytes, tip_feed: Floats) -> None:
     bad = np.flatnonzero((motion != Motion.RAPID) & ~(tip_feed > 0.0))
     if len(bad):
         value = float(tip_feed[bad[0]])
-        raise ProgramError(f"row {row[bad[0]]} of the CL path is a feed move with feed {value:g}; give a feed above 0", value)
+        raise ProgramError(
+            say(
+                "row {row} of the CL path is a feed move with feed {value}; give a feed above 0",
+                row=row[bad[0]],
+                value=Feed(value, bare=True),
+            ),
+            value,
+        )
 
 
 def _first_findings(motion: Bytes) -> tuple[Finding, ...]:
     if not len(motion) or motion[0] == Motion.RAPID:
         return ()
-    text = "The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part."
+    text = say("The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part.")
     return (Finding(Severity.NOTE, "first-position-rapid", text, block=0),)
 
 
@@ -244,23 +252,28 @@ def block_findings(findings: tuple[Finding, ...], program: Program) -> tuple[Fin
     return tuple(told)
 
 
+HELD = Template("In {count} blocks an axis would exceed its maximum rate; they run slower than programmed.")
+ABOVE = Template("In {count} blocks F would exceed the controller's largest; they run slower than programmed.")
+BELOW = Template("In {count} blocks F would be below one step; they run faster than programmed. Use G93.")
+
+
 def _feed_findings(asked: Floats, held: Bools, scale: _FeedScale) -> tuple[Finding, ...]:
     unit, step = "1/min" if scale.inverse_time else "mm/min", 10.0**-scale.decimals
     below = np.flatnonzero(asked < step / (1.0 + FEED_SLACK))
     below = below[asked[below] > 0.0]  # not those of rapids
     cases = (
         (np.flatnonzero(held), Severity.NOTE, "feed-held-back",
-         "an axis would exceed its maximum rate; they run slower than programmed.", float(held.sum()), 0.0, "1"),
+         HELD, float(held.sum()), 0.0, "1"),
         (np.flatnonzero(asked > scale.largest), Severity.NOTE, "feed-above-largest",
-         "F would exceed the controller's largest; they run slower than programmed.",
+         ABOVE,
          float(asked.max(initial=0.0)), scale.largest, unit),
-        (below, Severity.WARNING, "feed-below-step", "F would be below one step; they run faster than programmed. Use G93.",
+        (below, Severity.WARNING, "feed-below-step", BELOW,
          float(asked[below].min(initial=step)), step, unit),
     )  # fmt: skip
     found = []
     for blocks, severity, code, text, value, limit, unit_of in cases:
         if len(blocks):
             block = int(blocks[0])
-            text = f"In {len(blocks)} blocks {text}"
-            found.append(Finding(severity, code, text, value, limit, unit_of, block, scale.dialect.first_line + block))
+            said = text.say(count=len(blocks))
+            found.append(Finding(severity, code, said, value, limit, unit_of, block, scale.dialect.first_line + block))
     return tuple(found)

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, cos_sin, forward
 from freecad_fiveaxis.core.kinematics.kinematics import turn
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.sentences import Length, say
 
 STEP = math.radians(2.0)
 """Between the rotary words that are looked at."""
@@ -36,7 +37,9 @@ def plane_above(links: Chain, low: Floats, high: Floats, margin: float, words: F
     """
     lift = float(links.direction[2, 2])
     if abs(lift) < LEAST_LIFT or links.slot[2] < _tables(links):
-        raise SettingsError("Z of this machine does not lift the tool: give its file another safe_start than clearance", None)
+        raise SettingsError(
+            say("Z of this machine does not lift the tool: give its file another safe_start than clearance"), None
+        )
     corners, angles = np.array(list(product(*zip(low, high, strict=True)))), _angles(links)
     q = np.column_stack([np.tile(words[0, :2], (len(angles), 1)), np.zeros(len(angles)), angles])
     tip, up = forward(links, q)[0], upwards(links, angles)
@@ -77,8 +80,11 @@ def within_travel(links: Chain, height: float) -> tuple[float, tuple[Finding, ..
     if low <= height <= high:
         return height, ()
     limit = high if height > high else low
-    text = (
-        f"The plane above the part at which the rotary axes turn lies at Z {height:g}, beyond the limit {limit:.4g}: the program "
-        "begins and ends at that limit. Watch the first moves, or set the machine file's safe_start to machine or reference."
+    text = say(
+        "The plane above the part at which the rotary axes turn lies at Z {height}, beyond the limit {limit}:"
+        " the program begins and ends at that limit. Watch the first moves, or set the machine file's "
+        "safe_start to machine or reference.",
+        height=Length(height, bare=True),
+        limit=Length(limit, ".4g", bare=True),
     )
     return limit, (Finding(Severity.WARNING, "safe-start-beyond-limit", text, height, limit, "mm"),)

@@ -16,6 +16,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.number_text import rounded
 from freecad_fiveaxis.core.post.dialect import Dialect
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import say
 
 CIRCLE = 360.0
 
@@ -50,9 +51,11 @@ def by_the_shorter_way(
     for k in (0, 1):
         letter = letters[3 + k]
         if rotary[k] != wrap[k]:
-            text = (
-                f"{dialect.name} does not take the shorter way to a word of 0 to 360, as the machine file says of {letter} "
-                "(modulo): the words count their turns on. Set the control accordingly, or wrap_strategy to unwound."
+            text = say(
+                "{name} does not take the shorter way to a word of 0 to 360, as the machine file says of {letter} "
+                "(modulo): the words count their turns on. Set the control accordingly, or wrap_strategy to unwound.",
+                name=dialect.name,
+                letter=letter,
             )
             found.append(Finding(Severity.WARNING, "wrap-not-written", text))
         if wrap[k] != "modulo":
@@ -68,9 +71,13 @@ def by_the_shorter_way(
 
 def _other_way(letter: str, blocks: Ints, feeding: Bools) -> Finding:
     cutting = int(feeding[blocks].sum())
-    text = (
-        f"{len(blocks)} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the control takes "
-        "the shorter way there (wrap_strategy modulo), and so do the words here. Linearize, or set wrap_strategy to unwound."
+    text = say(
+        "{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the "
+        "control takes the shorter way there (wrap_strategy modulo), and so do the words here. Linearize, or "
+        "set wrap_strategy to unwound.",
+        count=len(blocks),
+        letter=letter,
+        cutting=cutting,
     )
     severity = Severity.WARNING if cutting else Severity.NOTE
     return Finding(severity, "turned-the-shorter-way", text, float(len(blocks)), None, "1", int(blocks[0]))

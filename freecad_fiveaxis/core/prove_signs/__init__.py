@@ -3,10 +3,10 @@
 
 from .nc import proof_nc, proof_program
 from .plan import Plan, Stop, Wishes, make_plan
-from .sheet import READY, STAND, rows, sheet_html, sheet_json, sheet_text, verdict
+from .sheet import READY, STAND, notices, rows, sheet_html, sheet_json, sheet_text, verdict
 from .wrong import Wrong, wrong_machines
 
 __all__ = [
-    "READY", "STAND", "Plan", "Stop", "Wishes", "Wrong", "make_plan", "proof_nc", "proof_program", "rows", "sheet_html",
-    "sheet_json", "sheet_text", "verdict", "wrong_machines",
+    "READY", "STAND", "Plan", "Stop", "Wishes", "Wrong", "make_plan", "notices", "proof_nc", "proof_program", "rows",
+    "sheet_html", "sheet_json", "sheet_text", "verdict", "wrong_machines",
 ]  # fmt: skip

@@ -14,11 +14,12 @@ from freecad_fiveaxis.core.post.head import numbered_anew
 from freecad_fiveaxis.core.post.writer import write_nc
 from freecad_fiveaxis.core.program import Program
 
-from .plan import Plan, Stop
+from .plan import USUAL_MARK, Plan, Stop
 
 WAIT = "M0"
 """Program stop, ISO 6983-1: the same word in every dialect."""
 BEFORE = "stop 0 - jog the tool high above the start - rotary axes at 0 - then go on"
+BARE = f"nothing above Z {USUAL_MARK[2]:g}"
 INSERTED = 2
 """Lines of a stop: its comment and WAIT."""
 
@@ -45,7 +46,8 @@ def proof_nc(plan: Plan, program: Program, dialect: Dialect, options: PostOption
     text = write_nc(program, dialect, f"{plan.machine.name}, proving signs", options).decode("ascii")
     lines = text.split(dialect.newline)
     at = dialect.first_line - 1
-    made = [*lines[:at], dialect.remark(BEFORE), WAIT]
+    before = BEFORE if plan.wishes.mark is not None else f"{BARE} - {BEFORE}"
+    made = [*lines[:at], dialect.remark(before), WAIT]
     number = 0
     for stop in plan.stops:
         made += lines[at : at + len(stop.q)]

@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, joint_words
 from freecad_fiveaxis.core.machine import Machine, Vector
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.sentences import Angle, Length, Option, Sentence, measure, say
 
 from .seen import linear_seen, rotary_seen
 from .wrong import Wrong, wrong_machines
@@ -30,19 +31,27 @@ PIECES = 33
 """Poses looked at along each move."""
 RAISES, STEP = 200, 5.0
 """mm; heights and distances are raised in whole steps, so that they are easy to measure."""
+USUAL_MARK = (30.0, 20.0, 0.0)
+"""mm; at the height of the work zero: with nothing on the table that is higher."""
 VISIBLE = 3.0
 """mm that nobody overlooks at the last stop."""
 
 
 @dataclass(frozen=True)
 class Wishes:
-    """``mark`` (3,) mm in the work frame; ``gap``, ``travel`` mm; ``angle`` rad; ``feed`` mm/min and deg/min."""
+    """``mark`` (3,) mm in the work frame, None: nobody has said where, so nothing may stand above the work zero; ``gap``,
+    ``travel`` mm; ``angle`` rad; ``feed`` mm/min and deg/min."""
 
-    mark: Vector = (30.0, 20.0, 0.0)
+    mark: Vector | None = None
     gap: float = 20.0
     travel: float = 20.0
     angle: float = math.radians(10.0)
     feed: float = 200.0
+
+    @property
+    def place(self) -> Vector:
+        """The mark, or the usual one."""
+        return USUAL_MARK if self.mark is None else self.mark
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +97,8 @@ def make_plan(machine: Machine, setup: Setup, wishes: Wishes) -> Plan:
     last = _last_pose(links, wishes, both, distance)[None]
     right = forward(links, last)[0][0]
     foretold = tuple((one.text, one.reached(last)[0][0] - right) for one in wrong)
-    return Plan(machine, links, wishes, stops, height, distance, foretold, tuple(_findings(foretold)))
+    findings = (*_unasked(wishes), *_findings(foretold))
+    return Plan(machine, links, wishes, stops, height, distance, foretold, findings)
 
 
 def _turn(links: Chain, k: int, angle: float) -> float:
@@ -97,8 +107,14 @@ def _turn(links: Chain, k: int, angle: float) -> float:
         if links.low[k] <= turn <= links.high[k]:
             return turn
     low, high = (math.degrees(value) for value in (links.low[k], links.high[k]))
-    text = f"{links.letters[k]} cannot turn by {math.degrees(angle):g} deg within its limits {low:g} to {high:g} deg"
-    raise SettingsError(f"{text}; give a smaller --angle", math.degrees(angle))
+    text = say(
+        "{letter} cannot turn by {angle} within its limits {low} to {high}",
+        letter=links.letters[k],
+        angle=Angle(math.degrees(angle)),
+        low=Angle(low, bare=True),
+        high=Angle(high),
+    )
+    raise SettingsError(say("{text}; give a smaller {angle}", text=text, angle=Option("angle")), math.degrees(angle))
 
 
 def _unlike(links: Chain, angles: Floats) -> float:
@@ -108,21 +124,21 @@ def _unlike(links: Chain, angles: Floats) -> float:
 
 
 def _base(wishes: Wishes, height: float) -> Floats:
-    x, y, z = wishes.mark
+    x, y, z = wishes.place
     return np.array([x, y, z + height, 0.0, 0.0])
 
 
 def _last_pose(links: Chain, wishes: Wishes, angles: Floats, distance: float) -> Floats:
     """The tip on the line through the mark along the tool, ``distance`` from it, both rotary axes turned."""
     axis = forward(links, np.array([[0.0, 0.0, 0.0, *angles]]))[1]
-    tip = np.array([wishes.mark]) + distance * axis
+    tip = np.array([wishes.place]) + distance * axis
     return np.asarray(joint_words(links, tip, angles[None])[0])
 
 
 def _over(links: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, q: Floats) -> float:
     """How high over the mark's level the lowest tip of all machines stands, mm."""
     tips = [forward(links, q)[0], *(one.reached(q)[0] for one in wrong)]
-    return float(min(tip[:, 2].min() for tip in tips)) - wishes.mark[2]
+    return float(min(tip[:, 2].min() for tip in tips)) - wishes.place[2]
 
 
 def _distance(links: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angles: Floats) -> float:
@@ -130,8 +146,16 @@ def _distance(links: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angles: Fl
         distance = wishes.gap + count * STEP
         if _over(links, wrong, wishes, _last_pose(links, wishes, angles, distance)[None]) >= wishes.gap:
             return distance
-    text = f"no distance up to {RAISES * STEP:g} mm keeps a machine with wrong signs clear of the mark"
-    raise SettingsError(f"{text}; give a smaller --angle, or a --mark nearer to the rotary axes", wishes.angle)
+    text = say("no distance up to {raises} keeps a machine with wrong signs clear of the mark", raises=Length(RAISES * STEP))
+    raise SettingsError(
+        say(
+            "{text}; give a smaller {angle}, or a {mark} nearer to the rotary axes",
+            text=text,
+            angle=Option("angle"),
+            mark=Option("mark"),
+        ),
+        wishes.angle,
+    )
 
 
 def _height(
@@ -146,7 +170,12 @@ def _height(
         if _over(links, wrong, wishes, moves) >= wishes.gap:
             return float(height)
     raise SettingsError(
-        f"no height up to {RAISES * STEP:g} mm keeps a machine with wrong signs clear; give a smaller --angle", wishes.angle
+        say(
+            "no height up to {raises} keeps a machine with wrong signs clear; give a smaller {angle}",
+            raises=Length(RAISES * STEP),
+            angle=Option("angle"),
+        ),
+        wishes.angle,
     )
 
 
@@ -165,12 +194,14 @@ def _stops(
         change[k] = _travel(links, k, base, wishes.travel) if k < 3 else angles[k - 3]
         other = links.letters[7 - k] if k >= 3 else ""
         said = linear_seen(axes[letter], change[k]) if k < 3 else rotary_seen(axes[letter], other, change[k])
-        amount = f"{change[k]:+g} mm" if k < 3 else f"{math.degrees(change[k]):+g} deg"
-        stops.append(Stop(f"{letter} alone, {amount}", (base + change)[None], *said))
-        stops.append(Stop(f"{letter} back", base[None]))
+        amount = Length(change[k], "+g") if k < 3 else Angle(math.degrees(change[k]), "+g")
+        stops.append(Stop(say("{letter} alone, {amount}", letter=letter, amount=amount), (base + change)[None], *said))
+        stops.append(Stop(say("{letter} back", letter=letter), base[None]))
     last, turned = _last_pose(links, wishes, both, distance), base + np.array([0.0, 0.0, 0.0, *both])
-    stops.append(Stop("both rotary axes turned, tip over the mark", np.array([turned, last]), *_last_seen(links, both, distance)))
-    return [*stops, Stop("back", np.array([turned, base]))]
+    stops.append(
+        Stop(say("both rotary axes turned, tip over the mark"), np.array([turned, last]), *_last_seen(links, both, distance))
+    )
+    return [*stops, Stop(say("back"), np.array([turned, base]))]
 
 
 def _travel(links: Chain, k: int, base: Floats, travel: float) -> float:
@@ -180,27 +211,38 @@ def _travel(links: Chain, k: int, base: Floats, travel: float) -> float:
 
 def _first_stop(base: Floats, links: Chain) -> Stop:
     place = ", ".join(f"{letter} {value:g}" for letter, value in zip(links.letters, base.tolist(), strict=True))
-    see = f"The display shows {place}. The tool stands upright, the table level. Nothing is near the tool."
-    return Stop(
-        "start", base[None], see, "A display or pose that differs: work offset, tool length or zero positions are not set."
-    )
+    see = say("The display shows {place}. The tool stands upright, the table level. Nothing is near the tool.", place=place)
+    bad = say("A display or pose that differs: work offset, tool length or zero positions are not set.")
+    return Stop(say("start"), base[None], see, bad)
 
 
 def _mark_stop(low: Floats, wishes: Wishes) -> Stop:
-    see = (
-        f"The tip stands {wishes.gap:g} mm over the highest place of part and clamps (a gauge block fits). Draw a cross on part "
-        "or plate straight below the tip: this is the mark."
+    see = say(
+        "The tip stands {gap} over the highest place of part and clamps (a gauge block fits). Draw a cross on part or plate "
+        "straight below the tip: this is the mark.",
+        gap=Length(wishes.gap),
     )
-    bad = f"More or less room than {wishes.gap:g} mm: tool length, work offset or --mark are wrong. Do not go on."
-    return Stop("the mark", np.array([low]), see, bad)
+    bad = say(
+        "More or less room than {gap}: tool length, work offset or {mark} are wrong. Do not go on.",
+        gap=Length(wishes.gap),
+        mark=Option("mark"),
+    )
+    return Stop(say("the mark"), np.array([low]), see, bad)
 
 
-def _last_seen(links: Chain, angles: Floats, distance: float) -> tuple[str, str]:
-    turned = " and ".join(
-        f"{letter} at {math.degrees(angle):g} deg" for letter, angle in zip(links.letters[3:], angles.tolist(), strict=True)
+def _last_seen(links: Chain, angles: Floats, distance: float) -> tuple[Sentence, Sentence]:
+    first, second = (Angle(math.degrees(angle)) for angle in angles.tolist())
+    see = say(
+        "With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is {distance} from it, measured "
+        "along the tool.",
+        letter=links.letters[3],
+        first=first,
+        other=links.letters[4],
+        second=second,
+        distance=Length(distance),
     )
-    see = f"With {turned} the tool points at the cross: its tip is {distance:g} mm from it, measured along the tool."
-    return see, "The tool points elsewhere: see the table below for what that means. Signs seen right: pivot offsets are wrong."
+    bad = say("The tool points elsewhere: see the table below for what that means. Signs seen right: pivot offsets are wrong.")
+    return see, bad
 
 
 def _check_limits(links: Chain, q: Floats) -> None:
@@ -208,8 +250,36 @@ def _check_limits(links: Chain, q: Floats) -> None:
     k = int(np.argmax(over))
     if over[k] > 1e-9:
         unit, factor = ("mm", 1.0) if k < 3 else ("deg", 180.0 / math.pi)
-        text = f"{links.letters[k]} would leave its limits by {over[k] * factor:.4g} {unit}"
-        raise SettingsError(f"{text}; give another --origin or --mark, or less --gap, --travel or --angle", float(over[k]))
+        text = say(
+            "{letter} would leave its limits by {over}",
+            letter=links.letters[k],
+            over=measure(over[k] * factor, unit, ".4g"),
+        )
+        raise SettingsError(
+            say(
+                "{text}; give another {origin} or {mark}, or less {gap}, {travel} or {angle}",
+                text=text,
+                origin=Option("origin"),
+                mark=Option("mark"),
+                gap=Option("gap"),
+                travel=Option("travel"),
+                angle=Option("angle"),
+            ),
+            float(over[k]),
+        )
+
+
+def _unasked(wishes: Wishes) -> list[Finding]:
+    """What must be true where nobody has said how high part and clamps reach."""
+    if wishes.mark is not None:
+        return []
+    z = wishes.place[2]
+    text = say(
+        "Nothing may stand above Z {z} of the work zero: remove the part, or give {mark} as high as part and clamps reach.",
+        z=Length(z, bare=True),
+        mark=Option("mark"),
+    )
+    return [Finding(Severity.WARNING, "mark-not-given", text, z, None, "mm")]
 
 
 def _findings(foretold: tuple[tuple[str, Floats], ...]) -> list[Finding]:
@@ -217,8 +287,10 @@ def _findings(foretold: tuple[tuple[str, Floats], ...]) -> list[Finding]:
     for text, moved in foretold:
         size = float(np.linalg.norm(moved))
         if size < VISIBLE:
-            said = (
-                f"If {text}, the tip is off by {size:.2g} mm only at the last stop, which is easily overlooked: rely on the stops"
+            said = say(
+                "If {text}, the tip is off by {size} only at the last stop, which is easily overlooked: rely on the stops",
+                text=text,
+                size=Length(size, ".2g"),
             )
             said += " before it, or give a --mark farther from the rotary axes or a larger --angle."
             found.append(Finding(Severity.WARNING, "wrong-sign-hardly-seen", said, size, VISIBLE, "mm"))

@@ -10,6 +10,7 @@ from html import escape
 import numpy as np
 
 from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.sentences import Length, Sentence, say
 from freecad_fiveaxis.core.setup_map.sheet import Table, findings_list, json_text, page, section, table, text_table
 
 from .plan import Plan
@@ -17,25 +18,31 @@ from .plan import Plan
 VERSION = 1
 """Of the JSON record: raised when a key changes its meaning."""
 WIDTH = 100
-STAND = (
+STAND = say(
     "Right is +X of the machine, back is +Y (away from you), up is +Z. If your machine's axes point elsewhere, stand so that "
     "they do."
 )
 READY = (
-    "Spindle off and locked; no cutter that can hurt: a pointed rod of the tool's length.",
-    "Work offset and tool length set as for the real program; tool centre point control off.",
-    "Feed override at its lowest, single block on, a hand on feed hold. The program waits (M0) after every line below.",
-    "Jog the tool high above the part, rotary axes at 0, before the first line.",
+    say("Spindle off and locked; no cutter that can hurt: a pointed rod of the tool's length."),
+    say("Work offset and tool length set as for the real program; tool centre point control off."),
+    say("Feed override at its lowest, single block on, a hand on feed hold. The program waits (M0) after every line below."),
+    say("Jog the tool high above the part, rotary axes at 0, before the first line."),
 )
 STYLE = "<style>@media print{section{break-inside:avoid}} td{white-space:normal;text-align:left}</style>"
 
 
-def verdict(plan: Plan) -> str:
+def verdict(plan: Plan) -> Sentence:
     """One plain sentence."""
-    return (
-        f"At every stop compare what you see with this sheet, and stop for good if it differs. The tip stays at least "
-        f"{plan.wishes.gap:g} mm above the level of the mark, even if a rotary axis turns the wrong way or the two are exchanged."
+    return say(
+        "At every stop compare what you see with this sheet, and stop for good if it differs. The tip stays at least {gap} above "
+        "the level of the mark, even if a rotary axis turns the wrong way or the two are exchanged.",
+        gap=Length(plan.wishes.gap),
     )
+
+
+def notices(plan: Plan) -> list[str]:
+    """What stands on the sheet's first line: that nobody has said how high part and clamps reach."""
+    return [one.text for one in plan.findings if one.code == "mark-not-given"]
 
 
 def rows(plan: Plan, program: Program) -> list[dict[str, object]]:
@@ -53,7 +60,8 @@ def rows(plan: Plan, program: Program) -> list[dict[str, object]]:
 
 def sheet_text(plan: Plan, program: Program) -> str:
     """For the terminal, or to print."""
-    lines = [*textwrap.wrap(verdict(plan), WIDTH), "", *textwrap.wrap(STAND, WIDTH), "", "Before you start"]
+    first = [line for one in notices(plan) for line in (*textwrap.wrap(one, WIDTH), "")]
+    lines = [*first, *textwrap.wrap(verdict(plan), WIDTH), "", *textwrap.wrap(STAND, WIDTH), "", "Before you start"]
     lines += [part for one in READY for part in textwrap.wrap(one, WIDTH, initial_indent="  - ", subsequent_indent="    ")]
     for row in rows(plan, program):
         lines += ["", f"[ ] stop {row['number']}, line {row['line']}: {row['title']}", f"    {_words(row['words'])}"]
@@ -96,7 +104,8 @@ def sheet_html(plan: Plan, program: Program) -> str:
         section("If the tool does not point at the cross", f'<p class="note">{note}</p>' + table(_foretold(plan))),
         section("Findings", findings_list(plan.findings)),
     ]
-    return page("Proving the signs", f"{plan.machine.name}, before anything is cut", verdict(plan), "open", body)
+    told, said = notices(plan), f"{plan.machine.name}, before anything is cut"
+    return page("Proving the signs", said, " ".join([*told, verdict(plan)]), "bad" if told else "open", body)
 
 
 def _words(words: object) -> str:

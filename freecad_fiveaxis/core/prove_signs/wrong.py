@@ -14,6 +14,7 @@ import numpy as np
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.sentences import say
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,10 +35,13 @@ class Wrong:
 def wrong_machines(machine: Machine, setup: Setup) -> tuple[Wrong, ...]:
     """Each rotary axis reversed, both, and the letters exchanged."""
     first, second = (axis.letter for axis in machine.rotary)
-    reversed_ = ((first, f"{first} turns the wrong way"), (second, f"{second} turns the wrong way"))
-    both = (first + second, f"{first} and {second} both turn the wrong way")
+    reversed_ = (
+        (first, say("{letter} turns the wrong way", letter=first)),
+        (second, say("{letter} turns the wrong way", letter=second)),
+    )
+    both = (first + second, say("{first} and {second} both turn the wrong way", first=first, second=second))
     turned = tuple(Wrong(text, chain(_reversed(machine, letters), setup)) for letters, text in (*reversed_, both))
-    return (*turned, Wrong(f"{first} and {second} are exchanged", chain(machine, setup), True))
+    return (*turned, Wrong(say("{first} and {second} are exchanged", first=first, second=second), chain(machine, setup), True))
 
 
 def _reversed(machine: Machine, letters: str) -> Machine:

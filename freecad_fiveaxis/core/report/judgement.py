@@ -22,18 +22,21 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, forward
 from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.sentences import Angle, Length, Sentence, joined, plural, say
 from freecad_fiveaxis.core.singularity import Singularity
 
 from .figures import WORST, inner_words, travel, worst_first
 
 OVER, UNPROVEN, SINGULAR = "deviation-over-tolerance", "bound-over-tolerance", "singular-block"
 
-_SPLIT = "Shorter blocks help: half the length leaves about a quarter of the deviation; linearize makes as many as are needed."
-_AWAY = (
+_SPLIT = say(
+    "Shorter blocks help: half the length leaves about a quarter of the deviation; linearize makes as many as are needed."
+)
+_AWAY = say(
     "Let the axis be led past the pole (deform), lead or tilt the tool by a few degrees, or clamp the part in another "
     "position (setup finds one), so that the tool keeps off the pole."
 )
-_GUIDE = "A controller with tool tip control (RTCP) guides the tip along the segment itself."
+_GUIDE = say("A controller with tool tip control (RTCP) guides the tip along the segment itself.")
 
 
 def judge(
@@ -62,7 +65,12 @@ class _Kind:
 
 
 def _findings(
-    kind: _Kind, program: Program, deviation: Deviation, rows: Ints, whole: Callable[[int], str], single: Callable[[int], str]
+    kind: _Kind,
+    program: Program,
+    deviation: Deviation,
+    rows: Ints,
+    whole: Callable[[int], Sentence],
+    single: Callable[[int], Sentence],
 ) -> list[Finding]:
     """The worst of ``rows`` first: ``whole`` tells of all, ``single`` of one."""
     rows = worst_first(rows, kind.values)
@@ -82,37 +90,56 @@ def _over_tolerance(
 ) -> list[Finding]:
     near = int(singularity.singular[rows].sum())
 
-    def whole(row: int) -> str:
-        lead = f"{_blocks(len(rows), 'leaves', 'leave')} the commanded path by more than {tolerance:g} mm; the worst, NC line "
-        lead += f"{program.line[row]}, by {deviation.segment[row]:.5g} mm: there {_turns(program, row)} within a step of "
-        lead += f"{_chord(links, program, row):.3f} mm. While rotary axes turn, straight moves of the axes carry the tip along "
-        lead += "a curve beside the straight segment."
-        near_text = "It lies" if len(rows) == 1 else f"{near} of them {'lies' if near == 1 else 'lie'}"
-        pole = f" {near_text} near the pole, where {_pole(program)}." if near else ""
-        return f"{lead}{pole} {_SPLIT}{' ' + _AWAY if near else ''} {_GUIDE}"
-
-    def single(row: int) -> str:
-        help_ = "Split it, or keep the tool off the pole." if singularity.singular[row] else "Split it."
-        return (
-            f"NC line {program.line[row]} leaves the commanded segment by {deviation.segment[row]:.5g} mm, {tolerance:g} mm "
-            f"allowed: {_turns(program, row)} within a step of {_chord(links, program, row):.3f} mm. {help_}"
+    def whole(row: int) -> Sentence:
+        lead = say(
+            "{blocks} the commanded path by more than {tolerance}; the worst, NC line {line}, by {deviation}: there {turns} "
+            "within a step of {step}. While rotary axes turn, straight moves of the axes carry the tip along a curve beside the "
+            "straight segment.",
+            blocks=plural(len(rows), "1 feed block leaves", "{count} feed blocks leave"),
+            tolerance=Length(tolerance),
+            line=program.line[row],
+            deviation=Length(deviation.segment[row], ".5g"),
+            turns=_turns(program, row),
+            step=Length(_chord(links, program, row), ".3f"),
         )
+        return joined((lead, _near(near, len(rows), program), _SPLIT, _AWAY if near else "", _GUIDE))
+
+    def single(row: int) -> Sentence:
+        lead = say(
+            "NC line {line} leaves the commanded segment by {deviation}, {tolerance} allowed: {turns} within a step of {step}.",
+            line=program.line[row],
+            deviation=Length(deviation.segment[row], ".5g"),
+            tolerance=Length(tolerance),
+            turns=_turns(program, row),
+            step=Length(_chord(links, program, row), ".3f"),
+        )
+        keep = singularity.singular[row]
+        return joined((lead, say("Split it, or keep the tool off the pole.") if keep else say("Split it.")))
 
     kind = _Kind(Severity.ERROR, OVER, deviation.segment, tolerance, "mm")
     return _findings(kind, program, deviation, rows, whole, single)
 
 
 def _unproven(program: Program, deviation: Deviation, tolerance: float, rows: Ints) -> list[Finding]:
-    def whole(row: int) -> str:
-        return (
-            f"{_blocks(len(rows), 'is', 'are')} so near to the tolerance of {tolerance:g} mm that the proof does not reach: the "
-            f"deviation is within it, its proven upper bound is not (worst, NC line {program.line[row]}: bound "
-            f"{deviation.bound[row]:.6f} mm). {_SPLIT}"
+    def whole(row: int) -> Sentence:
+        lead = say(
+            "{blocks} so near to the tolerance of {tolerance} that the proof does not reach: the deviation is within it, its "
+            "proven upper bound is not (worst, NC line {line}: bound {bound}).",
+            blocks=plural(len(rows), "1 feed block is", "{count} feed blocks are"),
+            tolerance=Length(tolerance),
+            line=program.line[row],
+            bound=Length(deviation.bound[row], ".6f"),
         )
+        return joined((lead, _SPLIT))
 
-    def single(row: int) -> str:
-        found, bound = f"deviation {deviation.segment[row]:.6f} mm", f"proven bound {deviation.bound[row]:.6f} mm"
-        return f"NC line {program.line[row]}: {found}, {bound}, {tolerance:g} mm allowed. Split it."
+    def single(row: int) -> Sentence:
+        return say(
+            "NC line {line}: deviation {deviation}, proven bound {bound}, {tolerance} allowed. Split it.",
+            line=program.line[row],
+            deviation=Length(deviation.segment[row], ".6f"),
+            bound=Length(deviation.bound[row], ".6f"),
+            tolerance=Length(tolerance),
+        )
 
     kind = _Kind(Severity.WARNING, UNPROVEN, deviation.bound, tolerance, "mm")
     return _findings(kind, program, deviation, rows, whole, single)
@@ -121,36 +148,54 @@ def _unproven(program: Program, deviation: Deviation, tolerance: float, rows: In
 def _near_pole(program: Program, deviation: Deviation, singularity: Singularity, rows: Ints) -> list[Finding]:
     turned = np.abs(travel(program)[:, 3:]).max(axis=1, initial=0.0)
 
-    def lean(row: int) -> str:
-        return f"{math.degrees(singularity.axis_travel[row]):.3g} deg"
+    def lean(row: int) -> Angle:
+        return Angle(math.degrees(singularity.axis_travel[row]), ".3g")
 
-    def whole(row: int) -> str:
-        return (
-            f"{_blocks(len(rows), 'lies', 'lie')} near the pole (the tool almost along the {program.letters[3]} axis), where "
-            f"{_pole(program)}. The worst is NC line {program.line[row]}: {_turns(program, row)} to lean the tool by "
-            f"{lean(row)}. The axis may be too slow for the programmed feed, the tool dwells, and marks or a deviation from "
-            f"the path may show. {_AWAY}"
+    def whole(row: int) -> Sentence:
+        lead = say(
+            "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far to lean the tool "
+            "a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. The axis may be too slow for the "
+            "programmed feed, the tool dwells, and marks or a deviation from the path may show.",
+            blocks=plural(len(rows), "1 feed block lies", "{count} feed blocks lie"),
+            letter=program.letters[3],
+            line=program.line[row],
+            turns=_turns(program, row),
+            lean=lean(row),
         )
+        return joined((lead, _AWAY))
 
-    def single(row: int) -> str:
-        return f"NC line {program.line[row]}: {_turns(program, row)} to lean the tool by {lean(row)}. Keep the tool off the pole."
+    def single(row: int) -> Sentence:
+        return say(
+            "NC line {line}: {turns} to lean the tool by {lean}. Keep the tool off the pole.",
+            line=program.line[row],
+            turns=_turns(program, row),
+            lean=lean(row),
+        )
 
     kind = _Kind(Severity.WARNING, SINGULAR, turned, None, "deg")
     return _findings(kind, program, deviation, rows, whole, single)
 
 
-def _blocks(count: int, one: str, many: str) -> str:
-    return f"1 feed block {one}" if count == 1 else f"{count} feed blocks {many}"
+def _near(near: int, rows: int, program: Program) -> str:
+    """How many of ``rows`` blocks lie near the pole, and what that means; nothing where none does."""
+    if not near:
+        return ""
+    lies = plural(near, "{count} of them lies", "{count} of them lie") if rows > 1 else say("It lies")
+    return say(
+        "{lies} near the pole, where {letter} must turn far to lean the tool a little.", lies=lies, letter=program.letters[3]
+    )
 
 
-def _pole(program: Program) -> str:
-    return f"{program.letters[3]} must turn far to lean the tool a little"
-
-
-def _turns(program: Program, row: int) -> str:
+def _turns(program: Program, row: int) -> Sentence:
     """What the rotary axes do in a block, as "C turns 27.4 deg and A 0.11 deg"."""
     first, second = np.abs(program.words[row, 3:] - program.words[row - 1, 3:]).tolist()
-    return f"{program.letters[3]} turns {first:.4g} deg and {program.letters[4]} {second:.3g} deg"
+    return say(
+        "{first} turns {turn} and {second} {other_turn}",
+        first=program.letters[3],
+        turn=Angle(first, ".4g"),
+        second=program.letters[4],
+        other_turn=Angle(second, ".3g"),
+    )
 
 
 def _chord(links: Chain, program: Program, row: int) -> float:

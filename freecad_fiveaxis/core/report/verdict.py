@@ -9,7 +9,6 @@ green   the tolerance is proven for every feed block, and the tool was seen to s
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
@@ -17,14 +16,12 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.sentences import Area, Length, Number, Sentence, Template, first_clause, joined, measure, plural, say
 
 from .judgement import OVER, SINGULAR, UNPROVEN
 
 if TYPE_CHECKING:
     from .figures import Figures
-
-CLAUSE = re.compile(r"[.:;] ")
-"""What ends a clause; a point within a number does not."""
 
 NAMED = 3
 """So many kinds of errors, or of warnings, are named in the sentence; the findings tell of all."""
@@ -38,7 +35,7 @@ class Light(Enum):
     GREEN = "green"
 
 
-HEAD = {Light.RED: "NOT SAFE", Light.AMBER: "CHECK", Light.GREEN: "SAFE"}
+HEAD = {Light.RED: say("NOT SAFE"), Light.AMBER: say("CHECK"), Light.GREEN: say("SAFE")}
 
 
 @dataclass(frozen=True)
@@ -46,14 +43,14 @@ class Verdict:
     """``reasons``: why the light shows what it shows, the gravest first, each without a full stop."""
 
     light: Light
-    reasons: tuple[str, ...]
+    reasons: tuple[Sentence, ...]
 
     @property
-    def text(self) -> str:
+    def text(self) -> Sentence:
         """The verdict in one sentence, as "NOT SAFE: enters the part at 203 places, 5 mm deep (NC line 17)."."""
         more = len(self.reasons) - NAMED
-        named = "; ".join(self.reasons[:NAMED])
-        return f"{HEAD[self.light]}: {named}{f'; and {more} more' if more > 0 else ''}."
+        others = [say("and {count} more", count=more)] if more > 0 else []
+        return say("{light}: {reasons}.", light=HEAD[self.light], reasons=joined([*self.reasons[:NAMED], *others], "; "))
 
 
 def verdict(figures: Figures, numbers: Mapping[str, Any]) -> Verdict:
@@ -65,8 +62,13 @@ def verdict(figures: Figures, numbers: Mapping[str, Any]) -> Verdict:
     if open_:
         return Verdict(Light.AMBER, open_)
     feeds = numbers["feed_blocks"]
-    held = "the one feed block" if feeds == 1 else f"all {feeds} feed blocks"
-    return Verdict(Light.GREEN, (f"tolerance {figures.tolerance:g} mm held in {held}, proven", _stays_out(figures)))
+    held = plural(
+        feeds,
+        "tolerance {tolerance} held in the one feed block, proven",
+        "tolerance {tolerance} held in all {count} feed blocks, proven",
+        tolerance=Length(figures.tolerance),
+    )
+    return Verdict(Light.GREEN, (held, _stays_out(figures)))
 
 
 def is_checked(figures: Figures) -> bool:
@@ -74,9 +76,9 @@ def is_checked(figures: Figures) -> bool:
     return figures.gouge is not None or (figures.audit is not None and figures.audit.part is not None)
 
 
-def _stays_out(figures: Figures) -> str:
+def _stays_out(figures: Figures) -> Sentence:
     above = figures.gouge is not None and any(figures.inputs.get(name) for name in ("shank", "holder"))
-    return "the tool stays out of the part" if above else "the cutter stays out of the part (no shank or holder given)"
+    return say("the tool stays out of the part") if above else say("the cutter stays out of the part (no shank or holder given)")
 
 
 def _of_severity(figures: Figures, severity: Severity) -> dict[str, tuple[Finding, ...]]:
@@ -89,16 +91,16 @@ def _of_severity(figures: Figures, severity: Severity) -> dict[str, tuple[Findin
 # ------------------------------------------------------------------------------------------------ red
 
 ENTERS = {
-    "overcut": "enters the part",
-    "rapid-collision": "hits the part between passes",
-    "holder-collision": "shank or holder hits the part",
-    "buried": "the whole cutter is inside the part",
-    "cut-too-deep": "cuts too deep",
+    "overcut": say("enters the part"),
+    "rapid-collision": say("hits the part between passes"),
+    "holder-collision": say("shank or holder hits the part"),
+    "buried": say("the whole cutter is inside the part"),
+    "cut-too-deep": say("cuts too deep"),
 }
 """What enters the part, the most frequent first; all of it before any other error."""
 
 
-def _errors(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[str]:
+def _errors(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     found = _of_severity(figures, Severity.ERROR)
     for code in sorted(found, key=lambda code: [*ENTERS, OVER, code].index(code)):
         if code in ENTERS:
@@ -106,67 +108,80 @@ def _errors(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[str]:
         elif code == OVER:
             yield _leaves_path(figures, numbers)
         else:
-            yield _gist(found[code][0].text)
+            yield first_clause(found[code][0].text)
 
 
-def _where(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> str:
+def _where(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> Sentence:
     """As " at 203 places, 5 mm deep (NC line 17)"."""
     worst = max(found, key=lambda one: one.value or 0.0)
+    depth = worst.value or 0.0
     if code == "buried":
-        said = f" in {worst.value or 0.0:g} blocks"
+        said = say(" in {count} blocks", count=Number(depth))
     else:
         places = numbers.get(f"{code.replace('-', '_')}_places", len(found))
-        said = f" at {places} place{'' if places == 1 else 's'}, {worst.value or 0.0:.3g} mm deep"
-    return said if worst.line is None else f"{said} (NC line {worst.line})"
+        depth_text = Length(depth, ".3g")
+        said = plural(places, " at {count} place, {depth} deep", " at {count} places, {depth} deep", depth=depth_text)
+    return said if worst.line is None else said + say(" (NC line {line})", line=worst.line)
 
 
-def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> str:
-    over, feeds = numbers["over_tolerance"], numbers["feed_blocks"]
-    blocks = f"{over} of {feeds} feed blocks {'leaves' if over == 1 else 'leave'}"
-    by = f"by up to {numbers['max_segment_deviation']:.3g} mm, {figures.tolerance:g} mm allowed"
-    return f"{blocks} the path {by} (NC line {numbers['worst_line']})"
-
-
-def _gist(text: str) -> str:
-    """The first clause of a finding's text, as it goes on in the middle of a sentence."""
-    said = CLAUSE.split(text, maxsplit=1)[0].rstrip(".")
-    return said[:1].lower() + said[1:] if said[1:2].islower() else said
+def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
+    return plural(
+        numbers["over_tolerance"],
+        "{count} of {all} feed blocks leaves the path by up to {deviation}, {tolerance} allowed (NC line {line})",
+        "{count} of {all} feed blocks leave the path by up to {deviation}, {tolerance} allowed (NC line {line})",
+        all=numbers["feed_blocks"],
+        deviation=Length(numbers["max_segment_deviation"], ".3g"),
+        tolerance=Length(figures.tolerance),
+        line=numbers["worst_line"],
+    )
 
 
 # ------------------------------------------------------------------------------------------------ amber
 
 
-def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[str]:
+def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     feeds = numbers["feed_blocks"]
     if not feeds:
-        yield "the program has no feed blocks, so nothing is proven"
+        yield say("the program has no feed blocks, so nothing is proven")
     if not is_checked(figures):
-        yield "not checked against the part"
+        yield say("not checked against the part")
     if guided := numbers["guided_blocks"]:
-        yield f"in {guided} of {feeds} feed blocks the controller guides the tip (RTCP), proven are only their ends"
+        yield say(
+            "in {guided} of {all} feed blocks the controller guides the tip (RTCP), proven are only their ends",
+            guided=guided,
+            all=feeds,
+        )
     if numbers["unproven"]:
-        yield f"tolerance {figures.tolerance:g} mm not proven in {numbers['unproven']} of {feeds} feed blocks"
+        yield say(
+            "tolerance {tolerance} not proven in {count} of {all} feed blocks",
+            tolerance=Length(figures.tolerance),
+            count=numbers["unproven"],
+            all=feeds,
+        )
     for code, found in _of_severity(figures, Severity.WARNING).items():
         if code != UNPROVEN:
-            yield _warning(code, found[0], numbers)
+            yield _warning(code, found, numbers)
 
 
 WARNED = {
-    "spindle-off": "the spindle stays off",
-    "lifted": "the tool is lifted out of the part by up to {value:.3g} mm, what it leaves stays uncut",
-    "left-out": "{value:.4g} mm of the passes are left out",
-    "uncut": "more than scallops stays uncut on {value:.4g} mm2",
-    "facets-beyond-axis-angle": "{value:.4g} mm2 are too steep for the largest axis angle and left out",
-    "facets-beyond-machine": "{value:.4g} mm2 are beyond the machine's limits and left out",
+    "spindle-off": Template("the spindle stays off"),
+    "lifted": Template("the tool is lifted out of the part by up to {value}, what it leaves stays uncut"),
+    "left-out": Template("{value} of the passes are left out"),
+    "uncut": Template("more than scallops stays uncut on {value}"),
+    "facets-beyond-axis-angle": Template("{value} are too steep for the largest axis angle and left out"),
+    "facets-beyond-machine": Template("{value} are beyond the machine's limits and left out"),
 }
 """What a warning says in the verdict; one that is not here gives its first clause."""
 
 
-def _warning(code: str, worst: Finding, numbers: Mapping[str, Any]) -> str:
+def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> Sentence:
+    worst = found[0]
+    if code == "side-not-machined":
+        area = Area(sum(one.value or 0.0 for one in found), ".4g")
+        return plural(len(found), "a side is not machined ({area})", "{count} sides are not machined ({area})", area=area)
     if code == SINGULAR:
-        count = numbers["singular_blocks"]
-        return f"{count} block{'' if count == 1 else 's'} near the pole"
+        return plural(numbers["singular_blocks"], "{count} block near the pole", "{count} blocks near the pole")
     said = WARNED.get(code)
     if said is None or (worst.value is None and "{" in said) or (code == "uncut" and worst.unit != "mm2"):
-        return _gist(worst.text)
-    return said.format(value=worst.value)
+        return first_clause(worst.text)
+    return said.say(value=measure(worst.value or 0.0, worst.unit, ".3g" if code == "lifted" else ".4g"))

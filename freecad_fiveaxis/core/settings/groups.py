@@ -235,9 +235,14 @@ class ProofSettings:
     tolerance: float = option(
         0.01, "length", "largest deviation of the tip from the commanded segment", (*FROM_PATH, AUDIT), above=0, most=LONGEST
     )
-    method: Literal["exact", "so2008"] = option(
-        "exact", "choice", "line deviation: exact, or the model of So et al. 2008", ONE_PROGRAM, choices=("exact", "so2008")
-    )
+    method: Literal["exact", "so2008", "so2008-printed"] = option(
+        "exact", "choice", "line deviation: exact, or the model of So et al. 2008", ONE_PROGRAM,
+        choices=("exact", "so2008", "so2008-printed"),
+    )  # fmt: skip
+
+
+USUAL_REGION = (100.0, 100.0, 100.0)
+"""mm; Z of it only where the height of the table is known."""
 
 
 @dataclass(frozen=True)
@@ -245,7 +250,9 @@ class SetupSettings:
     """Where the part may stand."""
 
     region: Vector = option(
-        (100.0, 100.0, 100.0), "lengths", "X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays",
+        USUAL_REGION, "lengths",
+        "X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays, as Z does where nobody says how high "
+        "the table is",
         (SETUP,), least=0, most=FARTHEST,
     )  # fmt: skip
     grid: Vector | None = option(
@@ -258,6 +265,14 @@ class SetupSettings:
         (SETUP,),
         least=1,
         most=360,
+    )
+    table_height: float | None = option(
+        None,
+        "height",
+        "height of the table's face in the machine frame, mm [the machine's]",
+        (SETUP,),
+        least=-LONGEST,
+        most=LONGEST,
     )
 
 
@@ -287,9 +302,9 @@ class RecoverSettings:
 class ProveSettings:
     """What is moved to prove the signs."""
 
-    mark: Vector = option(
-        (30.0, 20.0, 0.0), "point", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach", (PROVE,),
-        least=-LONGEST, most=LONGEST,
+    mark: Vector | None = option(
+        None, "point", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach [nothing above Z 0]",
+        (PROVE,), least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     gap: float = option(
         20.0, "length", "the tip stops so far above the mark, and never comes nearer", (PROVE,), least=5, most=500

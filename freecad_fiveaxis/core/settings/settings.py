@@ -19,6 +19,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.option_values import read_option, read_text, write_option
+from freecad_fiveaxis.core.sentences import Angle, Option, say
 
 from .groups import (
     AUDIT,
@@ -111,7 +112,11 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
     for name in options:
         if name not in known:
             close = difflib.get_close_matches(name, known, 1)
-            raise SettingsError(f"unknown option {name!r} for {task}" + (f"; do you mean {close[0]!r}?" if close else ""), name)
+            raise SettingsError(
+                say("unknown option {name} for {task}", name=repr(name), task=task)
+                + (say("; do you mean {close}?", close=repr(close[0])) if close else ""),
+                name,
+            )
     given = {name: value for name, value in options.items() if value is not None}
     groups = {top.name: _build(top.metadata["group"], task, given) for top in fields(Settings) if "group" in top.metadata}
     settings = Settings(task=task, source=source, **groups)
@@ -128,32 +133,45 @@ def _build(cls: type, task: str, given: Mapping[str, Any]) -> Any:
 
 def _check_together(settings: Settings) -> None:
     if settings.task not in TASKS:
-        raise SettingsError(f"unknown task {settings.task!r}; known: {', '.join(TASKS)}", settings.task)
+        raise SettingsError(
+            say("unknown task {task}; known: {tasks}", task=repr(settings.task), tasks=", ".join(TASKS)), settings.task
+        )
     if settings.task == COMPARE and not settings.compare.machines:
-        raise SettingsError("no machines given; name them with --machines A,B (see `machines`)", ())
+        raise SettingsError(
+            say("no machines given; name them with {machines} A,B (see `machines`)", machines=Option("machines")), ()
+        )
     if settings.task not in (COMPARE, RECOVER) and not settings.machine.machine:
-        raise SettingsError("no machine given; name one with --machine (see `machines`)", "")
+        raise SettingsError(say("no machine given; name one with {machine} (see `machines`)", machine=Option("machine")), "")
     if settings.task == RECOVER and not settings.recover.program:
-        raise SettingsError("no program given; name the NC file that was posted from the CL path", "")
+        raise SettingsError(say("no program given; name the NC file that was posted from the CL path"), "")
     if settings.passes.scallop is not None and settings.passes.stepover is not None:
-        raise SettingsError("scallop and stepover exclude each other; give one of them", settings.passes.stepover)
+        raise SettingsError(say("scallop and stepover exclude each other; give one of them"), settings.passes.stepover)
     if settings.task == POST and settings.cure.singularity == "deform":
-        raise SettingsError("singularity deform needs the part's passes: use it with `mill`; a CL file keeps its axes", "deform")
+        raise SettingsError(
+            say("singularity deform needs the part's passes: use it with `mill`; a CL file keeps its axes"), "deform"
+        )
     if settings.head.rtcp != "off" and (settings.cure.linearize == "on" or settings.cure.singularity == "linearize"):
         raise SettingsError(
-            "rtcp lets the controller guide the tip, linearize divides blocks where it does not; give one", "rtcp"
+            say("rtcp lets the controller guide the tip, linearize divides blocks where it does not; give one"), "rtcp"
         )
     _check_gouge(settings)
     if settings.faces.faces and settings.task != MILL and not is_part(settings.source):
-        raise SettingsError(f"faces need the part (.stl), {settings.source} is none; leave faces out", settings.faces.faces)
+        raise SettingsError(
+            say("faces need the part (.stl), {source} is none; leave faces out", source=settings.source), settings.faces.faces
+        )
     tool = settings.tool_axis
     if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
         given = ",".join(f"{number:g}" for number in tool.axis)
-        raise SettingsError(f"axis {given} has no direction; give I,J,K of the fixed tool axis, as 0,0,1", tool.axis)
+        raise SettingsError(
+            say("axis {given} has no direction; give I,J,K of the fixed tool axis, as 0,0,1", given=given), tool.axis
+        )
     for name in ("lead", "tilt"):
         lean = math.degrees(getattr(tool, name))
         if tool.tool_axis == "minimax" and lean != 0.0:
-            raise SettingsError(f"{name} {lean:g} deg leaves minimax no choice; leave it out, or choose facet_mean", lean)
+            raise SettingsError(
+                say("{name} {lean} leaves minimax no choice; leave it out, or choose facet_mean", name=name, lean=Angle(lean)),
+                lean,
+            )
 
 
 def _check_gouge(settings: Settings) -> None:
@@ -162,9 +180,13 @@ def _check_gouge(settings: Settings) -> None:
     if settings.task != AUDIT or (gouge.gouge == "off" and not gouge.shank and not gouge.holder):
         return
     if gouge.gouge not in ("off", "report"):
-        raise SettingsError(f"gouge {gouge.gouge} changes the passes: use it with `mill`; for an audit give report", gouge.gouge)
+        raise SettingsError(
+            say("gouge {gouge} changes the passes: use it with `mill`; for an audit give report", gouge=gouge.gouge), gouge.gouge
+        )
     if against is None or not is_part(against):
-        raise SettingsError("gouge, shank and holder need the part: give its STL with --against", against)
+        raise SettingsError(
+            say("gouge, shank and holder need the part: give its STL with {against}", against=Option("against")), against
+        )
 
 
 def flat_options(settings: Settings) -> dict[str, Any]:

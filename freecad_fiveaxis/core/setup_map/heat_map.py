@@ -99,7 +99,7 @@ def _heat(figure: Any, chart: SetupMap, across: int, up: int) -> Told:
 
     axes = (across, up)
     deviation, time = (_sliced(chart, column, axes) for column in (chart.max_deviation, chart.time))
-    outside = ~_sliced(chart, chart.within_limits, axes).astype(bool)
+    outside = ~_sliced(chart, chart.able, axes).astype(bool)
     low, high = np.nanmin(deviation), np.nanmax(deviation)
     log = low > 0.0 and high > LOG_SPREAD * low
     left, right = figure.subplots(1, 2)
@@ -109,7 +109,7 @@ def _heat(figure: Any, chart: SetupMap, across: int, up: int) -> Told:
     names = f"{'XYZ'[across]} and {'XYZ'[up]}"
     caption = (
         f"Each cell is the program as posted with the work zero there, at {_where(chart, axes)}. Star: recommended; cross: "
-        "present. Hatched: an axis would leave its limits."
+        "present. Hatched: an axis would leave its limits, or the part would reach below the table."
     )
     alt = f"Largest deviation over the work zero along {names}: from {low:.4g} to {high:.4g} mm."
     return f"heat-{'xyz'[across]}{'xyz'[up]}", f"Deviation and time over the work zero along {names}", caption, alt
@@ -162,8 +162,8 @@ def _curve(figure: Any, chart: SetupMap, axis: int) -> Told:
     for axes, values, label in ((left, deviation, "largest deviation, mm"), (right, time / 60.0, "time, min")):
         axes.plot(line, values, "o-", color=BLUE)
         axes.set(xlabel=f"work zero {letter}, mm", ylabel=label)
-    outside = ~_sliced(chart, chart.within_limits, (axis,)).astype(bool)
-    left.plot(line[outside], deviation[outside], "x", color=RED, ms=9, label="beyond limits")
+    outside = ~_sliced(chart, chart.able, (axis,)).astype(bool)
+    left.plot(line[outside], deviation[outside], "x", color=RED, ms=9, label="beyond limits or below the table")
     if chart.best is not None:
         left.plot(chart.origin[chart.best, axis], chart.max_deviation[chart.best], "*", color=GREEN, ms=12, label="recommended")
     left.legend() if left.get_legend_handles_labels()[0] else None

@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.markers import MARKERS, Marker
 from freecad_fiveaxis.core.report.text import duration, number
+from freecad_fiveaxis.core.sentences import Angle, Length, Number, Sentence, joined, say
 
 from .heat_map import heat_maps
 from .setups import Kind, SetupMap
@@ -28,20 +29,49 @@ WIDTH = 100
 HEAD = ("setup", "X, mm", "Y, mm", "Z, mm", "turn, deg", "deviation, mm", "rotary travel, deg", "time", "rewinds", "limits")
 
 
-def verdict(chart: SetupMap) -> str:
+def verdict(chart: SetupMap) -> Sentence:
     """One plain sentence: where the part should stand, and what that brings."""
     if chart.best is None:
-        return "No setup of the region keeps all axes within their limits."
-    x, y, z = chart.origin[chart.best] + 0.0  # no -0
+        return say("No setup of the region keeps all axes within their limits and the part on the table.")
     best, now = float(chart.max_deviation[chart.best]), float(chart.max_deviation[0])
-    turn = math.degrees(chart.turn[chart.best])
-    place = f"the work zero at X {x:.3f} Y {y:.3f} Z {z:.3f} mm of the machine"
-    place += f" and the part turned by {turn:g} deg" if turn else ""
-    if not math.isfinite(now) or not chart.within_limits[0]:
-        return f"Stand {place}: largest deviation {best:.4g} mm. In the present setup the axes leave their limits."
+    place, on_table = _place(chart, chart.best), _on_table(chart, chart.best)
+    if not math.isfinite(now) or not chart.able[0]:
+        leaves = say("In the present setup the axes leave their limits.")
+        below = say("In the present setup the part reaches below the table.")
+        stand = say("Stand {place}: largest deviation {deviation}.", place=place, deviation=Length(best, ".4g"))
+        return joined((stand, below if chart.within_limits[0] else leaves, on_table))
     if now <= LEAST_GAIN * best:
-        return f"The present setup is as good as any of the region: largest deviation {now:.4g} mm."
-    return f"Stand {place}: largest deviation {best:.4g} mm instead of {now:.4g} mm, {now / max(best, 1e-9):.3g} times less."
+        text = Length(now, ".4g")
+        good = say("The present setup is as good as any of the region: largest deviation {deviation}.", deviation=text)
+        return joined((good, _on_table(chart, 0)))
+    stand = say(
+        "Stand {place}: largest deviation {deviation} instead of {now}, {times} times less.",
+        place=place,
+        deviation=Length(best, ".4g"),
+        now=Length(now, ".4g"),
+        times=Number(now / max(best, 1e-9), ".3g"),
+    )
+    return joined((stand, on_table))
+
+
+def _on_table(chart: SetupMap, row: int) -> Sentence:
+    """How high over the table the part then stands."""
+    if chart.table is None:
+        return say("The height of the table is not known: check that the part stands on it.")
+    above = float(chart.origin[row, 2]) + chart.bottom - chart.table
+    return say("The part's lowest place is then {height} above the table.", height=Length(max(above, 0.0), ".3f"))
+
+
+def _place(chart: SetupMap, row: int) -> Sentence:
+    x, y, z = (chart.origin[row] + 0.0).tolist()  # no -0
+    said = say(
+        "the work zero at X {x} Y {y} Z {z} of the machine",
+        x=Length(x, ".3f", bare=True),
+        y=Length(y, ".3f", bare=True),
+        z=Length(z, ".3f"),
+    )
+    turn = math.degrees(chart.turn[row])
+    return said + say(" and the part turned by {turn}", turn=Angle(turn)) if turn else said
 
 
 def advice(chart: SetupMap) -> tuple[str, ...]:
@@ -83,12 +113,13 @@ def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> s
     columns = {
         "origin": chart.origin, "turn_deg": np.degrees(chart.turn), "max_deviation": chart.max_deviation,
         "rotary_travel_deg": np.degrees(chart.rotary_travel), "time_s": chart.time, "over_limits": chart.over,
-        "within_limits": chart.within_limits, "rewinds": chart.rewinds,
+        "within_limits": chart.within_limits, "on_table": chart.stands, "rewinds": chart.rewinds,
     }  # fmt: skip
     kinds = [Kind(kind).name.lower() for kind in chart.kind]
     setups = [{"kind": kinds[row]} | {name: plain(column[row]) for name, column in columns.items()} for row in range(len(kinds))]
     record = {
-        "version": VERSION, "machine": chart.machine, "tool_length": chart.base.tool_length, "best": chart.best,
+        "version": VERSION, "machine": chart.machine, "tool_length": chart.base.tool_length, "table": chart.table,
+        "bottom": chart.bottom, "best": chart.best,
         "least": chart.least, "setups": setups, "findings": chart.findings, "inputs": inputs or {},
     }  # fmt: skip
     return json_text(record)
@@ -132,7 +163,7 @@ def marked_rows(chart: SetupMap) -> tuple[tuple[int, str], ...]:
     at = chart.turn[chart.best] if chart.best is not None else chart.region.turns[0]
     rows = np.flatnonzero((chart.kind == Kind.GRID) & (chart.turn == at) & np.isfinite(chart.max_deviation))
     rows = rows[np.argsort(chart.max_deviation[rows], kind="stable")][:MARKERS]
-    grid = [(row, "setup" if chart.within_limits[row] else "setup-beyond-limits") for row in rows.tolist()]
+    grid = [(row, "setup" if chart.able[row] else "setup-beyond-limits") for row in rows.tolist()]
     return (*best, (0, "setup-present"), *grid)
 
 
@@ -157,7 +188,8 @@ def _turn_table(chart: SetupMap) -> Table:
 
 
 def _cells(chart: SetupMap, name: str, row: int) -> list[str]:
-    limits = "within" if chart.within_limits[row] else f"over by {number(float(chart.over[row]), 3)} mm"
+    limits = "within" if chart.stands[row] else "below the table"
+    limits = limits if chart.within_limits[row] else f"over by {number(float(chart.over[row]), 3)} mm"
     if not math.isfinite(chart.max_deviation[row]):
         return [name, *(number(value, 3) for value in chart.origin[row]), f"{math.degrees(chart.turn[row]):g}", *"----", "rotary"]
     return [
@@ -176,7 +208,8 @@ def _proven(chart: SetupMap) -> str:
     if not math.isfinite(chart.least):
         return ""
     turns = "at the turns tried" if len(chart.region.turns) > 1 else "at this turn"
-    return f"Proven: no work zero of the region has less than {chart.least:.4g} mm {turns}, but for the rounding of words."
+    where = "" if chart.table is None else " above the table"
+    return f"Proven: no work zero of the region{where} has less than {chart.least:.4g} mm {turns}, but for the rounding of words."
 
 
 WORDS = """<dl><dt>Work zero</dt><dd>The zero of the program's coordinates, as it stands in the machine's frame: what a work

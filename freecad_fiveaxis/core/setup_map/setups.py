@@ -6,6 +6,7 @@ turn      the part turned counter-clockwise about Z through the work zero (rad).
           so the path's tips and axes turn with the part.
 region    the box of work zeros that are thinkable, the grid laid over it, and the turns that are tried.
 map       one row a setup: the present one first, then the grid, then the places that the search found.
+stands    whether the part's lowest place is not below the face of the table; everywhere where nobody says how high that is.
 over      how far (mm) the linear axes would have to go beyond their limits, 0 within them.
 """
 
@@ -22,6 +23,7 @@ from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.kinematics import Setup
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.sentences import Length, say
 
 MOST_SETUPS = 20_000
 """Setups of one map: each is a program of its own that is posted and measured."""
@@ -54,13 +56,38 @@ class Region:
     def __post_init__(self) -> None:
         numbers = (*self.low, *self.high, *self.turns)
         if not all(math.isfinite(number) and abs(number) <= FARTHEST for number in numbers):
-            raise SettingsError(f"setup region {self.low} to {self.high} is not finite or beyond {FARTHEST:g} mm", numbers)
+            raise SettingsError(
+                say(
+                    "setup region {low} to {high} is not finite or beyond {farthest}",
+                    low=self.low,
+                    high=self.high,
+                    farthest=Length(FARTHEST),
+                ),
+                numbers,
+            )
         if any(low > high for low, high in zip(self.low, self.high, strict=True)):
-            raise SettingsError(f"setup region {self.low} to {self.high}: the low corner is above the high; swap them", self.low)
+            raise SettingsError(
+                say("setup region {low} to {high}: the low corner is above the high; swap them", low=self.low, high=self.high),
+                self.low,
+            )
         if min(self.count) < 1 or not self.turns:
-            raise SettingsError(f"setup grid {self.count} with {len(self.turns)} turns has no place; give at least 1", self.count)
+            raise SettingsError(
+                say(
+                    "setup grid {count} with {turns} turns has no place; give at least 1",
+                    count=self.count,
+                    turns=len(self.turns),
+                ),
+                self.count,
+            )
         if self.size > MOST_SETUPS:
-            raise SettingsError(f"{self.size} setups are more than {MOST_SETUPS}; take a coarser grid or fewer turns", self.size)
+            raise SettingsError(
+                say(
+                    "{size} setups are more than {most}; take a coarser grid or fewer turns",
+                    size=self.size,
+                    most=MOST_SETUPS,
+                ),
+                self.size,
+            )
 
     @property
     def size(self) -> int:
@@ -86,10 +113,12 @@ class SetupMap:
     """One row a setup: row 0 the present one; then the grid, turn after turn, each as ``region.grid()``; then what was found.
 
     ``origin`` (k, 3) mm and ``turn`` (k,) rad; ``max_deviation`` (k,) mm: of the feed blocks of the program that is posted in
-    this setup, as rounded; ``rotary_travel`` (k,) rad and ``time`` (k,) s of the whole program; ``over`` (k,) mm and
-    ``within_limits`` (k,); ``rewinds`` (k,) retracts inside cuts; ``kind`` (k,) of :class:`Kind`. Where the rotary limits
-    allow no way at a turn, its rows are NaN and not within limits. ``best``: the recommended row, None where none is
-    within limits. ``least`` mm: no work zero of the region, at the turns tried, has less deviation (but for rounding of words).
+    this setup, as rounded; ``rotary_travel`` (k,) rad and ``time`` (k,) s of the whole program; ``over`` (k,) mm,
+    ``within_limits`` and ``stands`` (k,); ``rewinds`` (k,) retracts inside cuts; ``kind`` (k,) of :class:`Kind`. Where the
+    rotary limits allow no way at a turn, its rows are NaN and not within limits. ``best``: the recommended row, None where
+    none is within limits and stands. ``least`` mm: no work zero of the region that stands, at the turns tried, has less
+    deviation (but for rounding of words). ``table`` mm: height of the table's face, machine frame, None where it is not
+    known; ``bottom`` mm: the part's lowest place over the work zero.
     """
 
     machine: str
@@ -102,17 +131,25 @@ class SetupMap:
     time: Floats
     over: Floats
     within_limits: Bools
+    stands: Bools
     rewinds: Ints
     kind: Bytes
     best: int | None
     least: float
+    table: float | None
+    bottom: float
     findings: tuple[Finding, ...] = ()
 
     def __post_init__(self) -> None:
         freeze(
             self, None, origin="f3", turn="f", max_deviation="f", rotary_travel="f", time="f", over="f", within_limits="b",
-            rewinds="i", kind="m",
+            stands="b", rewinds="i", kind="m",
         )  # fmt: skip
+
+    @property
+    def able(self) -> Bools:
+        """The setups (k,) that are within limits and stand."""
+        return self.within_limits & self.stands
 
     def grid(self, column: Floats | Bools) -> Floats:
         """The grid's part of a column, (turns, z, y, x)."""

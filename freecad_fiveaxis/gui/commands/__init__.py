@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of menu and toolbar, one file each. To add one, write its file and list it here."""
+"""The commands of menu and toolbar, one file each, in the order of the work. To add one, write its file and list it here."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from .annotate import Annotate
 from .audit import Audit
 from .compare import Compare
 from .import_machine import ImportMachine
+from .job_setup import JobSetup
 from .left import Left
 from .play import Play
 from .post_process import PostProcess
@@ -20,10 +21,28 @@ from .setup import Setup
 from .tessellate import Tessellate
 from .toolpath import Toolpath
 
-COMMANDS = (
-    Tessellate, Toolpath, Setup, Compare, PostProcess, Annotate, Left, Audit, Play, ProveSigns, Recover, ImportMachine,
+WORK = (
+    (JobSetup, Tessellate, Toolpath, Setup, Compare),
+    (Play, Left, Annotate),
+    (PostProcess, Audit),
 )  # fmt: skip
+"""The way of a part, in groups: plan, look, write and judge."""
+MACHINES = (ProveSigns, Recover, ImportMachine)
+"""What is about a machine and needs no part."""
+COMMANDS = (*(command for group in WORK for command in group), *MACHINES)
 NAMES = [command.NAME for command in COMMANDS]
+SEPARATOR = "Separator"
+"""FreeCAD's name of a line between commands."""
+
+
+def work_names() -> list[str]:
+    """The commands of a part in the order of the work, with a line between the groups."""
+    return [name for group in WORK for name in (SEPARATOR, *(command.NAME for command in group))][1:]
+
+
+def machine_names() -> list[str]:
+    """The commands about machines."""
+    return [command.NAME for command in MACHINES]
 
 
 def register() -> None:

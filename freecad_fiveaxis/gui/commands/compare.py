@@ -18,7 +18,8 @@ class Compare:
             "Pixmap": icon(self.NAME),
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_Compare", "Compare machines…"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "FiveAxis_Compare", "Drive a tool path on several machines, with each cure, and show what each makes of it"
+                "FiveAxis_Compare",
+                "Compare a tool path on several machines, with each correction: deviation and time of each",
             ),
         }
 

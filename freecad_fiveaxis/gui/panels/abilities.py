@@ -20,7 +20,7 @@ LACKING = {"rtcp": "off", "high_speed": "off"}
 def reasons(dialect: Any) -> dict[str, str]:
     """Why an option cannot be chosen on a controller, by its name."""
     texts = {
-        "rtcp": (not dialect.guides, translate("FiveAxis", "{controller} does not guide the tip itself; Linearize helps.")),
+        "rtcp": (not dialect.guides, translate("FiveAxis", "{controller} does not guide the tip itself: divide blocks instead.")),
         "high_speed": (not dialect.high_speed[0], translate("FiveAxis", "{controller} has no high-speed mode to switch.")),
         "feed_mode": (
             not dialect.inverse_time,
@@ -44,5 +44,5 @@ def check_guide(dialect: Any, options: Mapping[str, Any]) -> None:
 
     how = options.get("rtcp", "off")
     if how != "off" and dialect.guided(how).guide.needs_tool and not options.get("tool"):
-        text = translate("FiveAxis", "{controller} needs the number of the tool for it: give it under More settings.")
+        text = translate("FiveAxis", "{controller} needs the number of the tool for it: give it in the group Tool.")
         raise SettingsError(text.format(controller=controller_label(dialect.name)), how)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .fields import ChoiceField, Field, QuantityField
@@ -182,7 +183,7 @@ class CutterField(Field):
         try:
             self._take(tool_bit.cutter_of_file(path))
         except FiveAxisError as error:
-            self.show_error(str(error))
+            self.show_error(wording.told(error))
 
     def _take(self, cutter: Any) -> None:
         self.show_value(cutter)

@@ -7,6 +7,7 @@ from typing import Any
 
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui import comparison_table
 from freecad_fiveaxis.gui.messages import status
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, flags, translate
@@ -60,7 +61,7 @@ class ComparePanel:
         column.addWidget(self.machines)
         column.addWidget(self.browse)
         column.addLayout(length)
-        column.addWidget(QtWidgets.QLabel(translate("FiveAxis", "Cures")))
+        column.addWidget(QtWidgets.QLabel(translate("FiveAxis", "Corrections")))
         column.addWidget(self.cures)
         column.addWidget(note)
         column.addStretch()
@@ -81,7 +82,7 @@ class ComparePanel:
         self.show_error("")
         machines, cures = chosen(self.machines), chosen(self.cures)
         if not machines or not cures:
-            self.show_error(translate("FiveAxis", "Tick at least one machine and one cure."))
+            self.show_error(translate("FiveAxis", "Tick at least one machine and one correction."))
             return False
         if self.length.value() is None and any(map(has_head, machines)):
             self.show_error(translate("FiveAxis", "The head of a machine that is ticked turns: give the tool length."))
@@ -94,7 +95,7 @@ class ComparePanel:
             return False
         except (FiveAxisError, ReferenceError) as error:
             gone = translate("FiveAxis", "The tool path was deleted meanwhile: close this panel.")
-            self.show_error(gone if isinstance(error, ReferenceError) else str(error))
+            self.show_error(gone if isinstance(error, ReferenceError) else wording.told(error))
             return False
         comparison_table.show(self.path, comparison)
         return True
@@ -121,7 +122,7 @@ def create(path: Any) -> ComparePanel:
 
 def cure_label(cure: str) -> str:
     """What a cure is called."""
-    own = {"none": translate("FiveAxis", "none"), "deform": translate("FiveAxis", "lead the axis past the pole")}
+    own = {"none": translate("FiveAxis", "none"), "deform": translate("FiveAxis", "turn the axis past the pole")}
     return own.get(cure) or choice_label(cure)
 
 

@@ -8,33 +8,29 @@ given     the value that the field was shown. Until the user edits the field, it
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-import FreeCAD
-
-from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, create, translate
+from freecad_fiveaxis.app.units import INCH, inches
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
 from freecad_fiveaxis.gui.wheel import leave_wheel
 
-from .labels import option_hint, option_label
+from .labels import option_label
+from .lines import error_line, note_line, warning_line
+from .measure_box import MeasureBox
 
-UNITS = {"length": ("mm", "Length"), "angle": ("deg", "Angle")}
-"""FreeCAD's unit of a kind of option, which is the core's too, and its quantity."""
+UNITS = {"length": "mm", "angle": "deg"}
+"""The core's unit of a kind of option."""
 DIGITS = 6
-SHOWN = {"Precision": DIGITS, "NumberFormat": "g", "Denominator": 8}
-"""Six digits, so that 0.01 mm in inches does not read 0.00 in."""
-
-STACK = "40x25,63x50"
-"""An example of cylinders upon each other."""
 
 FLAGS, CHOSEN = int(QtCore.Qt.UserRole) - 1, 33
 """The role under which a list's items keep their flags (as QStandardItem.setFlags does), and those of one that can be chosen:
 selectable (1) and enabled (32)."""
 
 
-NARROW, WIDE = 60, 1000
-"""Pixels that an editor needs at least, and those of one that never stands beside its label."""
+NARROW = 60
+"""Pixels that an editor needs at least."""
 ARROW = 30
 """Pixels of the arrows and the frame of a box."""
 
@@ -107,24 +103,23 @@ class QuantityField(Field):
     """A length (mm) or an angle (degrees) in the user's units. ``optional``: 0 means not given."""
 
     def __init__(self, name: str, kind: str, hint: str = "", optional: bool = False) -> None:
-        super().__init__(name, create("Gui::QuantitySpinBox"), hint)
-        self.unit, self.quantity = UNITS[kind]
-        self.optional, self._given, self._text = optional, 0.0, None
-        self.editor.setProperty("unit", self.unit)
+        super().__init__(name, MeasureBox(kind), hint)
+        self.unit = UNITS[kind]
+        self.optional, self._given, self._shown = optional, 0.0, 0.0
         self.show_value(0.0)
         self.editor.valueChanged.connect(self._changed)
 
     def value(self) -> float | None:
         """mm or degrees."""
-        untouched = self.editor.property("text") == self._text
-        value = self._given if untouched else self.editor.property("rawValue")
+        shown = self.editor.measured()
+        value = self._given if shown == self._shown else shown
         return None if self.optional and value == 0.0 else value
 
     def show_value(self, value: float | None) -> None:
         """mm or degrees; None: not given."""
         self._given = float(value or 0.0)
-        self.editor.setProperty("value", quantity(self._given, self.quantity))
-        self._text = self.editor.property("text")
+        self.editor.show_measured(self._given)
+        self._shown = self.editor.measured()
 
     def room(self) -> int:
         """Six digits with their unit."""
@@ -175,8 +170,7 @@ def feed_unit() -> tuple[str, float]:
 
     FreeCAD's own boxes take a plain number for mm/s, and refuse "mm/min" letter by letter.
     """
-    inches = FreeCAD.Units.Quantity("1 mm/s").getUserPreferred()[2].startswith(("in", "ft", "mil"))
-    return (" in/min", 60.0 / 25.4) if inches else (" mm/min", 60.0)
+    return (" in/min", 60.0 / INCH) if inches() else (" mm/min", 60.0)
 
 
 class ChoiceField(Field):
@@ -309,135 +303,6 @@ class TextField(Field):
         return f"{self.label} {self.value()}" if self.value() else ""
 
 
-class TripleField(Field):
-    """Three lengths (mm), three numbers, or three counts. ``none_text``: what a box says that, ticked, gives None."""
-
-    def __init__(self, name: str, kind: str, hint: str = "", none_text: str = "", width: int = 60) -> None:
-        super().__init__(name, QtWidgets.QWidget(), hint)
-        parts = [f"{name}_{letter}" for letter in "xyz"]
-        makers = {"point": lambda part: QuantityField(part, "length"), "counts": lambda part: NumberField(part, whole=True)}
-        self.parts = [makers.get(kind, RatioField)(part) for part in parts]
-        for part, letter in zip(self.parts, "XYZ", strict=True):
-            part.editor.setAccessibleName(f"{self.label} {letter}")
-        self.none = QtWidgets.QCheckBox(none_text) if none_text else None
-        self.width = width
-        self._lay_out()
-        for part in self.parts:
-            part.edited.connect(self._changed)
-
-    def _lay_out(self) -> None:
-        self.row = QtWidgets.QGridLayout(self.editor)
-        self.row.setContentsMargins(0, 0, 0, 0)
-        for at, part in enumerate(self.parts):
-            part.editor.setMinimumWidth(self.width)
-            self.row.addWidget(part.editor, 1, at)
-        if self.none:
-            self.row.addWidget(self.none, 0, 0, 1, 3, QtCore.Qt.AlignLeft)
-            self.none.toggled.connect(self._toggled)
-
-    def focus_widget(self) -> Any:
-        """The first box."""
-        return self.parts[0].editor
-
-    def room(self) -> int:
-        """Three numbers need the whole width, or their digits are cut."""
-        return WIDE
-
-    def words(self) -> str:
-        """Label and numbers."""
-        if self.value() is None:
-            return ""
-        texts = [str(part.editor.property("text")) for part in self.parts]
-        units = {text.partition(" ")[2] for text in texts}
-        if len(units) == 1:  # which need not be said three times
-            texts[:2] = [text.partition(" ")[0] for text in texts[:2]]
-        return f"{self.label} {', '.join(texts)}"
-
-    def _toggled(self, ticked: bool) -> None:
-        for part in self.parts:
-            part.editor.setEnabled(not ticked)
-        self._changed()
-
-    def value(self) -> list[float] | None:
-        """Three numbers, mm where they are lengths."""
-        return None if self.none and self.none.isChecked() else [part.value() for part in self.parts]
-
-    def show_value(self, value: Sequence[float] | None) -> None:
-        """Three numbers, or None."""
-        if self.none:
-            self.none.setChecked(value is None)
-        for part, number in zip(self.parts, value or (0.0, 0.0, 0.0), strict=True):
-            part.show_value(number)
-
-
-class RatioField(NumberField):
-    """A number of a direction."""
-
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.editor.setDecimals(6)
-        self.editor.setSingleStep(0.1)
-
-
-def quantity(value: float, kind: str) -> Any:
-    """A value in FreeCAD's own unit as a quantity that shows six digits. ``kind``: Length, Angle, Velocity, TimeSpan ..."""
-    made = FreeCAD.Units.Quantity(value, getattr(FreeCAD.Units, kind))
-    made.Format = dict(SHOWN)
-    return made
-
-
 def width_of(editor: Any, text: str) -> int:
     """Pixels of a text in the editor's font."""
     return int(editor.fontMetrics().boundingRect(text).width())
-
-
-def error_line(name: str) -> Any:
-    """A line in red, hidden until it says something."""
-    label = QtWidgets.QLabel()
-    label.setObjectName(name)
-    label.setAccessibleDescription(translate("FiveAxis", "Error"))
-    label.setWordWrap(True)
-    label.setStyleSheet("color: #d0342c;")
-    label.hide()
-    return label
-
-
-def warning_line(name: str) -> Any:
-    """A line in amber, hidden until it says something."""
-    label = error_line(name)
-    label.setAccessibleDescription(translate("FiveAxis", "Warning"))
-    label.setStyleSheet("color: #b06000;")
-    return label
-
-
-def note_line(name: str) -> Any:
-    """A line in small letters, hidden until it says something."""
-    label = QtWidgets.QLabel()
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    label.setStyleSheet("color: #6b7785; font-size: small;")
-    label.hide()
-    return label
-
-
-def option_field(leaf: Any, choices: Sequence[tuple[Any, str]] = (), none_text: str = "") -> Field:
-    """The field of one option of the core's settings (a field of its dataclass).
-
-    ``choices`` where it is one of some names; ``none_text`` for a triple that may be left open.
-    """
-    kind, hint = leaf.metadata["kind"], option_hint(leaf)
-    optional = leaf.default is None
-    if choices:
-        return ChoiceField(leaf.name, choices, hint)
-    makers: dict[str, Callable[[], Field]] = {
-        "number": lambda: NumberField(leaf.name, hint, optional=optional),
-        "count": lambda: NumberField(leaf.name, hint, whole=True, optional=optional),
-        "text": lambda: TextField(leaf.name, hint),
-        "stack": lambda: TextField(leaf.name, hint, STACK),
-        "vector": lambda: TripleField(leaf.name, "vector", hint),
-        "point": lambda: TripleField(leaf.name, "point", hint, none_text),
-        "lengths": lambda: TripleField(leaf.name, "point", hint, none_text, 90),
-        "counts": lambda: TripleField(leaf.name, "counts", hint, none_text),
-        "feed": lambda: FeedField(leaf.name, hint),
-    }
-    return makers[kind]() if kind in makers else QuantityField(leaf.name, kind, hint, optional)

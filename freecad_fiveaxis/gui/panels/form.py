@@ -12,15 +12,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .abilities import LACKING, check_guide, reasons, unknown_choices
 from .choosers import CutterField, MachineField, SpacingField, controller_field, strategy_field
 from .depends import DEPENDS, idle_options
-from .fields import Field, SpindleField, error_line, option_field
+from .fields import Field, SpindleField
 from .files import any_file
 from .folding import FoldingGroup
 from .labels import choice_hint, choice_label, controller_label, group_label, option_hint
+from .lines import error_line
+from .option_fields import option_field
 
 SPACING = "spacing"
 MORE = "more"
@@ -66,18 +69,20 @@ class Form(QtCore.QObject):
 
     def __init__(
         self, task: str, doc: Any, sections: Sequence[Any], extras: Sequence[Field] = (), group: str = "",
-        given: Mapping[str, Any] | None = None,
+        given: Mapping[str, Any] | None = None, only: Sequence[str] = (),
     ) -> None:  # fmt: skip
         """``sections``: Sections, or plain tuples of their first fields; ``group``: the settings class whose options alone are
-        asked for; ``given``: options that are settled elsewhere."""
+        asked for, ``only``: the options that alone are; ``given``: options that are settled elsewhere."""
         super().__init__()
         from freecad_fiveaxis.app.properties import shown_options
 
         self.task, self.given = task, dict(given or {})
         self.leaves = {leaf.name: leaf for cls, leaf in shown_options(task) if group in ("", cls.__name__)}
+        self.leaves = {name: leaf for name, leaf in self.leaves.items() if not only or name in only}
         self.extras = {field.name: field for field in extras}
         self.fields = {**self._option_fields(doc), **self.extras}
         self.wished: dict[str, Any] = {}
+        self.filling = False
         self.rows: dict[str, list[Any]] = {}
         self.groups: dict[str, FoldingGroup] = {}
         self.widget = QtWidgets.QWidget()
@@ -143,8 +148,9 @@ class Form(QtCore.QObject):
                 self.groups[section.name].unfold()
 
     def _changed(self) -> None:
-        self._depend()
-        self.edited.emit()
+        if not self.filling:
+            self._depend()
+            self.edited.emit()
 
     def _depend(self) -> None:
         """Show only the fields that count for the machine and the choices made; those that its controller lacks are idle."""
@@ -206,14 +212,16 @@ class Form(QtCore.QObject):
         return self.options() | {name: field.value() for name, field in self.extras.items() if name not in self.leaves}
 
     def show_options(self, options: Mapping[str, Any]) -> None:
-        """Fill the fields; one that the options do not name keeps what it shows."""
+        """Fill the fields; one that the options do not name keeps what it shows. ``edited`` tells of it once, at the end."""
+        self.filling = True
         for name, field in self.fields.items():
             if name == SPACING:
                 field.show_value({kind: options.get(kind) for kind in SpacingField.KINDS})
             elif name in options:
                 self.wished.pop(name, None)
                 field.show_value(options[name])
-        self._depend()
+        self.filling = False
+        self._changed()
 
     def check(self) -> bool:
         """Whether the core takes the values; where it does not, the fields say why."""
@@ -227,7 +235,7 @@ class Form(QtCore.QObject):
             try:
                 self.check_together(options)
             except FiveAxisError as error:
-                self.show_error(str(error))
+                self.show_error(wording.told(error))
                 return False
         return all(good)
 
@@ -247,7 +255,7 @@ class Form(QtCore.QObject):
             field.check()
             self._try(name, options)
         except FiveAxisError as error:
-            field.show_error(str(error))
+            field.show_error(wording.told(error))
             return False
         return True
 

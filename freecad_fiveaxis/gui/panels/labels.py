@@ -14,8 +14,10 @@ def option_label(name: str) -> str:
 
 
 def option_hint(leaf: Any) -> str:
-    """What an option is for: the help of its field in the core's settings, as the property editor says it too."""
-    return translate("App::Property", leaf.metadata["text"])
+    """What an option is for, as the property editor says it too."""
+    from freecad_fiveaxis.app.option_texts import text_of
+
+    return translate("App::Property", text_of(leaf))
 
 
 def choice_label(name: str) -> str:
@@ -61,17 +63,18 @@ def _of_programs() -> dict[str, str]:
         "direction": translate("FiveAxis", "Direction of passes"),
         "scallop": translate("FiveAxis", "Scallop"),
         "stepover": translate("FiveAxis", "Stepover"),
-        "least_interval": translate("FiveAxis", "Least interval"),
-        "max_axis_angle": translate("FiveAxis", "Steepest facet"),
+        "least_interval": translate("FiveAxis", "Smallest stepover"),
+        "max_axis_angle": translate("FiveAxis", "Steepest surface"),
         "cutter": translate("FiveAxis", "Cutter"),
         "coedge_tolerance": translate("FiveAxis", "Edge tolerance"),
         "tool_axis": translate("FiveAxis", "Tool axis"),
         "axis": translate("FiveAxis", "Fixed axis I, J, K"),
         "lead": translate("FiveAxis", "Lead"),
         "tilt": translate("FiveAxis", "Tilt"),
-        "max_tilt": translate("FiveAxis", "Largest tilt"),
-        "order": translate("FiveAxis", "Order"),
+        "max_tilt": translate("FiveAxis", "Largest axis angle"),
+        "order": translate("FiveAxis", "Cut pattern"),
         "clearance": translate("FiveAxis", "Clearance"),
+        "table_height": translate("FiveAxis", "Height of the table"),
         "feed": translate("FiveAxis", "Feed"),
         "plunge_feed": translate("FiveAxis", "Plunge feed"),
         "feed_mode": translate("FiveAxis", "Feed mode"),
@@ -86,12 +89,12 @@ def _of_programs() -> dict[str, str]:
         "controller": translate("FiveAxis", "Controller"),
         "origin": translate("FiveAxis", "Work zero on the machine"),
         "tool_length": translate("FiveAxis", "Tool length"),
-        "control_point": translate("FiveAxis", "Driven point"),
-        "gouge": translate("FiveAxis", "What to do"),
+        "control_point": translate("FiveAxis", "Programmed point"),
+        "gouge": translate("FiveAxis", "Gouge protection"),
         "shank": translate("FiveAxis", "Shank, Ø x length"),
         "holder": translate("FiveAxis", "Holder, Ø x length"),
-        "left": translate("FiveAxis", "What is left"),
-        "linearize": translate("FiveAxis", "Linearize"),
+        "left": translate("FiveAxis", "Rest material"),
+        "linearize": translate("FiveAxis", "Divide blocks"),
         "singularity": translate("FiveAxis", "Near the pole"),
         "max_axis_change": translate("FiveAxis", "Largest axis change"),
         "tolerance": translate("FiveAxis", "Tolerance"),
@@ -102,7 +105,7 @@ def _of_programs() -> dict[str, str]:
         "grid": translate("FiveAxis", "Places on the map"),
         "turns": translate("FiveAxis", "Turns of the part"),
         "machines": translate("FiveAxis", "Machines"),
-        "cures": translate("FiveAxis", "Cures"),
+        "cures": translate("FiveAxis", "Corrections"),
     }
 
 
@@ -122,10 +125,12 @@ def _of_machines_and_places() -> dict[str, str]:
         "source": translate("FiveAxis", "File to import"),
         "linear_deflection": translate("FiveAxis", "Mesh deflection"),
         "angular_deflection": translate("FiveAxis", "Mesh angle"),
+        "setup": translate("FiveAxis", "Setup"),
+        "setup_name": translate("FiveAxis", "Name"),
         "work_zero": translate("FiveAxis", "Work zero"),
         "spacing": translate("FiveAxis", "Spacing by"),
         "spacing_kind": translate("FiveAxis", "Spacing by"),
-        "cutter_kind": translate("FiveAxis", "Kind"),
+        "cutter_kind": translate("FiveAxis", "Cutter"),
         "cutter_diameter": translate("FiveAxis", "Diameter"),
         "cutter_corner": translate("FiveAxis", "Corner radius"),
         "cutter_taper": translate("FiveAxis", "Taper, each side"),
@@ -136,40 +141,70 @@ def _of_machines_and_places() -> dict[str, str]:
 
 def _choices() -> dict[str, str]:
     return {
-        "facet_mean": translate("FiveAxis", "mean of the facet normals"),
-        "step_weighted": translate("FiveAxis", "normals weighted by step"),
+        "facet_mean": translate("FiveAxis", "surface normal"),
+        "step_weighted": translate("FiveAxis", "normal weighted by step"),
         "minimax": translate("FiveAxis", "least deviation (minimax)"),
-        "fixed": translate("FiveAxis", "fixed"),
-        "zigzag": translate("FiveAxis", "to and fro"),
+        "fixed": translate("FiveAxis", "fixed axis"),
+        "zigzag": translate("FiveAxis", "zigzag"),
         "one_way": translate("FiveAxis", "one way"),
         "g93": translate("FiveAxis", "inverse time (G93)"),
-        "g94": translate("FiveAxis", "units a minute (G94)"),
+        "g94": translate("FiveAxis", "per minute (G94)"),
         "report": translate("FiveAxis", "only report"),
         "linearize": translate("FiveAxis", "divide blocks"),
         "on": translate("FiveAxis", "on"),
         "off": translate("FiveAxis", "off"),
-        "deform": translate("FiveAxis", "lead the axis past it"),
-        "angles": translate("FiveAxis", "by rotary words"),
+        "deform": translate("FiveAxis", "turn the axis past it"),
+        "angles": translate("FiveAxis", "by rotary axes"),
         "vectors": translate("FiveAxis", "by tool vectors"),
         "tip": translate("FiveAxis", "tip"),
-        "centre": translate("FiveAxis", "centre of the rounding"),
+        "centre": translate("FiveAxis", "centre of corner radius"),
         "lift": translate("FiveAxis", "lift the tool"),
         "tilt": translate("FiveAxis", "tilt the tool"),
-        "leave-out": translate("FiveAxis", "leave out"),
-        "ball": translate("FiveAxis", "ball end"),
-        "flat": translate("FiveAxis", "flat end"),
-        "bull": translate("FiveAxis", "bull nose"),
+        "leave-out": translate("FiveAxis", "skip these places"),
+        "ball": translate("FiveAxis", "ball end mill"),
+        "flat": translate("FiveAxis", "flat end mill"),
+        "bull": translate("FiveAxis", "bull nose mill"),
         "taperball": translate("FiveAxis", "tapered ball"),
         "taperbull": translate("FiveAxis", "tapered bull nose"),
         "exact": translate("FiveAxis", "exact"),
         "so2008": translate("FiveAxis", "model of So et al. 2008"),
+        "so2008-printed": translate("FiveAxis", "model of So et al. 2008 as printed"),
         "scallop": translate("FiveAxis", "Scallop"),
         "stepover": translate("FiveAxis", "Stepover"),
     }
 
 
 def _choice_hints() -> dict[tuple[str, str], str]:
-    return {}
+    return _of_safety() | {
+        ("tool_axis", "facet_mean"): translate("FiveAxis", "The tool stands normal to the surface, leaned by lead and tilt."),
+        ("tool_axis", "step_weighted"): translate(
+            "FiveAxis", "Between two facets the axis turns evenly over the steps on either side (Lin and Ye)."
+        ),
+        ("tool_axis", "minimax"): translate(
+            "FiveAxis", "The axis that makes the deviation of this machine smallest, within the largest axis angle; takes long."
+        ),
+        ("tool_axis", "fixed"): translate("FiveAxis", "One axis everywhere: three-axis milling, or 3 + 2 with a tilted axis."),
+        ("rtcp", "off"): translate("FiveAxis", "The program gives the positions of all axes; any controller can run it."),
+        ("rtcp", "angles"): translate("FiveAxis", "The controller guides the tip; the program gives the rotary axes."),
+        ("rtcp", "vectors"): translate("FiveAxis", "The controller guides the tip; the program gives the tool axis as a vector."),
+    }
+
+
+def _of_safety() -> dict[tuple[str, str], str]:
+    return {
+        ("gouge", "off"): translate("FiveAxis", "Nothing is checked: the tool may enter the part."),
+        ("gouge", "report"): translate("FiveAxis", "Places where the tool enters the part are listed; the path stays as it is."),
+        ("gouge", "lift"): translate("FiveAxis", "The tool is lifted along its axis until nothing enters the part."),
+        ("gouge", "tilt"): translate(
+            "FiveAxis", "The tool is tilted until shank and holder are free; where the cutter still enters, it is lifted."
+        ),
+        ("gouge", "leave-out"): translate("FiveAxis", "Places where the tool would enter the part are not machined."),
+        ("singularity", "report"): translate("FiveAxis", "Blocks near the pole are listed; the path stays as it is."),
+        ("singularity", "linearize"): translate("FiveAxis", "Blocks near the pole that are over tolerance are divided."),
+        ("singularity", "deform"): translate(
+            "FiveAxis", "The tool axis is turned by a few degrees, so that it passes beside the pole."
+        ),
+    }
 
 
 def _groups() -> dict[str, str]:

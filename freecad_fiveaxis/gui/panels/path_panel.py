@@ -14,6 +14,7 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import ask, status, warn
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, later, translate
@@ -106,7 +107,7 @@ class PathPanel:
         if not isinstance(error, (FiveAxisError, ReferenceError)):
             raise error
         gone = translate("FiveAxis", "The part was deleted meanwhile: press Cancel, and select another one.")
-        self.options.show_error(gone if isinstance(error, ReferenceError) else str(error))
+        self.options.show_error(gone if isinstance(error, ReferenceError) else wording.told(error))
         reveal(self.form)
 
     def _edited(self) -> None:

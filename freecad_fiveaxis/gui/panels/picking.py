@@ -16,7 +16,7 @@ import FreeCADGui
 from freecad_fiveaxis.gui.failures import guards
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, later, translate
 
-from .fields import TripleField
+from .triple import TripleField
 
 Point = tuple[float, float, float]
 

@@ -13,6 +13,7 @@ from typing import Any
 
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtWidgets, flags, translate
 from freecad_fiveaxis.gui.undo import transaction
@@ -20,8 +21,9 @@ from freecad_fiveaxis.gui.verdict_label import VerdictLabel
 from freecad_fiveaxis.gui.waiting import waiting
 
 from . import written
-from .fields import TextField, error_line, option_field
+from .fields import TextField, error_line
 from .labels import option_label
+from .option_fields import option_field
 from .path_panel import show
 from .told import findings
 
@@ -73,6 +75,7 @@ class PostPanel:
         label = QtWidgets.QLabel(
             translate("FiveAxis", "{name} (0: the program leaves it off)").format(name=option_label("spindle"))
         )
+        label.setWordWrap(True)
         label.setBuddy(self.spindle.editor)
         return [label, self.spindle.editor, self.spindle.error]
 
@@ -109,7 +112,7 @@ class PostPanel:
             status(translate("FiveAxis", "Stopped; the document is as it was."))
             return False
         except FiveAxisError as error:
-            self.show_error(str(error))
+            self.show_error(wording.told(error))
             return False
         status(translate("FiveAxis", "Written: {}").format(self.file.value()))
         FreeCADGui.Control.closeDialog()
@@ -164,11 +167,11 @@ class PostPanel:
         if whole.light is not Light.RED:
             return True
         poor = _poor(figures)
-        parts = [whole.text]
+        parts = [wording.told(whole.text)]
         for severity, title in (
             (Severity.ERROR, translate("FiveAxis", "Errors")), (Severity.WARNING, translate("FiveAxis", "Warnings")),
         ):  # fmt: skip
-            texts = [f"• {one.text}" for one in poor if one.severity is severity]
+            texts = [f"• {wording.told(one.text)}" for one in poor if one.severity is severity]
             more = [f"• {translate('FiveAxis', 'and {count} more').format(count=len(texts) - NAMED)}"] * (len(texts) > NAMED)
             parts += [title + "\n" + "\n".join(texts[:NAMED] + more)] * bool(texts)
         return ask("\n\n".join(parts), translate("FiveAxis", "Write anyway"))

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import FreeCAD
+import FreeCADGui
 
 from freecad_fiveaxis.gui import selected
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, translate
@@ -23,17 +24,48 @@ from .picking import Point, PointField
 from .post import nc_files, proposed_file
 from .work_panel import WorkPanel, open_panel
 
+USUAL_MARK = (30.0, 20.0, 0.0)
+"""mm over the work zero: X and Y of the mark that is proposed."""
 SHEETS = (".html", ".htm", ".txt", ".json")
 WIDTH = 80
 """Pixels of a coordinate at least: of a mark off the zero all digits are to be read."""
 
 
 class MarkField(PointField):
-    """A place over the work zero; ``zero`` tells where in the document that is."""
+    """A place over the work zero; ``zero`` tells where in the document that is.
+
+    Until somebody gives one, it is at the top of the part (``top``, mm in the document); where there is no part, none is given.
+    """
 
     def __init__(self, name: str, hint: str, zero: Callable[[], Point]) -> None:
         super().__init__(name, hint, WIDTH)
-        self.zero = zero
+        self.zero, self.top = zero, None
+        self.given, self._showing = False, False
+
+    def value(self) -> list[float] | None:
+        """Three numbers, mm; None where nobody has given one and there is no part."""
+        return super().value() if self.given or self.top is not None else None
+
+    def show_value(self, value: Sequence[float] | None) -> None:
+        """Three numbers, or None."""
+        self.given = value is not None
+        self._show(value or USUAL_MARK)
+        self.propose()
+
+    def propose(self) -> None:
+        """At the top of the part, unless somebody has given one."""
+        if not self.given and self.top is not None:
+            x, y, _ = USUAL_MARK
+            self._show((x, y, round(self.top - self.zero()[2], 6)))
+
+    def _show(self, value: Sequence[float]) -> None:
+        self._showing = True
+        super().show_value(value)
+        self._showing = False
+
+    def _changed(self, *given: Any) -> None:
+        self.given |= not self._showing
+        super()._changed(*given)
 
     def _found(self, point: Point) -> None:
         x, y, z = (round(there - here, 6) for there, here in zip(point, self.zero(), strict=True))
@@ -64,6 +96,7 @@ class ProvePanel(WorkPanel):
         super().__init__(translate("FiveAxis", "Prove the signs"), form, (self.open_button,))
         self.open_button.clicked.connect(lambda *_: self.open_sheet())
         self.nc_file.edited.connect(self._propose_sheet)
+        self.zero.edited.connect(self.mark.propose)
         for name in ("machine", "controller"):
             form.fields[name].edited.connect(self.propose)
 
@@ -128,9 +161,22 @@ def create() -> ProvePanel:
         used = changes.shown_options(path, "mill")
         values |= {name: used[name] for name in ("machine", "controller", "origin", "tool_length", "tool", "work_offset")}
         values |= {"work_zero": tuple(path.WorkZero)}
+    panel.mark.top = _top(path)
     panel.options.show_options(values)
     panel.propose()
     return open_panel(panel)
+
+
+def _top(path: Any) -> float | None:
+    """The top of what is selected, else of the tool path's part, else of all that is seen, mm in the document."""
+    from freecad_fiveaxis.app import signs
+
+    if FreeCAD.ActiveDocument is None:
+        return None
+    chosen = signs.top_of(FreeCADGui.Selection.getSelection())
+    if chosen is None and path is not None:
+        chosen = signs.top_of([path.Mesh])
+    return chosen if chosen is not None else signs.top_of([one for one in FreeCAD.ActiveDocument.Objects if one.Visibility])
 
 
 def _sections() -> list[tuple[str, str, list[str]]]:

@@ -10,6 +10,7 @@ import html
 import os
 from typing import Any
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
@@ -65,9 +66,10 @@ class SetupPanel(PathPanel):
         self.path, self.base, self.faces = path, base, faces
         doc = (path or base).Document
         machine = path.Machine if path else preferences.machine()
-        section = ("setup", translate("FiveAxis", "Setup"), ["region", "grid", "turns"])
+        section = ("setup", translate("FiveAxis", "Setup"), ["region", "grid", "turns", "table_height"])
         form = Form("setup", doc, [section], group="SetupSettings", given={"machine": machine})
         super().__init__(doc, translate("FiveAxis", "Where to clamp"), form, obj)
+        form.fields["table_height"].editor.setPlaceholderText(_table_of(machine))
 
     def _widget(self, title: str) -> Any:
         widget = super()._widget(title)
@@ -144,6 +146,18 @@ class SetupPanel(PathPanel):
             write_asking(file, lambda agreed: setups.write_page(self.obj, file, agreed), self.options.show_error)
 
 
+def _table_of(machine: str) -> str:
+    """What the empty field of the table's height says: the machine's own, where its file has one."""
+    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.core.machine import load_machine
+
+    try:
+        table = load_machine(machine).table
+    except FiveAxisError:  # the form says what is wrong with the machine
+        table = None
+    return translate("FiveAxis", "not known") if table is None else f"{table:g} mm"
+
+
 def ask_file(parent: Any, document: str, name: str) -> str:
     """The file that the user names for a report, proposed beside the file of the document; empty where he names none."""
     proposed = proposed_file(name, document, ".html")
@@ -170,7 +184,7 @@ def write_asking(file: str, write: Any, tell: Any) -> bool:
         status(translate("FiveAxis", "Stopped; the document is as it was."))
         return False
     except FiveAxisError as error:
-        tell(str(error))
+        tell(wording.told(error))
         return False
     status(translate("FiveAxis", "Written: {}").format(file))
     return True

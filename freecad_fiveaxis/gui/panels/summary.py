@@ -6,10 +6,10 @@ from __future__ import annotations
 import html
 from typing import Any
 
+from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.units import length_text
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
 from freecad_fiveaxis.gui.verdict_label import VerdictLabel
-
-from .fields import quantity
 
 
 def summary_lines(obj: Any) -> list[tuple[str, str]]:
@@ -44,22 +44,20 @@ CURES = (
 def cured(obj: Any) -> list[str]:
     """What was done against deviation and gouges, in sentences; after opening a document only once it is computed again."""
     last = getattr(obj.Proxy, "last", None)
-    return [] if last is None else [one.text for one in last.figures.findings if one.code in CURES]
+    return [] if last is None else [wording.told(one.text) for one in last.figures.findings if one.code in CURES]
 
 
 def gravest(obj: Any) -> str:
     """The gravest finding of an object that was computed since its document was opened, else the first one."""
     last = getattr(obj.Proxy, "last", None)
     if last is not None and last.figures.findings:
-        return max(last.figures.findings, key=lambda finding: finding.severity).text
+        return wording.told(max(last.figures.findings, key=lambda finding: finding.severity).text)
     return obj.Findings[0] if obj.Findings else ""
 
 
 def length(value: Any) -> str:
     """A length (quantity, or mm) in the user's units with four digits."""
-    shown = quantity(float(getattr(value, "Value", value)), "Length")
-    shown.Format = {"Precision": 4, "NumberFormat": "g", "Denominator": 8}
-    return shown.UserString
+    return length_text(float(getattr(value, "Value", value)))
 
 
 def clock(seconds: float) -> str:

@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.qt import translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
 from freecad_fiveaxis.gui.scene.words import severity_name
@@ -27,7 +28,7 @@ def recovered(found: Any) -> str:
     worst = length_text(float(found.fit.miss[found.fit.good].max(initial=0.0)), 3)
     residual = translate("FiveAxis", "Largest residual of the rows used: {length}").format(length=worst)
     rows = table([head, *(_cells(one, compared) for one in told)])
-    return paragraph(verdict(found), bold=True) + paragraph(residual) + rows + findings(found.findings)
+    return paragraph(wording.told(verdict(found)), bold=True) + paragraph(residual) + rows + findings(found.findings)
 
 
 def _cells(one: Any, compared: bool) -> list[str]:
@@ -56,25 +57,33 @@ def parameter_label(name: str) -> str:
 
 def sheet(proof: Any) -> str:
     """What must be seen at each stop; ``proof`` is the core's Proof."""
-    from freecad_fiveaxis.core.prove_signs import READY, STAND, rows, verdict
+    from freecad_fiveaxis.core.prove_signs import READY, STAND, notices, rows, verdict
 
     plan = proof.plan
-    parts = [paragraph(verdict(plan), bold=True), heading(translate("FiveAxis", "Before you start"))]
-    parts += [items(READY), paragraph(STAND), findings(plan.findings), heading(translate("FiveAxis", "Stops"))]
+    parts = [paragraph(wording.told(one), bold=True) for one in (*notices(plan), verdict(plan))]
+    parts += [heading(translate("FiveAxis", "Before you start")), items(map(wording.told, READY)), paragraph(wording.told(STAND))]
+    parts += [findings(plan.findings), heading(translate("FiveAxis", "Stops"))]
     parts += [_stop(row) for row in rows(plan, proof.program)]
     parts.append(heading(translate("FiveAxis", "If the tool does not point at the cross, it is off by")))
     parts.append(
-        table([["", "X", "Y", "Z"], *([text, *(f"{part + 0.0:.1f} mm" for part in off)] for text, off in plan.foretold)])
+        table(
+            [
+                ["", "X", "Y", "Z"],
+                *([wording.told(text), *(length_text(part) for part in off.tolist())] for text, off in plan.foretold),
+            ]
+        )
     )
     return "".join(parts)
 
 
 def _stop(row: Any) -> str:
     place = " ".join(f"{letter}{value + 0.0:.10g}" for letter, value in row["words"].items())
-    title = translate("FiveAxis", "Stop {number}, NC line {line}: {title}").format(**row)
+    title = translate("FiveAxis", "Stop {number}, NC line {line}: {title}").format(
+        number=row["number"], line=row["line"], title=wording.told(row["title"])
+    )
     seen, wrong = translate("FiveAxis", "You see: {text}"), translate("FiveAxis", "Wrong: {text}")
     told = [f"<b>{html.escape(title)}</b>", html.escape(place)]
-    told += [html.escape(text.format(text=row[key])) for text, key in ((seen, "see"), (wrong, "bad"))]
+    told += [html.escape(text.format(text=wording.told(row[key]))) for text, key in ((seen, "see"), (wrong, "bad"))]
     return f"<p>{'<br/>'.join(told)}</p>"
 
 
@@ -96,7 +105,7 @@ def _limits(axis: Any) -> str:
     if not math.isfinite(axis.high - axis.low):
         return translate("FiveAxis", "none")
     if not axis.rotary:
-        return f"{axis.low:g}…{axis.high:g} mm"
+        return f"{length_text(axis.low, 8)} … {length_text(axis.high, 8)}"
     return f"{math.degrees(axis.low):g}…{math.degrees(axis.high):g}°"
 
 
@@ -133,6 +142,6 @@ def findings(found: Iterable[Any]) -> str:
     ordered = sorted(found, key=lambda one: -one.severity)
     return "".join(
         f"<p><span style='color: {COLOURS[one.severity]}'><b>{html.escape(severity_name(one.severity))}:</b> "
-        f"{html.escape(one.text)}</span></p>"
+        f"{html.escape(wording.told(one.text))}</span></p>"
         for one in ordered
     )

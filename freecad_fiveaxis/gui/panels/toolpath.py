@@ -6,10 +6,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from freecad_fiveaxis.gui.messages import telling
 from freecad_fiveaxis.gui.qt import translate
 
 from .fields import QuantityField
 from .form import SPACING, Form, Section
+from .job_setup import FAR, SHARED, SetupField, ask, shown
 from .labels import group_label
 from .path_panel import PathPanel, show
 from .picking import PointField
@@ -24,10 +26,41 @@ class ToolpathPanel(PathPanel):
     def __init__(self, doc: Any, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
         self.base, self.faces = base, faces
         meshed = _tessellation(obj) is None if obj else hasattr(base, "Mesh")
-        extras = self._extras(not meshed)
+        self.setup = SetupField(doc)
+        extras = [self.setup, *self._extras(not meshed)]
         part = base if obj is None else obj.Mesh
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
         super().__init__(doc, translate("FiveAxis", "Tool path"), form, obj)
+        self.setup.edited.connect(self._take_setup)
+        self.setup.browse.clicked.connect(lambda *_: self._edit_setup())
+
+    def _take_setup(self) -> None:
+        """Show what the setup says in the fields that it holds, which then are its own to change."""
+        chosen = self.setup.value()
+        note = translate("FiveAxis", "From setup {name}").format(name=chosen.Label) if chosen is not None else ""
+        for name in SHARED:
+            field = self.options.fields[name]
+            for widget in filter(None, (field.editor, getattr(field, "browse", None))):
+                widget.setEnabled(chosen is None)
+        for name in FAR:
+            self.options.fields[name].show_note(note)
+        if chosen is not None:
+            self.options.show_options(shown(chosen))
+
+    def _edit_setup(self) -> None:
+        """Change the setup, or make one of what the form says; Cancel of the panel takes that back."""
+        said = self.options.said()
+        self.step.begin()
+        with telling():
+            made = ask(self.doc, self.setup.value(), {name: said.get(name) for name in SHARED})
+            if made is not None:
+                self.setup.show_value(made)
+                self._take_setup()
+
+    def fill(self, values: Mapping[str, Any]) -> None:
+        """Show these values, above them those of the setup."""
+        super().fill(values)
+        self._take_setup()
 
     @staticmethod
     def _extras(tessellated: bool) -> list[Any]:
@@ -53,12 +86,13 @@ class ToolpathPanel(PathPanel):
 
 def create(base: Any, faces: tuple[str, ...] = (), settings: Mapping[str, Any] | None = None) -> ToolpathPanel:
     """Open the panel for a new path over ``base``; its first values are the user's preferences, and above them ``settings``."""
-    from freecad_fiveaxis.app import changes
+    from freecad_fiveaxis.app import changes, job_setup
     from freecad_fiveaxis.app.tessellation import ANGULAR, LINEAR
 
     panel = ToolpathPanel(base.Document, base, faces)
     meshing = {"linear_deflection": LINEAR, "angular_deflection": ANGULAR}
-    panel.fill(changes.default_options("mill") | preferred() | meshing | dict(settings or {}))
+    setup = {"setup": job_setup.only_setup(base.Document)}
+    panel.fill(changes.default_options("mill") | preferred() | meshing | setup | dict(settings or {}))
     return show(panel)
 
 
@@ -77,7 +111,7 @@ def edit(obj: Any) -> ToolpathPanel:
     from freecad_fiveaxis.app import changes
 
     panel = ToolpathPanel(obj.Document, obj=obj)
-    values = changes.shown_options(obj, "mill") | {"work_zero": tuple(obj.WorkZero)}
+    values = changes.shown_options(obj, "mill") | {"work_zero": tuple(obj.WorkZero), "setup": obj.Setup}
     mesh = _tessellation(obj)
     if mesh is not None:
         values |= {"linear_deflection": mesh.LinearDeflection.Value, "angular_deflection": mesh.AngularDeflection.Value}
@@ -93,7 +127,7 @@ def _tessellation(obj: Any) -> Any:
 
 SECTIONS = {
     "Part": ("work_zero", "linear_deflection", "angular_deflection"),
-    "Machine": ("machine", "controller", "tool_length"),
+    "Machine": ("setup", "machine", "controller", "tool_length"),
     "Tool": ("cutter", "tool", "spindle", "feed", "plunge_feed", "shank", "holder"),
     "Passes": (SPACING, "direction", "order"),
     "Axis": ("tool_axis", "axis", "lead", "tilt", "max_tilt"),
@@ -103,7 +137,7 @@ SECTIONS = {
 """The fields of each group; what is not here stands under More settings."""
 TOLD = {
     "Part": ("work_zero",),
-    "Machine": ("machine", "controller"),
+    "Machine": ("setup", "machine", "controller"),
     "Tool": ("cutter", "spindle", "feed"),
     "Passes": (SPACING, "direction"),
     "Axis": ("tool_axis", "lead", "tilt"),

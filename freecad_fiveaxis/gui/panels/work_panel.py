@@ -15,6 +15,7 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtWidgets, flags, later, translate
 from freecad_fiveaxis.gui.waiting import waiting
@@ -99,7 +100,7 @@ class WorkPanel:
             return
         if not isinstance(error, FiveAxisError):
             raise error
-        self.options.show_error(str(error))
+        self.options.show_error(wording.told(error))
         reveal(self.form)
 
     def _edited(self) -> None:

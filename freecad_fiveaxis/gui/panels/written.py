@@ -11,6 +11,8 @@ from .summary import clock
 
 NAME = "FiveAxisWritten"
 _dialogs: dict[str, Written] = {}
+open_url = QtGui.QDesktopServices.openUrl
+"""What the user's desktop opens files and folders with."""
 
 
 class Written(QtWidgets.QDialog):
@@ -32,6 +34,7 @@ class Written(QtWidgets.QDialog):
         ):
             button = QtWidgets.QPushButton(text)
             button.setObjectName(NAME + name)
+            button.setAutoDefault(name == "Close")
             button.clicked.connect(lambda *_, act=act: act())
             row.addWidget(button)
         column = QtWidgets.QVBoxLayout(self)
@@ -49,10 +52,10 @@ class Written(QtWidgets.QDialog):
 
     def _open(self) -> None:
         """In the program that the user's desktop has for such files."""
-        QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(self.file))
+        open_url(QtCore.QUrl.fromLocalFile(self.file))
 
     def _show_folder(self) -> None:
-        QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(os.path.dirname(self.file)))
+        open_url(QtCore.QUrl.fromLocalFile(os.path.dirname(self.file)))
 
 
 def tell(file: str, lines: int, seconds: float) -> Written:

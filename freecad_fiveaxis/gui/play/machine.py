@@ -60,10 +60,13 @@ class DrawnMachine:
         return np.min([low for low, _ in reached], axis=0), np.max([high for _, high in reached], axis=0)
 
 
-def machine_of(playback: Playback, low: np.ndarray, high: np.ndarray, tool: DrawnTool) -> DrawnMachine:
-    """The machine of a program whose part has the box ``low``, ``high`` (3,) mm, work frame."""
+def machine_of(
+    playback: Playback, low: np.ndarray, high: np.ndarray, tool: DrawnTool, table: float | None = None
+) -> DrawnMachine:
+    """The machine of a program whose part has the box ``low``, ``high`` (3,) mm, work frame; ``table`` mm: height of the table's
+    face there, None where it is not known."""
     radius, height = size_of(tool)
-    return DrawnMachine(sketch(playback.links, low, high, ToolRoom(height, radius)))
+    return DrawnMachine(sketch(playback.links, low, high, ToolRoom(height, radius), table))
 
 
 def _reached(body: Body, carried: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

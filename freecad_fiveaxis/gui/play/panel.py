@@ -13,7 +13,7 @@ from typing import Any
 import FreeCADGui
 import numpy as np
 
-from freecad_fiveaxis.app import results
+from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.errors import FiveAxisError
 from freecad_fiveaxis.core.job import Milled
@@ -130,7 +130,10 @@ class PlayPanel:
         tool = tool_of(self.obj, settings.machine.control_point == "centre")
         reach = max(REACH * float(np.linalg.norm(high - low)), LEAST_REACH)
         zero, letters = np.array(self.obj.WorkZero), figures.program.letters[3:]
-        machine = machine_of(self.player.playback, *self._part_box(), tool)
+        made = results.result_of(self.obj).made
+        origin = made.settings.machine.origin or made.machine.origin
+        table = None if made.machine.table is None else made.machine.table - origin[2]
+        machine = machine_of(self.player.playback, *self._part_box(), tool, table)
         return Stage(self.view.getSceneGraph(), tool, machine, zero, letters, (low + high) / 2.0, reach)
 
     def _part_box(self) -> tuple[np.ndarray, np.ndarray]:
@@ -159,7 +162,7 @@ class PlayPanel:
             self.player = Player(results.figures_of(self.obj))
             self.readout.use(self.player.figures, NCLines(results.nc_of(self.obj)))
         except FiveAxisError as error:
-            status(str(error))
+            status(wording.told(error))
             self._leave()
             return
         self.player.resume(before)

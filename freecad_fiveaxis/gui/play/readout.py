@@ -5,16 +5,12 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
-
+from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.playback import NCLines, Pose
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.gui.qt import QtGui, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import length_text
-
-SAMPLE = 100.0
-"""mm; joints are shown in the unit that FreeCAD prefers for such a length."""
 
 LEAST = 1e-6
 """mm; less than that is rounding, of words that are given to a ten-thousandth."""
@@ -111,10 +107,7 @@ def joint_text(word: float, rotary: bool) -> str:
     """A joint in degrees, or in the user's unit of length, with the digits that the machine is told."""
     if rotary:
         return f"{word:.4f}°"
-    _, factor, unit = FreeCAD.Units.Quantity(SAMPLE, FreeCAD.Units.Length).getUserPreferred()
-    if not factor or not unit.isalpha():  # feet with fractions of an inch say no joint
-        factor, unit = 1.0, "mm"
-    return f"{word / factor:.{4 if factor <= 1.0 else 5}f} {unit}"
+    return f"{word / INCH:.5f} in" if inches() else f"{word:.4f} mm"
 
 
 def _distance(mm: float) -> str:

@@ -19,8 +19,10 @@ import numpy as np
 from pivy import coin
 
 from freecad_fiveaxis.core.playback import Pose, rotary_lines
+from freecad_fiveaxis.gui.qt import translate
 from freecad_fiveaxis.gui.scene import nodes
-from freecad_fiveaxis.gui.scene.overlay import label_node
+from freecad_fiveaxis.gui.scene.on_screen import Label, Labels, LegendBox
+from freecad_fiveaxis.gui.scene.overlay import Legend
 
 from .machine import DrawnMachine
 from .tool import DrawnTool, tool_node
@@ -44,7 +46,8 @@ class Stage:
         self.zero, self.centre, self.reach = np.asarray(zero, float), np.asarray(centre, float), reach
         self.tool, self.work, self.turn = (coin.SoMatrixTransform() for _ in range(3))
         self.axes, self.chord, self.curve, self.gap, self.dots = (_vertices() for _ in range(5))
-        self.letters = [coin.SoTranslation(), coin.SoTranslation()]
+        self.letters = Labels()
+        self.letters.show([Label((0.0, 0.0, 0.0), letter, LETTER_COLOURS[letter]) for letter in letters])
         self.curve_line = coin.SoLineSet()
         self.root = self._root(tool, letters)
         self._graph, self.tip = graph, np.zeros(3)
@@ -91,15 +94,16 @@ class Stage:
     def _draw_axes(self, ends: np.ndarray, scene_from_machine: np.ndarray) -> None:
         placed = ends @ scene_from_machine[:3, :3].T + scene_from_machine[:3, 3]
         _fill(self.axes, placed.reshape(-1, 3))
-        for place, end in zip(self.letters, placed[:, 1], strict=True):
-            place.translation.setValue(*end)
+        self.letters.move(placed[:, 1])
 
     def _root(self, tool: DrawnTool, letters: str) -> Any:
         zero = coin.SoTranslation()
         zero.translation.setValue(*self.zero)
         root = nodes.separate(nodes.unpickable(), zero, nodes.separate(self.tool, tool_node(tool)))
         root.setName("FiveAxisPlay")
-        self.sketch = nodes.switch(self.machine.root, False)
+        self.legend = LegendBox()
+        self.legend.show(_told())
+        self.sketch = nodes.switch(nodes.separate(self.machine.root, self.legend.root), False)
         root.addChild(self.sketch)
         root.addChild(nodes.without_box(self._axis_lines(letters)))
         over = coin.SoAnnotation()
@@ -110,12 +114,13 @@ class Stage:
 
     def _axis_lines(self, letters: str) -> Any:
         group = nodes.separate(nodes.flat(), nodes.style(2.0, pattern=DASHES))
-        for at, (letter, place) in enumerate(zip(letters, self.letters, strict=True)):
+        for at, letter in enumerate(letters):
             line, colour = coin.SoLineSet(), nodes.colour(LETTER_COLOURS[letter])
             line.startIndex = 2 * at
             line.vertexProperty = self.axes
             line.numVertices.setValue(2)
-            group.addChild(nodes.separate(colour, line, place, label_node((0.0, 0.0, 0.0), letter)))
+            group.addChild(nodes.separate(colour, line))
+        group.addChild(self.letters.root)
         return group
 
     def _block_lines(self) -> list[Any]:
@@ -125,6 +130,15 @@ class Stage:
             nodes.separate(nodes.colour(CURVE), nodes.style(1.0), _line(self.gap)),
             nodes.separate(nodes.colour(TIP), nodes.style(point=DOT), _dots(self.dots)),
         ]
+
+
+def _told() -> Legend:
+    """What the legend says of the sketched machine."""
+    notes = (
+        translate("FiveAxis", "The machine is a sketch from its axes: not to scale."),
+        translate("FiveAxis", "Collisions are not checked against it."),
+    )
+    return Legend(translate("FiveAxis", "On the machine"), np.zeros((0, 3)), (), ("", ""), (), notes)
 
 
 def _vertices() -> Any:

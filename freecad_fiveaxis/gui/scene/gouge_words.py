@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from freecad_fiveaxis.gui.qt import translate
 
 from .marks import GOUGE_COLOURS, HOLDER_COLLISION, OVERCUT, RAPID_COLLISION
+from .on_screen import Label
 from .units import area_text, length_text
 
 if TYPE_CHECKING:
@@ -43,14 +44,15 @@ def label_text(kind: str, depth: float) -> str:
     return texts[kind].format(depth=length_text(depth))
 
 
-def labels(
-    places: Sequence[Sequence[float]], kinds: Sequence[str], values: Sequence[float | None]
-) -> list[tuple[Sequence[float], str]]:
-    """Place and text of the first mark of each kind, which is its deepest; ``values`` mm. Of texts that are drawn over each other
-    the last one is read: that of a cut which is too deep."""
+def labels(places: Sequence[Sequence[float]], kinds: Sequence[str], values: Sequence[float | None]) -> list[Label]:
+    """The label of the first mark of each kind, which is its deepest; ``values`` mm. A cut that is too deep comes first."""
     first = {kind: at for at, kind in reversed(list(enumerate(kinds)))}
-    rows = [first[kind] for kind in (RAPID_COLLISION, HOLDER_COLLISION, OVERCUT) if kind in first]
-    return [(places[at], label_text(kinds[at], value)) for at in rows if at < len(values) and (value := values[at])]
+    rows = [first[kind] for kind in (OVERCUT, HOLDER_COLLISION, RAPID_COLLISION) if kind in first]
+    return [
+        Label(places[at], label_text(kinds[at], value), GOUGE_COLOURS[kinds[at]])
+        for at in rows
+        if at < len(values) and (value := values[at])
+    ]
 
 
 def legend_keys(kinds: Sequence[str]) -> list[tuple[tuple[float, float, float], str]]:

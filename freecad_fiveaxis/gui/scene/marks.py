@@ -27,10 +27,20 @@ OTHER_COLOUR = (0.35, 0.71, 0.91)
 RIM, DARK, WHITE = 4.0, (0.05, 0.05, 0.05), (1.0, 1.0, 1.0)
 YELLOW, BLUE = (0.94, 0.89, 0.26), (0.0, 0.45, 0.70)
 GOUGE_COLOURS = {OVERCUT: YELLOW, RAPID_COLLISION: DARK, HOLDER_COLLISION: BLUE}
+NOTHING = 5e-5
+"""mm; a largest deviation below this is none: its marker would show the way to nowhere."""
 SPOT = 0.4
 """Size of a target's middle, as a share of it."""
 _NAME = re.compile(r"FiveAxisMarks_(\d+)_(\d+)")
 _serial = itertools.count()
+
+
+def largest_colour(deviation: float, tolerance: float, good: nodes.Colour, bad: nodes.Colour) -> nodes.Colour | None:
+    """The colour of the marker and the label at the largest deviation (mm): calm within the tolerance, loud over it or where the
+    deviation is not known; None where there is nothing to show."""
+    if deviation < NOTHING:
+        return None
+    return good if deviation <= tolerance else bad
 
 
 @dataclass(frozen=True)
@@ -53,8 +63,17 @@ class Marks:
         self.serial = next(_serial)
         self.rows: list[np.ndarray] = []
 
-    def show(self, places: np.ndarray, kinds: Sequence[str], bad: nodes.Colour, singular: nodes.Colour, size: float) -> None:
-        """Draw markers at ``places`` (k, 3) mm; ``size`` pixels."""
+    def show(
+        self,
+        places: np.ndarray,
+        kinds: Sequence[str],
+        largest: nodes.Colour | None,
+        bad: nodes.Colour,
+        singular: nodes.Colour,
+        size: float,
+    ) -> None:
+        """Draw markers at ``places`` (k, 3) mm; ``largest``: the colour of the largest deviation, None: it is not drawn; ``size``
+        pixels."""
         self.root.removeAllChildren()
         self.rows = []
         if not len(places):
@@ -63,7 +82,7 @@ class Marks:
         kind = np.asarray(kinds)
         known = np.isin(kind, (OVER, SINGULAR, LARGEST, *GOUGE_COLOURS))
         looks = (  # the mouse takes the first where several stand at one place, and that one is drawn over the others
-            (kind == LARGEST, _Look(bad, DARK, size + 5.0, 1.0)),
+            *([] if largest is None else [(kind == LARGEST, _Look(largest, DARK, size + 5.0, 1.0))]),
             (kind == OVERCUT, _Look(YELLOW, DARK, size + 4.0, 0.035, DARK)),
             (kind == HOLDER_COLLISION, _Look(BLUE, WHITE, size + 4.0, 0.034, WHITE)),
             (kind == RAPID_COLLISION, _Look(DARK, WHITE, size + 4.0, 0.033, YELLOW)),

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The legend at the edge of the view and the label at a place: pictures painted by Qt, sharp at any zoom.
-
-Both are drawn over everything else, cannot be picked, and are not part of the scene's box.
-"""
+"""Legends and labels as pictures painted by Qt, sharp at any zoom. ``on_screen`` puts them into the view."""
 
 from __future__ import annotations
 
@@ -25,8 +22,8 @@ FONT, SMALL, PAD, BAR = 13, 12, 10, 18
 BAR_HEIGHT = 190
 WARNING_WIDTH = 44
 """Letters in a line of a warning: wider ones would cover the part."""
-LEFT, SLOT, BESIDE = -0.985, 0.0, 0.42
-"""Where the legend stands in the view, -1 to 1 both ways."""
+STRIPE = 5
+"""Width of the bar at the side of a label."""
 
 
 @dataclass(frozen=True)
@@ -44,65 +41,14 @@ class Legend:
     warning: str = ""
 
 
-def label_node(place: Sequence[float], text: str) -> Any:
-    """A text at a place of the scene, with a small pointer to it."""
-    place_node = coin.SoTranslation()
-    place_node.translation.setValue(*place)
-    image = _image(_label_picture(text))
-    image.horAlignment, image.vertAlignment = coin.SoImage.LEFT, coin.SoImage.BOTTOM
-    return _over_all(place_node, image)
-
-
-def label_nodes(labels: Sequence[tuple[Sequence[float], str]]) -> Any:
-    """Several texts, each at its place."""
-    return nodes.separate(*(nodes.separate(label_node(place, text)) for place, text in labels))
-
-
-def legend_node(legend: Legend, slot: int = 0, right: bool = False) -> Any:
-    """The legend at the left or the ``right`` edge; ``slot``: how many other legends stand before it."""
-    camera = coin.SoOrthographicCamera()
-    camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
-    camera.position.setValue(0.0, 0.0, 1.0)
-    camera.height, camera.nearDistance, camera.farDistance = 2.0, 0.0, 2.0
-    picture = _legend_picture(legend)
-    place_node = coin.SoTranslation()
-    place = LEFT + BESIDE * slot
-    place_node.translation.setValue(-place if right else place, SLOT, 0.0)
-    image = _image(picture)
-    image.horAlignment, image.vertAlignment = coin.SoImage.RIGHT if right else coin.SoImage.LEFT, coin.SoImage.HALF
-    made = coin.SoGroup()
-    for child in (_over_all(camera, place_node, image), _view_s_own_ray()):
-        made.addChild(child)
-    return made
-
-
-def _view_s_own_ray() -> Any:
-    """The legend has a camera of its own, and Coin aims the mouse's ray anew at every camera it meets. Aimed with that one, it
-    would miss all that comes later in the scene: here it is aimed once more, with the view's camera."""
-    made = coin.SoCallback()
-    made.setCallback(_aim)
-    return made
-
-
-def _aim(_data: Any, action: Any) -> None:
-    if action.isOfType(coin.SoRayPickAction.getClassTypeId()):
-        picking = action if hasattr(action, "computeWorldSpaceRay") else coin.cast(action, "SoRayPickAction")
-        picking.computeWorldSpaceRay()
-
-
-def _over_all(*children: Any) -> Any:
-    over = coin.SoAnnotation()
-    for child in (nodes.unpickable(), *children):
-        over.addChild(child)
-    return nodes.without_box(over)
-
-
-def _image(picture: QtGui.QImage) -> Any:
+def image(picture: QtGui.QImage) -> Any:
+    """A picture as a node: its lower left corner stands at the origin."""
     upright = picture.convertToFormat(QtGui.QImage.Format_RGBA8888)
     rows = np.frombuffer(upright.constBits(), np.uint8, upright.bytesPerLine() * upright.height())
     rows = rows.reshape(upright.height(), upright.bytesPerLine())[::-1, : 4 * upright.width()]
     made = coin.SoImage()
     made.image.setValue(coin.SbVec2s(upright.width(), upright.height()), 4, rows.tobytes())
+    made.horAlignment, made.vertAlignment = coin.SoImage.LEFT, coin.SoImage.BOTTOM
     return made
 
 
@@ -130,24 +76,25 @@ def _painter(picture: QtGui.QImage) -> QtGui.QPainter:
     return painter
 
 
-def _label_picture(text: str) -> QtGui.QImage:
-    font, tail = _font(FONT, bold=True), 14
-    width, height = _width(text, font) + 2 * PAD, FONT + PAD
-    picture = _paper(width + tail, height + tail)
+def label_picture(text: str, colour: nodes.Colour | None = None) -> QtGui.QImage:
+    """A short text on paper; at its left side a bar in the ``colour`` of its marker, where it has one."""
+    font, side = _font(FONT, bold=True), STRIPE if colour else 0
+    width, height = side + _width(text, font) + 2 * PAD, FONT + PAD
+    picture = _paper(width, height)
     painter = _painter(picture)
-    painter.setPen(QtGui.QPen(QtGui.QColor(*PAPER), 2))
-    painter.drawLine(0, height + tail - 1, tail, height - 1)
     painter.setPen(QtCore.Qt.NoPen)
     painter.setBrush(QtGui.QColor(*PAPER))
-    painter.drawRoundedRect(tail, 0, width, height, 5, 5)
+    painter.drawRoundedRect(0, 0, width, height, 5, 5)
+    if colour:
+        painter.fillRect(0, 3, side, height - 6, QtGui.QColor(*(round(255 * part) for part in colour)))
     painter.setPen(QtGui.QColor(*INK))
     painter.setFont(font)
-    painter.drawText(QtCore.QRect(tail, 0, width, height), QtCore.Qt.AlignCenter, text)
+    painter.drawText(QtCore.QRect(side, 0, width - side, height), QtCore.Qt.AlignCenter, text)
     painter.end()
     return picture
 
 
-def _legend_picture(legend: Legend) -> QtGui.QImage:
+def legend_picture(legend: Legend) -> QtGui.QImage:
     """From the top: warning, title, bar with marks, keys, notes."""
     line = FONT + 6
     bold, plain = _font(FONT, bold=True), _font(SMALL)

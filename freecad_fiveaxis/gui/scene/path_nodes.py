@@ -13,7 +13,8 @@ from freecad_fiveaxis.core.report import Drawing
 from freecad_fiveaxis.core.report.drawing import CURVE_POINTS
 
 from . import colours, nodes
-from .marks import Marks
+from .marks import NOTHING, Marks, largest_colour
+from .on_screen import Labels, LegendBox
 
 PARTS = ("strokes", "rapids", "axes", "curves", "marks", "label", "legend")
 """What can be switched on and off by itself, in the order in which it is drawn."""
@@ -42,19 +43,21 @@ class PathNodes:
 
     def __init__(self) -> None:
         self.root, self.origin = coin.SoSeparator(), coin.SoTranslation()
-        self.marks = Marks()
+        self.marks, self.labels, self.legend = Marks(), Labels(), LegendBox()
         self.groups = {name: coin.SoSeparator() for name in PARTS}
         self.switches = {name: nodes.switch(group) for name, group in self.groups.items()}
-        self.groups["marks"].addChild(self.marks.root)
+        for name, own in (("marks", self.marks), ("label", self.labels), ("legend", self.legend)):
+            self.groups[name].addChild(own.root)
         for node in (self.origin, nodes.flat(), *self.switches.values()):
             self.root.addChild(node)
 
     def clear(self) -> None:
         """Show nothing."""
-        for name, group in self.groups.items():
-            if name != "marks":
-                group.removeAllChildren()
-        self.marks.show(np.zeros((0, 3)), (), (0, 0, 0), (0, 0, 0), 1.0)
+        for name in ("strokes", "rapids", "axes", "curves"):
+            self.groups[name].removeAllChildren()
+        self.marks.show(np.zeros((0, 3)), (), None, (0, 0, 0), (0, 0, 0), 1.0)
+        self.labels.show(())
+        self.legend.show(None)
 
     def turn(self, name: str, on: bool) -> None:
         """Switch one of PARTS."""
@@ -67,23 +70,25 @@ class PathNodes:
     def show(self, drawing: Drawing, look: Look) -> None:
         """Draw all but the label and the legend, which carry words."""
         rgba = np.repeat(colours.packed(drawing.level, look.good, look.bad), 2)
-        thick, width = nodes.style(look.line_width), look.line_width
-        self._fill("strokes", nodes.unpickable(), nodes.nearer(0.001), thick, nodes.lines(drawing.stroke, colours=rgba))
+        self._fill(
+            "strokes",
+            nodes.unpickable(),
+            nodes.nearer(0.001),
+            nodes.style(look.line_width),
+            nodes.lines(drawing.stroke, colours=rgba),
+        )
         self._fill(
             "rapids", nodes.unpickable(), nodes.colour(RAPID_COLOUR), nodes.style(1.0, pattern=DASHES), nodes.lines(drawing.rapid)
         )
         self._fill("axes", nodes.unpickable(), nodes.style(1.0), _sticks(drawing, look))
-        self._fill("curves", nodes.unpickable(), nodes.nearer(BEFORE_ALL), *_curves(drawing, look.bad, width))
+        self._fill("curves", nodes.unpickable(), nodes.nearer(BEFORE_ALL), *_curves(drawing, look))
         self.show_marks(drawing, look)
 
     def show_marks(self, drawing: Drawing, look: Look) -> None:
         """Draw the markers."""
         places = np.array([one.place for one in drawing.markers], float).reshape(-1, 3)
-        self.marks.show(places, [one.kind for one in drawing.markers], look.bad, look.singular, look.mark_size)
-
-    def show_overlay(self, name: str, node: Any | None) -> None:
-        """The label or the legend; None for none."""
-        self._fill(name, *([] if node is None else [node]))
+        largest = largest_colour(float(drawing.deviation.max(initial=0.0)), drawing.tolerance, look.good, look.bad)
+        self.marks.show(places, [one.kind for one in drawing.markers], largest, look.bad, look.singular, look.mark_size)
 
     def _fill(self, name: str, *children: Any) -> None:
         self.groups[name].removeAllChildren()
@@ -99,13 +104,19 @@ def _sticks(drawing: Drawing, look: Look) -> Any:
     return nodes.lines(np.stack([drawing.foot, tops], axis=1).reshape(-1, 3), colours=rgba)
 
 
-def _curves(drawing: Drawing, bad: nodes.Colour, width: float) -> list[Any]:
-    """The commanded chord in white with thick ends, the real curve in the bad colour, and where they are farthest apart."""
-    if not len(drawing.worst):
+def _curves(drawing: Drawing, look: Look) -> list[Any]:
+    """The commanded chord in white with thick ends, the real curve, and where they are farthest apart: in the good colour within
+    the tolerance, in the bad one over it."""
+    off = np.linalg.norm(drawing.spoke[1::2] - drawing.spoke[0::2], axis=1)
+    rows, width = np.flatnonzero(off >= NOTHING), look.line_width
+    if not len(rows):
         return []
+    rgba = np.where(off[rows] <= drawing.tolerance, colours.pack(look.good), colours.pack(look.bad)).astype(np.uint32)
+    chord, spoke = (points.reshape(-1, 2, 3)[rows].reshape(-1, 3) for points in (drawing.chord, drawing.spoke))
+    curve = drawing.curve.reshape(-1, CURVE_POINTS, 3)[rows].reshape(-1, 3)
     return [
-        nodes.separate(nodes.colour(CHORD_COLOUR), nodes.style(width + 1.0), nodes.lines(drawing.chord)),
-        nodes.separate(nodes.colour(CHORD_COLOUR), nodes.style(point=width + 4.0), nodes.points(drawing.chord)),
-        nodes.separate(nodes.colour(bad), nodes.style(width + 1.0), nodes.lines(drawing.curve, CURVE_POINTS)),
-        nodes.separate(nodes.colour(bad), nodes.style(1.0, pattern=DASHES), nodes.lines(drawing.spoke)),
+        nodes.separate(nodes.colour(CHORD_COLOUR), nodes.style(width + 1.0), nodes.lines(chord)),
+        nodes.separate(nodes.colour(CHORD_COLOUR), nodes.style(point=width + 4.0), nodes.points(chord)),
+        nodes.separate(nodes.style(width + 1.0), nodes.lines(curve, CURVE_POINTS, np.repeat(rgba, CURVE_POINTS))),
+        nodes.separate(nodes.style(1.0, pattern=DASHES), nodes.lines(spoke, colours=np.repeat(rgba, 2))),
     ]

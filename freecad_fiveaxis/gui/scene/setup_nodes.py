@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.core.records import Bools, Floats
+from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 from . import colours, nodes
 
@@ -18,6 +18,19 @@ BEST, PRESENT, BEYOND = "setup-best", "setup-present", "setup-beyond-limits"
 PRESENT_COLOUR, BEYOND_COLOUR, DARK = (0.35, 0.71, 0.91), (0.55, 0.55, 0.55), (0.05, 0.05, 0.05)
 RIM, LARGER = 3.0, 6.0
 """Pixels: of a rim, and by which the recommended place and the present one are larger."""
+FEW, SAME_HEIGHT = 30, 1e-3
+"""So many places are shown all together; places of one layer differ by no more, mm."""
+
+
+def layer_rows(places: Floats, kinds: Sequence[str]) -> Ints:
+    """The rows of the places (k, 3) that are shown: all where they are few, else the recommended one, the present one, and of the
+    grid the layer that is nearest to the recommended one in height: of a block of points no depth can be read."""
+    kind = np.asarray(kinds)
+    named = (kind == BEST) | (kind == PRESENT)
+    if len(kind) <= FEW or not named.any():
+        return np.arange(len(kind))
+    off = np.abs(places[:, 2] - places[np.flatnonzero(named)[0], 2])
+    return np.flatnonzero(named | (off <= off[~named].min() + SAME_HEIGHT))
 
 
 def setup_points(

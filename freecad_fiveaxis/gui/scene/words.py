@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 LARGEST, OVER, SINGULAR, UNPROVEN = "largest-deviation", "deviation-over-tolerance", "singular-block", "bound-over-tolerance"
 """The codes that have words of their own; of every other finding the core's own sentence is shown."""
+SIDE = "side-not-machined"
+"""Each side has a marker and a label of its own."""
 
 Told = tuple[str, str, str]
 
@@ -32,7 +34,19 @@ def name_of(code: str) -> str:
         SINGULAR: translate("FiveAxis", "Near the pole"),
         UNPROVEN: translate("FiveAxis", "Not proven"),
     }
-    return (names | gouge_words.names()).get(code, code.replace("-", " ").capitalize())
+    return (names | short_names() | gouge_words.names()).get(code, code.replace("-", " ").capitalize())
+
+
+def short_names() -> dict[str, str]:
+    """A few words for each finding that stands at a place of the part: what its marker is labelled with."""
+    return {
+        SIDE: translate("FiveAxis", "Not machined"),
+        "corner-not-reached": translate("FiveAxis", "Corner not reached"),
+        "heel-in-hollow": translate("FiveAxis", "Heel of the cutter in the part"),
+        "not-freed": translate("FiveAxis", "Shank or holder not freed"),
+        "retract-below-part": translate("FiveAxis", "Retract below the part"),
+        "start-through-part": translate("FiveAxis", "Start through the part"),
+    }
 
 
 def severity_name(severity: int) -> str:
@@ -121,15 +135,15 @@ def _POLE() -> str:
 def _SPLIT() -> str:
     return translate(
         "FiveAxis",
-        "Shorter blocks help: half the length leaves about a quarter of the deviation. Linearize, in the tool path's panel, "
-        "makes as many of them as are needed.",
+        "Shorter blocks help: half the length leaves about a quarter of the deviation. Divide blocks, in the group Safety of "
+        "the tool path's panel, makes as many of them as are needed.",
     )
 
 
 def _AWAY() -> str:
     return translate(
         "FiveAxis",
-        "Let the tool path's panel lead the axis past the pole, lead or tilt the tool by a few degrees, or clamp the part in "
+        "Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp the part in "
         "another position.",
     )
 
@@ -141,9 +155,13 @@ def _GUIDE() -> str:
 # ---------------------------------------------------------------------------------------------------- the view
 
 
-def label_text(deviation: float, line: int) -> str:
-    """What stands at the largest deviation (mm)."""
-    return translate("FiveAxis", "{deviation}, NC line {line}").format(deviation=length_text(deviation), line=line)
+def label_text(deviation: float, line: int, tolerance: float) -> str:
+    """What stands at the largest deviation; mm."""
+    if deviation <= tolerance:
+        text = translate("FiveAxis", "{deviation}, NC line {line}: within {tolerance}")
+    else:
+        text = translate("FiveAxis", "{deviation}, NC line {line}: over {tolerance}")
+    return text.format(deviation=length_text(deviation), line=line, tolerance=length_text(tolerance))
 
 
 def legend_of(label: str, figures: Figures, look: Any, warning: str, kinds: Sequence[str] = ()) -> Any:
@@ -164,7 +182,7 @@ def legend_of(label: str, figures: Figures, look: Any, warning: str, kinds: Sequ
     ]
     notes = [translate("FiveAxis", "Distance of the tip from the commanded line")]
     if said["worst_line"] is not None:
-        largest = label_text(said["max_segment_deviation"], said["worst_line"])
+        largest = label_text(said["max_segment_deviation"], said["worst_line"], figures.tolerance)
         notes.append(translate("FiveAxis", "Largest: {largest}").format(largest=largest))
     if figures.gouge is not None and not figures.gouge.findings:
         notes.append(translate("FiveAxis", "Nothing enters the part"))

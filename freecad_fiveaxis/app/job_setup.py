@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Setup object: machine, controller, work zero and cutters that several toolpaths share.
+
+linked    a toolpath whose property Setup names one. It keeps the shared values in properties of its own, which follow those of
+          its setup and cannot be edited meanwhile; where the setup is deleted, they stay as they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import FreeCAD
+
+from freecad_fiveaxis.core.cutter import cutter_text
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.settings import MILL, build_settings
+
+from . import cam, convert, tool_bit
+from .properties import QT_TRANSLATE_NOOP, WORK_ZERO, Property, property_name, setting_properties
+from .schema import Proxy
+
+OPTIONS = ("machine", "controller", "origin", "tool_length", "work_offset")
+"""The options that are shared."""
+SHARED = (*(property_name(option) for option in OPTIONS), "OriginFromMachine", WORK_ZERO.name)
+"""The properties that are shared."""
+LINK = Property(
+    "Setup", "App::PropertyLinkGlobal", "Machine",
+    QT_TRANSLATE_NOOP("App::Property", "The setup whose machine, controller and work zero the path takes; empty: its own"),
+)  # fmt: skip
+TOOLS = Property(
+    "Tools", "App::PropertyStringList", "Tool",
+    QT_TRANSLATE_NOOP("App::Property", "The cutters of the setup, one a line: number, shape with its sizes, name"), [],
+)  # fmt: skip
+DEFAULT_MACHINE = "trunnion_ac"
+
+
+class JobSetup(Proxy):
+    """Proxy of a setup."""
+
+    @classmethod
+    def properties(cls) -> Sequence[Property]:
+        """What is shared, and the list of cutters."""
+        return (*(one for one in setting_properties(MILL) if one.name in SHARED), WORK_ZERO, TOOLS)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """The linked toolpaths follow, and wait to be computed."""
+        if name in SHARED and not is_restored(obj):
+            for path in paths_of(obj):
+                copy_shared(obj, path, (name,))
+
+    def execute(self, obj: Any) -> None:
+        """Nothing is computed."""
+
+
+def is_restored(obj: Any) -> bool:
+    """Whether FreeCAD itself puts properties back: it reads a file, or undoes or redoes a step."""
+    return bool(FreeCAD.isRestoring() or obj.Document.Transacting)
+
+
+def is_setup(obj: Any) -> bool:
+    """Whether the object is a Setup."""
+    return isinstance(getattr(obj, "Proxy", None), JobSetup)
+
+
+def setups_of(doc: Any) -> list[Any]:
+    """The Setups of a document."""
+    return [obj for obj in doc.findObjects("App::FeaturePython") if is_setup(obj)]
+
+
+def only_setup(doc: Any) -> Any | None:
+    """The document's Setup where it has just one."""
+    there = setups_of(doc)
+    return there[0] if len(there) == 1 else None
+
+
+def paths_of(setup: Any) -> list[Any]:
+    """The toolpaths that are linked to a setup."""
+    return [one for one in setup.InList if getattr(one, LINK.name, None) is setup]
+
+
+def copy_shared(setup: Any, path: Any, names: Iterable[str] = SHARED) -> None:
+    """Give the path the setup's values; one that is the same already does not touch it."""
+    for name in names:
+        if hasattr(setup, name) and hasattr(path, name):
+            value = getattr(setup, name)
+            if convert.plain(getattr(path, name)) != convert.plain(value):
+                setattr(path, name, FreeCAD.Vector(value) if isinstance(value, FreeCAD.Vector) else value)
+
+
+def follow(path: Any) -> None:
+    """A toolpath was linked to a setup, or to none: it takes the values, or may be edited again."""
+    setup = getattr(path, LINK.name, None)
+    for name in SHARED:
+        if name in path.PropertiesList:
+            path.setEditorMode(name, ["ReadOnly"] if setup is not None else [])
+    if setup is not None and not is_restored(path):
+        copy_shared(setup, path)
+
+
+def options_of(setup: Any) -> dict[str, Any]:
+    """What the setup says, as ``create_toolpath`` takes it (mm)."""
+    options = {"machine": setup.Machine, "work_offset": setup.WorkOffset, "work_zero": tuple(setup.WorkZero)}
+    options |= {"controller": setup.Controller} if setup.Controller != setup.getEnumerationsOfProperty("Controller")[0] else {}
+    options |= {"tool_length": setup.ToolLength.Value} if setup.ToolLength.Value else {}
+    return options | ({} if setup.OriginFromMachine else {"origin": tuple(setup.Origin)})
+
+
+def create(doc: Any, settings: Mapping[str, Any], job: Any = None) -> Any:
+    """See :func:`freecad_fiveaxis.app.create_setup`."""
+    options = {"machine": DEFAULT_MACHINE} | {name: value for name, value in settings.items() if value is not None}
+    zero, tools = options.pop("work_zero", None), options.pop("tools", None)
+    obj = doc.addObject("App::FeaturePython", "Setup")
+    try:
+        JobSetup(obj)
+        put(obj, options, zero)
+        obj.Tools = list(tools) if tools is not None else [line for one in _jobs(doc, job) for line in tools_of(one)]
+    except BaseException:
+        doc.removeObject(obj.Name)
+        raise
+    doc.recompute([obj])
+    return obj
+
+
+def put(setup: Any, options: Mapping[str, Any], zero: Any = None) -> None:
+    """Give a setup these options; one that is missing goes back to its default. Raises SettingsError."""
+    build_settings(MILL, "part", options)
+    load_machine(options["machine"])
+    for one in JobSetup.properties():
+        if one.name in SHARED and one.name not in ("Machine", WORK_ZERO.name):
+            value = one.default
+            setattr(setup, one.name, FreeCAD.Vector(*value) if isinstance(value, tuple) else value)
+    convert.put_options(setup, MILL, options)
+    if zero is not None:
+        setup.WorkZero = FreeCAD.Vector(*zero)
+
+
+def tools_of(job: Any) -> list[str]:
+    """The tools of a CAM Job that are of use here, as ``T3 ball:6.0:30.0 Name``."""
+    return [f"T{tool.number} {cutter_text(tool.cutter)} {tool.label}" for tool in tool_bit.cutters_of_job(job) if tool.cutter]
+
+
+def _jobs(doc: Any, job: Any) -> list[Any]:
+    return [job] if job is not None else cam.jobs_of(doc)[:1]

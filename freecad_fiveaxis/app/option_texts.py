@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What each option is for, as the window says it: the tool tips of the panels and the texts of the property editor.
+
+The command line has help of its own (core/settings/groups.py), with its names and ways of writing values. An option that is not
+here shows that help.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
+    """Marks a text for the translators; FreeCAD itself translates the documentation of properties when it shows them."""
+    return text
+
+
+TEXTS = {
+    "direction": QT_TRANSLATE_NOOP("App::Property", "Angle of the passes to the X axis, counter-clockwise seen from above"),
+    "scallop": QT_TRANSLATE_NOOP("App::Property", "Largest height of the ridges that stay between two passes"),
+    "stepover": QT_TRANSLATE_NOOP("App::Property", "Constant distance of the passes, instead of a scallop height"),
+    "least_interval": QT_TRANSLATE_NOOP("App::Property", "Passes come no closer than this, also on steep walls"),
+    "max_axis_angle": QT_TRANSLATE_NOOP("App::Property", "Surfaces steeper than this are not machined"),
+    "cutter": QT_TRANSLATE_NOOP("App::Property", "Shape and sizes of the cutter"),
+    "coedge_tolerance": QT_TRANSLATE_NOOP(
+        "App::Property", "Largest distance between cutter and a convex edge; beyond it the tool rolls around the edge in an arc"
+    ),
+    "tool_axis": QT_TRANSLATE_NOOP("App::Property", "How the tool axis is found at each contact point"),
+    "axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K of the fixed tool axis, from the tip to the holder"),
+    "lead": QT_TRANSLATE_NOOP("App::Property", "Lead angle: how far the tool leans in the feed direction"),
+    "tilt": QT_TRANSLATE_NOOP("App::Property", "Tilt angle: how far the tool leans across the feed direction"),
+    "max_tilt": QT_TRANSLATE_NOOP(
+        "App::Property", "How far the tool axis may leave the surface normal, for the least deviation or to keep out of the part"
+    ),
+    "order": QT_TRANSLATE_NOOP("App::Property", "Zigzag cuts in both directions, one way in one direction only"),
+    "clearance": QT_TRANSLATE_NOOP("App::Property", "Rapid moves stay this far off the part's bounding box"),
+    "feed": QT_TRANSLATE_NOOP(
+        "App::Property", "Feed rate of the tip over the part; in the property editor type its unit too, as 1000 mm/min"
+    ),
+    "plunge_feed": QT_TRANSLATE_NOOP(
+        "App::Property", "Feed rate of the approach to the part; in the property editor type its unit too, as 300 mm/min"
+    ),
+    "feed_mode": QT_TRANSLATE_NOOP("App::Property", "F words as inverse time (G93), or as feed per minute (G94)"),
+    "tool": QT_TRANSLATE_NOOP(
+        "App::Property", "Number of the tool; not given: the program calls no tool, the operator sets tool and length"
+    ),
+    "spindle": QT_TRANSLATE_NOOP("App::Property", "Spindle speed, 1/min; not given (0): the program does not start the spindle"),
+    "coolant": QT_TRANSLATE_NOOP("App::Property", "Coolant on while the program runs"),
+    "work_offset": QT_TRANSLATE_NOOP(
+        "App::Property", "Work offset: G54 to G59; LinuxCNC also G59.1 to G59.3, Fanuc also G54.1 P1 to P300"
+    ),
+    "rtcp": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Tool centre point control (RTCP, TCPM, TRAORI): the controller guides the tip itself; off: the program gives the "
+        "positions of all axes",
+    ),
+    "high_speed": QT_TRANSLATE_NOOP(
+        "App::Property", "High-speed mode of the controller, with the tolerance given as corner rounding"
+    ),
+    "blend": QT_TRANSLATE_NOOP("App::Property", "How far the controller may round corners, where it can; 0: exact path"),
+    "machine": QT_TRANSLATE_NOOP("App::Property", "A machine that comes with the workbench, or a machine file (.fcm)"),
+    "controller": QT_TRANSLATE_NOOP("App::Property", "Controller that the NC file is written for"),
+    "origin": QT_TRANSLATE_NOOP("App::Property", "Where the work zero stands in the machine's coordinates"),
+    "tool_length": QT_TRANSLATE_NOOP(
+        "App::Property", "From the spindle's gauge point to the tip; machines with a rotary head need it"
+    ),
+    "control_point": QT_TRANSLATE_NOOP(
+        "App::Property", "Point of the tool that the program moves: the tip, or the centre of the corner radius"
+    ),
+    "linearize": QT_TRANSLATE_NOOP(
+        "App::Property", "Divide blocks that deviate by more than the tolerance, into as few as keep it"
+    ),
+    "singularity": QT_TRANSLATE_NOOP(
+        "App::Property", "What to do near the pole, where a rotary axis turns far to lean the tool a little"
+    ),
+    "max_axis_change": QT_TRANSLATE_NOOP("App::Property", "Largest change of the tool axis where it is turned to pass the pole"),
+    "gouge": QT_TRANSLATE_NOOP("App::Property", "What to do where cutter, shank or holder would enter the part"),
+    "shank": QT_TRANSLATE_NOOP(
+        "App::Property", "Cylinders above the cutter, from below: diameter x length in mm, as 8x20,12x30"
+    ),
+    "holder": QT_TRANSLATE_NOOP(
+        "App::Property", "Cylinders of the holder above cutter and shank, from below: diameter x length in mm, as 40x25,63x50"
+    ),
+    "left": QT_TRANSLATE_NOOP("App::Property", "Find the rest material and the overcut on the machined surface"),
+    "tolerance": QT_TRANSLATE_NOOP("App::Property", "Largest deviation of the tip from the programmed line"),
+    "method": QT_TRANSLATE_NOOP(
+        "App::Property", "How the deviation from the line is computed: exactly, or by the model of So et al. 2008"
+    ),
+    "region": QT_TRANSLATE_NOOP("App::Property", "How far the work zero may move to either side along X, Y, Z; 0: it stays"),
+    "grid": QT_TRANSLATE_NOOP("App::Property", "How many places along X, Y, Z the map shows"),
+    "mark": QT_TRANSLATE_NOOP("App::Property", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach"),
+    "table_height": QT_TRANSLATE_NOOP(
+        "App::Property", "Height of the table's face in the machine's coordinates; empty: that of the machine's file"
+    ),
+    "turns": QT_TRANSLATE_NOOP(
+        "App::Property", "How many turns of the part about Z are tried, evenly over 360°; 1: as it stands"
+    ),
+    "certainty": QT_TRANSLATE_NOOP(
+        "App::Property", "How certain the offsets should be, and how near to those of the machine they are compared with"
+    ),
+    "against": QT_TRANSLATE_NOOP("App::Property", "CL file (.apt, .cl) or part (.stl) that the program is compared with"),
+    "axis_tolerance": QT_TRANSLATE_NOOP(
+        "App::Property", "Largest angle between the tool axis and that of the CL file at the end of a block"
+    ),
+}  # fmt: skip
+"""By the option's name."""
+
+
+def text_of(leaf: Any) -> str:
+    """What an option (a field of the core's settings) is for."""
+    return TEXTS.get(leaf.name) or str(leaf.metadata["text"])

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the core says, in the user's language and units: every finding, error and verdict that is shown goes through ``told``."""
+
+from __future__ import annotations
+
+import FreeCAD
+
+from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.sentences import render
+
+from .units import measure_text
+
+
+def told(text: str | BaseException) -> str:
+    """A sentence, or the message of an error, as the user reads it; any other text as it is."""
+    if isinstance(text, FiveAxisError):
+        text = text.text
+    return render(text, FreeCAD.Qt.translate, measure_text) if isinstance(text, str) else str(text)

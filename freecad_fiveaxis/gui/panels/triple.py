@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fields of three numbers: a point, a direction, lengths, counts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
+
+from .fields import Field, NumberField, QuantityField
+
+WIDE = 1000
+"""Pixels of an editor that never stands beside its label."""
+
+
+class TripleField(Field):
+    """Three lengths (mm), three numbers, or three counts. ``none_text``: what a box says that, ticked, gives None."""
+
+    def __init__(self, name: str, kind: str, hint: str = "", none_text: str = "", width: int = 60) -> None:
+        super().__init__(name, QtWidgets.QWidget(), hint)
+        parts = [f"{name}_{letter}" for letter in "xyz"]
+        makers = {"point": lambda part: QuantityField(part, "length"), "counts": lambda part: NumberField(part, whole=True)}
+        self.parts = [makers.get(kind, RatioField)(part) for part in parts]
+        for part, letter in zip(self.parts, "XYZ", strict=True):
+            part.editor.setAccessibleName(f"{self.label} {letter}")
+        self.none = QtWidgets.QCheckBox(none_text) if none_text else None
+        self.width = width
+        self._lay_out()
+        for part in self.parts:
+            part.edited.connect(self._changed)
+
+    def _lay_out(self) -> None:
+        self.row = QtWidgets.QGridLayout(self.editor)
+        self.row.setContentsMargins(0, 0, 0, 0)
+        for at, part in enumerate(self.parts):
+            part.editor.setMinimumWidth(self.width)
+            self.row.addWidget(part.editor, 1, at)
+        if self.none:
+            self.row.addWidget(self.none, 0, 0, 1, 3, QtCore.Qt.AlignLeft)
+            self.none.toggled.connect(self._toggled)
+
+    def focus_widget(self) -> Any:
+        """The first box."""
+        return self.parts[0].editor
+
+    def room(self) -> int:
+        """Three numbers need the whole width, or their digits are cut."""
+        return WIDE
+
+    def words(self) -> str:
+        """Label and numbers."""
+        if self.value() is None:
+            return ""
+        texts = [str(part.editor.property("text")) for part in self.parts]
+        units = {text.partition(" ")[2] for text in texts}
+        if len(units) == 1:  # which need not be said three times
+            texts[:2] = [text.partition(" ")[0] for text in texts[:2]]
+        return f"{self.label} {', '.join(texts)}"
+
+    def _toggled(self, ticked: bool) -> None:
+        for part in self.parts:
+            part.editor.setEnabled(not ticked)
+        self._changed()
+
+    def value(self) -> list[float] | None:
+        """Three numbers, mm where they are lengths."""
+        return None if self.none and self.none.isChecked() else [part.value() for part in self.parts]
+
+    def show_value(self, value: Sequence[float] | None) -> None:
+        """Three numbers, or None."""
+        if self.none:
+            self.none.setChecked(value is None)
+        for part, number in zip(self.parts, value or (0.0, 0.0, 0.0), strict=True):
+            part.show_value(number)
+
+
+class RatioField(NumberField):
+    """A number of a direction."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.editor.setDecimals(6)
+        self.editor.setSingleStep(0.1)

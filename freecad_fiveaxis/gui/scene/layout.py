@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where legends and labels stand on the screen, so that none lies over another. Plain arrays, no view.
+
+box     left, bottom, right, top in pixels from the view's lower left corner; a row of (n, 4).
+anchor  the pixel of the place that a label speaks of; a line leads there from the label.
+slot    one of the places about its anchor that a label may take, nearest first.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+EDGE, APART, CROSS = 12.0, 8.0, 96.0
+"""Pixels: from a legend to the view's edge, and between two legends; height of the view's own axis cross at the lower right."""
+CLEAR, MARK = 3.0, 7.0
+"""Pixels: between two labels, and half the side of a marker that no label covers."""
+MOST = 12
+"""At most so many labels are shown at a time: more are not read."""
+_WAYS = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (0, 1), (0, -1), (1, 0), (-1, 0)], float)
+_FAR = np.array([14.0, 32.0, 56.0, 88.0, 128.0, 180.0, 240.0])
+SLOTS = (_FAR[:, None, None] * _WAYS / np.linalg.norm(_WAYS, axis=1)[:, None]).reshape(-1, 2)
+"""From the anchor to the nearest corner or the middle of the nearest edge, (56, 2) pixels."""
+_SIDE = np.tile(_WAYS, (len(_FAR), 1))
+NONE = np.zeros((0, 4))
+
+
+def overlap(box: np.ndarray, others: np.ndarray, apart: float = 0.0) -> np.ndarray:
+    """Which boxes (k, 4) come nearer than ``apart`` pixels to any of ``others`` (n, 4); bool (k,)."""
+    first, second = box[:, None], others[None]
+    hits = (first[..., :2] < second[..., 2:] + apart) & (first[..., 2:] > second[..., :2] - apart)
+    return np.asarray(hits.all(axis=2).any(axis=1))
+
+
+def legend_place(size: tuple[int, int], view: tuple[int, int], taken: np.ndarray) -> tuple[float, float] | None:
+    """The lower left corner of a legend of ``size`` in a ``view`` (width and height), beside those ``taken`` (n, 4).
+
+    At the left edge from the top down, then at the right edge from the bottom up, then between: the part is in the middle.
+    None where there is room nowhere; the only legend of a view always has a place.
+    """
+    width, height = size
+    right, top = view[0] - EDGE - width, view[1] - EDGE - height
+    downwards = np.sort(np.append(taken[:, 1] - APART - height, top))[::-1]
+    upwards = np.sort(np.append(taken[:, 3] + APART, CROSS))
+    across = np.sort(taken[:, 2] + APART)
+    corner = np.array(
+        [(EDGE, y) for y in downwards] + [(right, y) for y in upwards] + [(x, y) for x in across for y in downwards]
+    )
+    box = np.concatenate([corner, corner + (width, height)], axis=1)
+    free = ~overlap(box, taken, APART - 1.0) & (box[:, 0] >= EDGE) & (box[:, 2] <= view[0] - EDGE)
+    free &= (box[:, 1] >= EDGE) & (box[:, 3] <= view[1] - EDGE)
+    if not free.any():
+        return None if len(taken) else (EDGE, float(top))
+    x, y = corner[free.argmax()].tolist()
+    return x, y
+
+
+def label_places(
+    anchor: np.ndarray, size: np.ndarray, view: tuple[int, int], taken: np.ndarray, before: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Boxes (n, 4) of labels of ``size`` (n, 2) that speak of ``anchor`` (n, 2), the most important first, and their slots (n,);
+    -1 and NaN where a label has no room, or its anchor is out of the ``view``.
+
+    No box covers another, nor one of those ``taken`` (k, 4), nor another label's marker. ``before`` (n,): the slots of the last
+    picture, which are kept where they still have room, so that labels do not jump while the view is turned.
+    """
+    box, slot = np.full((len(anchor), 4), np.nan), np.full(len(anchor), -1)
+    inside = ((anchor >= 0.0) & (anchor <= view)).all(axis=1)
+    marks = np.concatenate([anchor[inside] - MARK, anchor[inside] + MARK], axis=1)
+    obstacles = np.concatenate([taken, marks])
+    for row in np.flatnonzero(inside)[:MOST]:  # each one's place depends on those before it
+        half = 0.5 * size[row]
+        centre = (anchor[row] + SLOTS + _SIDE * half).round()
+        tried = np.concatenate([centre - half, centre + half], axis=1)
+        within = ((tried[:, :2] >= 0.0) & (tried[:, 2:] <= view)).all(axis=1)
+        free, last = within & ~overlap(tried, obstacles, CLEAR), before[row]
+        if last >= 0 and within[last] and not overlap(tried[last : last + 1], obstacles)[0]:
+            slot[row] = last
+        elif free.any():
+            slot[row] = free.argmax()
+        else:
+            continue
+        box[row] = tried[slot[row]]
+        obstacles = np.concatenate([obstacles, box[row : row + 1]])
+    return box, slot
+
+
+def leader_ends(anchor: np.ndarray, box: np.ndarray) -> np.ndarray:
+    """The point (n, 2) of each box (n, 4) at which the line from its anchor (n, 2) ends: the nearest one."""
+    return np.clip(anchor, box[:, :2], box[:, 2:])
+
+
+def projected(places: np.ndarray, clip_from_place: np.ndarray, view: tuple[int, int]) -> np.ndarray:
+    """The pixels (n, 2) of places (n, 3); NaN behind the eye. Rows are multiplied by ``clip_from_place`` (4, 4), as Coin does."""
+    clip = np.concatenate([places, np.ones((len(places), 1))], axis=1) @ clip_from_place
+    depth = np.where(clip[:, 3] > 1e-9, clip[:, 3], np.nan)[:, None]
+    return np.asarray((0.5 + 0.5 * clip[:, :2] / depth) * view)

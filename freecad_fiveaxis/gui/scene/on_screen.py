@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Legends and labels as nodes: they find their places anew in every frame, from what else is drawn in the same view.
+
+Whatever is hidden, deleted or in another document is not drawn, so it takes no room: legends close up and come back by
+themselves. A label stands beside its place with a line to it; where there is no room, the less important labels are left out.
+
+All of it is drawn over everything else, cannot be picked, and is not part of the scene's box.
+"""
+
+from __future__ import annotations
+
+import weakref
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from pivy import coin
+
+from . import layout, nodes
+from .overlay import INK, PAPER, Legend, image, label_picture, legend_picture
+
+MOST_VIEWS = 16
+"""So many views are remembered."""
+LEADER = tuple(part / 255.0 for part in PAPER[:3])
+BRIGHT = tuple(part / 255.0 for part in INK)
+
+
+class Label(NamedTuple):
+    """A text at a ``place`` (3,) mm of the scene; ``colour`` of the bar at its side, that of its marker; None for none."""
+
+    place: Sequence[float]
+    text: str
+    colour: nodes.Colour | None = None
+
+
+class _View:
+    """The boxes (n, 4) pixels that stand in a view, by who drew them: in this frame, and in the one before. ``ended``: what is
+    drawn over everything else is being drawn, so all have their places."""
+
+    def __init__(self) -> None:
+        self.boxes: dict[int, np.ndarray] = {}
+        self.before: dict[int, np.ndarray] = {}
+        self.ended = False
+
+    def begin(self) -> None:
+        """Somebody asks for a place: after the end of a frame that is the beginning of the next one."""
+        if self.ended:
+            self.before, self.boxes, self.ended = self.boxes, {}, False
+
+    def taken(self, item: int) -> np.ndarray:
+        """What others have taken in this frame."""
+        return np.concatenate([layout.NONE, *(boxes for other, boxes in self.boxes.items() if other != item)])
+
+    def later(self, item: int) -> np.ndarray:
+        """What stood in the frame before and may come again after the item."""
+        rest = [boxes for other, boxes in self.before.items() if other != item and other not in self.boxes]
+        return np.concatenate([layout.NONE, *rest])
+
+
+_views: dict[int, _View] = {}
+
+
+def _view_of(action: Any) -> _View:
+    root = int(action.getCurPath().getHead().this)
+    while root not in _views and len(_views) >= MOST_VIEWS:
+        _views.pop(next(iter(_views)))
+    return _views.setdefault(root, _View())
+
+
+class _Overlay:
+    """Nodes that are placed in pixels when a frame begins; ``root`` goes into the scene."""
+
+    def __init__(self) -> None:
+        self.camera, self.shown = coin.SoOrthographicCamera(), _moved()
+        self.camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
+        self.camera.nearDistance, self.camera.farDistance = 0.0, 2.0
+        over, placing, aiming = coin.SoAnnotation(), coin.SoCallback(), coin.SoCallback()
+        over.renderCaching = coin.SoSeparator.OFF
+        for child in (nodes.unpickable(), coin.SoResetTransform(), nodes.flat(), self.camera, self.shown):
+            over.addChild(child)
+        placing.setCallback(_place, weakref.ref(self))
+        aiming.setCallback(_aim)
+        self.root = coin.SoGroup()
+        for child in (placing, nodes.without_box(over), aiming):
+            self.root.addChild(child)
+        self.camera.enableNotify(False)  # what a frame changes must not ask for the next frame
+
+    def place(self, action: Any) -> None:
+        """Find the places for this frame."""
+        pixels = action.getViewportRegion().getViewportSizePixels()
+        size = int(pixels[0]), int(pixels[1])
+        self.camera.position.setValue(size[0] / 2.0, size[1] / 2.0, 1.0)
+        self.camera.height, self.camera.aspectRatio = float(size[1]), size[0] / max(size[1], 1)
+        view = _view_of(action)
+        view.begin()
+        view.boxes[id(self)] = self.arrange(action, size, view.taken(id(self)), view.later(id(self)))
+
+    def arrange(self, action: Any, size: tuple[int, int], taken: np.ndarray, later: np.ndarray) -> np.ndarray:
+        """Move the nodes to their places; returns the boxes (n, 4) that they take in a view of ``size``."""
+        raise NotImplementedError
+
+
+def _moved(*children: Any) -> Any:
+    """A group whose nodes move within a frame, unheard: nothing of it is kept for the next one."""
+    made = nodes.separate(*children)
+    made.renderCaching = made.renderCulling = coin.SoSeparator.OFF
+    return made
+
+
+def _place(overlay: Any, action: Any) -> None:
+    """Coin comes here twice a frame: when it goes through the scene, and before it draws what lies over everything else."""
+    found = overlay()
+    if found is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
+        return
+    drawing = action if hasattr(action, "isRenderingDelayedPaths") else coin.cast(action, "SoGLRenderAction")
+    if drawing.isRenderingDelayedPaths():
+        _view_of(drawing).ended = True
+    else:
+        found.place(drawing)
+
+
+def _aim(_data: Any, action: Any) -> None:
+    """An overlay has a camera of its own, and Coin aims the mouse's ray anew at every camera it meets. Aimed with that one, it
+    would miss all that comes later in the scene: here it is aimed once more, with the view's camera."""
+    if action.isOfType(coin.SoRayPickAction.getClassTypeId()):
+        picking = action if hasattr(action, "computeWorldSpaceRay") else coin.cast(action, "SoRayPickAction")
+        picking.computeWorldSpaceRay()
+
+
+class LegendBox(_Overlay):
+    """A legend, or none; beside those of other objects in the same view."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.size, self.corner = (0, 0), coin.SoTranslation()
+        self.switch = nodes.switch(_moved())
+        self.corner.enableNotify(False)
+        self.box = layout.NONE
+
+    def show(self, legend: Legend | None) -> None:
+        """Show a legend; None for none."""
+        self.shown.removeAllChildren()
+        self.size = (0, 0)
+        if legend is not None:
+            picture = legend_picture(legend)
+            self.size = picture.width(), picture.height()
+            self.switch = nodes.switch(_moved(self.corner, image(picture)))
+            self.switch.enableNotify(False)
+            self.shown.addChild(self.switch)
+
+    def arrange(self, action: Any, size: tuple[int, int], taken: np.ndarray, later: np.ndarray) -> np.ndarray:
+        """The legend's box; none where there is no room for it."""
+        corner = layout.legend_place(self.size, size, taken) if self.size[0] else None
+        nodes.turn(self.switch, corner is not None)
+        self.box = layout.NONE
+        if corner is not None:
+            self.corner.translation.setValue(*corner, 0.0)
+            self.box = np.array([[*corner, corner[0] + self.size[0], corner[1] + self.size[1]]])
+        return self.box
+
+
+class Labels(_Overlay):
+    """Texts at places of the scene, the most important first. ``boxes`` (n, 4) pixels: where they stood last; NaN: not shown."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.places, self.sizes = np.zeros((0, 3)), np.zeros((0, 2))
+        self.slots, self.boxes = np.zeros(0, int), layout.NONE
+        self.corners: list[Any] = []
+        self.switches: list[Any] = []
+        self.ends, self.lines = coin.SoVertexProperty(), coin.SoLineSet()
+        self.lines.vertexProperty = self.ends
+        for node in (self.ends, self.lines):
+            node.enableNotify(False)
+
+    def show(self, labels: Sequence[Label]) -> None:
+        """Show these labels."""
+        pictures = [label_picture(label.text, label.colour) for label in labels]
+        self.sizes = np.array([(picture.width(), picture.height()) for picture in pictures], float).reshape(-1, 2)
+        self.slots, self.boxes = np.full(len(labels), -1), np.full((len(labels), 4), np.nan)
+        self.corners = [coin.SoTranslation() for _ in labels]
+        self.switches = [
+            nodes.switch(_moved(corner, image(picture))) for corner, picture in zip(self.corners, pictures, strict=True)
+        ]
+        self.shown.removeAllChildren()
+        if labels:
+            self.shown.addChild(_moved(nodes.colour(LEADER), nodes.style(3.0), self.lines))
+            self.shown.addChild(_moved(nodes.colour(BRIGHT), nodes.style(1.0), self.lines))
+        for node in (*self.corners, *self.switches):
+            node.enableNotify(False)
+        for switch in self.switches:
+            self.shown.addChild(switch)
+        self.move([label.place for label in labels])
+
+    def move(self, places: Any) -> None:
+        """Let the labels speak of other places (n, 3) mm."""
+        self.places = np.asarray(places, float).reshape(-1, 3)
+
+    def arrange(self, action: Any, size: tuple[int, int], taken: np.ndarray, later: np.ndarray) -> np.ndarray:
+        """The boxes of the labels that have room."""
+        if not len(self.places):
+            return layout.NONE
+        anchor = layout.projected(self.places, _clip_from_place(action.getState()), size)
+        taken = np.concatenate([taken, later])
+        self.boxes, self.slots = layout.label_places(anchor, self.sizes, size, taken, self.slots)
+        seen = self.slots >= 0
+        for switch, corner, box, on in zip(self.switches, self.corners, self.boxes.tolist(), seen.tolist(), strict=True):
+            nodes.turn(switch, on)
+            if on:
+                corner.translation.setValue(box[0], box[1], 0.0)
+        self._lead(anchor[seen], self.boxes[seen])
+        return self.boxes[seen]
+
+    def _lead(self, anchor: np.ndarray, box: np.ndarray) -> None:
+        """Draw the lines from the labels to their places."""
+        ends = np.zeros((2 * len(anchor), 3), np.float32)
+        ends[0::2, :2], ends[1::2, :2] = anchor, layout.leader_ends(anchor, box)
+        self.ends.vertex.setNum(len(ends))
+        self.lines.numVertices.setNum(len(anchor))
+        if len(ends):
+            self.ends.vertex.setValues(0, len(ends), ends)
+            self.lines.numVertices.setValues(0, len(anchor), np.full(len(anchor), 2, np.int32))
+
+
+def _clip_from_place(state: Any) -> np.ndarray:
+    """From places of the scene, as they stand where the traversal is, to the view's cube (4, 4); Coin multiplies rows."""
+    model = np.array(coin.SoModelMatrixElement.get(state).getValue())
+    return np.asarray(model @ np.array(coin.SoViewVolumeElement.get(state).getMatrix().getValue()))

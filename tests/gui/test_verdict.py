@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The verdict on the screen: its colour and words, and what OK and Post-process ask before an unsafe path is kept or written."""
+
+import FreeCADGui
+import pytest
+from conftest import picture
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import results
+from freecad_fiveaxis.gui import findings_panel, verdict_label
+from freecad_fiveaxis.gui.panels import audit, post, summary, toolpath, written
+from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
+
+COARSE = {"cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
+UNSAFE = {"linearize": "off", "gouge": "off"}
+
+
+@pytest.fixture
+def dome(doc):
+    """The upper half of a ball, 20 mm, standing on the ground."""
+    part = doc.addObject("Part::Sphere", "Dome")
+    part.Radius, part.Angle1 = 20, 0
+    doc.recompute()
+    doc.clearUndos()
+    return part
+
+
+@pytest.fixture
+def panel(dome, pump):
+    """panel(options): the panel of a new path with these options."""
+
+    def opened(**options):
+        made = toolpath.create(dome)
+        made.options.show_options({**COARSE, **options})
+        pump(300)
+        return made
+
+    return opened
+
+
+@pytest.fixture(autouse=True)
+def nothing_written_is_left_open():
+    yield
+    for dialog in written._dialogs.values():
+        dialog.close()
+
+
+def shown(name):
+    return FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, name)
+
+
+def coloured(file, light):
+    """How many pixels of a screenshot have the colour of a light."""
+    colour = verdict_label.COLOURS[light].lstrip("#")
+    wanted = [int(colour[k : k + 2], 16) for k in (0, 2, 4)]
+    return int((abs(picture(file).astype(int) - wanted).max(axis=2) < 6).sum())
+
+
+def test_the_summary_shows_the_light_in_its_colour_until_the_settings_change(panel, pump, screenshot):
+    opened = panel(**UNSAFE)
+    assert not shown("verdict").isVisible()
+    assert opened.calculate()
+    pump(500)
+    label = shown("verdict")
+    assert label.isVisible() and label.text().startswith("NOT SAFE: ") and label.text() == opened.obj.Verdict
+    picture_ = screenshot("verdict_red")
+    assert coloured(picture_, "red") > 2000 and coloured(picture_, "amber") == 0
+    opened.options.show_options({"linearize": "on", "gouge": "lift"})
+    opened._edited()
+    assert not label.isVisible()
+    assert opened.calculate()
+    pump(500)
+    assert label.text() == opened.obj.Verdict and not label.text().startswith("NOT SAFE")
+    assert coloured(screenshot("verdict_cured"), opened.obj.Light) > 2000
+
+
+@pytest.mark.parametrize("answer", ["Go back", "Keep anyway"])
+def test_ok_on_an_unsafe_path_asks(panel, doc, panel_button, modal, answer):
+    panel(**UNSAFE)
+    told = modal(answer)
+    panel_button("OK", wait=800)
+    assert len(told.said) == 1 and told.said[0].startswith("NOT SAFE: ") and "Keep this path anyway?" in told.said[0]
+    assert bool(FreeCADGui.Control.activeDialog()) == (answer == "Go back")
+    assert doc.getObject("Toolpath") is not None and doc.Toolpath.Light == "red"
+    if answer == "Go back":
+        panel_button("Cancel")
+        assert doc.getObject("Toolpath") is None, "Cancel still takes everything back"
+
+
+def test_enter_means_go_back(panel, doc, panel_button, modal):
+    panel(**UNSAFE)
+
+    def enter(dialog):
+        assert dialog.defaultButton().text() == "Go back"
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier, "\r")
+            QtWidgets.QApplication.postEvent(dialog.defaultButton(), event)
+
+    told = modal(enter)
+    panel_button("OK", wait=800)
+    assert told.said and FreeCADGui.Control.activeDialog()
+
+
+def test_ok_on_a_path_that_is_safe_or_only_to_be_checked_asks_nothing(panel, doc, panel_button):
+    panel()
+    panel_button("OK", wait=800)
+    assert not FreeCADGui.Control.activeDialog() and doc.Toolpath.Light in ("amber", "green")
+
+
+def test_an_audit_is_a_judgement_and_asks_nothing(doc, tmp_path, panel_button, pump):
+    (tmp_path / "foreign.nc").write_text("G21 G90 G94\nG1 X0 Y0 Z0 A0 C0 F500\nG1 X10 Y0 Z0 A5 C60\nM2\n")
+    opened = audit.create(doc)
+    opened.file.show_value(str(tmp_path / "foreign.nc"))
+    opened.options.show_options({"machine": "mikron_ucp710", "tolerance": 0.02})
+    pump(200)
+    assert opened.calculate() and shown("verdict").text().startswith("NOT SAFE: ")
+    panel_button("OK", wait=800)
+    assert not FreeCADGui.Control.activeDialog() and doc.Audit.Light == "red"
+
+
+def test_the_choice_of_linearize_is_not_asked_for_where_the_controller_guides_the_tip(panel):
+    opened = panel(controller="heidenhain")
+    assert opened.options.options()["linearize"] == "on"
+    opened.options.show_options({"rtcp": "angles"})
+    assert "linearize" not in opened.options.options() and opened.options.check()
+    assert not opened.options.fields["linearize"].editor.isVisible()
+
+
+@pytest.fixture
+def path(doc, dome):
+    """path(options): a computed path."""
+    return lambda **options: app.create_toolpath(doc, dome, machine="trunnion_ac", **{**COARSE, **options})
+
+
+@pytest.mark.parametrize("answer", ["Cancel", "Write anyway"])
+def test_post_names_the_errors_first_and_writes_only_when_told_to(path, tmp_path, panel_button, modal, screenshot, pump, answer):
+    unsafe, file = path(**UNSAFE, linear_deflection=0.1, angular_deflection=15), tmp_path / "part.ngc"
+    post.write(unsafe).file.show_value(str(file))
+    pump(300)
+    assert shown("post_verdict").text() == unsafe.Verdict and shown("post_verdict").isVisible()
+    listed = shown("post_findings").text()
+    assert listed.index("Error:") < listed.index("Warning:")
+
+    def look(dialog):
+        screenshot("post_unsafe")
+        assert dialog.defaultButton().text().replace("&", "") == "Cancel"
+        next(one for one in dialog.buttons() if one.text().replace("&", "") == answer).click()
+
+    told = modal(look)
+    panel_button("OK", wait=800)
+    assert told.said[0].startswith("NOT SAFE: ") and told.said[0].index("Errors") < told.said[0].index("Warnings")
+    assert file.exists() == (answer == "Write anyway") and bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel")
+
+
+def test_after_writing_the_file_its_lines_and_its_time_are_told_and_opened(path, tmp_path, panel_button, pump, click, screenshot,
+                                                                          monkeypatch):  # fmt: skip
+    made, file = path(spindle=8000), tmp_path / "part.ngc"
+    post.write(made).file.show_value(str(file))
+    pump(300)
+    assert not [one for one in FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget, "spindle") if one.isVisible()]
+    panel_button("OK", wait=800)
+    assert not FreeCADGui.Control.activeDialog(), "nothing waits for the window that tells"
+    text = shown("FiveAxisWrittenText").text()
+    lines = len(file.read_bytes().splitlines())
+    assert str(file) in text and f"{lines} lines" in text and shown("FiveAxisWritten").isVisible()
+    assert summary.clock(results.figures_of(made).program.seconds.sum()) in text
+    screenshot("post_written")
+    opened = []
+    monkeypatch.setattr(written, "open_url", lambda url: opened.append(url.toLocalFile()))
+    click(shown("FiveAxisWrittenOpen"))
+    click(shown("FiveAxisWrittenFolder"))
+    assert opened == [str(file), str(tmp_path)]
+    click(shown("FiveAxisWrittenClose"))
+    assert not shown("FiveAxisWritten").isVisible()
+
+
+def test_a_spindle_speed_that_is_missing_is_asked_for_in_place(path, doc, tmp_path, panel_button, pump, type_into, field):
+    made, file = path(), tmp_path / "part.ngc"
+    assert b"S9000" not in results.nc_of(made)
+    post.write(made).file.show_value(str(file))
+    pump(300)
+    type_into(field("spindle"), "9000")
+    panel_button("OK", wait=800)
+    assert made.Spindle == 9000 and b"S9000" in file.read_bytes() and results.out_of_date(made) == ""
+
+
+def test_the_list_of_findings_begins_with_the_verdict(path, pump):
+    made = path(**UNSAFE)
+    opened = findings_panel.show(made)
+    pump(200)
+    assert opened.verdict.isVisible() and opened.verdict.text() == made.Verdict
+    opened.clear()
+    assert not opened.verdict.isVisible()
