@@ -174,8 +174,8 @@ def test_a_deleted_base_is_told_and_undone(doc, ball):
     doc.removeObject(ball.Name)
     doc.commitTransaction()
     doc.recompute()
-    assert "Invalid" in path.Mesh.State and "The base was deleted" in path.Mesh.getStatusString()
-    assert results.out_of_date(path).startswith("Tessellation could not be computed")
+    assert "Invalid" in path.Mesh.State and "The part was deleted: undo that" in path.Mesh.getStatusString()
+    assert results.out_of_date(path).startswith("The part that Tessellation was made of was deleted: undo that")
     doc.undo()
     doc.recompute()
     assert results.out_of_date(path) == "" and path.Mesh.State == ["Up-to-date"]
@@ -184,7 +184,7 @@ def test_a_deleted_base_is_told_and_undone(doc, ball):
 def test_a_deleted_mesh_is_told(path):
     path.Document.removeObject(path.Mesh.Name)
     path.Document.recompute()
-    assert "Invalid" in path.State and "was deleted: choose another one" in path.getStatusString()
+    assert "Invalid" in path.State and "was deleted: undo that" in path.getStatusString()
 
 
 def test_what_is_no_toolpath_is_told(ball):
