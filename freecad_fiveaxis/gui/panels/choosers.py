@@ -74,7 +74,8 @@ class SpacingField(Field):
         self.lengths = {kind: QuantityField(kind, "length", hints[kind]) for kind in self.KINDS}
         row = QtWidgets.QHBoxLayout(self.editor)
         row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self.kind.editor, 1)
+        self.kind.editor.setMinimumWidth(self.kind.room())  # neither name is cut
+        row.addWidget(self.kind.editor)
         for field in self.lengths.values():
             row.addWidget(field.editor, 1)
             field.edited.connect(self._changed)
