@@ -27,7 +27,6 @@ from freecad_fiveaxis.gui.scene import (
     on_screen,
     overlay,
     path_nodes,
-    units,
     words,
 )
 
