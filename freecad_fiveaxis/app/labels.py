@@ -167,6 +167,7 @@ def _of_machines_and_places() -> dict[str, str]:
         "cutter_taper": translate("FiveAxis", "Taper, each side"),
         "cutter_length": translate("FiveAxis", "Cutting length"),
         "nc_file": translate("FiveAxis", "NC file"),
+        "nc_path": translate("FiveAxis", "NC file"),
     }
 
 
