@@ -334,10 +334,10 @@ def test_the_cutter_comes_from_a_tool_of_a_cam_job(dome, monkeypatch):
     monkeypatch.setattr(cam, "jobs_of", lambda doc: [doc])
     monkeypatch.setattr(tool_bit, "cutters_of_job", lambda job: tools)
     field = toolpath.create(dome).options.fields["cutter"]
-    assert [field.job.itemText(at) for at in (1, 2)] == ["T3 Ball", "T4 Drill"]
-    field.job.activated.emit(1)
+    assert [field.job.box.itemText(at) for at in (1, 2)] == ["T3 Ball", "T4 Drill"]
+    field.job.box.activated.emit(1)
     assert field.value() == "ball:5.0:20.0" and not field.error.text()
-    field.job.activated.emit(2)
+    field.job.box.activated.emit(2)
     assert field.value() == "ball:5.0:20.0" and field.error.text() == "Drill is of no use"
 
 

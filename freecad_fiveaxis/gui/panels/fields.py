@@ -84,6 +84,9 @@ class Field(QtCore.QObject):
         self.error.setText(text)
         self.error.setVisible(bool(text))
 
+    def want(self) -> None:
+        """The user has asked for the result: what he has not given yet is missing from now on."""
+
     def check(self) -> None:
         """Raises FiveAxisError for a value that cannot be used, where the core's settings do not know of it."""
 

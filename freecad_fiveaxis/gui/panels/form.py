@@ -223,6 +223,11 @@ class Form(QtCore.QObject):
         self.filling = False
         self._changed()
 
+    def want(self) -> None:
+        """The user asks for the result: a file that is not named yet is an error from now on."""
+        for field in self.fields.values():
+            field.want()
+
     def check(self) -> bool:
         """Whether the core takes the values; where it does not, the fields say why."""
         from freecad_fiveaxis.core.errors import FiveAxisError
