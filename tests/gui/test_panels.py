@@ -215,7 +215,7 @@ CUTTER_SIZES = {
 
 @pytest.mark.parametrize("kind", CUTTER_SIZES)
 def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_into, kind, screenshot, pump):
-    from freecad_fiveaxis.gui.panels.labels import choice_label
+    from freecad_fiveaxis.app.labels import choice_label
 
     cutter = panel.options.fields["cutter"]
     if kind != "ball":
@@ -258,7 +258,7 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
     type_into(field("cutter_length"), "6 mm")
     type_into(field("shank"), "5x1, 0.25inx1mm")
     type_into(field("holder"), "40x25x3")
-    assert "DIAMETERxLENGTH" in shown("holder_error").text() or "number" in shown("holder_error").text()
+    assert "diameter x length" in shown("holder_error").text() or "number" in shown("holder_error").text()
     type_into(field("holder"), "200x25,63x50")
     assert not shown("holder_error").isVisible()
     qt_scroll(field("holder"), pump)
@@ -440,8 +440,8 @@ def qt_scroll(widget, pump):
 
 
 def test_every_option_of_the_core_has_its_words():
+    from freecad_fiveaxis.app import labels
     from freecad_fiveaxis.core.settings import option_fields
-    from freecad_fiveaxis.gui.panels import labels
 
     for _, leaf in option_fields():
         if leaf.metadata["kind"] not in ("path", "paths"):

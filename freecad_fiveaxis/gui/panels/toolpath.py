@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from freecad_fiveaxis.app.labels import group_label
 from freecad_fiveaxis.gui.messages import telling
 from freecad_fiveaxis.gui.qt import translate
 
 from .fields import QuantityField
 from .form import SPACING, Form, Section
 from .job_setup import FAR, SHARED, SetupField, ask, shown
-from .labels import group_label
 from .path_panel import PathPanel, show
 from .picking import PointField
 
