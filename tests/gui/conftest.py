@@ -160,8 +160,7 @@ def _choose(combo, text):
     at = combo.findText(text)
     assert at >= 0, f"no {text!r} among {[combo.itemText(i) for i in range(combo.count())]}"
     _click(combo)
-    _pump(200)
-    assert combo.view().isVisible(), f"{combo.objectName()!r} does not open"
+    _until(combo.view().isVisible, 2000, f"{combo.objectName()!r} opened")
     step = at - combo.currentIndex()
     for _ in range(abs(step)):
         _key(combo.view(), QtCore.Qt.Key_Down if step > 0 else QtCore.Qt.Key_Up)
