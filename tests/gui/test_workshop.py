@@ -192,11 +192,12 @@ def test_the_mark_starts_at_the_top_of_the_part_in_work_coordinates(doc, press, 
     assert field("mark_z").measured() == 60.0, "what the user has given stays"
 
 
-def test_without_a_part_the_sheet_says_that_nothing_may_stand_there(empty, press, field, click, until):
+def test_without_a_part_the_sheet_says_that_nothing_may_stand_there(empty, press, field, click, until, panel_button):
     press("FiveAxis_ProveSigns", SLID)
     click(field("calculate"))
     until(lambda: "Stop 8" in shown(field, "result"), 60000, "a sheet")
     assert "Nothing may stand above Z 0" in shown(field, "result")[:400], shown(field, "result")[:400]
+    panel_button("Cancel")
 
 
 def test_the_signs_are_proven_without_a_document(empty, folder, press, field, type_into, choose, click, until, panel_button,
