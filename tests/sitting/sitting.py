@@ -21,9 +21,6 @@ PROJECT = os.path.dirname(os.path.dirname(HERE))
 BAD = re.compile(r"Traceback|\w*Error\b|\w*Exception\b|Segmentation fault|SIGSEGV|already deleted|[Uu]nhandled|resizeDocks")
 NOT_OURS = re.compile(r"Addon Manager|QtWebEngine|zygote|libEGL|MESA|dconf|dbus|GLib|Gtk-", re.IGNORECASE)
 """What FreeCAD or the machine says by itself, with no add-on too."""
-FREECADS_OWN_CRASH = "Mesh::PropertyMeshKernel::~PropertyMeshKernel()"
-"""FreeCAD 1.1 with Python 3.14 frees the Python side of a mesh without Python's lock when it quits with a document open: with no
-add-on too, after a ``Mesh`` property was read in its console. Nothing of the user's is lost: it comes after he was asked to save."""
 RED = "Error"
 """How a red line describes itself to a screen reader."""
 
@@ -124,12 +121,6 @@ class Sitting:
     def look(self) -> None:
         """Raises Unseen where anything has gone wrong that a user could see: a red line, or an error in what FreeCAD says."""
         said = self.new_in_log()
-        if self.has_left() and FREECADS_OWN_CRASH in said:
-            print(
-                "sitting: FreeCAD has crashed while quitting, as it does without the add-on once a script has read a mesh",
-                flush=True,
-            )
-            return
         self.alive()
         bad = wrong(said)
         if bad:
