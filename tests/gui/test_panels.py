@@ -247,7 +247,7 @@ def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made
 
 
 def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_line(panel, doc, field, choose, type_into, panel_button,
-                                                                                  screenshot, pump, tmp_path):  # fmt: skip
+                                                                                  modal, screenshot, pump, tmp_path):  # fmt: skip
     from test_clicks import command_line
 
     choose(field("cutter_kind"), "bull nose mill")
@@ -266,7 +266,9 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
     assert panel.calculate()
     pump(300)
     screenshot("panel_gouge_summary")
+    told = modal("Keep anyway")
     panel_button("OK")
+    assert "shank or holder hits the part" in told.said[0]
     path = doc.Toolpath
     assert (path.CutterKind, path.CutterCorner.Value, path.Gouge) == ("bull", 1.5, "report")
     assert (path.Shank, path.Holder) == ("5x1,6.35x1", "200x25,63x50")
