@@ -11,7 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-SPEED, PER_MINUTE = "App::PropertySpeed", "PerMinute"
+SPEED = "App::PropertySpeed"
+PER_MINUTE = "PerMinute"
 
 
 def speeds(obj: Any) -> Iterator[str]:

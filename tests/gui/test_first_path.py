@@ -95,7 +95,11 @@ def test_the_path_over_a_hidden_part_is_brought_into_view(dome, pump):
 def test_the_audit_asks_for_its_file_before_it_complains(doc, pump, click, screenshot):
     panel = audit.create(doc)
     pump(300)
-    assert not panel.file.error.isVisible() and panel.file.error.text() == "" and panel.file.editor.placeholderText() == "Choose the NC file to audit."
+    assert (
+        not panel.file.error.isVisible()
+        and panel.file.error.text() == ""
+        and panel.file.editor.placeholderText() == "Choose the NC file to audit."
+    )
     screenshot("audit_opened")
     click(panel.calculate_button)
     assert panel.file.error.isVisible() and panel.file.error.text() == "Choose the NC file to audit." and panel.obj is None
