@@ -37,11 +37,11 @@
     </message>
     <message>
         <source>Area that each marker stands for, as a side that no pass cuts, mm²; 0: none</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche, für die jede Marke steht, etwa eine Seite, die keine Zeile fräst, mm²; 0: keine</translation>
     </message>
     <message>
         <source>Areas</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen</translation>
     </message>
     <message>
         <source>Axis</source>
@@ -277,23 +277,23 @@
     </message>
     <message>
         <source>Feed Per Minute</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub pro Minute</translation>
     </message>
     <message>
         <source>Feed rate of the approach to the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub beim Anfahren an das Werkstück</translation>
     </message>
     <message>
         <source>Feed rate of the approach to the part, in mm/min</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub beim Anfahren an das Werkstück, in mm/min</translation>
     </message>
     <message>
         <source>Feed rate of the tip over the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub der Spitze über das Werkstück</translation>
     </message>
     <message>
         <source>Feed rate of the tip over the part, in mm/min</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub der Spitze über das Werkstück, in mm/min</translation>
     </message>
     <message>
         <source>File</source>
@@ -632,10 +632,6 @@
         <translation>Werkzeugweg</translation>
     </message>
     <message>
-        <source>Per Minute</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Places</source>
         <translation>Orte</translation>
     </message>
@@ -645,7 +641,7 @@
     </message>
     <message>
         <source>Plunge Feed Per Minute</source>
-        <translation type="unfinished"></translation>
+        <translation>Eintauchvorschub pro Minute</translation>
     </message>
     <message>
         <source>Point of the tool that the program moves: the tip, or the centre of the corner radius</source>
@@ -797,7 +793,7 @@
     </message>
     <message>
         <source>Slow Feed Per Minute</source>
-        <translation type="unfinished"></translation>
+        <translation>Langsamer Vorschub pro Minute</translation>
     </message>
     <message>
         <source>So much may be left: twice the scallop, and the tolerance</source>
@@ -1448,7 +1444,7 @@
     </message>
     <message>
         <source>From the setup…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Aufspannung …</translation>
     </message>
     <message>
         <source>Gap above the mark</source>
@@ -1508,7 +1504,7 @@
     </message>
     <message>
         <source>In the tool path's panel let the tool be lifted there, or leave such places out; or take a smaller cutter. The command What is left shows what then stays uncut. Where that is done already, the machine leaves the path between blocks: set Divide blocks to on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Fenster des Werkzeugwegs das Werkzeug dort anheben oder solche Stellen auslassen; oder einen kleineren Fräser nehmen. Der Befehl „Restmaterial“ zeigt, was dann stehen bleibt. Ist das schon geschehen, so verlässt die Maschine den Weg zwischen den Sätzen: „Sätze teilen“ auf „ein“ stellen.</translation>
     </message>
     <message>
         <source>Its name must end in {endings}.</source>
@@ -2748,7 +2744,7 @@
     </message>
     <message>
         <source>the list of machines</source>
-        <translation type="unfinished"></translation>
+        <translation>die Liste der Maschinen</translation>
     </message>
     <message>
         <source>the machine's own</source>
@@ -2930,19 +2926,19 @@
     </message>
     <message>
         <source>“Post-process”</source>
-        <translation type="unfinished"></translation>
+        <translation>„NC-Datei ausgeben“</translation>
     </message>
     <message>
         <source>“Recover a machine from a program”</source>
-        <translation type="unfinished"></translation>
+        <translation>„Maschine aus einem Programm zurückgewinnen“</translation>
     </message>
     <message>
         <source>“Tool path”</source>
-        <translation type="unfinished"></translation>
+        <translation>„Werkzeugweg“</translation>
     </message>
     <message>
         <source>“Where to clamp”</source>
-        <translation type="unfinished"></translation>
+        <translation>„Wohin spannen“</translation>
     </message>
 </context>
 <context>
@@ -3169,11 +3165,11 @@
     </message>
     <message>
         <source>Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), or clamp the part in another position ({setup} finds one), so that the tool keeps off the pole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Werkzeugachse am Pol vorbeidrehen lassen ({past}), das Werkzeug um einige Grad neigen ({lead}, {tilt}) oder das Werkstück anders aufspannen ({setup} findet eine Lage), damit das Werkzeug vom Pol wegbleibt.</translation>
     </message>
     <message>
         <source>Let the tool be lifted there or leave such places out ({lift}), or use a smaller cutter; where the machine leaves the path by as much, let blocks be divided ({divide}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug dort abheben lassen oder solche Stellen auslassen ({lift}), oder einen kleineren Fräser nehmen; wo die Maschine den Weg um so viel verlässt, NC-Sätze teilen lassen ({divide}).</translation>
     </message>
     <message>
         <source>Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct them from the machine's data sheet.</source>
@@ -3249,11 +3245,11 @@
     </message>
     <message>
         <source>On {area} of the machined surface more than {tolerance} is cut too deep, most at {place}: {height}; {volume} in all. Let the tool be lifted there ({lift}), or use a smaller cutter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf {area} der bearbeiteten Fläche wird um mehr als {tolerance} zu tief gefräst, am meisten bei {place}: {height}; insgesamt {volume}. Das Werkzeug dort abheben lassen ({lift}) oder einen kleineren Fräser nehmen.</translation>
     </message>
     <message>
         <source>On {machine} with correction {cure} the path cannot be driven: {problem}</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf {machine} mit Korrektur {cure} kann der Werkzeugweg nicht gefahren werden: {problem}</translation>
     </message>
     <message>
         <source>Only {letter} moves: the table goes {wrong} by {travel}; the tool, seen from the part, goes {right}.</source>
@@ -3293,7 +3289,7 @@
     </message>
     <message>
         <source>Shorter blocks help: half the length leaves about a quarter of the deviation; {linearize} makes as many as are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kürzere Sätze helfen: halbe Länge lässt etwa ein Viertel der Abweichung; {linearize} macht so viele, wie nötig sind.</translation>
     </message>
     <message>
         <source>Spindle off and locked; no cutter that can hurt: a pointed rod of the tool's length.</source>
@@ -3337,7 +3333,7 @@
     </message>
     <message>
         <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out ({lift}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fräser dringt auf dem Weg zwischen den Zeilen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen ({lift}).</translation>
     </message>
     <message>
         <source>The cutter goes {depth} too deep into the part at {at}.</source>
@@ -3468,8 +3464,8 @@
         <translation>Die Form von {label} ist ungültig, ihr Netz hätte Risse: reparieren (Part: Geometrie prüfen zeigt, wo) oder einen anderen Volumenkörper wählen.</translation>
     </message>
     <message>
-        <source>The spindle stays off: give the spindle speed ({spindle}).</source>
-        <translation type="unfinished"></translation>
+        <source>The spindle stays off: give {spindle}.</source>
+        <translation>Die Spindel bleibt aus: {spindle} angeben.</translation>
     </message>
     <message>
         <source>The table goes {right}: {letter} has the wrong sign.</source>
@@ -3545,7 +3541,7 @@
     </message>
     <message>
         <source>The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out ({tilt}), use a longer tool, or more lead or tilt.</source>
-        <translation type="unfinished"></translation>
+        <translation>{part}: dringt bei {at} {depth} ins Werkstück ein. Das Werkzeug freineigen lassen oder diese Stellen auslassen ({tilt}), ein längeres Werkzeug oder mehr Voreil- oder Seitenwinkel nehmen.</translation>
     </message>
     <message>
         <source>The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not {letter} (if it is {other}, the two letters are exchanged).</source>
@@ -3581,7 +3577,7 @@
     </message>
     <message>
         <source>Words count from the work zero: is {origin} where it stood on the machine? Else move it ({setup} finds a place)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Wörter zählen vom Werkstücknullpunkt: Ist {origin} dort, wo er auf der Maschine stand? Sonst versetzen ({setup} findet einen Platz)</translation>
     </message>
     <message>
         <source>Work offset and tool length set as for the real program; tool centre point control off.</source>
@@ -3685,7 +3681,7 @@
     </message>
     <message>
         <source>are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or tool length in mind. See {origin} and {tool_length}; {recover} finds the machine that fits.</source>
-        <translation type="unfinished"></translation>
+        <translation>liegen neben dem CL-Weg, fast alle gleich ({least} bis {most} an ihren Enden): der Postprozessor meinte eine andere Maschine, einen anderen Werkstücknullpunkt oder eine andere Werkzeuglänge. {origin} und {tool_length} ansehen; {recover} findet die passende Maschine.</translation>
     </message>
     <message>
         <source>as 0</source>
@@ -3833,7 +3829,7 @@
     </message>
     <message>
         <source>cutter {text} needs {sizes} or {sizes}:LENGTH, as {form} or {form}:60</source>
-        <translation type="unfinished"></translation>
+        <translation>der Fräser {text} braucht {sizes} oder {sizes}:LENGTH, wie {form} oder {form}:60</translation>
     </message>
     <message>
         <source>cutter {text}: only {kinds} cutters are on offer; write it as {form}</source>
@@ -4013,7 +4009,7 @@
     </message>
     <message>
         <source>leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Divide blocks ({linearize}).</source>
-        <translation type="unfinished"></translation>
+        <translation>verlassen den CL-Weg zwischen ihren Enden, die auf ihm liegen: die gleichmäßige Bewegung der Achsen trägt die Spitze hinaus. Sätze teilen ({linearize}).</translation>
     </message>
     <message>
         <source>leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind.</source>
@@ -4029,7 +4025,7 @@
     </message>
     <message>
         <source>let blocks be divided ({divide})</source>
-        <translation type="unfinished"></translation>
+        <translation>NC-Sätze teilen lassen ({divide})</translation>
     </message>
     <message>
         <source>limits min {low} is not below max {high}; swap or widen them</source>
@@ -4141,7 +4137,7 @@
     </message>
     <message>
         <source>no correction</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Korrektur</translation>
     </message>
     <message>
         <source>no distance up to {raises} keeps a machine with wrong signs clear of the mark</source>
@@ -4169,7 +4165,7 @@
     </message>
     <message>
         <source>no machine given; name one with {machine} ({list} shows them)</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Maschine gegeben; eine mit {machine} nennen ({list} zeigt sie)</translation>
     </message>
     <message>
         <source>no machine is called {given}; {hint}{known}</source>
@@ -4177,7 +4173,7 @@
     </message>
     <message>
         <source>no machines given; name them with {machines} ({list} shows them)</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Maschinen gegeben; mit {machines} nennen ({list} zeigt sie)</translation>
     </message>
     <message>
         <source>no program given; name the NC file that was posted from the CL path</source>
@@ -4609,11 +4605,11 @@
     </message>
     <message>
         <source>there is nothing to compare; name at least one machine and one correction</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt nichts zu vergleichen; mindestens eine Maschine und eine Korrektur nennen</translation>
     </message>
     <message>
         <source>this correction turns the tool axes over the part's facets; give it the STL, not a CL file</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Korrektur dreht die Werkzeugachsen über den Facetten des Werkstücks; das STL angeben, keine CL-Datei</translation>
     </message>
     <message>
         <source>this is no CL file: byte {control} (offset {offset}) stands in no text; give a text file</source>
@@ -4689,7 +4685,7 @@
     </message>
     <message>
         <source>unknown correction {name}; known: {cures}</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannte Korrektur {name}; bekannt: {cures}</translation>
     </message>
     <message>
         <source>unknown method {method} of the line deviation; use one of {methods}</source>
@@ -4773,7 +4769,7 @@
     </message>
     <message>
         <source>{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as {post} does.</source>
-        <translation type="unfinished"></translation>
+        <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {asked}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben, wie {post} es tut.</translation>
     </message>
     <message>
         <source>{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far to lean the tool a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. The axis may be too slow for the programmed feed, the tool dwells, and marks or a deviation from the path may show.</source>
@@ -4833,7 +4829,7 @@
     </message>
     <message>
         <source>{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the control takes the shorter way there (wrap_strategy modulo), and so do the words here. Divide blocks, or set wrap_strategy to unwound.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to cut them.</source>
@@ -4845,7 +4841,7 @@
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not; {gouge} keeps the tool out of all of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) liegen auf {name} und werden bearbeitet. Die anderen nicht; {gouge} hält das Werkzeug aus allen heraus.</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take another machine to cut them.</source>
@@ -4941,11 +4937,11 @@
     </message>
     <message>
         <source>{count} passes are turned past the pole: {letter} turns at most {after} instead of {before} on them, and {turns} instead of {turned} in all, for an axis changed by up to {most}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Zeilen sind am Pol vorbeigedreht: {letter} dreht auf ihnen höchstens {after} statt {before}, und insgesamt {turns} statt {turned}, bei einer um bis zu {most} geänderten Achse.</translation>
     </message>
     <message>
         <source>{count} passes come within {limit} of the pole and could not be turned past it any better: {letter} turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Zeilen kommen dem Pol näher als {limit} und ließen sich nicht besser vorbeidrehen: {letter} dreht dort bis zu {rate}. Ein größerer Winkel, weitere Grenzen der Rundachsen oder eine andere Aufspannung können helfen.</translation>
     </message>
     <message>
         <source>{count} retracts or approaches pass below the part, because the tool looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>
@@ -5045,7 +5041,7 @@
     </message>
     <message>
         <source>{gouge} changes the passes: use it with {mill}; for an audit give {report}</source>
-        <translation type="unfinished"></translation>
+        <translation>{gouge} ändert die Zeilen: nur mit {mill} verwenden; für eine Prüfung {report} angeben</translation>
     </message>
     <message>
         <source>{joint} is not [[origin], [axis]]</source>
@@ -5137,7 +5133,7 @@
     </message>
     <message>
         <source>{leave_out} leaves nothing to cut: {why}; use a smaller cutter or holder, a longer tool or another tool axis, or see where with {report}</source>
-        <translation type="unfinished"></translation>
+        <translation>{leave_out} lässt nichts zu fräsen: {why}; einen kleineren Fräser oder Halter, ein längeres Werkzeug oder eine andere Werkzeugachse nehmen, oder mit {report} ansehen, wo</translation>
     </message>
     <message>
         <source>{length} of the passes are left out, because {why}. {remedy}</source>
@@ -5209,7 +5205,7 @@
     </message>
     <message>
         <source>{line} is no tool; write number, cutter and name, as T3 ball:6:30 Finisher</source>
-        <translation type="unfinished"></translation>
+        <translation>{line} ist kein Werkzeug; Nummer, Fräser und Namen schreiben, wie T3 ball:6:30 Schlichter</translation>
     </message>
     <message>
         <source>{lost} carry one another in a circle; give one the parent null</source>
@@ -5225,7 +5221,7 @@
     </message>
     <message>
         <source>{max_tilt} {tilt} is out of range; give {least} to {most}, or choose {facet_mean}</source>
-        <translation type="unfinished"></translation>
+        <translation>{max_tilt} {tilt} liegt außerhalb; {least} bis {most} angeben oder {facet_mean} wählen</translation>
     </message>
     <message>
         <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
@@ -5237,7 +5233,7 @@
     </message>
     <message>
         <source>{name} does not guide the tip itself (no RTCP): leave {rtcp} out, and use {linearize}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} führt die Werkzeugspitze nicht selbst (kein RTCP): {rtcp} weglassen und {linearize} verwenden</translation>
     </message>
     <message>
         <source>{name} does not take the shorter way to a word of 0 to 360, as the machine file says of {letter} (modulo): the words count their turns on. Set the control accordingly, or wrap_strategy to unwound.</source>
@@ -5357,7 +5353,7 @@
     </message>
     <message>
         <source>{name} {lean} leaves {minimax} no choice; leave it out, or choose {facet_mean}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} {lean} lässt {minimax} keine Wahl; weglassen oder {facet_mean} wählen</translation>
     </message>
     <message>
         <source>{name} {value} is out of range; give more than 0 mm</source>
@@ -5413,7 +5409,7 @@
     </message>
     <message>
         <source>{past} needs the part's passes: use it with {mill}; a CL file keeps its axes</source>
-        <translation type="unfinished"></translation>
+        <translation>{past} braucht die Zeilen des Werkstücks: mit {mill} verwenden; eine CL-Datei behält ihre Achsen</translation>
     </message>
     <message>
         <source>{path} cannot be read: {strerror}</source>
@@ -5497,7 +5493,7 @@
     </message>
     <message>
         <source>{rtcp} lets the controller guide the tip, {linearize} divides blocks where it does not; give one</source>
-        <translation type="unfinished"></translation>
+        <translation>{rtcp} lässt die Steuerung die Spitze führen, {linearize} teilt Sätze, wo sie es nicht tut; eines davon angeben</translation>
     </message>
     <message>
         <source>{sides}; name another, or null for the base</source>
@@ -5625,7 +5621,7 @@
     </message>
     <message>
         <source>{what} {text} is no stack; write diameter x length from the cutter upwards, as 40x25,63x50</source>
-        <translation type="unfinished"></translation>
+        <translation>{what}: {text} ist kein Stapel; Durchmesser x Länge vom Fräser aufwärts schreiben, wie 40x25,63x50</translation>
     </message>
     <message>
         <source>{what} {text} is not a number</source>
