@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.settings import MILL, build_settings
 
 from . import cam, convert, tool_bit
 from .properties import QT_TRANSLATE_NOOP, WORK_ZERO, Property, property_name, setting_properties
-from .schema import Proxy
+from .schema import Proxy, is_restored
 
 OPTIONS = ("machine", "controller", "origin", "tool_length", "work_offset")
 """The options that are shared."""
@@ -51,11 +51,6 @@ class JobSetup(Proxy):
 
     def execute(self, obj: Any) -> None:
         """Nothing is computed."""
-
-
-def is_restored(obj: Any) -> bool:
-    """Whether FreeCAD itself puts properties back: it reads a file, or undoes or redoes a step."""
-    return bool(FreeCAD.isRestoring() or obj.Document.Transacting)
 
 
 def is_setup(obj: Any) -> bool:

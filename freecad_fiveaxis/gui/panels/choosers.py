@@ -7,11 +7,11 @@ import math
 from typing import Any
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.labels import choice_hint, choice_label, controller_label
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .fields import ChoiceField, Field, QuantityField
 from .files import machine_files
-from .labels import choice_hint, choice_label, controller_label
 from .rows import Rows
 
 LONG = 110

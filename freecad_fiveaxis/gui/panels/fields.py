@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
+from freecad_fiveaxis.app.labels import option_label
 from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
 from freecad_fiveaxis.gui.wheel import leave_wheel
 
-from .labels import option_label
 from .lines import error_line, note_line, warning_line
 from .measure_box import MeasureBox
 

@@ -6,10 +6,10 @@ from __future__ import annotations
 import os
 from typing import Any
 
+from freecad_fiveaxis.app.labels import option_hint
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 from .fields import TextField
-from .labels import option_hint
 
 
 class FileField(TextField):

@@ -6,13 +6,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from freecad_fiveaxis.app.labels import group_label
+from freecad_fiveaxis.app.selection import is_mesh
 from freecad_fiveaxis.gui.messages import telling
 from freecad_fiveaxis.gui.qt import translate
 
 from .fields import QuantityField
 from .form import SPACING, Form, Section
 from .job_setup import FAR, SHARED, SetupField, ask, shown
-from .labels import group_label
 from .path_panel import PathPanel, show
 from .picking import PointField
 
@@ -25,7 +26,7 @@ class ToolpathPanel(PathPanel):
 
     def __init__(self, doc: Any, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
         self.base, self.faces = base, faces
-        meshed = _tessellation(obj) is None if obj else hasattr(base, "Mesh")
+        meshed = _tessellation(obj) is None if obj else is_mesh(base)
         self.setup = SetupField(doc)
         extras = [self.setup, *self._extras(not meshed)]
         part = base if obj is None else obj.Mesh
@@ -122,7 +123,7 @@ def edit(obj: Any) -> ToolpathPanel:
 def _tessellation(obj: Any) -> Any:
     """The Tessellation that a Toolpath is made of, where it is one of a solid; None for any other mesh."""
     base = getattr(obj.Mesh, "Base", None)
-    return obj.Mesh if base and hasattr(obj.Mesh, "LinearDeflection") and not hasattr(base[0], "Mesh") else None
+    return obj.Mesh if base and hasattr(obj.Mesh, "LinearDeflection") and not is_mesh(base[0]) else None
 
 
 SECTIONS = {
