@@ -185,12 +185,12 @@ def test_what_is_shared_can_be_edited_again_where_calculate_takes_the_setup_back
     panel.reject()
 
 
-def test_a_side_that_is_not_machined_is_marked_with_its_area(doc, block, pump, monkeypatch, screenshot):
+def test_a_side_that_is_not_machined_is_marked_with_its_area(doc, block, until, monkeypatch, screenshot):
     shown, show = [], on_screen.Labels.show
     monkeypatch.setattr(on_screen.Labels, "show", lambda self, labels: shown.append(labels) or show(self, labels))
     path = app.create_toolpath(doc, block, cutter="ball:8:40", stepover=3.0, gouge="off", linear_deflection=0.3)
     made = app.annotate(path)
-    pump(900)
+    until(lambda: shown and len(shown[-1]) > 1, 5000, "the labels are not drawn")
     sides = [at for at, kind in enumerate(made.Kinds) if kind == "side-not-machined"]
     assert [made.Areas[at] for at in sides] == pytest.approx([60.0 * 20.0] * 2) and not any(made.Depths[at] for at in sides)
     assert not any(area for at, area in enumerate(made.Areas) if made.Kinds[at] == "largest-deviation")
