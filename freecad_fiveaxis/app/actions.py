@@ -167,7 +167,7 @@ def _base(given: Any, faces: Sequence[str] | None) -> tuple[Any, tuple[str, ...]
         base.Document.recompute([base])
     names = (faces,) if isinstance(faces, str) else tuple(faces or named or ())
     if selection.is_mesh(base):
-        selection.check_mesh(base)
+        selection.checked_mesh(base)
     else:
         selection.solids(base, names)
     return base, names

@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.settings import Settings, build_settings
 
 from . import wording
 from .properties import MACHINES_OWN, RESULTS, cutter_values, default_value, property_name, property_value, shown_options
-from .selection import check_mesh, holder_of
+from .selection import checked_mesh, holder_of
 
 _STL = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
 _HEADER = 84
@@ -146,10 +146,8 @@ def _choice(option: str, value: str, choices: Sequence[str]) -> str:
 
 def stl_bytes(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> bytes:
     """The mesh object's facets as a binary STL, relative to ``work_zero`` (mm, document). Raises SelectionError."""
-    check_mesh(obj)
-    mesh, zero, holder = obj.Mesh, FreeCAD.Vector(*plain(tuple(work_zero))), holder_of(obj)
+    mesh, zero, holder = checked_mesh(obj), FreeCAD.Vector(*plain(tuple(work_zero))), holder_of(obj)
     if zero.Length or not holder.isIdentity():
-        mesh = mesh.copy()
         mesh.Placement = FreeCAD.Placement(-zero, FreeCAD.Rotation()).multiply(holder).multiply(mesh.Placement)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "mesh.stl")

@@ -2,15 +2,21 @@
 """What can be milled: a solid, faces of it, a Part Design body, a compound of solids, or a mesh; and what to say of all else.
 
 base    the object that the user selected.   faces   names of its faces, as ``Face3``; none: all of it.
+
+A mesh object's property ``Mesh`` is never read as an attribute. FreeCAD 1.1 with Python 3.14 crashes when it quits with a
+document open in which one was read: it frees Python's side of the mesh without Python's lock.
 """
 
 from __future__ import annotations
 
+import io
 import re
+import zipfile
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 import FreeCAD
+import Mesh
 import Part
 
 from freecad_fiveaxis.core.errors import FiveAxisError
@@ -51,7 +57,7 @@ def pick(chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[Any, tuple[str, .
         solids(base)
         faces = tuple(last for name in names if _FACE.fullmatch(last := name.rsplit(".", 1)[-1]))
         return base, faces if len(faces) == len(names) else ()
-    check_mesh(base)
+    checked_mesh(base)
     return base, ()
 
 
@@ -63,13 +69,27 @@ def _leaf(obj: Any, name: str) -> Any:
 
 def is_mesh(obj: Any) -> bool:
     """Whether the object is a mesh (a Tessellation is one too)."""
-    return hasattr(obj, "Mesh") and hasattr(obj.Mesh, "CountFacets")
+    linked = obj.getLinkedObject()
+    return "Mesh" in linked.PropertiesList and linked.getTypeIdOfProperty("Mesh") == "Mesh::PropertyMeshKernel"
 
 
-def check_mesh(obj: Any) -> None:
-    """Raises SelectionError for a mesh without facets."""
-    if not obj.Mesh.CountFacets:
+def copy_of_mesh(obj: Any) -> Any:
+    """A copy of the mesh object's facets, standing as they do in the object's holder: 0.3 s for 1M facets."""
+    linked = obj.getLinkedObject()
+    with zipfile.ZipFile(io.BytesIO(linked.dumpPropertyContent("Mesh", Compression=0))) as saved:
+        kernel = next(saved.read(name) for name in saved.namelist() if name.endswith(".bms"))
+    mesh = Mesh.Mesh()
+    mesh.read(Stream=io.BytesIO(kernel), Format="BMS")
+    mesh.Placement = linked.Placement
+    return mesh
+
+
+def checked_mesh(obj: Any) -> Any:
+    """A copy of the mesh object's facets, to be changed at will. Raises SelectionError for a mesh without facets."""
+    mesh = copy_of_mesh(obj)
+    if not mesh.CountFacets:
         raise SelectionError(say("{label} is an empty mesh: select a mesh with facets, or a solid.", label=obj.Label), obj.Label)
+    return mesh
 
 
 def solids(obj: Any, faces: Sequence[str] = ()) -> tuple[Any, list[int]]:

@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import PROVE, Settings, build_settings
 
+from . import selection
 from .long_work import run
 
 
@@ -32,7 +33,7 @@ def prove(nc_file: Any, options: Mapping[str, Any], sheet: Any = None, progress:
 def top_of(objects: Iterable[Any]) -> float | None:
     """The highest Z of the solids and meshes among the objects, mm in the document; None where there is none."""
     solids = [one.Shape for one in objects if getattr(getattr(one, "Shape", None), "Solids", ())]
-    meshes = [one.Mesh for one in objects if getattr(getattr(one, "Mesh", None), "CountFacets", 0)]
+    meshes = [mesh for one in objects if selection.is_mesh(one) and (mesh := selection.copy_of_mesh(one)).CountFacets]
     return max((shape.BoundBox.ZMax for shape in (*solids, *meshes)), default=None)
 
 

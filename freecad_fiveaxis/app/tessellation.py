@@ -98,7 +98,8 @@ def made_of(obj: Any) -> str:
     if base is None:
         return ""
     if selection.is_mesh(base):
-        box, shape = base.Mesh.BoundBox, (base.Mesh.CountFacets, base.Mesh.CountPoints)
+        mesh = selection.copy_of_mesh(base)
+        box, shape = mesh.BoundBox, (mesh.CountFacets, mesh.CountPoints)
     else:
         whole = selection.solids(base)[0]
         box, shape = whole.BoundBox, tuple(tuple(corner.Point) for corner in whole.Vertexes)
@@ -142,8 +143,7 @@ def _copied(base: Any, faces: Sequence[str]) -> Any:
         raise selection.SelectionError(
             say("{label} is a mesh and has no faces to choose: select the whole of it.", label=base.Label), base.Label
         )
-    selection.check_mesh(base)
-    mesh = base.Mesh.copy()
+    mesh = selection.checked_mesh(base)
     mesh.Placement = selection.holder_of(base).multiply(mesh.Placement)
     return mesh
 

@@ -8,7 +8,7 @@ import pytest
 from conftest import half_ball
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import selection
+from freecad_fiveaxis.app import convert, selection, signs, tessellation
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.errors import FiveAxisError
 
@@ -193,3 +193,39 @@ def test_a_mesh_that_was_moved_is_milled_where_it_is(doc, tmp_path):
         app.create_toolpath(doc, mesh, **{"machine": "trunnion_ac", "stepover": 4, "work_zero": (0, 0, 5)})
     )
     assert result.made.mesh.vertex.min(axis=0).tolist() == [2.0, -5.0, -10.0]
+
+
+class Unread:
+    """A mesh object whose property Mesh may not be read as an attribute."""
+
+    def __init__(self, obj):
+        self.obj = obj
+
+    def getLinkedObject(self):
+        return self
+
+    def __getattr__(self, name):
+        assert name != "Mesh", "FreeCAD 1.1 will crash when it quits"
+        return getattr(self.obj, name)
+
+
+def test_the_property_of_a_mesh_is_never_read(doc, tmp_path):
+    mesh = doc.addObject("Mesh::Feature", "Mesh")
+    mesh.Mesh = Mesh.createSphere(10.0, 20)
+    mesh.Placement.Base = FreeCAD.Vector(1, 2, 3)
+    unread = Unread(mesh)
+    assert selection.is_mesh(unread) and selection.pick([(unread, ())]) == (unread, ())
+    mesh.Mesh.write(Filename=str(tmp_path / "mesh.stl"), Format="STL")
+    assert convert.stl_bytes(unread) == (tmp_path / "mesh.stl").read_bytes(), "the facets are the same, to the last bit"
+    assert signs.top_of([unread]) == mesh.Mesh.BoundBox.ZMax
+    assert tessellation._copied(unread, ()).CountFacets == mesh.Mesh.CountFacets
+
+
+def test_a_link_to_a_mesh_is_a_mesh(doc):
+    mesh = doc.addObject("Mesh::Feature", "Mesh")
+    mesh.Mesh = Mesh.createBox(10, 10, 10)
+    link = doc.addObject("App::Link", "Link")
+    link.LinkedObject = mesh
+    doc.recompute()
+    assert selection.is_mesh(link) and selection.copy_of_mesh(link).CountFacets == 12
+    assert not selection.is_mesh(doc.addObject("Part::Box", "Box"))

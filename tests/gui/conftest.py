@@ -202,9 +202,9 @@ def _tree():
 
 
 def _viewport():
-    """The widget that draws the 3D view of the active document."""
+    """The widget that draws the 3D view of the active document. (There is no *active* one while the window lacks the focus.)"""
     area = _main().findChild(QtWidgets.QMdiArea)
-    return area.activeSubWindow().findChild(QtWidgets.QGraphicsView).viewport()
+    return area.currentSubWindow().findChild(QtWidgets.QGraphicsView).viewport()
 
 
 @pytest.fixture(scope="session")
@@ -344,10 +344,10 @@ def real_key():
 
 @pytest.fixture
 def tool_button():
-    """tool_button(command id): its QToolButton in a visible tool bar, with its state renewed."""
+    """tool_button(command id, wait=REFRESH): its QToolButton in a visible tool bar, its state renewed within so many ms."""
 
-    def find(command):
-        _pump(REFRESH)
+    def find(command, wait=REFRESH):
+        _pump(wait)
         return _tool_button(command)
 
     return find

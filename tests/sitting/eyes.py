@@ -8,6 +8,7 @@ silence   how long the program gave no answer: every question is answered by the
 from __future__ import annotations
 
 import contextlib
+import os
 import re
 import subprocess
 import threading
@@ -120,6 +121,11 @@ class Eyes:
                 return thing
         return None
 
+    def window(self, title: str) -> Thing | None:
+        """The window of the program with that title; it asks little, for a program at work answers slowly."""
+        tops = _there(self.root.children, [])
+        return next((top for top in tops if is_seen(top) and re.fullmatch(title, _there(lambda top=top: top.name, ""))), None)
+
     def find(self, role: str, name: str = "", seconds: float = 20, below: Thing | None = None) -> Thing:
         """As ``see``, waiting. Raises TimeoutError, with what there is of that role."""
         end = time.monotonic() + seconds
@@ -145,6 +151,11 @@ class Eyes:
         return [thing for thing, its in self.things() if its == role]
 
 
+def is_seen(thing: Thing) -> bool:
+    """Whether the thing is there still and showing."""
+    return _there(lambda: thing.has(SHOWING), False)
+
+
 def _there(asked, otherwise):
     try:
         return asked()
@@ -160,28 +171,54 @@ def _is_called(thing: Thing, wanted: str) -> bool:
 
 
 class Watch(threading.Thread):
-    """Asks the window every 50 ms whether it is awake. ``longest(since)``: the longest time it took to answer, s."""
+    """Asks the window every 50 ms whether it is awake. ``longest(since)``: the longest time it took to answer, s.
+
+    That is without the time in which the kernel gave the processors to others, so that a machine with other work tells the same:
+    what the window's thread waited for one, the one of the program's other threads that waited most, and this thread.
+    """
 
     EVERY = 0.05
 
-    def __init__(self, address: str, name_on_bus: str) -> None:
+    def __init__(self, address: str, name_on_bus: str, process: int) -> None:
         super().__init__(daemon=True)
-        self.bus, self.name_on_bus = Bus(address), name_on_bus
-        self.asked, self.silences, self.running = 0.0, [], True
+        self.bus, self.name_on_bus, self.process = Bus(address), name_on_bus, process
+        self.silences, self.running = [], True
 
     def run(self) -> None:
         while self.running:
-            self.asked = time.monotonic()
+            asked, before = time.monotonic(), self.waits()
             with contextlib.suppress(GLib.Error):  # the program has gone
                 self.bus.ask(self.name_on_bus, ROOT, ACCESSIBLE, "GetRole")
-            took = time.monotonic() - self.asked
-            self.silences.append((self.asked, took))
+            took = time.monotonic() - asked
+            self.silences.append((asked + took, max(0.0, took - self.starved(before))))
             time.sleep(max(0.0, self.EVERY - took))
 
+    def waits(self) -> dict[int, float]:
+        """What each thread of the program, and this one, has waited for a processor so far, s."""
+        found = {0: waited(f"/proc/self/task/{threading.get_native_id()}")}  # a thread 0 there is not
+        with contextlib.suppress(OSError):  # the program has gone
+            folder = f"/proc/{self.process}/task"
+            found |= {int(thread): waited(f"{folder}/{thread}") for thread in os.listdir(folder)}
+        return found
+
+    def starved(self, before: dict[int, float]) -> float:
+        """The time since ``before`` (of :meth:`waits`) in which the program had no processor, s."""
+        more = {thread: wait - before.get(thread, wait) for thread, wait in self.waits().items()}
+        return more.pop(0) + more.pop(self.process, 0.0) + max(more.values(), default=0.0)
+
     def longest(self, since: float) -> float:
-        """The longest silence that ended after ``since`` (monotonic), one that lasts still included; s."""
-        ended = [took for asked, took in self.silences[-20_000:] if asked + took >= since]
+        """The longest silence that ended after ``since`` (monotonic), s."""
+        ended = [took for end, took in self.silences[-20_000:] if end >= since]
         return max([*ended, 0.0])
+
+
+def waited(thread: str) -> float:
+    """What a thread, a folder of /proc, has waited for a processor so far, s; 0 where it has ended or the kernel does not say."""
+    try:
+        with open(thread + "/schedstat", encoding="ascii") as file:
+            return int(file.read().split()[1]) / 1e9
+    except (OSError, IndexError):
+        return 0.0
 
 
 def picture(path: str) -> None:

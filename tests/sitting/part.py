@@ -6,6 +6,7 @@ import sys
 import traceback
 
 import FreeCAD
+import Import
 import Part
 
 
@@ -27,6 +28,9 @@ def draw(path):
     doc.recompute()
     assert isinstance(fillet.Shape, Part.Shape) and fillet.Shape.isValid() and body.Shape.isValid()
     doc.saveAs(path)
+    solid = doc.addObject("Part::Feature", "Imported")
+    solid.Shape = fillet.Shape
+    Import.export([solid], path.replace("FCStd", "step"))
 
 
 try:

@@ -21,9 +21,8 @@ PROJECT = os.path.dirname(os.path.dirname(HERE))
 BAD = re.compile(r"Traceback|\w*Error\b|\w*Exception\b|Segmentation fault|SIGSEGV|already deleted|[Uu]nhandled|resizeDocks")
 NOT_OURS = re.compile(r"Addon Manager|QtWebEngine|zygote|libEGL|MESA|dconf|dbus|GLib|Gtk-", re.IGNORECASE)
 """What FreeCAD or the machine says by itself, with no add-on too."""
-FREECADS_OWN_CRASH = "Mesh::PropertyMeshKernel::~PropertyMeshKernel()"
-"""FreeCAD 1.1 with Python 3.14 frees the Python side of a mesh without Python's lock when it quits with a document open: with no
-add-on too, after a ``Mesh`` property was read in its console. Nothing of the user's is lost: it comes after he was asked to save."""
+ANSWERED = re.compile(r"^told: (.*)$", re.MULTILINE)
+"""What the console was made to say."""
 RED = "Error"
 """How a red line describes itself to a screen reader."""
 
@@ -65,7 +64,7 @@ class Sitting:
         self.eyes = Eyes(self.desk.bus_address, "FreeCAD")
         self.until(self.eyes.is_there, 25, "FreeCAD on the accessibility bus")
         self.eyes.find("frame", "FreeCAD.*", 60)
-        self.watch = Watch(self.desk.bus_address, self.eyes.root.name_on_bus)
+        self.watch = Watch(self.desk.bus_address, self.eyes.root.name_on_bus, self.program.pid)
         self.watch.start()
 
     def until(self, seen, seconds: float, what: str):
@@ -124,12 +123,6 @@ class Sitting:
     def look(self) -> None:
         """Raises Unseen where anything has gone wrong that a user could see: a red line, or an error in what FreeCAD says."""
         said = self.new_in_log()
-        if self.has_left() and FREECADS_OWN_CRASH in said:
-            print(
-                "sitting: FreeCAD has crashed while quitting, as it does without the add-on once a script has read a mesh",
-                flush=True,
-            )
-            return
         self.alive()
         bad = wrong(said)
         if bad:
@@ -188,26 +181,37 @@ class Sitting:
 
     def collect(self) -> None:
         """Have Python's garbage collected, by typing into FreeCAD's own console; it counts as no work of the user's."""
-        self.hands.counting = False
-        for _ in range(3):  # a window that is just being closed swallows keys
-            if self._type_collect():
-                break
-        else:
-            raise Unseen("the garbage could not be collected")
-        self.hands.counting = True
+        self.answer("__import__('gc').collect()")
 
-    def _type_collect(self) -> bool:
+    def objects(self) -> str:
+        """The names of the document's objects, by FreeCAD's console; it counts as no work of the user's."""
+        return self.answer("' '.join(one.Name for one in App.ActiveDocument.Objects)")
+
+    def answer(self, expression: str) -> str:
+        """What FreeCAD's console says of a Python expression. Raises Unseen."""
+        self.hands.counting = False
+        try:
+            for _ in range(3):  # a window that is just being closed swallows keys
+                said = self._type(expression)
+                if said is not None:
+                    return said
+            raise Unseen(f"the console does not answer {expression}")
+        finally:
+            self.hands.counting = True
+
+    def _type(self, expression: str) -> str | None:
         console = self.console()
-        before = console.text.count("collected")
+        before = len(ANSWERED.findall(console.text))
         self.hands.click(console, (0.5, 0.9))
         self.hands.press("ctrl+End")
-        self.hands.write("import gc; print('collec' + 'ted', gc.collect())")
+        self.hands.write(f"print('to' + 'ld:', {expression})")
         self.hands.press("Return")
         try:
-            return bool(self.until(lambda: console.text.count("collected") > before, 8, "collected"))
+            self.until(lambda: len(ANSWERED.findall(console.text)) > before, 8, "an answer of the console")
         except Unseen:
             self.alive()
-            return False
+            return None
+        return ANSWERED.findall(console.text)[-1]
 
     def console(self) -> Thing:
         """The text of the Python console."""

@@ -10,11 +10,15 @@ import sys
 import time
 
 from desk import Desk, run_quietly
-from eyes import ENABLED
+from eyes import ENABLED, is_seen
 from sitting import HERE, PROJECT, Sitting, Unseen, make_part, table
 
-LIMIT = 3.0
-"""s that the window may stay without an answer in a step of ours."""
+LIMIT = 0.6
+"""s that the window may stay without an answer in a step of ours; 0.3 s is the aim, and an answer takes some time by itself."""
+OPENING = 2.0
+"""s that it may where our panel is made for the first time, and where FreeCAD draws what it reads from a file."""
+SOON = 1.0
+"""s from Esc until the work is over."""
 
 
 def install(user: Sitting) -> None:
@@ -104,6 +108,42 @@ def panel_holds(user: Sitting, box) -> bool:
     return abs(x - left) < 300 and top < y < top + 500
 
 
+def stop(user: Sitting) -> None:
+    """Calculate what takes long, with a very thin cutter, and press Esc: the document is as it was."""
+    before = user.objects()
+    was = fill(user, "Diameter", "0.06 mm")
+    user.press("Calculate")
+    escape(user, "Tool path")
+    if (after := user.objects()) != before:
+        raise Unseen(f"Esc has left {after}, there was {before}")
+    fill(user, "Diameter", was)
+
+
+def fill(user: Sitting, label: str, text: str) -> str:
+    """Type a text into a box of the panel; what stood there."""
+    box = user.eyes.find("spin box", label)
+    was = box.text
+    user.hands.click(box, at=(0.2, 0.4))
+    user.hands.press("ctrl+a")
+    user.hands.write(text)
+    user.hands.press("Tab")
+    return was
+
+
+def escape(user: Sitting, title: str) -> None:
+    """Esc, after two seconds of work: it is over within a second of what the program had of the processors."""
+    work = user.until(lambda: user.eyes.window(title), 20, "the window of the work")
+    time.sleep(2)
+    if not is_seen(work):
+        raise Unseen("the work was over before Esc was pressed")
+    before, pressed = user.watch.waits(), time.monotonic()
+    user.hands.press("Escape")
+    user.until(lambda: not is_seen(work), 30, "Esc to stop the work")
+    took = time.monotonic() - pressed - user.watch.starved(before)
+    if took > SOON:
+        raise Unseen(f"the work went on for {took:.2f} s after Esc, allowed is {SOON:g} s")
+
+
 def calculate(user: Sitting) -> None:
     """Calculate; the tree has a path then."""
     user.press("Calculate")
@@ -112,9 +152,26 @@ def calculate(user: Sitting) -> None:
 
 def ok(user: Sitting) -> None:
     """OK keeps the path and closes the panel."""
-    user.press("OK")
-    user.eyes.gone("push button", "Calculate", 60)
+    keep(user)
     user.in_tree("Toolpath")
+
+
+def keep(user: Sitting) -> None:
+    """OK; where it is asked whether to keep a path that is not safe: yes."""
+    user.press("OK")
+    agree(user, "Keep anyway", "Calculate")
+
+
+def agree(user: Sitting, anyway: str, panel: str) -> None:
+    """Wait until the panel with that button is closed; what is asked before is answered by the button ``anyway``."""
+    asked = user.until(
+        lambda: user.eyes.see("push button", anyway) or not user.eyes.see("push button", panel),
+        60,
+        "the panel to close or to ask",
+    )
+    if asked is not True:
+        user.hands.click(asked)
+        user.eyes.gone("push button", panel, 60)
 
 
 def play(user: Sitting) -> None:
@@ -141,8 +198,15 @@ def post_process(user: Sitting) -> None:
     user.press_tool("Post-process.*")
     user.nc_file = user.eyes.find("text", "The NC file to write").text
     user.press("OK")
-    user.until(lambda: os.path.isfile(user.nc_file), 60, user.nc_file)
+    asked = user.until(
+        lambda: user.eyes.see("push button", "Write anyway") or os.path.isfile(user.nc_file), 60, f"{user.nc_file}, or a question"
+    )
+    if asked is not True:
+        user.hands.click(asked)
+        user.until(lambda: os.path.isfile(user.nc_file), 60, user.nc_file)
     told = user.eyes.find("dialog", "NC file written")
+    for name in ("Open", "Show folder"):
+        user.eyes.find("push button", name, below=told)
     user.hands.click(user.eyes.find("push button", "Close", below=told))
     user.eyes.gone("push button", "OK")
 
@@ -157,8 +221,7 @@ def audit(user: Sitting) -> None:
     user.hands.press("Tab")
     user.press("Calculate")
     user.eyes.find("label", ".*Blocks.*", 60)
-    user.press("OK")
-    user.eyes.gone("push button", "Calculate", 60)
+    keep(user)
     user.in_tree("Audit")
 
 
@@ -211,14 +274,70 @@ def leave(user: Sitting) -> None:
     user.until(user.has_left, 30, "FreeCAD to leave")
 
 
+def body(user: Sitting) -> None:
+    """A path over the Part Design body too."""
+    user.hands.click(user.in_tree("Body"))
+    tool_path(user)
+    calculate(user)
+    keep(user)
+    user.in_tree("Toolpath001")
+
+
+def step_file(user: Sitting) -> None:
+    """Open a STEP file, a path over its solid, and close it again without saving."""
+    user.hands.press("ctrl+o")
+    user.eyes.find("dialog", "Open.*")
+    time.sleep(0.5)
+    user.hands.write(user.part.replace("FCStd", "step"))
+    user.hands.press("Return")
+    user.hands.click(user.in_tree("Imported", 30))
+    tool_path(user)
+    calculate(user)
+    keep(user)
+    user.hands.press("ctrl+w")
+    user.hands.click(user.eyes.find("push button", DISCARD))
+    user.not_in_tree("Imported")
+
+
+def setup(user: Sitting) -> None:
+    """Setup: what several paths share; it is kept."""
+    user.press_tool("Setup.*")
+    user.press("OK")
+    user.in_tree("Setup")
+
+
+def clamp(user: Sitting) -> None:
+    """Where to clamp: a map of the path."""
+    user.hands.click(user.in_tree("Toolpath"))
+    user.press_tool("Where to clamp.*")
+    user.press("Calculate")
+    user.eyes.find("label", ".*recommended.*", 120)
+    keep(user)
+
+
+def compare(user: Sitting) -> None:
+    """Compare machines, the least deviation (minimax) among the corrections, and stop it."""
+    user.hands.click(user.in_tree("Toolpath"))
+    user.press_tool("Compare.*")
+    user.press("Compare")
+    escape(user, "Compare.*")
+    user.hands.press("Escape")
+    user.eyes.gone("push button", "Compare")
+
+
 DISCARD = "(Discard|Close without|Don.t Save).*"
 SHORT = [
     ("Install", install), ("Start", start), ("Workbench", workbench), ("Open a part", open_part), ("Select it", select),
-    ("Tool path", tool_path), ("Turn the wheel", turn_wheel), ("Calculate", calculate), ("OK", ok), ("Play", play),
+    ("Tool path", tool_path), ("Turn the wheel", turn_wheel), ("Esc while it works", stop), ("Calculate", calculate), ("OK", ok), ("Play", play),
     ("Post-process", post_process), ("Audit", audit), ("Undo, redo", undo), ("Recompute", recompute), ("Save", save),
     ("Close", close), ("Reopen", reopen), ("Quit", leave),
 ]  # fmt: skip
-LONG = SHORT
+MORE = [
+    ("A body", body), ("A STEP file", step_file), ("Setup", setup), ("Where to clamp", clamp), ("Compare machines", compare),
+]  # fmt: skip
+LONG = [*SHORT[:-1], *MORE, SHORT[-1]]
+LIMITS = {"Tool path": OPENING, "Reopen": OPENING}
+"""Where more than LIMIT is allowed, s."""
 FREECADS_OWN = ("Install", "Start", "Workbench", "Open a part", "Save", "Close", "Quit")
 """Steps in which FreeCAD works, and not we: their silence is told, and not judged."""
 
@@ -237,7 +356,7 @@ def main() -> int:
         os.makedirs(folder)
         user = Sitting(desk, folder, part)
         good = all(
-            user.do(name, step, None if name in FREECADS_OWN else asked.limit)
+            user.do(name, step, None if name in FREECADS_OWN else max(asked.limit, LIMITS.get(name, 0.0)))
             for name, step in (LONG if asked.form == "long" else SHORT)
         )
         with open(os.path.join(folder, "table.md"), "w", encoding="utf-8") as file:
