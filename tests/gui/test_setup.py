@@ -78,7 +78,8 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     until(lambda: path.MaxSegmentDeviation.Value < before, 60000, "a lower deviation")
     pump(300)
     screenshot("setup_applied")
-    assert "Applied" in field("summary").text()
+    said = field("summary")
+    assert said.text().startswith("<p><b>Applied: ") and said.visibleRegion().boundingRect().top() == 0, "seen without scrolling"
     panel_button("OK")
     assert tuple(path.Origin) == pytest.approx(tuple(made.Recommended)) and not path.OriginFromMachine
     assert path.MaxSegmentDeviation.Value == pytest.approx(made.DeviationAfter.Value, abs=1e-9) and made.UpToDate

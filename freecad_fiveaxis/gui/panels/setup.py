@@ -131,9 +131,8 @@ class SetupPanel(PathPanel):
             return False
         text = translate("FiveAxis", "Applied: the largest deviation is now {deviation}.")
         self.options.show_error("")
-        self.summary.tell(
-            self.summary.text.text() + f"<p><b>{text.format(deviation=length_text(self.path.MaxSegmentDeviation.Value))}</b></p>"
-        )
+        applied = text.format(deviation=length_text(self.path.MaxSegmentDeviation.Value))
+        self.summary.tell(f"<p><b>{html.escape(applied)}</b></p>{self.summary.text.text()}")
         reveal(self.form)
         return True
 

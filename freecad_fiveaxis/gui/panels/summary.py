@@ -87,8 +87,9 @@ class Summary(QtWidgets.QGroupBox):
         self.forget()
 
     def tell(self, text: str) -> None:
-        """Show a text (HTML)."""
+        """Show a text (HTML) from its beginning."""
         self.text.setText(text)
+        self.area.verticalScrollBar().setValue(0)
         self.area.updateGeometry()
 
     def forget(self) -> None:
