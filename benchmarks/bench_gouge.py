@@ -43,9 +43,9 @@ ALONG, ACROSS, EDGE = 500, 24, 50.0  # points along and across the mesh; length 
 
 
 def milled(mesh: Mesh) -> job.Milled:
-    """A finishing program with its blocks divided to the tolerance."""
+    """A finishing program with its blocks divided to the tolerance, and no place lifted."""
     options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 2, "cutter": f"ball:{DIAMETER}"}
-    settings = build_settings("mill", "bumpy", {**options, "max_axis_angle": 60, "linearize": "on"})
+    settings = build_settings("mill", "bumpy", {**options, "max_axis_angle": 60, "linearize": "on", "gouge": "off"})
     made = job.make(settings, mesh=mesh)
     assert isinstance(made, job.Milled)
     return made

@@ -12,13 +12,15 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.core.cutter import cutter_text
+from freecad_fiveaxis.core.cutter import cutter_text, parse_cutter
+from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import MILL, build_settings
 
-from . import cam, convert, tool_bit
+from . import cam, convert, tool_bit, wording
 from .properties import QT_TRANSLATE_NOOP, WORK_ZERO, Property, property_name, setting_properties
-from .schema import Proxy
+from .schema import Proxy, is_restored
 
 OPTIONS = ("machine", "controller", "origin", "tool_length", "work_offset")
 """The options that are shared."""
@@ -51,11 +53,6 @@ class JobSetup(Proxy):
 
     def execute(self, obj: Any) -> None:
         """Nothing is computed."""
-
-
-def is_restored(obj: Any) -> bool:
-    """Whether FreeCAD itself puts properties back: it reads a file, or undoes or redoes a step."""
-    return bool(FreeCAD.isRestoring() or obj.Document.Transacting)
 
 
 def is_setup(obj: Any) -> bool:
@@ -138,6 +135,23 @@ def put(setup: Any, options: Mapping[str, Any], zero: Any = None) -> None:
 def tools_of(job: Any) -> list[str]:
     """The tools of a CAM Job that are of use here, as ``T3 ball:6.0:30.0 Name``."""
     return [f"T{tool.number} {cutter_text(tool.cutter)} {tool.label}" for tool in tool_bit.cutters_of_job(job) if tool.cutter]
+
+
+def cutters_of(setup: Any) -> list[tool_bit.JobTool]:
+    """The tools that a setup lists; a line that cannot be read is a tool of no use, which says why."""
+    return [_tool(line) for line in setup.Tools if line.strip()]
+
+
+def _tool(line: str) -> tool_bit.JobTool:
+    number, text, label = [*line.split(maxsplit=2), "", ""][:3]
+    try:
+        if not number[1:].isdecimal():
+            raise SettingsError(
+                say("{line} is no tool; write number, cutter and name, as T3 ball:6:30 Finisher", line=line), line
+            )
+        return tool_bit.JobTool(label or text, int(number[1:]), parse_cutter(text))
+    except SettingsError as error:
+        return tool_bit.JobTool(label or line, int(number[1:]) if number[1:].isdecimal() else 0, None, wording.told(error))
 
 
 def _jobs(doc: Any, job: Any) -> list[Any]:

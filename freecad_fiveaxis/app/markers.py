@@ -10,7 +10,7 @@ import FreeCAD
 
 from freecad_fiveaxis.core import report
 from freecad_fiveaxis.core.gouge import GOUGES
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.sentences import Area, say
 
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property
 from .results import figures_of
@@ -36,6 +36,11 @@ PROPERTIES = (
         "Depths", "App::PropertyFloatList", "Markers",
         QT_TRANSLATE_NOOP("App::Property", "How deep the tool enters the part at each marker, mm; 0: not at all"), [], READ_ONLY,
     ),
+    Property(
+        "Areas", "App::PropertyFloatList", "Markers",
+        QT_TRANSLATE_NOOP("App::Property", "Area that each marker stands for, as a side that no pass cuts, mm²; 0: none"), [],
+        READ_ONLY,
+    ),
 )  # fmt: skip
 
 
@@ -44,7 +49,7 @@ class Markers(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The path, and place, kind, label and depth of each marker."""
+        """The path, and place, kind, label, depth and area of each marker."""
         return PROPERTIES
 
     def execute(self, obj: Any) -> None:
@@ -58,11 +63,17 @@ class Markers(Proxy):
         obj.Kinds = [mark.kind for mark in marks]
         obj.Labels = [mark.label for mark in marks]
         obj.Depths = [_depth(mark) for mark in marks]
+        obj.Areas = [_area(mark) for mark in marks]
 
 
 def _depth(mark: report.Marker) -> float:
     """mm; known of the deepest places of each kind, which have a finding."""
     return mark.finding.value or 0.0 if mark.kind in GOUGES and mark.finding else 0.0
+
+
+def _area(mark: report.Marker) -> float:
+    """mm², where the marker's finding measures an area."""
+    return mark.finding.value or 0.0 if mark.finding and mark.finding.unit == Area.unit else 0.0
 
 
 def of(path: Any) -> Any:

@@ -35,10 +35,10 @@ TEXTS = {
     "order": QT_TRANSLATE_NOOP("App::Property", "Zigzag cuts in both directions, one way in one direction only"),
     "clearance": QT_TRANSLATE_NOOP("App::Property", "Rapid moves stay this far off the part's bounding box"),
     "feed": QT_TRANSLATE_NOOP(
-        "App::Property", "Feed rate of the tip over the part; in the property editor type its unit too, as 1000 mm/min"
+        "App::Property", "Feed rate of the tip over the part"
     ),
     "plunge_feed": QT_TRANSLATE_NOOP(
-        "App::Property", "Feed rate of the approach to the part; in the property editor type its unit too, as 300 mm/min"
+        "App::Property", "Feed rate of the approach to the part"
     ),
     "feed_mode": QT_TRANSLATE_NOOP("App::Property", "F words as inverse time (G93), or as feed per minute (G94)"),
     "tool": QT_TRANSLATE_NOOP(

@@ -7,7 +7,8 @@ setting property   option ``least_interval`` is property ``LeastInterval``, in a
                    is five properties, CUTTER: its kind and its sizes, of which those count that the kind has.
 result property    what the last computation found; read-only, and a change of it does not make the object out of date.
 
-FreeCAD keeps lengths in mm, angles in degrees and feeds in **mm/s**, and shows them in the user's units.
+FreeCAD keeps lengths in mm, angles in degrees and feeds in **mm/s**, and shows them in the user's units; a feed has a second
+property for the editor, in mm/min (:mod:`.feed_per_minute`).
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ from freecad_fiveaxis.core.quantity import stack_text
 from freecad_fiveaxis.core.settings import MILL, FacesSettings, OutputSettings, option_fields
 from freecad_fiveaxis.core.tool_axis import STRATEGIES
 
+from .feed_per_minute import PER_MINUTE
 from .option_texts import text_of
 
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
@@ -123,6 +125,12 @@ CUTTER = (
 )  # fmt: skip
 _FROM_MACHINE = QT_TRANSLATE_NOOP("App::Property", "Take the work zero's place on the machine from the machine's file")
 
+_PER_MINUTE = {
+    "feed": QT_TRANSLATE_NOOP("App::Property", "Feed rate of the tip over the part, in mm/min"),
+    "plunge_feed": QT_TRANSLATE_NOOP("App::Property", "Feed rate of the approach to the part, in mm/min"),
+}
+"""What the editor says of a feed in mm/min."""
+
 
 def property_name(option: str) -> str:
     """``least_interval`` -> ``LeastInterval``."""
@@ -153,6 +161,8 @@ def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
     made = [Property(name, type_, group, text, default_value(leaf), choices=choices)]
     if kind == "point":
         made.append(Property(name + "FromMachine", "App::PropertyBool", group, _FROM_MACHINE, leaf.default is None))
+    if kind == "feed":
+        made.append(Property(name + PER_MINUTE, "App::PropertyFloat", group, _PER_MINUTE.get(leaf.name, text)))
     return made
 
 

@@ -18,6 +18,7 @@ import FreeCAD
 from freecad_fiveaxis.core.quantity import stack_text
 from freecad_fiveaxis.core.settings import MILL
 
+from . import feed_per_minute
 from .properties import CUTTER, HIDDEN, Property, add_missing, drawn_tool, setting_properties, show_sizes
 
 SCHEMA = 4
@@ -31,11 +32,14 @@ VERSION = Property(
 class Proxy:
     """Base of our proxies. A subclass lists its ``properties`` and knows how to ``execute``."""
 
+    whole = False
+    """Whether the object has all its properties, so that one may follow another."""
+
     def __init__(self, obj: Any) -> None:
         obj.Proxy = self
         add_missing(obj, [*self.properties(), VERSION])
         obj.SchemaVersion = SCHEMA
-        show_sizes(obj)
+        self._show(obj)
         give_label(obj)
         self._begin()
 
@@ -51,12 +55,20 @@ class Proxy:
         """FreeCAD has read the object from a file, or made a copy of it."""
         self._begin()
         migrate(obj, self.properties())
+        self._show(obj)
+
+    def _show(self, obj: Any) -> None:
+        """The property editor shows what the object's own values call for."""
         show_sizes(obj)
+        feed_per_minute.show(obj)
+        self.whole = True
 
     def onChanged(self, obj: Any, name: str) -> None:
         """FreeCAD has set a property, in a document that is open or while it reads one."""
         if name == CUTTER[0].name:
             show_sizes(obj)
+        if self.whole and not is_restored(obj):
+            feed_per_minute.follow(obj, name)
 
     def dumps(self) -> None:
         """FreeCAD 0.21 and later: nothing to save but the properties."""
@@ -70,6 +82,11 @@ class Proxy:
 
     def __setstate__(self, state: Any) -> None:
         self._begin()
+
+
+def is_restored(obj: Any) -> bool:
+    """Whether FreeCAD itself puts properties back: it reads a file, or undoes or redoes a step."""
+    return bool(FreeCAD.isRestoring() or obj.Document.Transacting)
 
 
 def give_label(obj: Any) -> None:

@@ -8,6 +8,7 @@ import FreeCAD
 from freecad_fiveaxis.core.errors import FiveAxisError
 from freecad_fiveaxis.core.sentences import render
 
+from .labels import name_of
 from .units import measure_text
 
 
@@ -15,4 +16,4 @@ def told(text: str | BaseException) -> str:
     """A sentence, or the message of an error, as the user reads it; any other text as it is."""
     if isinstance(text, FiveAxisError):
         text = text.text
-    return render(text, FreeCAD.Qt.translate, measure_text) if isinstance(text, str) else str(text)
+    return render(text, FreeCAD.Qt.translate, measure_text, name_of) if isinstance(text, str) else str(text)

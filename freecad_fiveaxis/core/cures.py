@@ -43,7 +43,7 @@ def known_cures(names: Sequence[str] = ()) -> tuple[str, ...]:
     """These names; without any, all there are. Raises SettingsError for a name that is not known."""
     for name in names:
         if name not in CURES:
-            raise SettingsError(say("unknown cure {name}; known: {cures}", name=repr(name), cures=", ".join(CURES)), name)
+            raise SettingsError(say("unknown correction {name}; known: {cures}", name=repr(name), cures=", ".join(CURES)), name)
     return tuple(names) or tuple(CURES)
 
 
@@ -57,7 +57,7 @@ def leading(made: Posted, lead: Lead) -> Cure:
 
     def cure(path: CLPath, where: Station, progress: Progress) -> JointPath:
         if not isinstance(made, Milled):
-            text = say("this cure leads the tool axes over the part's facets; give it the STL, not a CL file")
+            text = say("this correction turns the tool axes over the part's facets; give it the STL, not a CL file")
             raise SettingsError(text, made.settings.source)
         axis = lead(made.offset, made.axis, where.links, progress)
         return solved(linked(made.settings, made.offset, axis, made.mesh, progress), where, progress)

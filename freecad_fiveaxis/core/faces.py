@@ -95,7 +95,7 @@ def _told(mesh: Mesh, faces: Mesh, chosen: Bools, name: str) -> tuple[Finding, .
     area, whole, asked = float(areas[chosen].sum()), float(areas.sum()), float(faces.area.sum())
     text = say(
         "{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not;"
-        " {gouge} checks and cures against all of them.",
+        " {gouge} keeps the tool out of all of them.",
         count=int(chosen.sum()),
         area=Area(area, ".6g"),
         share=Number(100.0 * area / whole, ".3g"),

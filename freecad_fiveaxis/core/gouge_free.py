@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.gouge import (
     AIM,
     CURES,
     CUTTER,
+    DIVIDE,
     Body,
     GougeCheck,
     Remainder,
@@ -189,7 +190,7 @@ def _remedy(settings: Settings) -> str:
     if settings.gouge.gouge == "report":
         return CURES
     divisible = settings.cure.linearize == "off" and settings.head.rtcp == "off"  # a guided tip excludes division
-    way = say("let blocks be divided (linearize on)") if divisible else say("ask for a smaller tolerance")
+    way = say("let blocks be divided ({divide})", divide=DIVIDE) if divisible else say("ask for a smaller tolerance")
     return say("The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.", way=way)
 
 

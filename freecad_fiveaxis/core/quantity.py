@@ -50,7 +50,7 @@ def parse_stack(text: str | list[str] | tuple[tuple[float, float], ...], what: s
         if not times:
             raise SettingsError(
                 say(
-                    "{what} {text} is no stack; write DIAMETERxLENGTH from the cutter upwards, as 40x25,63x50",
+                    "{what} {text} is no stack; write diameter x length from the cutter upwards, as 40x25,63x50",
                     what=what,
                     text=repr(text),
                 ),

@@ -64,7 +64,7 @@ def _spindle_off() -> tuple[Finding, ...]:
         Finding(
             Severity.WARNING,
             "spindle-off",
-            say("The spindle stays off: give the spindle speed ({spindle} S).", spindle=Option("spindle")),
+            say("The spindle stays off: give {spindle}.", spindle=Option("spindle", given="S")),
         ),
     )
 

@@ -5,6 +5,7 @@ template  English with places for values, as "The tool enters the part by {depth
 sentence  a str: the template with its values in the core's units, as the command line and the reports say it. It remembers
           template and values, so that a window says it in its user's language and units (:func:`render`).
 measure   a value with its unit: a length, an area, an angle, a feed, a time.
+name      of a setting, of choices of one, of a task: in the words of the command line, which a window says by its own labels.
 
 The templates are found in the source by ``scripts/translations``: the texts of :func:`say`, :func:`plural` and
 :class:`Template` are therefore written out as literals.
@@ -19,8 +20,6 @@ from typing import Any, ClassVar
 
 CONTEXT = "FiveAxisCore"
 """The context under which the templates are translated."""
-OPTIONS = "App::Property"
-"""The context under which the names of the options are."""
 
 
 @dataclass(frozen=True)
@@ -129,24 +128,47 @@ def measure(value: float, unit: str, form: str = "g", bare: bool = False) -> Mea
 class Option:
     """A setting by its name in the core (``max_axis_angle``): ``--max-axis-angle`` on the command line, its label in a window.
 
-    ``flag``: with the two dashes."""
+    ``flag``: with the two dashes; ``given``: what stands for its value on the command line, as ``S``."""
 
     name: str
     flag: bool = True
+    given: str = ""
 
     def __str__(self) -> str:
-        return ("--" if self.flag else "") + self.name.replace("_", "-")
+        return ("--" if self.flag else "") + self.name.replace("_", "-") + (f" {self.given}" if self.given else "")
 
-    @property
-    def label(self) -> str:
-        """As the property editor names it: ``Max Axis Angle``."""
-        return " ".join(part.capitalize() for part in self.name.split("_"))
+
+@dataclass(frozen=True)
+class Choice:
+    """Choices of a setting, by their names in the core: ``gouge lift, leave-out`` on the command line, label and choices in a
+    window. ``flag``: with the two dashes; ``alone``: the choices without the setting."""
+
+    option: str
+    choices: tuple[str, ...]
+    flag: bool = False
+    alone: bool = False
+
+    def __str__(self) -> str:
+        choices = ", ".join(self.choices)
+        return choices if self.alone else f"{Option(self.option, self.flag)} {choices}"
+
+
+@dataclass(frozen=True)
+class Task:
+    """A task by its name in the core: as it is typed on the command line, a command's name in a window."""
+
+    name: str
+
+    def __str__(self) -> str:
+        return f"`{self.name}`"
 
 
 Translate = Callable[[str, str], str]
 """Context and English text -> the text in the user's language; the English one where there is no translation."""
 Units = Callable[[Measure], str]
 """A measure -> its text in the user's units."""
+Names = Callable[[Option | Choice | Task], str]
+"""A setting, choices or a task -> what the window calls it."""
 
 
 class Sentence(str):
@@ -172,7 +194,8 @@ class Sentence(str):
 
 
 def say(template: str, **values: Any) -> Sentence:
-    """The sentence of a template. A value is a Measure, a Number, an Option, a sentence, an error, a number or a name."""
+    """The sentence of a template. A value is a Measure, a Number, a name of a setting or a task, a sentence, an
+    error, a number or a text."""
     return Sentence(template, {name: _value(value) for name, value in values.items()})
 
 
@@ -231,27 +254,27 @@ def beginning(text: str) -> Sentence:
     return Sentence("{text}", {"text": Beginning(text)}, translated=False)
 
 
-def render(text: str, translate: Translate, units: Units) -> str:
-    """A sentence in another language and other units. A text that is no sentence comes back as it is."""
+def render(text: str, translate: Translate, units: Units, names: Names = str) -> str:
+    """A sentence in another language, other units and a window's names. A text that is no sentence comes back as it is."""
     if not isinstance(text, Sentence):
         return text
     template = translate(CONTEXT, text.template) if text.translated else text.template
-    return template.format_map({name: _render_value(value, translate, units) for name, value in text.values.items()})
+    return template.format_map({name: _render_value(value, translate, units, names) for name, value in text.values.items()})
 
 
-def _render_value(value: Any, translate: Translate, units: Units) -> str:
-    if isinstance(value, Option):
-        return translate(OPTIONS, value.label)
+def _render_value(value: Any, translate: Translate, units: Units, names: Names) -> str:
+    if isinstance(value, Option | Choice | Task):
+        return names(value)
     if isinstance(value, Clause | Beginning):
-        return str(type(value)(render(value.text, translate, units)))
-    return (
-        units(value) if isinstance(value, Measure) else render(value, translate, units) if isinstance(value, str) else str(value)
-    )
+        return str(type(value)(render(value.text, translate, units, names)))
+    if isinstance(value, Measure):
+        return units(value)
+    return render(value, translate, units, names) if isinstance(value, str) else str(value)
 
 
 def _value(value: Any) -> Any:
     """What a sentence keeps: no arrays' numbers, and of an error its text."""
-    if isinstance(value, Sentence | Measure | Number | Option):
+    if isinstance(value, Sentence | Measure | Number | Option | Choice | Task):
         return value
     if isinstance(value, BaseException) and value.args and isinstance(value.args[0], Sentence):
         return value.args[0]

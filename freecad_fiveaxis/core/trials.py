@@ -16,7 +16,7 @@ from pathlib import Path
 from freecad_fiveaxis.core.compare import Row, compare, compare_html, compare_json, compare_text, station
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.sentences import Length, Option, joined, say
+from freecad_fiveaxis.core.sentences import Choice, Length, Option, joined, say
 from freecad_fiveaxis.core.setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
 
 from .asked import clamped
@@ -170,7 +170,10 @@ def _row_findings(rows: Sequence[Row]) -> Iterator[Finding]:
     grave = Severity.ERROR if all(row.problem for row in rows) else Severity.WARNING
     for machine, cure, problem in dict.fromkeys((row.machine, row.cure, row.problem) for row in rows if row.problem):
         text = say(
-            "On {machine} with cure {cure} the path cannot be driven: {problem}", machine=machine, cure=cure, problem=problem
+            "On {machine} with correction {cure} the path cannot be driven: {problem}",
+            machine=machine,
+            cure=Choice("cures", (cure,), alone=True),
+            problem=problem,
         )
         yield Finding(grave, "cannot-be-compared", text)
 

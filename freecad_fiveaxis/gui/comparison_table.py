@@ -122,7 +122,8 @@ def heads() -> list[str]:
 
 def cells(row: Any) -> list[Cell]:
     """The cells of one row of the core."""
-    from .panels.compare import cure_label
+    from freecad_fiveaxis.app.labels import cure_label
+
     from .panels.summary import clock
     from .scene.units import length_text
 

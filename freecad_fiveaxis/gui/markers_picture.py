@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from itertools import zip_longest
 from typing import Any
 
 import numpy as np
@@ -32,5 +33,6 @@ class MarkersPicture:
         texts: list[Any] = []
         if view.ShowLabel and path is not None:
             told = labels.Told(deviation, path.WorstLine, tolerance, good, bad)
-            texts = labels.of_marks(places.tolist(), kinds, list(self.obj.Depths), told)
+            values = [depth or area for depth, area in zip_longest(self.obj.Depths, self.obj.Areas, fillvalue=0.0)]
+            texts = labels.of_marks(places.tolist(), kinds, values, told)
         self.labels.show(texts)

@@ -99,17 +99,15 @@ class Page:
 
 
 def _kinds() -> dict[str, str]:
+    from freecad_fiveaxis.app.labels import choice_label
     from freecad_fiveaxis.core.cutter import KINDS
-
-    from .panels.labels import choice_label
 
     return {choice_label(kind): kind for kind in KINDS}
 
 
 def _controllers() -> dict[str, str]:
+    from freecad_fiveaxis.app.labels import controller_label
     from freecad_fiveaxis.core.post import DIALECTS
-
-    from .panels.labels import controller_label
 
     return {translate("FiveAxis", "the machine's own"): "", **{controller_label(name): name for name in DIALECTS}}
 

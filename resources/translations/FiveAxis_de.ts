@@ -36,6 +36,14 @@
         <translation>Winkelabweichung</translation>
     </message>
     <message>
+        <source>Area that each marker stands for, as a side that no pass cuts, mm²; 0: none</source>
+        <translation>Fläche, für die jede Marke steht, etwa eine Seite, die keine Zeile fräst, mm²; 0: keine</translation>
+    </message>
+    <message>
+        <source>Areas</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
@@ -268,12 +276,24 @@
         <translation>Vorschubart</translation>
     </message>
     <message>
-        <source>Feed rate of the approach to the part; in the property editor type its unit too, as 300 mm/min</source>
-        <translation>Vorschub beim Anfahren an das Werkstück; im Eigenschafteneditor die Einheit mit eingeben, etwa 300 mm/min</translation>
+        <source>Feed Per Minute</source>
+        <translation>Vorschub pro Minute</translation>
     </message>
     <message>
-        <source>Feed rate of the tip over the part; in the property editor type its unit too, as 1000 mm/min</source>
-        <translation>Vorschub der Spitze über das Werkstück; im Eigenschafteneditor die Einheit mit eingeben, etwa 1000 mm/min</translation>
+        <source>Feed rate of the approach to the part</source>
+        <translation>Vorschub beim Anfahren an das Werkstück</translation>
+    </message>
+    <message>
+        <source>Feed rate of the approach to the part, in mm/min</source>
+        <translation>Vorschub beim Anfahren an das Werkstück, in mm/min</translation>
+    </message>
+    <message>
+        <source>Feed rate of the tip over the part</source>
+        <translation>Vorschub der Spitze über das Werkstück</translation>
+    </message>
+    <message>
+        <source>Feed rate of the tip over the part, in mm/min</source>
+        <translation>Vorschub der Spitze über das Werkstück, in mm/min</translation>
     </message>
     <message>
         <source>File</source>
@@ -620,6 +640,10 @@
         <translation>Eintauchvorschub</translation>
     </message>
     <message>
+        <source>Plunge Feed Per Minute</source>
+        <translation>Eintauchvorschub pro Minute</translation>
+    </message>
+    <message>
         <source>Point of the tool that the program moves: the tip, or the centre of the corner radius</source>
         <translation>Punkt des Werkzeugs, den das Programm bewegt: die Spitze oder die Mitte des Eckenradius</translation>
     </message>
@@ -766,6 +790,10 @@
     <message>
         <source>Slow Feed</source>
         <translation>Langsamer Vorschub</translation>
+    </message>
+    <message>
+        <source>Slow Feed Per Minute</source>
+        <translation>Langsamer Vorschub pro Minute</translation>
     </message>
     <message>
         <source>So much may be left: twice the scallop, and the tolerance</source>
@@ -1415,6 +1443,10 @@
         <translation>Von der Oberfläche des Werkstücks bis zum Fräser</translation>
     </message>
     <message>
+        <source>From the setup…</source>
+        <translation>Aus der Aufspannung …</translation>
+    </message>
+    <message>
         <source>Gap above the mark</source>
         <translation>Abstand über der Marke</translation>
     </message>
@@ -1471,8 +1503,8 @@
         <translation>Im Fenster des Werkzeugwegs ein größerer Sicherheitsabstand; unter dem Werkstück das Werkzeug anheben lassen oder solche Stellen auslassen.</translation>
     </message>
     <message>
-        <source>In the tool path's panel let the tool be lifted there, or leave such places out; or take a smaller cutter. The command What is left shows what then stays uncut. Where that is done already, the machine leaves the path between blocks: set Linearize to on.</source>
-        <translation>Im Fenster des Werkzeugwegs das Werkzeug dort anheben oder solche Stellen auslassen; oder einen kleineren Fräser nehmen. Der Befehl „Restmaterial“ zeigt, was dann stehen bleibt. Ist das schon geschehen, so verlässt die Maschine den Weg zwischen den Sätzen: „Linearisieren“ auf „an“ stellen.</translation>
+        <source>In the tool path's panel let the tool be lifted there, or leave such places out; or take a smaller cutter. The command What is left shows what then stays uncut. Where that is done already, the machine leaves the path between blocks: set Divide blocks to on.</source>
+        <translation>Im Fenster des Werkzeugwegs das Werkzeug dort anheben oder solche Stellen auslassen; oder einen kleineren Fräser nehmen. Der Befehl „Restmaterial“ zeigt, was dann stehen bleibt. Ist das schon geschehen, so verlässt die Maschine den Weg zwischen den Sätzen: „Sätze teilen“ auf „ein“ stellen.</translation>
     </message>
     <message>
         <source>Its name must end in {endings}.</source>
@@ -2711,6 +2743,10 @@
         <translation>den Kopf</translation>
     </message>
     <message>
+        <source>the list of machines</source>
+        <translation>die Liste der Maschinen</translation>
+    </message>
+    <message>
         <source>the machine's own</source>
         <translation>die der Maschine</translation>
     </message>
@@ -2887,6 +2923,22 @@
     <message>
         <source>{} s</source>
         <translation>{} s</translation>
+    </message>
+    <message>
+        <source>“Post-process”</source>
+        <translation>„NC-Datei ausgeben“</translation>
+    </message>
+    <message>
+        <source>“Recover a machine from a program”</source>
+        <translation>„Maschine aus einem Programm zurückgewinnen“</translation>
+    </message>
+    <message>
+        <source>“Tool path”</source>
+        <translation>„Werkzeugweg“</translation>
+    </message>
+    <message>
+        <source>“Where to clamp”</source>
+        <translation>„Wohin spannen“</translation>
     </message>
 </context>
 <context>
@@ -3112,12 +3164,12 @@
         <translation>Geringste Abweichung: {way}, {deviation} in {time}.</translation>
     </message>
     <message>
-        <source>Let the axis be led past the pole (deform), lead or tilt the tool by a few degrees, or clamp the part in another position (setup finds one), so that the tool keeps off the pole.</source>
-        <translation>Die Achse am Pol vorbeiführen lassen (deform), das Werkzeug um einige Grad voreilen lassen oder zur Seite neigen, oder das Werkstück anders aufspannen (der Befehl „Wo aufspannen“ findet eine Lage), damit das Werkzeug vom Pol wegbleibt.</translation>
+        <source>Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), or clamp the part in another position ({setup} finds one), so that the tool keeps off the pole.</source>
+        <translation>Die Werkzeugachse am Pol vorbeidrehen lassen ({past}), das Werkzeug um einige Grad neigen ({lead}, {tilt}) oder das Werkstück anders aufspannen ({setup} findet eine Lage), damit das Werkzeug vom Pol wegbleibt.</translation>
     </message>
     <message>
-        <source>Let the tool be lifted there or leave such places out (gouge lift, leave-out), or use a smaller cutter; where the machine leaves the path by as much, let blocks be divided (linearize on).</source>
-        <translation>Das Werkzeug dort abheben lassen oder solche Stellen auslassen (Eindringen: lift, leave-out), oder einen kleineren Fräser nehmen; wo die Maschine den Weg um so viel verlässt, NC-Sätze teilen lassen (Linearisieren an).</translation>
+        <source>Let the tool be lifted there or leave such places out ({lift}), or use a smaller cutter; where the machine leaves the path by as much, let blocks be divided ({divide}).</source>
+        <translation>Das Werkzeug dort abheben lassen oder solche Stellen auslassen ({lift}), oder einen kleineren Fräser nehmen; wo die Maschine den Weg um so viel verlässt, NC-Sätze teilen lassen ({divide}).</translation>
     </message>
     <message>
         <source>Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct them from the machine's data sheet.</source>
@@ -3192,11 +3244,11 @@
         <translation>Auf {area} der bearbeiteten Fläche bleibt mehr als {above} Restmaterial stehen, am meisten bei {place}: {height}; insgesamt {volume}. Diese Stellen mit einem kleineren Fräser oder anderer Werkzeugachse fräsen.</translation>
     </message>
     <message>
-        <source>On {area} of the machined surface more than {tolerance} is cut too deep, most at {place}: {height}; {volume} in all. Let the tool be lifted there (gouge lift), or use a smaller cutter.</source>
-        <translation>Auf {area} der bearbeiteten Fläche wird um mehr als {tolerance} zu tief gefräst, am meisten bei {place}: {height}; insgesamt {volume}. Das Werkzeug dort abheben lassen (Eindringen: lift) oder einen kleineren Fräser nehmen.</translation>
+        <source>On {area} of the machined surface more than {tolerance} is cut too deep, most at {place}: {height}; {volume} in all. Let the tool be lifted there ({lift}), or use a smaller cutter.</source>
+        <translation>Auf {area} der bearbeiteten Fläche wird um mehr als {tolerance} zu tief gefräst, am meisten bei {place}: {height}; insgesamt {volume}. Das Werkzeug dort abheben lassen ({lift}) oder einen kleineren Fräser nehmen.</translation>
     </message>
     <message>
-        <source>On {machine} with cure {cure} the path cannot be driven: {problem}</source>
+        <source>On {machine} with correction {cure} the path cannot be driven: {problem}</source>
         <translation>Auf {machine} mit Korrektur {cure} kann der Werkzeugweg nicht gefahren werden: {problem}</translation>
     </message>
     <message>
@@ -3236,8 +3288,8 @@
         <translation>Die STL-Datei {path} ist nicht lesbar: {strerror}</translation>
     </message>
     <message>
-        <source>Shorter blocks help: half the length leaves about a quarter of the deviation; linearize makes as many as are needed.</source>
-        <translation>Kürzere Sätze helfen: halbe Länge lässt etwa ein Viertel der Abweichung; Linearisieren macht so viele, wie nötig sind.</translation>
+        <source>Shorter blocks help: half the length leaves about a quarter of the deviation; {linearize} makes as many as are needed.</source>
+        <translation>Kürzere Sätze helfen: halbe Länge lässt etwa ein Viertel der Abweichung; {linearize} macht so viele, wie nötig sind.</translation>
     </message>
     <message>
         <source>Spindle off and locked; no cutter that can hurt: a pointed rod of the tool's length.</source>
@@ -3280,8 +3332,8 @@
         <translation>Der Fräser passt an {number} Facettenstücken nicht in die Ecken; {much}. Dort einen kleineren Fräser nehmen.</translation>
     </message>
     <message>
-        <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out (gouge lift, leave-out).</source>
-        <translation>Der Fräser dringt auf dem Weg zwischen den Zeilen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen (Eindringen: lift, leave-out).</translation>
+        <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out ({lift}).</source>
+        <translation>Der Fräser dringt auf dem Weg zwischen den Zeilen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen ({lift}).</translation>
     </message>
     <message>
         <source>The cutter goes {depth} too deep into the part at {at}.</source>
@@ -3412,8 +3464,8 @@
         <translation>Die Form von {label} ist ungültig, ihr Netz hätte Risse: reparieren (Part: Geometrie prüfen zeigt, wo) oder einen anderen Volumenkörper wählen.</translation>
     </message>
     <message>
-        <source>The spindle stays off: give the spindle speed ({spindle} S).</source>
-        <translation>Die Spindel bleibt aus: {spindle} angeben (Wort S).</translation>
+        <source>The spindle stays off: give {spindle}.</source>
+        <translation>Die Spindel bleibt aus: {spindle} angeben.</translation>
     </message>
     <message>
         <source>The table goes {right}: {letter} has the wrong sign.</source>
@@ -3488,8 +3540,8 @@
         <translation>Die {count} Wörter {letter} werden nicht ausgewertet.</translation>
     </message>
     <message>
-        <source>The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out (gouge tilt, leave-out), use a longer tool, or more lead or tilt.</source>
-        <translation>{part}: dringt bei {at} {depth} ins Werkstück ein. Das Werkzeug freineigen lassen oder diese Stellen auslassen (Eindringen: tilt, leave-out), ein längeres Werkzeug oder mehr Voreil- oder Seitenwinkel nehmen.</translation>
+        <source>The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out ({tilt}), use a longer tool, or more lead or tilt.</source>
+        <translation>{part}: dringt bei {at} {depth} ins Werkstück ein. Das Werkzeug freineigen lassen oder diese Stellen auslassen ({tilt}), ein längeres Werkzeug oder mehr Voreil- oder Seitenwinkel nehmen.</translation>
     </message>
     <message>
         <source>The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not {letter} (if it is {other}, the two letters are exchanged).</source>
@@ -3524,8 +3576,8 @@
         <translation>Mit {letter} auf {first} und {other} auf {second} zeigt das Werkzeug auf das Kreuz: seine Spitze ist {distance} davon entfernt, entlang des Werkzeugs gemessen.</translation>
     </message>
     <message>
-        <source>Words count from the work zero: is {origin} where it stood on the machine? Else move it (setup finds a place)</source>
-        <translation>Die Wörter zählen vom Werkstücknullpunkt: Ist {origin} dort, wo er auf der Maschine stand? Sonst versetzen (der Befehl „Wo aufspannen“ findet einen Platz)</translation>
+        <source>Words count from the work zero: is {origin} where it stood on the machine? Else move it ({setup} finds a place)</source>
+        <translation>Die Wörter zählen vom Werkstücknullpunkt: Ist {origin} dort, wo er auf der Maschine stand? Sonst versetzen ({setup} findet einen Platz)</translation>
     </message>
     <message>
         <source>Work offset and tool length set as for the real program; tool centre point control off.</source>
@@ -3628,8 +3680,8 @@
         <translation>Kreisbögen einer hier unbekannten Form, als Geraden bis zum Endpunkt genommen; Geraden ausgeben</translation>
     </message>
     <message>
-        <source>are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or tool length in mind. See {origin} and {tool_length}; recover finds the machine that fits.</source>
-        <translation>liegen neben dem CL-Weg, fast alle gleich ({least} bis {most} an ihren Enden): der Postprozessor meinte eine andere Maschine, einen anderen Werkstücknullpunkt oder eine andere Werkzeuglänge. {origin} und {tool_length} ansehen; „Maschine zurückgewinnen“ findet die passende Maschine.</translation>
+        <source>are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or tool length in mind. See {origin} and {tool_length}; {recover} finds the machine that fits.</source>
+        <translation>liegen neben dem CL-Weg, fast alle gleich ({least} bis {most} an ihren Enden): der Postprozessor meinte eine andere Maschine, einen anderen Werkstücknullpunkt oder eine andere Werkzeuglänge. {origin} und {tool_length} ansehen; {recover} findet die passende Maschine.</translation>
     </message>
     <message>
         <source>as 0</source>
@@ -3776,8 +3828,8 @@
         <translation>Fräser: {name} ist {value}; {least} bis {most} angeben</translation>
     </message>
     <message>
-        <source>cutter {text} needs KIND:{words} or KIND:{words}:LENGTH, as {form} or {form}:60</source>
-        <translation>der Fräser {text} braucht KIND:{words} oder KIND:{words}:LENGTH, wie {form} oder {form}:60</translation>
+        <source>cutter {text} needs {sizes} or {sizes}:LENGTH, as {form} or {form}:60</source>
+        <translation>der Fräser {text} braucht {sizes} oder {sizes}:LENGTH, wie {form} oder {form}:60</translation>
     </message>
     <message>
         <source>cutter {text}: only {kinds} cutters are on offer; write it as {form}</source>
@@ -3872,14 +3924,6 @@
         <translation>Z angeben, eine Maschinenkoordinate</translation>
     </message>
     <message>
-        <source>gouge leave-out leaves nothing to cut: {why}; use a smaller cutter or holder, a longer tool or another tool axis, or see where with gouge report</source>
-        <translation>das Auslassen (Eindringen: leave-out) lässt nichts zu fräsen: {why}; einen kleineren Fräser oder Halter, ein längeres Werkzeug oder eine andere Werkzeugachse nehmen, oder mit report ansehen, wo</translation>
-    </message>
-    <message>
-        <source>gouge {gouge} changes the passes: use it with `mill`; for an audit give report</source>
-        <translation>Eindringen: {gouge} ändert die Zeilen: nur für Werkzeugwege aus einem Werkstück; für eine Prüfung report angeben</translation>
-    </message>
-    <message>
         <source>gouge, shank and holder need the part: give its STL with {against}</source>
         <translation>Eindringen, Schaft und Halter brauchen das Werkstück: dessen STL mit {against} angeben</translation>
     </message>
@@ -3964,8 +4008,8 @@
         <translation>Z weglassen</translation>
     </message>
     <message>
-        <source>leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Linearize.</source>
-        <translation>verlassen den CL-Weg zwischen ihren Enden, die auf ihm liegen: die gleichmäßige Bewegung der Achsen trägt die Spitze hinaus. Linearisieren.</translation>
+        <source>leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Divide blocks ({linearize}).</source>
+        <translation>verlassen den CL-Weg zwischen ihren Enden, die auf ihm liegen: die gleichmäßige Bewegung der Achsen trägt die Spitze hinaus. Sätze teilen ({linearize}).</translation>
     </message>
     <message>
         <source>leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind.</source>
@@ -3980,8 +4024,8 @@
         <translation>Länge; als 6 mm oder 0.25 in schreiben</translation>
     </message>
     <message>
-        <source>let blocks be divided (linearize on)</source>
-        <translation>NC-Sätze teilen lassen (Linearisieren an)</translation>
+        <source>let blocks be divided ({divide})</source>
+        <translation>NC-Sätze teilen lassen ({divide})</translation>
     </message>
     <message>
         <source>limits min {low} is not below max {high}; swap or widen them</source>
@@ -4052,10 +4096,6 @@
         <translation>Maschinen werden an einem Werkzeugweg verglichen: einen Werkzeugweg auswählen</translation>
     </message>
     <message>
-        <source>max-tilt {tilt} is out of range; give {least} to {most}, or choose facet_mean</source>
-        <translation>die größte Neigung {tilt} liegt außerhalb; {least} bis {most} angeben oder facet_mean wählen</translation>
-    </message>
-    <message>
         <source>maximum rate {max_rate} is not positive; give what the drive reaches</source>
         <translation>die größte Geschwindigkeit {max_rate} ist nicht über 0; angeben, was der Antrieb erreicht</translation>
     </message>
@@ -4096,7 +4136,7 @@
         <translation>kein NC-Satz fräst, also lässt sich nichts über Restmaterial sagen</translation>
     </message>
     <message>
-        <source>no cure</source>
+        <source>no correction</source>
         <translation>ohne Korrektur</translation>
     </message>
     <message>
@@ -4124,16 +4164,16 @@
         <translation>keine Maschinendatei genannt; eine mit -o OUT.fcm angeben</translation>
     </message>
     <message>
-        <source>no machine given; name one with {machine} (see `machines`)</source>
-        <translation>keine Maschine gegeben; eine mit {machine} nennen (siehe `machines`)</translation>
+        <source>no machine given; name one with {machine} ({list} shows them)</source>
+        <translation>keine Maschine gegeben; eine mit {machine} nennen ({list} zeigt sie)</translation>
     </message>
     <message>
         <source>no machine is called {given}; {hint}{known}</source>
         <translation>keine Maschine heißt {given}; {hint}{known}</translation>
     </message>
     <message>
-        <source>no machines given; name them with {machines} A,B (see `machines`)</source>
-        <translation>keine Maschinen gegeben; mit {machines} A,B nennen (siehe `machines`)</translation>
+        <source>no machines given; name them with {machines} ({list} shows them)</source>
+        <translation>keine Maschinen gegeben; mit {machines} nennen ({list} zeigt sie)</translation>
     </message>
     <message>
         <source>no program given; name the NC file that was posted from the CL path</source>
@@ -4256,10 +4296,6 @@
         <translation>Zeile {row} des CL-Wegs ist eine Vorschubbewegung mit dem Vorschub {value}; einen Vorschub über 0 angeben</translation>
     </message>
     <message>
-        <source>rtcp lets the controller guide the tip, linearize divides blocks where it does not; give one</source>
-        <translation>RTCP lässt die Steuerung die Spitze führen, Linearisieren teilt Sätze, wo sie es nicht tut; eines davon angeben</translation>
-    </message>
-    <message>
         <source>scallop and stepover exclude each other; give one of them</source>
         <translation>Kuppenhöhe und Zeilensprung schließen einander aus; eines davon angeben</translation>
     </message>
@@ -4306,10 +4342,6 @@
     <message>
         <source>side {side} is neither table nor head</source>
         <translation>die Seite {side} ist weder table noch head</translation>
-    </message>
-    <message>
-        <source>singularity deform needs the part's passes: use it with `mill`; a CL file keeps its axes</source>
-        <translation>Singularität deform braucht die Zeilen des Werkstücks: eine CL-Datei behält ihre Achsen</translation>
     </message>
     <message>
         <source>spindle speed is {speed} 1/min; give 0 to 999999</source>
@@ -4572,12 +4604,12 @@
         <translation>es gibt keinen Weg aufzuspannen: er hat keine Zeilen</translation>
     </message>
     <message>
-        <source>there is nothing to compare; name at least one machine and one cure</source>
+        <source>there is nothing to compare; name at least one machine and one correction</source>
         <translation>es gibt nichts zu vergleichen; mindestens eine Maschine und eine Korrektur nennen</translation>
     </message>
     <message>
-        <source>this cure leads the tool axes over the part's facets; give it the STL, not a CL file</source>
-        <translation>diese Korrektur führt die Werkzeugachsen über die Facetten des Werkstücks; das STL angeben, keine CL-Datei</translation>
+        <source>this correction turns the tool axes over the part's facets; give it the STL, not a CL file</source>
+        <translation>diese Korrektur dreht die Werkzeugachsen über den Facetten des Werkstücks; das STL angeben, keine CL-Datei</translation>
     </message>
     <message>
         <source>this is no CL file: byte {control} (offset {offset}) stands in no text; give a text file</source>
@@ -4652,7 +4684,7 @@
         <translation>unbekannte Steuerung {name}; bekannt sind {dialects}</translation>
     </message>
     <message>
-        <source>unknown cure {name}; known: {cures}</source>
+        <source>unknown correction {name}; known: {cures}</source>
         <translation>unbekannte Korrektur {name}; bekannt: {cures}</translation>
     </message>
     <message>
@@ -4736,8 +4768,8 @@
         <translation>eines schreiben von {known}</translation>
     </message>
     <message>
-        <source>{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as `post` does.</source>
-        <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {asked}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben.</translation>
+        <source>{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as {post} does.</source>
+        <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {asked}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben, wie {post} es tut.</translation>
     </message>
     <message>
         <source>{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far to lean the tool a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. The axis may be too slow for the programmed feed, the tool dwells, and marks or a deviation from the path may show.</source>
@@ -4796,8 +4828,8 @@
         <translation>{count} NC-Sätze lagen über {tolerance} und wurden in {pieces} geteilt, so wenige, wie es nachweislich einhalten.</translation>
     </message>
     <message>
-        <source>{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the control takes the shorter way there (wrap_strategy modulo), and so do the words here. Linearize, or set wrap_strategy to unwound.</source>
-        <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Linearisieren oder wrap_strategy auf unwound setzen.</translation>
+        <source>{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the control takes the shorter way there (wrap_strategy modulo), and so do the words here. Divide blocks, or set wrap_strategy to unwound.</source>
+        <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to cut them.</source>
@@ -4808,8 +4840,8 @@
         <translation>{count} Facetten mit {area} ({share} % des Werkstücks) neigen sich um mehr als {most} gegen Z und sind ausgelassen; den größten Achswinkel erhöhen, um sie zu fräsen.</translation>
     </message>
     <message>
-        <source>{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not; {gouge} checks and cures against all of them.</source>
-        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) liegen auf {name} und werden bearbeitet. Die anderen nicht; {gouge} prüft und korrigiert gegen alle.</translation>
+        <source>{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not; {gouge} keeps the tool out of all of them.</source>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) liegen auf {name} und werden bearbeitet. Die anderen nicht; {gouge} hält das Werkzeug aus allen heraus.</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take another machine to cut them.</source>
@@ -4904,12 +4936,12 @@
         <translation>{count} andere Anordnungen erklären die Zeilen ebenso: {more}. Geschrieben ist die einfachste; mehr Zeilen mit größeren Drehungen beider Rundachsen angeben, oder die Maschine mit {machine}.</translation>
     </message>
     <message>
-        <source>{count} passes are led past the pole: {letter} turns at most {after} instead of {before} on them, and {turns} instead of {turned} in all, for an axis changed by up to {most}.</source>
-        <translation>{count} Zeilen sind am Pol vorbeigeführt: {letter} dreht auf ihnen höchstens {after} statt {before}, und insgesamt {turns} statt {turned}, bei einer um bis zu {most} geänderten Achse.</translation>
+        <source>{count} passes are turned past the pole: {letter} turns at most {after} instead of {before} on them, and {turns} instead of {turned} in all, for an axis changed by up to {most}.</source>
+        <translation>{count} Zeilen sind am Pol vorbeigedreht: {letter} dreht auf ihnen höchstens {after} statt {before}, und insgesamt {turns} statt {turned}, bei einer um bis zu {most} geänderten Achse.</translation>
     </message>
     <message>
-        <source>{count} passes come within {limit} of the pole and could not be led past it any better: {letter} turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.</source>
-        <translation>{count} Zeilen kommen dem Pol näher als {limit} und ließen sich nicht besser vorbeiführen: {letter} dreht dort bis zu {rate}. Ein größerer Winkel, weitere Grenzen der Rundachsen oder eine andere Aufspannung können helfen.</translation>
+        <source>{count} passes come within {limit} of the pole and could not be turned past it any better: {letter} turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.</source>
+        <translation>{count} Zeilen kommen dem Pol näher als {limit} und ließen sich nicht besser vorbeidrehen: {letter} dreht dort bis zu {rate}. Ein größerer Winkel, weitere Grenzen der Rundachsen oder eine andere Aufspannung können helfen.</translation>
     </message>
     <message>
         <source>{count} retracts or approaches pass below the part, because the tool looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>
@@ -5008,6 +5040,10 @@
         <translation>{given} angegeben; entweder Zeilensprung oder Kuppenhöhe angeben</translation>
     </message>
     <message>
+        <source>{gouge} changes the passes: use it with {mill}; for an audit give {report}</source>
+        <translation>{gouge} ändert die Zeilen: nur mit {mill} verwenden; für eine Prüfung {report} angeben</translation>
+    </message>
+    <message>
         <source>{joint} is not [[origin], [axis]]</source>
         <translation>{joint} ist nicht [[origin], [axis]]</translation>
     </message>
@@ -5096,6 +5132,10 @@
         <translation>{label}: {errors}</translation>
     </message>
     <message>
+        <source>{leave_out} leaves nothing to cut: {why}; use a smaller cutter or holder, a longer tool or another tool axis, or see where with {report}</source>
+        <translation>{leave_out} lässt nichts zu fräsen: {why}; einen kleineren Fräser oder Halter, ein längeres Werkzeug oder eine andere Werkzeugachse nehmen, oder mit {report} ansehen, wo</translation>
+    </message>
+    <message>
         <source>{length} of the passes are left out, because {why}. {remedy}</source>
         <translation>{length} der Zeilen sind ausgelassen, weil {why}. {remedy}</translation>
     </message>
@@ -5164,6 +5204,10 @@
         <translation>{light}: {reasons}.</translation>
     </message>
     <message>
+        <source>{line} is no tool; write number, cutter and name, as T3 ball:6:30 Finisher</source>
+        <translation>{line} ist kein Werkzeug; Nummer, Fräser und Namen schreiben, wie T3 ball:6:30 Schlichter</translation>
+    </message>
+    <message>
         <source>{lost} carry one another in a circle; give one the parent null</source>
         <translation>{lost} tragen einander im Kreis; einer davon parent null geben</translation>
     </message>
@@ -5176,6 +5220,10 @@
         <translation>{machine} mit Korrektur {cure}, Werkzeugspitzenführung</translation>
     </message>
     <message>
+        <source>{max_tilt} {tilt} is out of range; give {least} to {most}, or choose {facet_mean}</source>
+        <translation>{max_tilt} {tilt} liegt außerhalb; {least} bis {most} angeben oder {facet_mean} wählen</translation>
+    </message>
+    <message>
         <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
         <translation>{name} = {value} ist nur auf {certainty} sicher; Zeilen mit größeren Drehungen angeben.</translation>
     </message>
@@ -5184,8 +5232,8 @@
         <translation>Abweichung des Netzes {name}: {value} liegt außerhalb; sie muss über 0 sein</translation>
     </message>
     <message>
-        <source>{name} does not guide the tip itself (no RTCP): leave {rtcp} out, and use {linearize} on</source>
-        <translation>{name} führt die Werkzeugspitze nicht selbst (kein RTCP): {rtcp} weglassen und {linearize} auf on setzen</translation>
+        <source>{name} does not guide the tip itself (no RTCP): leave {rtcp} out, and use {linearize}</source>
+        <translation>{name} führt die Werkzeugspitze nicht selbst (kein RTCP): {rtcp} weglassen und {linearize} verwenden</translation>
     </message>
     <message>
         <source>{name} does not take the shorter way to a word of 0 to 360, as the machine file says of {letter} (modulo): the words count their turns on. Set the control accordingly, or wrap_strategy to unwound.</source>
@@ -5304,8 +5352,8 @@
         <translation>{name}: {given} braucht drei Zahlen, wie 0,0,50</translation>
     </message>
     <message>
-        <source>{name} {lean} leaves minimax no choice; leave it out, or choose facet_mean</source>
-        <translation>{name} {lean} lässt minimax keine Wahl; weglassen oder facet_mean wählen</translation>
+        <source>{name} {lean} leaves {minimax} no choice; leave it out, or choose {facet_mean}</source>
+        <translation>{name} {lean} lässt {minimax} keine Wahl; weglassen oder {facet_mean} wählen</translation>
     </message>
     <message>
         <source>{name} {value} is out of range; give more than 0 mm</source>
@@ -5358,6 +5406,10 @@
     <message>
         <source>{part} is no number</source>
         <translation>{part} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{past} needs the part's passes: use it with {mill}; a CL file keeps its axes</source>
+        <translation>{past} braucht die Zeilen des Werkstücks: mit {mill} verwenden; eine CL-Datei behält ihre Achsen</translation>
     </message>
     <message>
         <source>{path} cannot be read: {strerror}</source>
@@ -5438,6 +5490,10 @@
     <message>
         <source>{role} contradicts the type of the axis; make them agree</source>
         <translation>{role} widerspricht der Art der Achse; in Übereinstimmung bringen</translation>
+    </message>
+    <message>
+        <source>{rtcp} lets the controller guide the tip, {linearize} divides blocks where it does not; give one</source>
+        <translation>{rtcp} lässt die Steuerung die Spitze führen, {linearize} teilt Sätze, wo sie es nicht tut; eines davon angeben</translation>
     </message>
     <message>
         <source>{sides}; name another, or null for the base</source>
@@ -5564,8 +5620,8 @@
         <translation>{what} {place} ist nicht endlich oder jenseits von {most}</translation>
     </message>
     <message>
-        <source>{what} {text} is no stack; write DIAMETERxLENGTH from the cutter upwards, as 40x25,63x50</source>
-        <translation>{what}: {text} ist kein Stapel; DURCHMESSERxLÄNGE vom Fräser aufwärts schreiben, wie 40x25,63x50</translation>
+        <source>{what} {text} is no stack; write diameter x length from the cutter upwards, as 40x25,63x50</source>
+        <translation>{what}: {text} ist kein Stapel; Durchmesser x Länge vom Fräser aufwärts schreiben, wie 40x25,63x50</translation>
     </message>
     <message>
         <source>{what} {text} is not a number</source>

@@ -163,7 +163,7 @@ def test_a_cutters_sizes_have_units(path):
         ({"CutterKind": "bull", "CutterCorner": 6}, "corner radius is 6 mm; give 0 to 5 mm"),
         ({"CutterKind": "taperball", "CutterTaper": 70}, "taper is 70 deg; give 0 to 60 deg"),
         ({"CutterKind": "taperball", "CutterLength": 2}, "the taper begins"),
-        ({"Holder": "40"}, "DIAMETERxLENGTH"),
+        ({"Holder": "40"}, "diameter x length"),
         ({"Shank": "8x0"}, "above 0"),
     ],
 )
@@ -259,3 +259,88 @@ def test_files_that_settings_name_are_part_of_what_a_result_is_of(tmp_path):
     assert results.Task(settings, b"").fingerprint == before
     (tmp_path / "a.ngc").write_text("G1 X2")
     assert results.Task(settings, b"").fingerprint != before
+
+
+@pytest.fixture
+def undoable(path):
+    """The path in a document that keeps steps to undo, computed."""
+    path.Document.UndoMode = 1
+    path.Document.recompute()
+    return path
+
+
+def feeds_of(path):
+    """Both feeds in mm/min: as the core gets them, and as the editor shows them."""
+    options = convert.settings_of(path, MILL, "x").feeds
+    return (options.feed, options.plunge_feed), (path.FeedPerMinute, path.PlungeFeedPerMinute)
+
+
+def test_the_editor_shows_feeds_in_mm_per_minute(path):
+    assert path.getTypeIdOfProperty("FeedPerMinute") == "App::PropertyFloat"
+    for name in ("Feed", "PlungeFeed"):
+        assert path.getEditorMode(name) == ["Hidden"] and path.getEditorMode(name + "PerMinute") == []
+        assert path.getGroupOfProperty(name + "PerMinute") == path.getGroupOfProperty(name)
+        assert "mm/min" in path.getDocumentationOfProperty(name + "PerMinute")
+    assert feeds_of(path)[0] == feeds_of(path)[1]
+
+
+@pytest.mark.parametrize("feed", [1000.0, 1234.5, 1 / 3, 0.1 + 0.2, 25.4 * 60, 999999.0, 12345.678901234567])
+def test_both_feeds_are_one_whichever_is_set(undoable, feed):
+    path = undoable
+    path.FeedPerMinute = feed
+    assert path.Feed.Value * 60 == pytest.approx(feed, rel=1e-10) == path.FeedPerMinute and "Touched" in path.State
+    path.PlungeFeed = f"{feed / 2:.17g} mm/min"
+    assert path.PlungeFeedPerMinute == pytest.approx(feed / 2, rel=1e-10)
+    assert feeds_of(path)[0] == feeds_of(path)[1]
+
+
+@pytest.mark.parametrize("name, value", [("Feed", 10.0), ("FeedPerMinute", 600.0)])
+def test_undo_and_redo_put_both_feeds_back(undoable, name, value):
+    path, doc = undoable, undoable.Document
+    before = feeds_of(path)
+    doc.openTransaction("feed")
+    setattr(path, name, value)
+    doc.commitTransaction()
+    doc.recompute()
+    assert feeds_of(path)[0][0] == feeds_of(path)[1][0] == 600.0
+    doc.undo()
+    assert feeds_of(path) == before
+    doc.redo()
+    assert feeds_of(path)[0][0] == feeds_of(path)[1][0] == 600.0
+
+
+def test_an_expression_on_a_feed_rules_both(undoable):
+    path, doc = undoable, undoable.Document
+    sheet = doc.addObject("Spreadsheet::Sheet", "Feeds")
+    sheet.set("A1", "=700 mm/min")
+    doc.recompute()
+    path.setExpression("Feed", "Feeds.A1")
+    doc.recompute()
+    assert feeds_of(path)[0][0] == path.FeedPerMinute == 700.0
+    path.FeedPerMinute = 50.0
+    doc.recompute()
+    assert feeds_of(path)[0][0] == path.FeedPerMinute == 700.0
+
+
+def test_an_expression_on_a_feed_in_mm_per_minute_rules_both(undoable):
+    path = undoable
+    path.setExpression("PlungeFeedPerMinute", "2 * 125")
+    path.Document.recompute()
+    assert feeds_of(path)[0][1] == path.PlungeFeedPerMinute == 250.0
+
+
+def test_feeds_of_an_older_document_and_of_a_copy_are_shown_in_mm_per_minute(path, reopen):
+    path.Feed, path.PlungeFeed = "750 mm/min", "120 mm/min"
+    assert path.removeProperty("FeedPerMinute") and path.removeProperty("PlungeFeedPerMinute")
+    path.setEditorMode("Feed", [])
+    path.purgeTouched()
+    again = reopen(path.Document).Toolpath
+    assert "Touched" not in again.State
+    assert feeds_of(again) == ((750.0, 120.0), (750.0, 120.0)) and again.getEditorMode("Feed") == ["Hidden"]
+    copy = again.Document.copyObject(again)
+    copy.FeedPerMinute = 800.0
+    assert (feeds_of(copy)[0][0], feeds_of(again)[0][0]) == (800.0, 750.0)
+    name = copy.Name
+    third = reopen(again.Document).getObject(name)
+    third.Feed = "90 mm/min"
+    assert feeds_of(third)[1] == (90.0, 120.0)

@@ -193,7 +193,7 @@ def test_nothing_to_compare_is_refused():
 
 
 def test_an_unknown_cure_is_named_with_those_that_there_are():
-    with pytest.raises(SettingsError, match="unknown cure 'magic'; known: none"):
+    with pytest.raises(SettingsError, match="unknown correction 'magic'; known: none"):
         cures(milled(**COARSE), ["none", "magic"])
 
 
@@ -224,7 +224,7 @@ def test_the_words_name_the_quickest_that_holds_the_tolerance():
     made = milled(tool_length=80.0, **COARSE)
     rows = compare(made.path, list(stations(made)))
     best = min((row for row in rows if row.tool_centre), key=lambda row: row.time)
-    told = f"{best.machine} with no cure, tool-centre control, {duration(best.time)}."
+    told = f"{best.machine} with no correction, tool-centre control, {duration(best.time)}."
     assert verdict(rows, 0.001) == f"3 of 6 ways hold 0.001 mm; the quickest is {told}"
     assert verdict([rows[0]], 1e-9).startswith("Nothing here holds 1e-09 mm")
     assert verdict(rows).startswith("Least deviation")

@@ -164,7 +164,7 @@ def test_the_findings_say_what_was_led_and_what_is_left():
     found = led("mikron_ucp710")
     _, findings = deform_axes(offset, axis, links, CHANGE)
     assert [finding.code for finding in findings] == ["axis-led-past-pole"]
-    assert findings[0].text.startswith(f"{found.led.sum()} passes are led past the pole: C turns at most")
+    assert findings[0].text.startswith(f"{found.led.sum()} passes are turned past the pole: C turns at most")
     assert findings[0].value == pytest.approx(np.degrees(angle_between(found.axis, axis).max())) and findings[0].limit == 2.0
 
 

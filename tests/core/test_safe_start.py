@@ -247,9 +247,7 @@ def test_the_head_names_tool_cutter_and_length(tmp_path):
 
 def test_a_spindle_that_stays_off_is_said(tmp_path):
     found = [one for one in posted(tmp_path).findings if one.code == "spindle-off"]
-    assert [(one.severity, one.text) for one in found] == [
-        (Severity.WARNING, "The spindle stays off: give the spindle speed (--spindle S).")
-    ]
+    assert [(one.severity, one.text) for one in found] == [(Severity.WARNING, "The spindle stays off: give --spindle S.")]
     assert not [one for one in posted(tmp_path, spindle=8000.0).findings if one.code == "spindle-off"]
 
 

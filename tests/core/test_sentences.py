@@ -14,13 +14,16 @@ from freecad_fiveaxis.core.sentences import (
     CONTEXT,
     Angle,
     Area,
+    Choice,
     Feed,
     Length,
     Number,
     Option,
     Sentence,
+    Task,
     Template,
     Time,
+    beginning,
     joined,
     measure,
     plural,
@@ -39,7 +42,7 @@ GERMAN = {
 
 
 def german(context, text):
-    return {**GERMAN, "Max Axis Angle": "Größter Achswinkel"}[text] if context != "none" else text
+    return GERMAN[text] if context != "none" else text
 
 
 def inches(measure):
@@ -75,6 +78,11 @@ def test_any_other_text_comes_back():
         (np.float64(0.25), "0.25"),
         (np.int64(7), "7"),
         (Option("max_axis_angle"), "--max-axis-angle"),
+        (Option("spindle", given="S"), "--spindle S"),
+        (Choice("gouge", ("lift", "leave-out")), "gouge lift, leave-out"),
+        (Choice("linearize", ("on",), flag=True), "--linearize on"),
+        (Choice("cures", ("deform",), alone=True), "deform"),
+        (Task("setup"), "`setup`"),
         ("{name}", "{name}"),
         (measure(3.0, "mm2"), "3 mm2"),
         (measure(3.0, "1"), "3"),
@@ -84,10 +92,13 @@ def test_values_in_english(value, text):
     assert say("a {value} b", value=value) == f"a {text} b"
 
 
-def test_options_are_labels_in_a_window():
-    assert render(joined([say("{option}", option=Option("max_axis_angle"))]), lambda _, text: GERMAN.get(text, text), inches) == (
-        "Max Axis Angle"
-    )
+NAMES = {Option("max_axis_angle"): "Steepest surface", Choice("gouge", ("lift",)): "Gouge: lift", Task("post"): "Post-process"}
+
+
+@pytest.mark.parametrize("named", NAMES)
+def test_settings_choices_and_tasks_have_names_of_their_own_in_a_window(named):
+    said = beginning(joined([say("Split it."), say("{named}", named=named)]))
+    assert render(said, lambda _, text: text, inches, NAMES.__getitem__) == f"Split it. {NAMES[named]}"
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 from translation_script import ROOT, translations
 
 from freecad_fiveaxis.app.option_texts import TEXTS, text_of
-from freecad_fiveaxis.core.sentences import CONTEXT, OPTIONS
+from freecad_fiveaxis.core.sentences import CONTEXT
 from freecad_fiveaxis.core.settings import option_fields
 
 LANGUAGES = sorted(translations.FOLDER.glob("FiveAxis_*.ts"))
@@ -84,6 +84,55 @@ def test_no_text_of_the_window_speaks_the_language_of_the_command_line_or_of_the
     inner = sorted(text for context, text in translations.texts() if context != CONTEXT and INNER.search(text))
     assert not inner, inner
     assert INNER.search("the tolerance of --blend") and INNER.search("pass it (deform)") and INNER.search("`minimax`")
+
+
+COMMANDS = re.compile(
+    r"--[a-z]|`|KIND:|DIAMETERx|\bdeform\b|\bcur(e|es|ed|ing)\b|\b(be|is|are|was|were) led\b|\blead the\b|minimax|facet_mean|"
+    r"\b[Ll]inearize\b|\bgouge (lift|tilt|leave-out|report)\b|\b(setup|recover) finds\b|\bmax-tilt\b|\brtcp\b"
+)
+"""Words that a sentence of the core says by Option, Choice or Task, so that a window names its own fields and commands."""
+
+
+def test_no_sentence_of_the_core_speaks_the_language_of_the_command_line():
+    said = {text: re.sub(r"\{\w*\}", "", text) for context, text in translations.texts() if context == CONTEXT}
+    inner = sorted(text for text, words in said.items() if COMMANDS.search(words))
+    assert not inner, inner
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["lift it (gouge lift, leave-out)", "divide (linearize on)", "use it with `mill`", "setup finds one", "give --spindle S",
+     "leaves minimax no choice", "with cure {name}", "{count} passes are led past the pole"],
+)  # fmt: skip
+def test_a_word_of_the_command_line_would_be_noticed(text):
+    assert COMMANDS.search(re.sub(r"\{\w*\}", "", text))
+
+
+def named_in(source):
+    """What the sentences of a source name: ("Option" | "Choice" | "Task", name), and the choices as ("choice", name)."""
+    for call in (node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)):
+        if call.func.id in ("Option", "Choice", "Task") and isinstance(call.args[0], ast.Constant):
+            yield call.func.id, call.args[0].value
+            chosen = call.args[1].elts if len(call.args) > 1 and isinstance(call.args[1], ast.Tuple) else []
+            yield from (("choice", one.value) for one in chosen if isinstance(one, ast.Constant))
+
+
+def test_all_that_a_sentence_names_has_a_name_in_the_window():
+    labels = {node.name: node for node in ast.parse(LABELS.read_text("utf-8")).body if isinstance(node, ast.FunctionDef)}
+    known = {
+        kind: {key.value for name in names for node in ast.walk(labels[name]) if isinstance(node, ast.Dict) for key in node.keys}
+        for kind, names in NAMING.items()
+    }
+    core = ROOT / "freecad_fiveaxis" / "core"
+    named = {one for path in core.rglob("*.py") for one in named_in(path.read_text("utf-8"))}
+    assert {("Task", "setup"), ("Option", "spindle"), ("choice", "lift"), ("Choice", "linearize")} <= named
+    assert not sorted((kind, name) for kind, name in named if name not in known[kind])
+
+
+LABELS = ROOT / "freecad_fiveaxis" / "app" / "labels.py"
+OF_OPTIONS = ("_of_programs", "_of_machines_and_places")
+NAMING = {"Option": OF_OPTIONS, "Choice": OF_OPTIONS, "Task": ("_tasks",), "choice": ("_choices",)}
+"""The functions of app/labels.py whose tables name options, choices and tasks."""
 
 
 def test_every_option_of_a_panel_is_explained_for_the_window():
@@ -196,7 +245,7 @@ later = TABLE[1].say(name="C")
 
 
 def test_the_context_of_sentences_is_that_of_the_core():
-    assert translations.CORE == CONTEXT and translations.PROPERTY == OPTIONS
+    assert translations.CORE == CONTEXT
 
 
 @pytest.mark.parametrize("call", ['say(f"{count} blocks")', "say(text)", 'plural(n, "{count} row", many)'])

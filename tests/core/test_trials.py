@@ -122,7 +122,7 @@ def test_a_setup_that_cannot_be_is_refused_with_value_and_remedy(words, named, p
     ("words", "named"),
     [(("--machines", "trunnion_ac,no_such"), "no_such"), (("--machines", "trunnion_ac,"), "machines ''"), ((), "--machines A,B"),
      (("--machines", "trunnion_ac,fork_head_bc"), "fork_head_bc has a rotary head: give --tool-length"),
-     (("--machines", "trunnion_ac", "--cures", "none,magic"), "unknown cure 'magic'"),
+     (("--machines", "trunnion_ac", "--cures", "none,magic"), "unknown correction 'magic'"),
      (("--machines", "trunnion_ac,gone.fcm"), "gone.fcm")],
 )  # fmt: skip
 def test_a_comparison_that_cannot_be_is_refused_and_named(words, named, path, tmp_path, capsys):

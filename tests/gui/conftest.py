@@ -26,6 +26,7 @@ WORKBENCH = "FiveAxisWorkbench"
 LEFT, NONE = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
 PANELS = ("FiveAxisPanel", "FiveAxisPlay")
 REFRESH = 700  # ms until FreeCAD's timer has renewed which commands are enabled
+SETTLED = 2000  # ms until a layout has settled, also where the 3D view is slow to paint
 
 
 def _pump(ms=100):
@@ -71,20 +72,29 @@ def _mouse(widget, kind, point, button, buttons):
     _pump(5)
 
 
-def _hit(widget, point):
-    """The widget under the mouse there, scrolled into sight. Fails unless a hand could click it."""
+def _scroll_to(widget):
     parent = widget.parentWidget()
     while parent is not None:
         if isinstance(parent, QtWidgets.QScrollArea):
             parent.ensureWidgetVisible(widget)
             _pump(50)
         parent = parent.parentWidget()
+
+
+def _hit(widget, point):
+    """The widget under the mouse there, scrolled into sight. Fails unless a hand could click it within SETTLED ms: what was just
+    unfolded is laid out first."""
     name = f"{type(widget).__name__} {widget.objectName()!r}"
-    assert widget.isVisible(), f"{name} is not visible"
-    assert widget.isEnabled(), f"{name} is disabled"
-    hit = QtWidgets.QApplication.widgetAt(widget.mapToGlobal(point))
-    assert hit is not None and (hit is widget or widget.isAncestorOf(hit)), f"{name} is covered by {hit}"
-    return hit
+    end = time.monotonic() + SETTLED / 1000
+    while True:
+        _scroll_to(widget)
+        assert widget.isVisible(), f"{name} is not visible"
+        assert widget.isEnabled(), f"{name} is disabled"
+        hit = QtWidgets.QApplication.widgetAt(widget.mapToGlobal(point))
+        if hit is not None and (hit is widget or widget.isAncestorOf(hit)):
+            return hit
+        assert time.monotonic() < end, f"{name} is covered by {hit}"
+        _pump(50)
 
 
 def _click(widget, point=None, double=False):
@@ -150,8 +160,7 @@ def _choose(combo, text):
     at = combo.findText(text)
     assert at >= 0, f"no {text!r} among {[combo.itemText(i) for i in range(combo.count())]}"
     _click(combo)
-    _pump(200)
-    assert combo.view().isVisible(), f"{combo.objectName()!r} does not open"
+    _until(combo.view().isVisible, 2000, f"{combo.objectName()!r} opened")
     step = at - combo.currentIndex()
     for _ in range(abs(step)):
         _key(combo.view(), QtCore.Qt.Key_Down if step > 0 else QtCore.Qt.Key_Up)
@@ -193,9 +202,9 @@ def _tree():
 
 
 def _viewport():
-    """The widget that draws the 3D view of the active document."""
+    """The widget that draws the 3D view of the active document. (There is no *active* one while the window lacks the focus.)"""
     area = _main().findChild(QtWidgets.QMdiArea)
-    return area.activeSubWindow().findChild(QtWidgets.QGraphicsView).viewport()
+    return area.currentSubWindow().findChild(QtWidgets.QGraphicsView).viewport()
 
 
 @pytest.fixture(scope="session")
@@ -335,10 +344,10 @@ def real_key():
 
 @pytest.fixture
 def tool_button():
-    """tool_button(command id): its QToolButton in a visible tool bar, with its state renewed."""
+    """tool_button(command id, wait=REFRESH): its QToolButton in a visible tool bar, its state renewed within so many ms."""
 
-    def find(command):
-        _pump(REFRESH)
+    def find(command, wait=REFRESH):
+        _pump(wait)
         return _tool_button(command)
 
     return find

@@ -42,12 +42,13 @@ def names(doc):
 
 
 def enabled(tool_button):
-    return {name.removeprefix("FiveAxis_") for name in commands.NAMES if tool_button(name).isEnabled()}
+    tool_button(commands.NAMES[0])  # waits until all their states are renewed
+    return {name.removeprefix("FiveAxis_") for name in commands.NAMES if tool_button(name, 0).isEnabled()}
 
 
 @pytest.mark.parametrize("name", commands.NAMES)
 def test_each_command_has_a_button_with_icon_and_tool_tip(window, tool_button, name):
-    action = tool_button(name).defaultAction()
+    action = tool_button(name, 0).defaultAction()
     assert not action.icon().isNull() and action.text() and len(action.toolTip()) > 20
     assert (ROOT / "resources" / "icons" / f"{name}.svg").is_file()
 

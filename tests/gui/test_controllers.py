@@ -9,12 +9,12 @@ from test_clicks import look
 from test_workshop import cut, panel_form
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import properties, results
+from freecad_fiveaxis.app import labels, properties, results
 from freecad_fiveaxis.core.apt import write_apt
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.settings import AUDIT, option
-from freecad_fiveaxis.gui.panels import audit, import_machine, labels, prove_signs, recover, toolpath
+from freecad_fiveaxis.gui.panels import audit, import_machine, prove_signs, recover, toolpath
 
 
 @pytest.fixture(autouse=True)

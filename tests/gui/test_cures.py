@@ -81,7 +81,7 @@ def test_a_divided_path_is_drawn_marked_and_played_block_by_block(panel, doc, do
     calculate(field, click, until)
     said = field("summary").text()
     screenshot("panel_cures")
-    assert "led past the pole" in said and "were divided into" in said, said
+    assert "turned past the pole" in said and "were divided into" in said, said
     panel_button("OK", 500)
     path = doc.Toolpath
     assert results.nc_of(path) == command_line(path, tmp_path)

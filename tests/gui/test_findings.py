@@ -4,7 +4,6 @@
 import FreeCAD
 import FreeCADGui
 import pytest
-from PySide import QtCore
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results
@@ -32,30 +31,11 @@ def audit(doc, pump, tmp_path):
     findings_panel.forget(doc)
 
 
-def _on_widget(view, viewport, place):
-    """Where a point of the document is drawn, in the widget's own pixels."""
-    x, y = view.getPointOnScreen(FreeCAD.Vector(*place))
-    scale = view.getSize()[0] / viewport.width()
-    return QtCore.QPoint(round(x / scale), round((view.getSize()[1] - 1 - y) / scale))
-
-
-def _viewport(window):
-    from PySide import QtGui
-
-    try:
-        from PySide import QtWidgets
-    except ImportError:
-        QtWidgets = QtGui
-    area = window.findChild(QtWidgets.QMdiArea)
-    return area.activeSubWindow().findChild(QtWidgets.QGraphicsView).viewport()
-
-
-def test_a_marker_that_is_clicked_tells_its_finding(audit, doc, window, click, pump, screenshot):
+def test_a_marker_that_is_clicked_tells_its_finding(audit, view_click, pump, screenshot):
     markers = app.annotate(audit)
     pump(500)
-    view = FreeCADGui.getDocument(doc.Name).ActiveView
-    click(_viewport(window), _on_widget(view, _viewport(window), markers.Places[0]))
-    pump(500)
+    view_click(markers.Places[0])
+    pump(300)
     screenshot("finding-picked")
     panel = findings_panel._docks["panel"]
     assert panel.path is audit and panel.dock.isVisible()
@@ -68,11 +48,10 @@ def test_a_marker_that_is_clicked_tells_its_finding(audit, doc, window, click, p
     assert panel.table.selectionModel().selectedRows(), "its row is not selected"
 
 
-def test_a_marker_of_the_path_itself_can_be_clicked_too(audit, doc, window, click, pump):
-    view = FreeCADGui.getDocument(doc.Name).ActiveView
+def test_a_marker_of_the_path_itself_can_be_clicked_too(audit, view_click, pump):
     place = [a + b for a, b in zip(report.markers(results.figures_of(audit))[0].place, (10.0, 20.0, 30.0), strict=True)]
-    click(_viewport(window), _on_widget(view, _viewport(window), place))
-    pump(500)
+    view_click(place)
+    pump(300)
     assert findings_panel._docks["panel"].path is audit
     assert "NC line 3" in findings_panel._docks["panel"].text.toPlainText()
 

@@ -198,3 +198,19 @@ def test_calculate_and_the_summary_stay_where_the_form_is_scrolled(panel, unfold
     last = panel.options.groups["more"].body
     assert not last.visibleRegion().isEmpty(), "the end of the form is to be reached"
     assert area.height() >= 160 and panel.form.visibleRegion().boundingRect().height() == panel.form.height()
+
+
+def test_a_summary_too_long_for_the_screen_scrolls_and_none_of_it_is_cut(panel, pump, screenshot):
+    area, label = panel.summary.area, panel.summary.text
+    assert area.verticalScrollBar().maximum() == 0, "two lines need no scroll bar"
+    low = area.height()
+    panel.summary.tell("<p>Some words that are told of the path.</p>" * 60)
+    pump(200)
+    screenshot("summary_long")
+    form_area = panel.form.findChild(QtWidgets.QScrollArea, "form_area")
+    assert label.height() >= label.heightForWidth(label.width()) > area.height() and area.verticalScrollBar().maximum() > 0
+    assert form_area.height() >= 160 and panel.calculate_button.visibleRegion().boundingRect().height() > 15
+    assert panel.form.visibleRegion().boundingRect().height() == panel.form.height(), "the panel itself does not scroll"
+    panel.summary.tell("<p>Some words that are told of the path.</p>" * 3)
+    pump(200)
+    assert area.verticalScrollBar().maximum() == 0 and low < area.height() < form_area.height()

@@ -215,7 +215,7 @@ CUTTER_SIZES = {
 
 @pytest.mark.parametrize("kind", CUTTER_SIZES)
 def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_into, kind, screenshot, pump):
-    from freecad_fiveaxis.gui.panels.labels import choice_label
+    from freecad_fiveaxis.app.labels import choice_label
 
     cutter = panel.options.fields["cutter"]
     if kind != "ball":
@@ -247,7 +247,7 @@ def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made
 
 
 def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_line(panel, doc, field, choose, type_into, panel_button,
-                                                                                  screenshot, pump, tmp_path):  # fmt: skip
+                                                                                  modal, screenshot, pump, tmp_path):  # fmt: skip
     from test_clicks import command_line
 
     choose(field("cutter_kind"), "bull nose mill")
@@ -258,7 +258,7 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
     type_into(field("cutter_length"), "6 mm")
     type_into(field("shank"), "5x1, 0.25inx1mm")
     type_into(field("holder"), "40x25x3")
-    assert "DIAMETERxLENGTH" in shown("holder_error").text() or "number" in shown("holder_error").text()
+    assert "diameter x length" in shown("holder_error").text() or "number" in shown("holder_error").text()
     type_into(field("holder"), "200x25,63x50")
     assert not shown("holder_error").isVisible()
     qt_scroll(field("holder"), pump)
@@ -266,7 +266,9 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
     assert panel.calculate()
     pump(300)
     screenshot("panel_gouge_summary")
+    told = modal("Keep anyway")
     panel_button("OK")
+    assert "shank or holder hits the part" in told.said[0]
     path = doc.Toolpath
     assert (path.CutterKind, path.CutterCorner.Value, path.Gouge) == ("bull", 1.5, "report")
     assert (path.Shank, path.Holder) == ("5x1,6.35x1", "200x25,63x50")
@@ -334,10 +336,10 @@ def test_the_cutter_comes_from_a_tool_of_a_cam_job(dome, monkeypatch):
     monkeypatch.setattr(cam, "jobs_of", lambda doc: [doc])
     monkeypatch.setattr(tool_bit, "cutters_of_job", lambda job: tools)
     field = toolpath.create(dome).options.fields["cutter"]
-    assert [field.job.itemText(at) for at in (1, 2)] == ["T3 Ball", "T4 Drill"]
-    field.job.activated.emit(1)
+    assert [field.job.box.itemText(at) for at in (1, 2)] == ["T3 Ball", "T4 Drill"]
+    field.job.box.activated.emit(1)
     assert field.value() == "ball:5.0:20.0" and not field.error.text()
-    field.job.activated.emit(2)
+    field.job.box.activated.emit(2)
     assert field.value() == "ball:5.0:20.0" and field.error.text() == "Drill is of no use"
 
 
@@ -440,8 +442,8 @@ def qt_scroll(widget, pump):
 
 
 def test_every_option_of_the_core_has_its_words():
+    from freecad_fiveaxis.app import labels
     from freecad_fiveaxis.core.settings import option_fields
-    from freecad_fiveaxis.gui.panels import labels
 
     for _, leaf in option_fields():
         if leaf.metadata["kind"] not in ("path", "paths"):

@@ -216,7 +216,7 @@ def test_blocks_are_stepped_and_the_slider_and_the_time_follow(doc, opened, clic
 def test_next_singular_goes_through_all_of_them(doc, opened, click):
     from freecad_fiveaxis.app import results
 
-    path = toolpath(doc)
+    path = toolpath(doc, linearize="off", stepover=8.0)
     shown = opened(path)
     figures = results.figures_of(path)
     rows = [row for row in np.flatnonzero(figures.singularity.singular) if row in set(figures.feeds)]

@@ -9,7 +9,7 @@ import pytest
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.core.errors import FiveAxisError
-from freecad_fiveaxis.core.sentences import CONTEXT, OPTIONS, Length, Option, Point, say
+from freecad_fiveaxis.core.sentences import CONTEXT, Choice, Length, Option, Point, Task, say
 from freecad_fiveaxis.core.settings import build_settings
 from freecad_fiveaxis.gui.qt import translate
 from freecad_fiveaxis.gui.scene import gouge_words
@@ -46,8 +46,29 @@ def test_an_error_names_the_field_as_the_window_does(german):
     with pytest.raises(FiveAxisError) as caught:
         build_settings("mill", "a.stl", {"machine": "trunnion_ac", "max_tilt": 400.0})
     said = wording.told(caught.value)
-    assert said.startswith(translate(OPTIONS, Option("max_tilt").label)) and "liegt außerhalb" in said and "°" in said
+    assert said.startswith(translate("FiveAxis", "Largest axis angle")) and "liegt außerhalb" in said and "°" in said
     assert str(caught.value).startswith("max-tilt 400")
+
+
+NAMED = [
+    (Choice("gouge", ("lift", "leave-out")), "Gouge protection: lift the tool, skip these places",
+     "Eindringschutz: Werkzeug abheben, Stellen auslassen"),
+    (Choice("linearize", ("on",)), "Divide blocks: on", "Sätze teilen: ein"),
+    (Choice("cures", ("deform",), alone=True), "turn the axis past the pole", "Achse am Pol vorbeidrehen"),
+    (Option("spindle", given="S"), "Spindle speed", "Drehzahl"),
+    (Task("setup"), "“Where to clamp”", "„Wohin spannen“"),
+]  # fmt: skip
+"""What a sentence names, and what the window calls it in English and in German."""
+
+
+def test_settings_choices_and_tasks_are_named_as_in_the_window():
+    for named, english, _ in NAMED:
+        assert wording.told(say("{named}", named=named)) == english != str(named)
+
+
+def test_settings_choices_and_tasks_are_named_as_in_the_german_window(german):
+    for named, _, told in NAMED:
+        assert wording.told(say("{named}", named=named)) == told
 
 
 def test_the_document_holds_what_is_shown(german, doc, dome, unit):

@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.kinematics import Chain, chunks
 from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze
-from freecad_fiveaxis.core.sentences import Angle, Length, Option, Sentence, plural, say
+from freecad_fiveaxis.core.sentences import Angle, Choice, Length, Option, Sentence, Task, plural, say
 from freecad_fiveaxis.core.trajectory import axis_at
 
 from .nearest import Pieces, Segments, nearest, search
@@ -216,7 +216,11 @@ def _findings(
     if len(off):
         found.append(_place_finding(program, told, off, "off-cl-path", _ends_text(told, ends), tolerance))
     if between.any():
-        text = say("leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Linearize.")
+        text = say(
+            "leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Divide blocks "
+            "({linearize}).",
+            linearize=Choice("linearize", ("on",)),
+        )
         found.append(_place_finding(program, told, np.flatnonzero(between), "between-cl-rows", text, tolerance))
     if own.any():
         text = say("leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind.")
@@ -235,7 +239,8 @@ def _ends_text(told: AgainstPath, ends: Bools) -> Sentence:
     off = np.percentile(told.end, (5, 95))
     return say(
         "are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or "
-        "tool length in mind. See {origin} and {tool_length}; recover finds the machine that fits.",
+        "tool length in mind. See {origin} and {tool_length}; {recover} finds the machine that fits.",
+        recover=Task("recover"),
         least=Length(off[0], ".4g", bare=True),
         most=Length(off[1], ".4g"),
         origin=Option("origin"),

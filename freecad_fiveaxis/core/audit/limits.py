@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, forward_tip, words_to_q
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.records import Bytes, Floats, freeze
-from freecad_fiveaxis.core.sentences import Number, Option, measure, plural, say
+from freecad_fiveaxis.core.sentences import Number, Option, Task, measure, plural, say
 
 from .rates import DEGREES
 
@@ -74,8 +74,9 @@ def _finding(links: Chain, program: Program, k: int, limit: float, beyond: Float
     blocks = plural(len(rows), "1 block leads", "{count} blocks lead")
     help_ = (
         say(
-            "Words count from the work zero: is {origin} where it stood on the machine? Else move it (setup finds a place)",
+            "Words count from the work zero: is {origin} where it stood on the machine? Else move it ({setup} finds a place)",
             origin=Option("origin"),
+            setup=Task("setup"),
         )
         if k < 3
         else say("Post it again for this machine")

@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.program.feeds import STILL, tip_travel
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bytes, Floats, Ints, freeze
-from freecad_fiveaxis.core.sentences import Feed, Number, Sentence, measure, plural, say
+from freecad_fiveaxis.core.sentences import Feed, Number, Sentence, Task, measure, plural, say
 
 PORTION = 65536
 """Blocks worked on at a time."""
@@ -104,7 +104,8 @@ def rate_findings(links: Chain, program: Program, rates: Rates) -> tuple[Finding
         text = say(
             "{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its "
             "maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. "
-            "Give a lower F there, or inverse time (G93) made for this machine, as `post` does.",
+            "Give a lower F there, or inverse time (G93) made for this machine, as {post} does.",
+            post=Task("post"),
             blocks=_blocks(rows),
             letter=letter,
             line=program.line[worst],

@@ -95,7 +95,7 @@ def compare(
     SettingsError where there is nothing to compare, and what a cancelling ``progress`` raises.
     """
     if not stations or not cures or not guided:
-        raise SettingsError(say("there is nothing to compare; name at least one machine and one cure"), 0)
+        raise SettingsError(say("there is nothing to compare; name at least one machine and one correction"), 0)
     if not len(path.tip):
         raise SettingsError(say("there is no path to compare on: it has no rows"), 0)
     rows: list[Row] = []

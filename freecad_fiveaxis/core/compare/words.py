@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 
 from freecad_fiveaxis.core.report.text import duration, number
-from freecad_fiveaxis.core.sentences import Length, Sentence, plural, say
+from freecad_fiveaxis.core.sentences import Choice, Length, Sentence, plural, say
 from freecad_fiveaxis.core.setup_map.sheet import Table, json_text, page, section, table, text_table
 
 from .compare import Row
@@ -102,7 +102,7 @@ LIMIT_SHOWN = 5e-4
 
 
 def _name(row: Row) -> Sentence:
-    cure = say("no cure") if row.cure == "none" else row.cure
+    cure = say("no correction") if row.cure == "none" else Choice("cures", (row.cure,), alone=True)
     if row.tool_centre:
         return say("{machine} with {cure}, tool-centre control", machine=row.machine, cure=cure)
     return say("{machine} with {cure}", machine=row.machine, cure=cure)

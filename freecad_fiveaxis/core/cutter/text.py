@@ -67,9 +67,9 @@ def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
         form, words = FORMS[list(KINDS).index(kind)], ":".join(names).upper()
         raise SettingsError(
             say(
-                "cutter {text} needs KIND:{words} or KIND:{words}:LENGTH, as {form} or {form}:60",
+                "cutter {text} needs {sizes} or {sizes}:LENGTH, as {form} or {form}:60",
                 text=repr(text),
-                words=words,
+                sizes=f"KIND:{words}",
                 form=form,
             ),
             text,

@@ -77,7 +77,7 @@ def _findings(offset: OffsetPath, axis: Floats, links: Chain, found: Led, change
         before, after = (math.degrees(float(part.peak[found.led].max())) for part in (found.before, found.after))
         turned, turns = (math.degrees(float(part.first[found.led].sum())) for part in (found.before, found.after))
         text = say(
-            "{count} passes are led past the pole: {letter} turns at most {after} instead of {before} on them, "
+            "{count} passes are turned past the pole: {letter} turns at most {after} instead of {before} on them, "
             "and {turns} instead of {turned} in all, for an axis changed by up to {most}.",
             count=int(found.led.sum()),
             letter=letter,
@@ -95,7 +95,7 @@ def _findings(offset: OffsetPath, axis: Floats, links: Chain, found: Led, change
         worst = left[found.after.peak[left].argmax()]
         rate = math.degrees(float(found.after.peak[worst]))
         text = say(
-            "{count} passes come within {limit} of the pole and could not be led past it any better: {letter} "
+            "{count} passes come within {limit} of the pole and could not be turned past it any better: {letter} "
             "turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.",
             count=len(left),
             limit=Angle(limit),

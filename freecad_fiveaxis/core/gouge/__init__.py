@@ -2,7 +2,7 @@
 """Cutter, shank and holder against the whole part, along the way that they really go."""
 
 from .body import CUTTER, HOLDER, PARTS, SHANK, Body, Piece, body_of, depth_of, frustum_piece, round_piece
-from .check import CURES, GOUGES, GougeCheck, check_course, check_program, program_course, spots
+from .check import CURES, DIVIDE, GOUGES, GougeCheck, check_course, check_program, program_course, spots
 from .course import Course, real_course, still_course, straight_course
 from .facet_tree import FacetTree, facet_tree
 from .inside import inside, is_closed
@@ -30,6 +30,7 @@ __all__ = [
     "AIM",
     "CURES",
     "CUTTER",
+    "DIVIDE",
     "GOUGES",
     "HOLDER",
     "NO_HEIGHT",

@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
-from freecad_fiveaxis.core.sentences import Length, Point, Sentence, Template, joined, say
+from freecad_fiveaxis.core.sentences import Choice, Length, Point, Sentence, Template, joined, say
 
 from .body import CUTTER, HOLDER, PARTS, SHANK, Body
 from .course import Course, real_course, straight_course
@@ -37,21 +37,26 @@ MOST_SPOTS = 10
 GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collision", "holder-collision"
 """The codes of the findings."""
 
+LIFT, TILT = Choice("gouge", ("lift", "leave-out")), Choice("gouge", ("tilt", "leave-out"))
+DIVIDE = Choice("linearize", ("on",))
+"""What helps, as the user asks for it."""
 SAID = {
     OVERCUT: Template("The cutter goes {depth} too deep into the part at {at}."),
     RAPID_COLLISION: Template(
         "The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is "
-        "over the tool, let it be lifted there or leave such places out (gouge lift, leave-out)."
+        "over the tool, let it be lifted there or leave such places out ({lift})."
     ),
     HOLDER_COLLISION: Template(
-        "The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out (gouge tilt, "
-        "leave-out), use a longer tool, or more lead or tilt."
+        "The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out ({tilt}), "
+        "use a longer tool, or more lead or tilt."
     ),
 }
 
 CURES = say(
-    "Let the tool be lifted there or leave such places out (gouge lift, leave-out), or use a smaller cutter; where the machine "
-    "leaves the path by as much, let blocks be divided (linearize on)."
+    "Let the tool be lifted there or leave such places out ({lift}), or use a smaller cutter; where the machine "
+    "leaves the path by as much, let blocks be divided ({divide}).",
+    lift=LIFT,
+    divide=DIVIDE,
 )
 """What is said against an overcut where nothing has been done yet."""
 
@@ -153,7 +158,7 @@ def _spots(
         x, y, z = entries.place[block].tolist()
         amount: Length | Sentence = Length(depth[block], ".4g")
         amount = say("at least {depth}", depth=amount) if depth[block] >= whole else amount
-        said = SAID[code].say(depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])])
+        said = SAID[code].say(depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])], lift=LIFT, tilt=TILT)
         said = joined((said, remedy))
         if k == 0 and blocks > 1:
             said += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))

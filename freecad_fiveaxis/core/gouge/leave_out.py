@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints, picked
 from freecad_fiveaxis.core.seating import rows_between
-from freecad_fiveaxis.core.sentences import Length, Point, Sentence, say
+from freecad_fiveaxis.core.sentences import Choice, Length, Point, Sentence, say
 
 from .body import Body
 from .course import straight_course
@@ -132,8 +132,10 @@ def _left(
     rows = lasting_rows(path, np.flatnonzero(~out))
     if not len(rows):
         text = say(
-            "gouge leave-out leaves nothing to cut: {why}; use a smaller cutter or holder, a longer tool or "
-            "another tool axis, or see where with gouge report",
+            "{leave_out} leaves nothing to cut: {why}; use a smaller cutter or holder, a longer tool or "
+            "another tool axis, or see where with {report}",
+            leave_out=Choice("gouge", ("leave-out",)),
+            report=Choice("gouge", ("report",)),
             why=why(say("on every pass")),
         )
         raise SettingsError(text, value)

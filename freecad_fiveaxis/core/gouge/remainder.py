@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.sentences import Area, Length, Point, Volume, say
+from freecad_fiveaxis.core.sentences import Area, Choice, Length, Point, Volume, say
 
 from .body import Body, Piece, off_piece
 from .course import Course, Poses
@@ -289,7 +289,8 @@ def too_deep_finding(remainder: Remainder, tolerance: float) -> tuple[Finding, .
     x, y, z = remainder.point[worst].tolist()
     text = say(
         "On {area} of the machined surface more than {tolerance} is cut too deep, most at {place}: {height}; "
-        "{volume} in all. Let the tool be lifted there (gouge lift), or use a smaller cutter.",
+        "{volume} in all. Let the tool be lifted there ({lift}), or use a smaller cutter.",
+        lift=Choice("gouge", ("lift",)),
         area=Area(area, ".4g"),
         tolerance=Length(tolerance, ".3g"),
         place=Point((x, y, z), ".6g"),

@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.kinematics import Chain, q_to_words
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.seating import hubs, seat_normal
-from freecad_fiveaxis.core.sentences import Angle, say
+from freecad_fiveaxis.core.sentences import Angle, Choice, Option, say
 from freecad_fiveaxis.core.tool_axis import feed_direction
 
 from .blocks import Ring
@@ -76,7 +76,9 @@ def minimax_axes(
     if not LEAST_TILT <= max_tilt <= MOST_TILT:
         raise SettingsError(
             say(
-                "max-tilt {tilt} is out of range; give {least} to {most}, or choose facet_mean",
+                "{max_tilt} {tilt} is out of range; give {least} to {most}, or choose {facet_mean}",
+                max_tilt=Option("max_tilt", flag=False),
+                facet_mean=Choice("tool_axis", ("facet_mean",), alone=True),
                 tilt=Angle(math.degrees(max_tilt)),
                 least=Angle(math.degrees(LEAST_TILT), bare=True),
                 most=Angle(math.degrees(MOST_TILT)),

@@ -21,7 +21,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.records import Floats
-from freecad_fiveaxis.core.sentences import Option, Sentence, say
+from freecad_fiveaxis.core.sentences import Choice, Option, Sentence, say
 
 ANGLES, VECTORS = "angles", "vectors"
 
@@ -153,10 +153,10 @@ class Dialect:
     def _no_guide(self, how: str) -> Sentence:
         if not self.guides:
             return say(
-                "{name} does not guide the tip itself (no RTCP): leave {rtcp} out, and use {linearize} on",
+                "{name} does not guide the tip itself (no RTCP): leave {rtcp} out, and use {linearize}",
                 name=self.name,
                 rtcp=Option("rtcp"),
-                linearize=Option("linearize"),
+                linearize=Choice("linearize", ("on",), flag=True),
             )
         return say("{name} has no RTCP by {how}; give {guides}", name=self.name, how=how, guides=" or ".join(self.guides))
 

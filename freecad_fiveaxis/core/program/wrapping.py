@@ -73,7 +73,7 @@ def _other_way(letter: str, blocks: Ints, feeding: Bools) -> Finding:
     cutting = int(feeding[blocks].sum())
     text = say(
         "{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the "
-        "control takes the shorter way there (wrap_strategy modulo), and so do the words here. Linearize, or "
+        "control takes the shorter way there (wrap_strategy modulo), and so do the words here. Divide blocks, or "
         "set wrap_strategy to unwound.",
         count=len(blocks),
         letter=letter,

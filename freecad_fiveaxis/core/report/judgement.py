@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, forward
 from freecad_fiveaxis.core.program import Program, feed_blocks
 from freecad_fiveaxis.core.records import Floats, Ints
-from freecad_fiveaxis.core.sentences import Angle, Length, Sentence, joined, plural, say
+from freecad_fiveaxis.core.sentences import Angle, Choice, Length, Option, Sentence, Task, joined, plural, say
 from freecad_fiveaxis.core.singularity import Singularity
 
 from .figures import WORST, inner_words, travel, worst_first
@@ -30,11 +30,16 @@ from .figures import WORST, inner_words, travel, worst_first
 OVER, UNPROVEN, SINGULAR = "deviation-over-tolerance", "bound-over-tolerance", "singular-block"
 
 _SPLIT = say(
-    "Shorter blocks help: half the length leaves about a quarter of the deviation; linearize makes as many as are needed."
+    "Shorter blocks help: half the length leaves about a quarter of the deviation; {linearize} makes as many as are needed.",
+    linearize=Choice("linearize", ("on",)),
 )
 _AWAY = say(
-    "Let the axis be led past the pole (deform), lead or tilt the tool by a few degrees, or clamp the part in another "
-    "position (setup finds one), so that the tool keeps off the pole."
+    "Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), or clamp the part in "
+    "another position ({setup} finds one), so that the tool keeps off the pole.",
+    past=Choice("singularity", ("deform",)),
+    lead=Option("lead", flag=False),
+    tilt=Option("tilt", flag=False),
+    setup=Task("setup"),
 )
 _GUIDE = say("A controller with tool tip control (RTCP) guides the tip along the segment itself.")
 

@@ -19,7 +19,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.option_values import read_option, read_text, write_option
-from freecad_fiveaxis.core.sentences import Angle, Option, say
+from freecad_fiveaxis.core.sentences import Angle, Choice, Option, Task, say
 
 from .groups import (
     AUDIT,
@@ -138,21 +138,39 @@ def _check_together(settings: Settings) -> None:
         )
     if settings.task == COMPARE and not settings.compare.machines:
         raise SettingsError(
-            say("no machines given; name them with {machines} A,B (see `machines`)", machines=Option("machines")), ()
+            say(
+                "no machines given; name them with {machines} ({list} shows them)",
+                machines=Option("machines", given="A,B"),
+                list=Task("machines"),
+            ),
+            (),
         )
     if settings.task not in (COMPARE, RECOVER) and not settings.machine.machine:
-        raise SettingsError(say("no machine given; name one with {machine} (see `machines`)", machine=Option("machine")), "")
+        text = say(
+            "no machine given; name one with {machine} ({list} shows them)", machine=Option("machine"), list=Task("machines")
+        )
+        raise SettingsError(text, "")
     if settings.task == RECOVER and not settings.recover.program:
         raise SettingsError(say("no program given; name the NC file that was posted from the CL path"), "")
     if settings.passes.scallop is not None and settings.passes.stepover is not None:
         raise SettingsError(say("scallop and stepover exclude each other; give one of them"), settings.passes.stepover)
     if settings.task == POST and settings.cure.singularity == "deform":
         raise SettingsError(
-            say("singularity deform needs the part's passes: use it with `mill`; a CL file keeps its axes"), "deform"
+            say(
+                "{past} needs the part's passes: use it with {mill}; a CL file keeps its axes",
+                past=Choice("singularity", ("deform",)),
+                mill=Task("mill"),
+            ),
+            "deform",
         )
     if settings.head.rtcp != "off" and (settings.cure.linearize == "on" or settings.cure.singularity == "linearize"):
         raise SettingsError(
-            say("rtcp lets the controller guide the tip, linearize divides blocks where it does not; give one"), "rtcp"
+            say(
+                "{rtcp} lets the controller guide the tip, {linearize} divides blocks where it does not; give one",
+                rtcp=Option("rtcp", flag=False),
+                linearize=Option("linearize", flag=False),
+            ),
+            "rtcp",
         )
     _check_gouge(settings)
     if settings.faces.faces and settings.task != MILL and not is_part(settings.source):
@@ -169,7 +187,13 @@ def _check_together(settings: Settings) -> None:
         lean = math.degrees(getattr(tool, name))
         if tool.tool_axis == "minimax" and lean != 0.0:
             raise SettingsError(
-                say("{name} {lean} leaves minimax no choice; leave it out, or choose facet_mean", name=name, lean=Angle(lean)),
+                say(
+                    "{name} {lean} leaves {minimax} no choice; leave it out, or choose {facet_mean}",
+                    name=Option(name, flag=False),
+                    lean=Angle(lean),
+                    minimax=Choice("tool_axis", ("minimax",), alone=True),
+                    facet_mean=Choice("tool_axis", ("facet_mean",), alone=True),
+                ),
                 lean,
             )
 
@@ -181,7 +205,13 @@ def _check_gouge(settings: Settings) -> None:
         return
     if gouge.gouge not in ("off", "report"):
         raise SettingsError(
-            say("gouge {gouge} changes the passes: use it with `mill`; for an audit give report", gouge=gouge.gouge), gouge.gouge
+            say(
+                "{gouge} changes the passes: use it with {mill}; for an audit give {report}",
+                gouge=Choice("gouge", (gouge.gouge,)),
+                mill=Task("mill"),
+                report=Choice("gouge", ("report",), alone=True),
+            ),
+            gouge.gouge,
         )
     if against is None or not is_part(against):
         raise SettingsError(

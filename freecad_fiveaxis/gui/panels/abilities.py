@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from freecad_fiveaxis.app.labels import controller_label
 from freecad_fiveaxis.gui.qt import translate
-
-from .labels import controller_label
 
 LACKING = {"rtcp": "off", "high_speed": "off"}
 """Options that a controller may not have, and what they are then."""

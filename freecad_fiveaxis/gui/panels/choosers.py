@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.labels import choice_hint, choice_label, controller_label
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
+from freecad_fiveaxis.gui.wheel import leave_wheel
 
 from .fields import ChoiceField, Field, QuantityField
 from .files import machine_files
-from .labels import choice_hint, choice_label, controller_label
 from .rows import Rows
 
 LONG = 110
@@ -108,8 +110,44 @@ CUTTER_SIZES = {"diameter": "length", "corner": "length", "taper": "angle", "len
 """The sizes of all kinds of cutters, and what each is."""
 
 
+class ToolList(QtCore.QObject):
+    """A list of tools under a ``title``, shown while there are any. ``chosen`` tells of one, a JobTool; the title comes back."""
+
+    chosen = QtCore.Signal(object)
+
+    def __init__(self, name: str, title: str) -> None:
+        super().__init__()
+        self.title, self.tools, self.box = title, [], QtWidgets.QComboBox()
+        self.box.setObjectName(name)
+        self.box.setAccessibleName(title)
+        self.box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        leave_wheel(self.box)
+        self.box.activated.connect(self._choose)
+        self.offer([])
+
+    def offer(self, tools: Sequence[Any]) -> None:
+        """The tools to choose from."""
+        self.tools = list(tools)
+        self.box.clear()
+        self.box.addItem(self.title)
+        self.box.addItems([f"T{tool.number} {tool.label}" for tool in self.tools])
+        self.box.setVisible(bool(self.tools))
+
+    def _choose(self, at: int) -> None:
+        if at > 0:
+            self.chosen.emit(self.tools[at - 1])
+        self.box.setCurrentIndex(0)
+
+
+def _tools_of_jobs(doc: Any) -> list[Any]:
+    from freecad_fiveaxis.app import cam, tool_bit
+
+    return [tool for job in cam.jobs_of(doc) for tool in tool_bit.cutters_of_job(job)]
+
+
 class CutterField(Field):
-    """A cutter: its kind and the sizes that it has, by hand, from a tool bit's file, or from a tool of a CAM Job."""
+    """A cutter: its kind and the sizes that it has, by hand, from a tool bit's file, or from a tool of a CAM Job or
+    of the path's setup."""
 
     has_own_labels = True
 
@@ -127,12 +165,13 @@ class CutterField(Field):
         self.sizes["corner"].show_value(CORNER)
         self.sizes["taper"].show_value(TAPER)
         self.file = QtWidgets.QPushButton(translate("FiveAxis", "From a tool file…"))
-        self.job = QtWidgets.QComboBox()
-        self.job.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.job = ToolList("cutter_job", translate("FiveAxis", "From a CAM Job…"))
+        self.setup = ToolList("cutter_setup", translate("FiveAxis", "From the setup…"))
         self._lay_out()
-        self._list_tools(doc)
+        self.job.offer(_tools_of_jobs(doc))
         self.file.clicked.connect(self._from_file)
-        self.job.activated.connect(self._from_job)
+        for chooser in (self.job, self.setup):
+            chooser.chosen.connect(self._from_list)
         self.kind.edited.connect(self._turn)
         for part in self.sizes.values():
             part.edited.connect(self._changed)
@@ -140,7 +179,7 @@ class CutterField(Field):
 
     def _lay_out(self) -> None:
         self.rows = {part.name: self.editor.add(part) for part in (self.kind, *self.sizes.values())}
-        for chooser in (self.file, self.job):
+        for chooser in (self.file, self.job.box, self.setup.box):
             self.editor.add_wide(chooser)
 
     def _turn(self) -> None:
@@ -153,22 +192,10 @@ class CutterField(Field):
                 widget.setVisible(size in has)
         self._changed()
 
-    def _list_tools(self, doc: Any) -> None:
-        from freecad_fiveaxis.app import cam, tool_bit
-
-        self.tools = [tool for job in cam.jobs_of(doc) for tool in tool_bit.cutters_of_job(job)]
-        self.job.addItem(translate("FiveAxis", "From a CAM Job…"))
-        for tool in self.tools:
-            self.job.addItem(f"T{tool.number} {tool.label}")
-        self.job.setVisible(bool(self.tools))
-
-    def _from_job(self, at: int) -> None:
-        if at > 0:
-            tool = self.tools[at - 1]
-            self.show_error(tool.error)
-            if tool.cutter:
-                self._take(tool.cutter)
-        self.job.setCurrentIndex(0)
+    def _from_list(self, tool: Any) -> None:
+        self.show_error(tool.error)
+        if tool.cutter:
+            self._take(tool.cutter)
 
     def _from_file(self, *_: Any) -> None:
         title, kinds = translate("FiveAxis", "Choose a tool file (.fctb)"), translate("FiveAxis", "Tool files (*.fctb)")

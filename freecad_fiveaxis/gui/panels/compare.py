@@ -8,6 +8,7 @@ from typing import Any
 import FreeCADGui
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.labels import cure_label
 from freecad_fiveaxis.gui import comparison_table
 from freecad_fiveaxis.gui.messages import status
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, flags, translate
@@ -15,7 +16,6 @@ from freecad_fiveaxis.gui.waiting import waiting
 
 from .choosers import has_head
 from .fields import QuantityField, error_line
-from .labels import choice_label
 from .path_panel import show
 
 LINE_HEIGHT, LINES = 24, 9
@@ -118,12 +118,6 @@ class ComparePanel:
 def create(path: Any) -> ComparePanel:
     """Open the panel for a Toolpath."""
     return show(ComparePanel(path))
-
-
-def cure_label(cure: str) -> str:
-    """What a cure is called."""
-    own = {"none": translate("FiveAxis", "none"), "deform": translate("FiveAxis", "turn the axis past the pole")}
-    return own.get(cure) or choice_label(cure)
 
 
 def chosen(box: Any) -> list[str]:

@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
+from freecad_fiveaxis.app.labels import option_label
 from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
 from freecad_fiveaxis.gui.wheel import leave_wheel
 
-from .labels import option_label
 from .lines import error_line, note_line, warning_line
 from .measure_box import MeasureBox
 
@@ -83,6 +83,9 @@ class Field(QtCore.QObject):
         """The reason why the value cannot be used, in red under the editor; an empty text takes it away."""
         self.error.setText(text)
         self.error.setVisible(bool(text))
+
+    def want(self) -> None:
+        """The user has asked for the result: what he has not given yet is missing from now on."""
 
     def check(self) -> None:
         """Raises FiveAxisError for a value that cannot be used, where the core's settings do not know of it."""

@@ -6,15 +6,17 @@ from __future__ import annotations
 import os
 from typing import Any
 
+from freecad_fiveaxis.app.labels import option_hint
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 from .fields import TextField
-from .labels import option_hint
 
 
 class FileField(TextField):
     """A file to read, and a button that chooses it. ``title`` of the dialog, ``kinds`` of files as Qt filters them; ``missing``:
-    what is said while none is named, empty where none is needed."""
+    what to do while none is named, empty where none is needed: a hint in the box, and an error once the file is ``wanted``."""
+
+    wanted = False
 
     def __init__(self, name: str, title: str, kinds: str, hint: str = "", missing: str = "") -> None:
         super().__init__(name, hint)
@@ -24,15 +26,20 @@ class FileField(TextField):
         self.browse.setToolTip(title)
         self.browse.setObjectName(name + "_browse")
         self.browse.clicked.connect(self._browse)
+        self.editor.setPlaceholderText(missing)
+
+    def want(self) -> None:
+        """From now on a name that is missing is an error: the user has asked for what needs it."""
+        self.wanted = True
 
     def check(self) -> None:
-        """Raises FileError for a file that is not named or cannot be read."""
+        """Raises FileError for a file that cannot be read, or is wanted and not named."""
         from freecad_fiveaxis.core.errors import FileError
         from freecad_fiveaxis.core.files import check_readable
 
         if self.value():
             check_readable(self.value())
-        elif self.missing:
+        elif self.missing and self.wanted:
             raise FileError(self.missing, "")
 
     def _browse(self, *_: Any) -> None:
@@ -72,7 +79,7 @@ class SaveField(FileField):
 
         path = self.value()
         if not path:
-            if self.missing:
+            if self.missing and self.wanted:
                 raise FileError(self.missing, "")
             return
         if self.endings and os.path.splitext(path)[1].lower() not in self.endings:

@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.labels import choice_hint, choice_label, controller_label, group_label, option_hint
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .abilities import LACKING, check_guide, reasons, unknown_choices
@@ -21,7 +22,6 @@ from .depends import DEPENDS, idle_options
 from .fields import Field, SpindleField
 from .files import any_file
 from .folding import FoldingGroup
-from .labels import choice_hint, choice_label, controller_label, group_label, option_hint
 from .lines import error_line
 from .option_fields import option_field
 
@@ -222,6 +222,11 @@ class Form(QtCore.QObject):
                 field.show_value(options[name])
         self.filling = False
         self._changed()
+
+    def want(self) -> None:
+        """The user asks for the result: a file that is not named yet is an error from now on."""
+        for field in self.fields.values():
+            field.want()
 
     def check(self) -> bool:
         """Whether the core takes the values; where it does not, the fields say why."""

@@ -120,6 +120,14 @@ class SetupField(ChoiceField):
         super().show_value(value.Name if value is not None else None)
         self._name_button()
 
+    def forget_gone(self) -> None:
+        """Setups that are no longer in the document leave the list; where one was chosen, there is none now."""
+        for at in reversed(range(1, self.editor.count())):
+            if self.doc.getObject(self.editor.itemData(at)) is None:
+                if self.editor.currentIndex() == at:
+                    self.editor.setCurrentIndex(0)
+                self.editor.removeItem(at)
+
     def words(self) -> str:
         """Its name."""
         return self.value().Label if self.value() is not None else ""

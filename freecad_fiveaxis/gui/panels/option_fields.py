@@ -6,8 +6,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from freecad_fiveaxis.app.labels import option_hint
+
 from .fields import ChoiceField, FeedField, Field, NumberField, QuantityField, TextField
-from .labels import option_hint
 from .triple import TripleField
 
 STACK = "40x25,63x50"

@@ -12,8 +12,8 @@ from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
 
-WIDTH, TALL, LOW = 300, 4000, 160
-"""Pixels: as wide as the panel would like to be, taller than any screen, and as low as the form may get."""
+WIDTH, TALL, LOW, LINES = 300, 4000, 160, 80
+"""Pixels: as wide as the panel would like to be, taller than any screen, as low as the form may get, and a text above it."""
 MARGIN = 4
 
 
@@ -56,7 +56,41 @@ class FormArea(QtWidgets.QScrollArea):
         self.setWidget(inner)
         self.verticalScrollBar().rangeChanged.connect(lambda *_: self.updateGeometry())  # a group was folded, or a row shown
 
+    def sizeHint(self) -> Any:
+        """As low as it may get: what stands above it comes first, and the rest of the panel is the form's."""
+        return QtCore.QSize(WIDTH, LOW)
+
     def minimumSizeHint(self) -> Any:
         """The form's own width and the scroll bar's."""
         bar = self.verticalScrollBar().sizeHint().width()
         return QtCore.QSize(self.widget().minimumSizeHint().width() + bar, LOW)
+
+
+class TextArea(QtWidgets.QScrollArea):
+    """All of a label's text where there is room for it; elsewhere it scrolls, and no line of it is lost.
+
+    Whoever changes the text calls ``updateGeometry``.
+    """
+
+    def __init__(self, label: Any) -> None:
+        super().__init__()
+        self.setWidgetResizable(True)
+        self.setFrameShape(QtWidgets.QFrame.NoFrame)
+        self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Preferred, QtWidgets.QSizePolicy.Maximum)
+        self.label = label
+        self.setWidget(label)
+
+    def resizeEvent(self, event: Any) -> None:
+        """Another width breaks the lines elsewhere."""
+        super().resizeEvent(event)
+        self.updateGeometry()
+
+    def sizeHint(self) -> Any:
+        """As high as the text at this width."""
+        return QtCore.QSize(self.minimumSizeHint().width(), self.label.heightForWidth(self.viewport().width()))
+
+    def minimumSizeHint(self) -> Any:
+        """The text's widest word and the scroll bar; some lines."""
+        width = self.label.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
+        return QtCore.QSize(width, min(self.label.heightForWidth(self.viewport().width()), LINES))

@@ -77,6 +77,7 @@ class PathPanel:
 
     def calculate(self) -> bool:
         """Compute what the form says and show the summary; whether that went well. Otherwise the document is as before."""
+        self.options.want()
         if not self.options.check():
             self.summary.forget()
             return False
@@ -175,6 +176,19 @@ def fit(name: str) -> None:
     """Show all of a document, unless it was closed meanwhile."""
     if name in FreeCAD.listDocuments() and hasattr(FreeCADGui.getDocument(name).ActiveView, "fitAll"):
         FreeCADGui.getDocument(name).ActiveView.fitAll()
+
+
+def is_seen(name: str, box: Any) -> bool:
+    """Whether half of a box of the document, as it stands on the screen, lies in its view; true where it has no 3D view."""
+    view = FreeCADGui.getDocument(name).ActiveView
+    if not hasattr(view, "getPointOnScreen"):
+        return True
+    corners = [view.getPointOnScreen(*box.getPoint(at)) for at in range(8)]
+    inside, whole = 1.0, 1.0
+    for spots, size in zip(zip(*corners, strict=True), view.getSize(), strict=True):
+        inside *= max(min(max(spots), size) - max(min(spots), 0), 0)
+        whole *= max(max(spots) - min(spots), 1)
+    return inside >= whole / 2
 
 
 def reveal(form: Any) -> None:

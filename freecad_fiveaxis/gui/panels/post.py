@@ -14,6 +14,7 @@ from typing import Any
 import FreeCADGui
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.labels import option_label
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtWidgets, flags, translate
 from freecad_fiveaxis.gui.undo import transaction
@@ -22,7 +23,6 @@ from freecad_fiveaxis.gui.waiting import waiting
 
 from . import written
 from .fields import TextField, error_line
-from .labels import option_label
 from .option_fields import option_field
 from .path_panel import show
 from .told import findings

@@ -33,7 +33,7 @@ class SetupSummary(Summary):
             for label, before, after in rows(obj)
         )
         said = "".join(f"<p>{html.escape(text)}</p>" for text in (obj.Verdict, *obj.Findings))
-        self.text.setText(f"<table>{cells}</table>{said}")
+        self.tell(f"<table>{cells}</table>{said}")
 
 
 def rows(obj: Any) -> list[tuple[str, str, str]]:
@@ -132,7 +132,7 @@ class SetupPanel(PathPanel):
             return False
         text = translate("FiveAxis", "Applied: the largest deviation is now {deviation}.")
         self.options.show_error("")
-        self.summary.text.setText(
+        self.summary.tell(
             self.summary.text.text() + f"<p><b>{text.format(deviation=length_text(self.path.MaxSegmentDeviation.Value))}</b></p>"
         )
         reveal(self.form)

@@ -8,8 +8,10 @@ from typing import Any
 
 from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.app.units import length_text
-from freecad_fiveaxis.gui.qt import QtWidgets, translate
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.verdict_label import VerdictLabel
+
+from .panel_widget import TextArea
 
 
 def summary_lines(obj: Any) -> list[tuple[str, str]]:
@@ -77,15 +79,22 @@ class Summary(QtWidgets.QGroupBox):
         self.text = QtWidgets.QLabel()
         self.text.setObjectName("summary")
         self.text.setWordWrap(True)
+        self.text.setAlignment(QtCore.Qt.AlignTop)
+        self.area = TextArea(self.text)
         column = QtWidgets.QVBoxLayout(self)
         column.addWidget(self.verdict)
-        column.addWidget(self.text)
+        column.addWidget(self.area)
         self.forget()
+
+    def tell(self, text: str) -> None:
+        """Show a text (HTML)."""
+        self.text.setText(text)
+        self.area.updateGeometry()
 
     def forget(self) -> None:
         """The settings have changed since the last calculation."""
         self.verdict.show_verdict(None)
-        self.text.setText(translate("FiveAxis", "Press Calculate to see what these settings come to."))
+        self.tell(translate("FiveAxis", "Press Calculate to see what these settings come to."))
 
     def show_result(self, obj: Any) -> None:
         """The figures of the object's last computation, and the gravest of its findings."""
@@ -95,4 +104,4 @@ class Summary(QtWidgets.QGroupBox):
         sentences = dict.fromkeys((*cured(obj), gravest(obj)))
         found = "".join(f"<p>{html.escape(text)}</p>" for text in sentences if text)
         self.verdict.show_verdict(obj)
-        self.text.setText(f"<table>{cells}</table>{found}")
+        self.tell(f"<table>{cells}</table>{found}")

@@ -6,15 +6,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from freecad_fiveaxis.app.labels import group_label
 from freecad_fiveaxis.app.selection import is_mesh
 from freecad_fiveaxis.gui.messages import telling
-from freecad_fiveaxis.gui.qt import translate
+from freecad_fiveaxis.gui.qt import QtCore, translate
 
 from .fields import QuantityField
 from .form import SPACING, Form, Section
 from .job_setup import FAR, SHARED, SetupField, ask, shown
-from .labels import group_label
-from .path_panel import PathPanel, show
+from .path_panel import DRAWN, PathPanel, fit, is_seen, show
 from .picking import PointField
 
 EXTRAS = ("work_zero", "linear_deflection", "angular_deflection")
@@ -25,7 +25,7 @@ class ToolpathPanel(PathPanel):
     """``base`` and ``faces`` of a new path, or the Toolpath ``obj`` to change."""
 
     def __init__(self, doc: Any, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
-        self.base, self.faces = base, faces
+        self.base, self.faces, self.shown = base, faces, obj is not None
         meshed = _tessellation(obj) is None if obj else is_mesh(base)
         self.setup = SetupField(doc)
         extras = [self.setup, *self._extras(not meshed)]
@@ -36,7 +36,9 @@ class ToolpathPanel(PathPanel):
         self.setup.browse.clicked.connect(lambda *_: self._edit_setup())
 
     def _take_setup(self) -> None:
-        """Show what the setup says in the fields that it holds, which then are its own to change."""
+        """Show what the setup says in the fields that it holds, which then are its own to change, and offer its cutters."""
+        from freecad_fiveaxis.app import job_setup
+
         chosen = self.setup.value()
         note = translate("FiveAxis", "From setup {name}").format(name=chosen.Label) if chosen is not None else ""
         for name in SHARED:
@@ -45,8 +47,25 @@ class ToolpathPanel(PathPanel):
                 widget.setEnabled(chosen is None)
         for name in FAR:
             self.options.fields[name].show_note(note)
+        self.options.fields["cutter"].setup.offer(job_setup.cutters_of(chosen) if chosen is not None else [])
         if chosen is not None:
             self.options.show_options(shown(chosen))
+
+    def _undone(self) -> None:
+        """A setup that was made in the step that is taken back is gone: its values stay, to be edited here."""
+        super()._undone()
+        self.setup.forget_gone()
+        self._take_setup()
+
+    def calculate(self) -> bool:
+        """Compute; a new path that is out of sight is brought into view, the first time."""
+        hidden = self.base is not None and not self.base.ViewObject.Visibility
+        if not super().calculate():
+            return False
+        if not self.shown and (hidden or not is_seen(self.doc.Name, self.obj.Mesh.Mesh.BoundBox)):
+            QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
+        self.shown = True
+        return True
 
     def _edit_setup(self) -> None:
         """Change the setup, or make one of what the form says; Cancel of the panel takes that back."""

@@ -76,6 +76,7 @@ class WorkPanel:
 
     def calculate(self) -> bool:
         """Do the work and show what was found; whether that went well."""
+        self.options.want()
         if not self.options.check():
             return False
         try:

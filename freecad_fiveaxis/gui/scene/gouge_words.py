@@ -84,7 +84,7 @@ def _overcut(depth: float) -> tuple[str, str, str]:
             "FiveAxis",
             "In the tool path's panel let the tool be lifted there, or leave such places out; or take a smaller cutter. The "
             "command What is left shows what then stays uncut. Where that is done already, the machine leaves the path between "
-            "blocks: set Linearize to on.",
+            "blocks: set Divide blocks to on.",
         ),
     )
 

@@ -5,7 +5,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from freecad_fiveaxis.gui.qt import translate
+import FreeCAD
+
+from freecad_fiveaxis.core.sentences import Choice, Option, Task
+
+from .option_texts import text_of
+
+translate = FreeCAD.Qt.translate
 
 
 def option_label(name: str) -> str:
@@ -15,8 +21,6 @@ def option_label(name: str) -> str:
 
 def option_hint(leaf: Any) -> str:
     """What an option is for, as the property editor says it too."""
-    from freecad_fiveaxis.app.option_texts import text_of
-
     return translate("App::Property", text_of(leaf))
 
 
@@ -28,6 +32,22 @@ def choice_label(name: str) -> str:
 def choice_hint(option: str, choice: str) -> str:
     """What a choice of an option does, in a sentence; empty where its name says it."""
     return _choice_hints().get((option, choice), "")
+
+
+def name_of(named: Option | Choice | Task) -> str:
+    """What the window calls a setting, choices of one, or a task that a sentence of the core names."""
+    if isinstance(named, Task):
+        return _tasks().get(named.name) or str(named)
+    if isinstance(named, Option):
+        return option_label(named.name)
+    choices = ", ".join(cure_label(one) if named.option == "cures" else choice_label(one) for one in named.choices)
+    return choices if named.alone else f"{option_label(named.option)}: {choices}"
+
+
+def cure_label(cure: str) -> str:
+    """What a correction is called in a comparison, where no field says of what it is a choice."""
+    own = {"none": translate("FiveAxis", "none"), "deform": translate("FiveAxis", "turn the axis past the pole")}
+    return own.get(cure) or choice_label(cure)
 
 
 def group_label(name: str) -> str:
@@ -50,6 +70,17 @@ def _controllers() -> dict[str, str]:
         "heidenhain_m128": "Heidenhain iTNC (M128)",
         "mach3": "Mach3, Mach4",
         "grbl": translate("FiveAxis", "grbl with five axes"),
+    }
+
+
+def _tasks() -> dict[str, str]:
+    """Tasks of the core, as the workbench's commands name them."""
+    return {
+        "mill": translate("FiveAxis", "“Tool path”"),
+        "post": translate("FiveAxis", "“Post-process”"),
+        "setup": translate("FiveAxis", "“Where to clamp”"),
+        "recover": translate("FiveAxis", "“Recover a machine from a program”"),
+        "machines": translate("FiveAxis", "the list of machines"),
     }
 
 
@@ -136,6 +167,7 @@ def _of_machines_and_places() -> dict[str, str]:
         "cutter_taper": translate("FiveAxis", "Taper, each side"),
         "cutter_length": translate("FiveAxis", "Cutting length"),
         "nc_file": translate("FiveAxis", "NC file"),
+        "nc_path": translate("FiveAxis", "NC file"),
     }
 
 
