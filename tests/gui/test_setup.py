@@ -2,6 +2,7 @@
 """Where to clamp: the command pressed, the map seen as coloured points, the recommendation applied, saved and undone."""
 
 import FreeCAD
+import FreeCADGui
 import pytest
 from conftest import QtWidgets, close_all
 from test_clicks import look
@@ -107,6 +108,7 @@ def test_a_solid_without_a_path_gets_one_in_the_same_step(dome, doc, tree_row, p
     ask_small()
     panel_button("OK", 1000)
     screenshot("setup_over_solid")
+    assert not FreeCADGui.Control.activeDialog(), "OK has closed the panel"
     assert [obj.Name for obj in doc.Objects] == ["Dome", "Tessellation", "Toolpath", "SetupMap"] and doc.UndoCount == 1
     assert doc.Toolpath.ViewObject.Proxy.claimChildren() == [doc.Tessellation, doc.SetupMap]
     doc.undo()

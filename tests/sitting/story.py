@@ -311,7 +311,7 @@ def clamp(user: Sitting) -> None:
     user.hands.click(user.in_tree("Toolpath"))
     user.press_tool("Where to clamp.*")
     user.press("Calculate")
-    user.eyes.find("label", ".*recommended.*", 120)
+    user.eyes.find("label", ".*recommended.*", 240)
     keep(user)
 
 

@@ -59,6 +59,7 @@ class SetupPanel(PathPanel):
     """The map of the Toolpath ``path``, of a new one over ``base`` and its ``faces``, or the map ``obj`` to change."""
 
     SUMMARY = SetupSummary
+    MADE_HERE = False  # a map is no program
 
     def __init__(self, path: Any = None, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
         from freecad_fiveaxis.app import preferences
