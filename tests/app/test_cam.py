@@ -120,9 +120,9 @@ def test_a_hundred_thousand_blocks_take_no_time_to_speak_of():
     n, took = 100_000, []
     figures = figures_like(np.random.default_rng(1).uniform(-100, 100, (n, 3)), np.zeros(n, int), np.full(n, 0.1))
     for _ in range(3):
-        begin = time.perf_counter()
+        begin = time.process_time()  # of the processor: another program's share of it is not ours
         assert cam.path_of(figures).Size == n
-        took.append(time.perf_counter() - begin)
+        took.append(time.process_time() - begin)
     print(f"preview of {n} blocks: {min(took):.2f} s")
     assert min(took) < 2.0  # 0.3 s is usual; the rest is for busy machines
 
