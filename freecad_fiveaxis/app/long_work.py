@@ -7,8 +7,6 @@ window    a listener that shows a dialog and handles the window's events (``pump
 
 Cancel reaches the worker at its next word of progress, a little later between any two steps of Python. Where it sits in one
 long call of numpy it is abandoned: it ends after that call, and nobody takes what it made.
-
-Nothing here imports numpy before there is work: the window asks for this module when FreeCAD starts.
 """
 
 from __future__ import annotations
@@ -28,6 +26,8 @@ from freecad_fiveaxis.core.errors import Cancelled
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.sentences import say
 
+from .shown_in import windows
+
 T = TypeVar("T")
 
 TICK = 0.03
@@ -38,12 +38,6 @@ POLITE, PATIENCE = 0.15, 0.25
 """s that a stopped worker gets to the next word of progress, and then to the next step of Python; after both it is abandoned."""
 
 _listeners: list[Progress] = []
-_windows: list[Callable[[], AbstractContextManager[Progress]]] = []
-
-
-def show_in(window: Callable[[], AbstractContextManager[Progress]]) -> None:
-    """From now on long work that nobody else listens to, as that of a recompute, is shown by ``window()``."""
-    _windows[:] = [window]
 
 
 @contextmanager
@@ -62,10 +56,10 @@ def listening(listener: Progress | None = None) -> Iterator[Progress]:
     if listener is not None:
         with reporting(listener):
             yield listener
-    elif _listeners or not _windows or not _is_main():
+    elif _listeners or not windows or not _is_main():
         yield progress()
     else:
-        with _windows[-1]() as shown, reporting(shown):
+        with windows[-1]() as shown, reporting(shown):
             yield shown
 
 

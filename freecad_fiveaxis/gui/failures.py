@@ -19,8 +19,6 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.app import wording
-
 from .qt import QtWidgets, later, main_window, translate
 
 OURS = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
@@ -85,6 +83,8 @@ def attend(panel: Any) -> None:
 
 def show(error: BaseException) -> None:
     """Tell of an error that should not have happened: in the panel that is open, else in a message box."""
+    from freecad_fiveaxis.app import wording
+
     text = translate("FiveAxis", "This should not have happened: {error}. The details are in the report view.")
     text = text.format(error=wording.told(error).rstrip(".") or type(error).__name__)
     if not _show_in_panel(text):

@@ -14,8 +14,6 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
-from freecad_fiveaxis.app import wording
-
 from .failures import guards
 from .qt import QtCore, QtWidgets, main_window, translate
 from .verdict_label import VerdictLabel
@@ -212,6 +210,8 @@ class Panel:
         if finding.line is not None:
             title = translate("FiveAxis", "{what}, NC line {line}").format(what=title, line=finding.line)
         if told is None:
+            from freecad_fiveaxis.app import wording
+
             return _html([("", wording.told(finding.text))], title)
         heads = (translate("FiveAxis", "What happens"), translate("FiveAxis", "Why"), translate("FiveAxis", "What helps"))
         parts = list(zip(heads, told, strict=True))

@@ -154,6 +154,6 @@ def recomputing() -> Iterator[Waiting]:
 
 def register() -> None:
     """Long work that nobody else listens to is shown here."""
-    from freecad_fiveaxis.app.long_work import show_in
+    from freecad_fiveaxis.app.shown_in import show_in
 
     show_in(recomputing)

@@ -167,7 +167,7 @@ def test_stopping_over_and_over_while_the_work_ends_does_no_harm():
 
 def test_a_recompute_that_nobody_listens_to_is_shown_by_the_window(doc, ball, monkeypatch):
     path, dialog = app.create_toolpath(doc, ball, **FAST), Dialog()
-    monkeypatch.setattr(long_work, "_windows", [lambda: long_work.reporting(dialog)])
+    monkeypatch.setattr(long_work, "windows", [lambda: long_work.reporting(dialog)])
     path.Stepover = 3
     doc.recompute()
     assert "Up-to-date" in path.State and dict(dialog.heard)["deviation"] == 1.0 and long_work.progress() is silent
@@ -175,14 +175,14 @@ def test_a_recompute_that_nobody_listens_to_is_shown_by_the_window(doc, ball, mo
 
 def test_a_stopped_recompute_keeps_the_last_result_and_says_that_it_is_old(doc, ball, monkeypatch):
     path, dialog = app.create_toolpath(doc, ball, **FAST), Dialog(stop_after=0.0)
-    monkeypatch.setattr(long_work, "_windows", [lambda: long_work.reporting(dialog)])
+    monkeypatch.setattr(long_work, "windows", [lambda: long_work.reporting(dialog)])
     blocks, nc = path.Blocks, results.nc_of(path)
     path.Stepover = 3
     doc.recompute()
     assert path.Blocks == blocks and results.out_of_date(path)
     path.Stepover = 4
     assert results.nc_of(path) == nc
-    monkeypatch.setattr(long_work, "_windows", [])
+    monkeypatch.setattr(long_work, "windows", [])
     path.Stepover = 3
     doc.recompute()
     assert path.Blocks > blocks and not results.out_of_date(path)

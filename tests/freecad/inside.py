@@ -103,12 +103,11 @@ def output_folder():
 
 
 def run_pytest(out):
-    """pytest's exit code; what was imported before it is kept for the tests of loading."""
+    """pytest's exit code."""
     if FreeCAD.GuiUp:
         import FreeCADGui
 
         FreeCADGui.activateWorkbench("FiveAxisWorkbench")
-    FreeCAD.fiveaxis_modules_at_start = frozenset(sys.modules)
     if os.environ.get("FIVEAXIS_PYTEST"):
         sys.path.insert(0, os.environ["FIVEAXIS_PYTEST"])
     import pytest
@@ -139,7 +138,7 @@ def main():
 
 
 if not hasattr(FreeCAD, "fiveaxis_modules_at_start"):
-    FreeCAD.fiveaxis_modules_at_start = frozenset()
+    FreeCAD.fiveaxis_modules_at_start = frozenset(sys.modules)  # the workbench is open; what it imports later is not start-up
     if FreeCAD.GuiUp:
         from PySide import QtCore
 

@@ -241,6 +241,9 @@ def close_all(*names):
     FreeCADGui.Selection.clearSelection()
     if FreeCADGui.Control.activeDialog():
         FreeCADGui.Control.closeDialog()
+    for shown in QtWidgets.QApplication.topLevelWidgets():
+        if shown.objectName() == "FiveAxisWritten":
+            shown.close()
     _pump(100)
     for name in names:
         if name in FreeCAD.listDocuments():

@@ -92,8 +92,8 @@ def panel_form():
 def test_a_machine_is_recovered_without_a_document(empty, folder, pair, press, field, type_into, choose, click, until, panel_button,
                                                    screenshot, window, tmp_path, pump):  # fmt: skip
     press("FiveAxis_Recover", SLID)
-    assert "CL file" in shown(field, "cl_file_error") and "NC file" in shown(field, "program_error")
     panel_button("OK")
+    assert "CL file" in shown(field, "cl_file_error") and "NC file" in shown(field, "program_error")
     assert FreeCADGui.Control.activeDialog(), "nothing to write yet"
     type_into(field("cl_file"), str(pair[0]))
     type_into(field("program"), str(pair[1]))

@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import FreeCAD
+
 from freecad_fiveaxis.app.labels import group_label
 from freecad_fiveaxis.app.selection import is_mesh
 from freecad_fiveaxis.gui.messages import telling
@@ -59,11 +61,11 @@ class ToolpathPanel(PathPanel):
 
     def calculate(self) -> bool:
         """Compute; a new path that is out of sight is brought into view, the first time."""
-        hidden = self.base is not None and not self.base.ViewObject.Visibility
         if not super().calculate():
             return False
-        if not self.shown and (hidden or not is_seen(self.doc.Name, self.obj.Mesh.Mesh.BoundBox)):
-            QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
+        hidden, name = self.base is not None and not self.base.ViewObject.Visibility, self.doc.Name
+        if not self.shown and (hidden or not is_seen(name, _box(self.obj))):
+            QtCore.QTimer.singleShot(DRAWN, lambda: fit(name))
         self.shown = True
         return True
 
@@ -102,6 +104,13 @@ class ToolpathPanel(PathPanel):
         if self.obj is None:
             return app.create_toolpath(self.doc, self.base, faces=self.faces, **settings)
         return changes.change_toolpath(self.obj, settings)
+
+
+def _box(path: Any) -> Any:
+    """The box of the part that a path was computed over, document coordinates."""
+    vertex, zero = path.Proxy.last.result.made.mesh.vertex, path.WorkZero
+    low, high = (zero + FreeCAD.Vector(*side.tolist()) for side in (vertex.min(axis=0), vertex.max(axis=0)))
+    return FreeCAD.BoundBox(low.x, low.y, low.z, high.x, high.y, high.z)
 
 
 def create(base: Any, faces: tuple[str, ...] = (), settings: Mapping[str, Any] | None = None) -> ToolpathPanel:
