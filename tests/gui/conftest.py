@@ -9,6 +9,7 @@ the top left; pictures go to ``$FIVEAXIS_OUT/NAME.png``.
 import ctypes
 import os
 import subprocess
+import sys
 import time
 
 import FreeCAD
@@ -241,9 +242,9 @@ def close_all(*names):
     FreeCADGui.Selection.clearSelection()
     if FreeCADGui.Control.activeDialog():
         FreeCADGui.Control.closeDialog()
-    for shown in QtWidgets.QApplication.topLevelWidgets():
-        if shown.objectName() == "FiveAxisWritten":
-            shown.close()
+    written = sys.modules.get("freecad_fiveaxis.gui.panels.written")
+    for dialog in written._dialogs.values() if written else ():
+        dialog.close()
     _pump(100)
     for name in names:
         if name in FreeCAD.listDocuments():
