@@ -35,9 +35,10 @@ def spot(view, place):
     return [at / size for at, size in zip(view.getPointOnScreen(*place), view.getSize(), strict=True)]
 
 
-def turn_away(view):
+def turn_away(view, pump):
     """The view shows a part of the document 10 m off."""
     view.viewTop()
+    pump(600)  # it may get there by and by
     view.getCameraNode().position.setValue(10000.0, 0.0, 500.0)
 
 
@@ -52,13 +53,13 @@ def calculated(part, pump, **values):
 
 def test_a_new_path_out_of_sight_is_brought_into_view_once(dome, pump, screenshot):
     view = FreeCADGui.ActiveDocument.ActiveView
-    turn_away(view)
+    turn_away(view, pump)
     assert not -0.5 < spot(view, (0, 0, 20))[0] < 1.5
     panel = calculated(dome, pump)
     for place in ((0, 0, 20), (20, 0, 0), (-20, 0, 0), (0, 20, 0), (0, -20, 0)):
         assert all(0.0 < at < 1.0 for at in spot(view, place)), place
     screenshot("first_path")
-    turn_away(view)
+    turn_away(view, pump)
     panel.options.show_options({"stepover": 8.0})
     assert panel.calculate()
     pump(path_panel.DRAWN + 500)
