@@ -181,12 +181,12 @@ def plate(count):
 
 @pytest.fixture
 def pegs(doc):
-    """A path over a part of some 2000 faces, made coarse and then asked for finer: a refresh meshes and computes."""
+    """A path over a part of some 3000 faces, made coarse and then asked for finer: a refresh meshes and computes."""
     part = doc.addObject("Part::Feature", "Pegs")
-    part.Shape = plate(12)
+    part.Shape = plate(14)
     path = app.create_toolpath(doc, part, stepover=6, linear_deflection=0.5, angular_deflection=90, gouge="off")
     path.Mesh.LinearDeflection, path.Mesh.AngularDeflection = 0.002, 3
-    assert len(part.Shape.Faces) > 2000
+    assert len(part.Shape.Faces) > 2500
     return path
 
 
