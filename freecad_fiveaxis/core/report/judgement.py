@@ -36,7 +36,7 @@ _SPLIT = say(
 _AWAY = say(
     "Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), or clamp the part in "
     "another position ({setup} finds one), so that the tool keeps off the pole.",
-    past=Choice("singularity", ("deform",)),
+    past=Choice("singularity", ("deform",), alone=True),
     lead=Option("lead", flag=False),
     tilt=Option("tilt", flag=False),
     setup=Task("setup"),
