@@ -3,11 +3,14 @@
 
 import os
 import sys
+import time
 
 import FreeCAD
 import pytest
 
 in_window = pytest.mark.skipif(not FreeCAD.GuiUp, reason="needs FreeCAD's window")
+late_imports = []
+"""What the first panel of the session imported: once for all, because a second one has nothing left to import."""
 
 
 def test_freecad_found_this_add_on():
@@ -39,3 +42,35 @@ def test_the_workbench_is_active():
     import FreeCADGui
 
     assert FreeCADGui.activeWorkbench().__class__.__name__ == "FiveAxisWorkbench"
+
+
+@in_window
+def test_the_first_panel_has_nothing_left_to_import():
+    """The mesher alone takes 0.12 s, in which the window is silent."""
+    from freecad_fiveaxis.gui import warm_up
+    from freecad_fiveaxis.gui.qt import QtWidgets
+
+    end = time.monotonic() + 60
+    while not warm_up.is_done() and time.monotonic() < end:
+        QtWidgets.QApplication.processEvents()
+        time.sleep(0.01)
+    assert warm_up.is_done()
+    late_imports.append(imported_by_a_panel())
+    assert not late_imports[0]
+
+
+def imported_by_a_panel():
+    import FreeCADGui
+
+    from freecad_fiveaxis.gui.panels import toolpath
+
+    doc = FreeCAD.newDocument()
+    part = doc.addObject("Part::Box", "Box")
+    doc.recompute()
+    before = set(sys.modules)
+    toolpath.create(part)
+    try:
+        return {name for name in set(sys.modules) - before if name.startswith(("freecad_fiveaxis", "MeshPart"))}
+    finally:
+        FreeCADGui.Control.closeDialog()
+        FreeCAD.closeDocument(doc.Name)
