@@ -414,3 +414,10 @@ def test_errors_are_builtins_too():
         load_machine("none such")
     with pytest.raises(OSError):
         load_machine("none_such.fcm")
+
+
+def test_a_file_is_understood_once_and_counts_as_it_is_now(data, load):
+    first = load(data)
+    assert load(data) is first
+    data["machine"]["name"] = "Another"
+    assert load(data).name == "Another"

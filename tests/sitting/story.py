@@ -13,10 +13,10 @@ from desk import Desk, run_quietly
 from eyes import ENABLED, is_seen
 from sitting import HERE, PROJECT, Sitting, Unseen, make_part, table
 
-LIMIT = 0.6
+LIMIT = 0.5
 """s that the window may stay without an answer in a step of ours; 0.3 s is the aim, and an answer takes some time by itself."""
-OPENING = 2.0
-"""s that it may where our panel is made for the first time, and where FreeCAD draws what it reads from a file."""
+OPENING = 1.0
+"""s that it may where FreeCAD draws what it reads from a file, which is its own work."""
 SOON = 1.0
 """s from Esc until the work is over."""
 
@@ -336,7 +336,7 @@ MORE = [
     ("A body", body), ("A STEP file", step_file), ("Setup", setup), ("Where to clamp", clamp), ("Compare machines", compare),
 ]  # fmt: skip
 LONG = [*SHORT[:-1], *MORE, SHORT[-1]]
-LIMITS = {"Tool path": OPENING, "Reopen": OPENING}
+LIMITS = {"Reopen": OPENING}
 """Where more than LIMIT is allowed, s."""
 FREECADS_OWN = ("Install", "Start", "Workbench", "Open a part", "Save", "Close", "Quit")
 """Steps in which FreeCAD works, and not we: their silence is told, and not judged."""

@@ -126,10 +126,10 @@ class Form(QtCore.QObject):
         column.setSpacing(3)
         for section in self.sections:
             group = FoldingGroup(section.name, section.title, f"{self.task}_{section.name}", section.opened)
+            column.addWidget(group)  # while it is empty: Qt tells all that stands in a widget of a new parent
             for name in section.names:
                 self.rows[name] = group.body.add(self.fields[name])
             self.groups[section.name] = group
-            column.addWidget(group)
 
     def _tell(self) -> None:
         """What the fields say stands in the titles of their groups."""

@@ -28,7 +28,9 @@ class PanelWidget(QtWidgets.QWidget):
         column.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         for part in head:
             column.addWidget(part)
-        column.addWidget(FormArea(body), 1)
+        area = FormArea()
+        column.addWidget(area, 1)
+        area.fill(body)
 
     def hasHeightForWidth(self) -> bool:
         """Qt would ask for the whole height of texts that wrap, and scroll the head away."""
@@ -42,19 +44,21 @@ class PanelWidget(QtWidgets.QWidget):
 class FormArea(QtWidgets.QScrollArea):
     """Scrolls the form up and down, and is never narrower than it."""
 
-    def __init__(self, body: Any) -> None:
+    def __init__(self) -> None:
         super().__init__()
         self.setObjectName("form_area")
         self.setWidgetResizable(True)
         self.setFrameShape(QtWidgets.QFrame.NoFrame)
         self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-        inner = QtWidgets.QWidget()
-        column = QtWidgets.QVBoxLayout(inner)
+        self.setWidget(QtWidgets.QWidget())
+        self.verticalScrollBar().rangeChanged.connect(lambda *_: self.updateGeometry())  # a group was folded, or a row shown
+
+    def fill(self, body: Any) -> None:
+        """Show ``body``. It comes last, when the area stands in its panel: Qt tells every field of each new parent (0.1 s)."""
+        column = QtWidgets.QVBoxLayout(self.widget())
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(body)
         column.addStretch()
-        self.setWidget(inner)
-        self.verticalScrollBar().rangeChanged.connect(lambda *_: self.updateGeometry())  # a group was folded, or a row shown
 
     def sizeHint(self) -> Any:
         """As low as it may get: what stands above it comes first, and the rest of the panel is the form's."""
