@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.sentences import Option, say
+from freecad_fiveaxis.core.sentences import Choice, Option, say
 
 from .settings import COMPARE, MILL, POST, PROVE, SETUP, Settings
 
@@ -51,14 +51,15 @@ def _cures(settings: Settings, machine: Machine) -> tuple[str, object] | None:
         return None
     if settings.cure.singularity == "deform":
         return say(
-            "{singularity} deform leads past a pole, and machine {name} has none; leave it out",
-            singularity=Option("singularity"),
+            "{singularity} leads past a pole, and machine {name} has none; leave it out",
+            singularity=Choice("singularity", ("deform",), flag=True),
             name=machine.name,
         ), settings.cure.singularity
     if settings.task != POST and settings.tool_axis.tool_axis == "minimax":
         return say(
-            "{tool_axis} minimax turns two rotary axes, machine {name} has fewer; choose another, fixed keeps the tool along Z",
-            tool_axis=Option("tool_axis"),
+            "{tool_axis} turns two rotary axes, machine {name} has fewer; choose another, {fixed} keeps the tool along Z",
+            tool_axis=Choice("tool_axis", ("minimax",), flag=True),
+            fixed=Choice("tool_axis", (FIXED,), alone=True),
             name=machine.name,
         ), settings.tool_axis.tool_axis
     return None
@@ -71,10 +72,10 @@ def _leaning(settings: Settings, machine: Machine) -> tuple[str, object] | None:
         return None
     if tool.tool_axis != FIXED:
         return say(
-            "machine {name} has no rotary axis and cannot lean the tool as {strategy} asks: choose {tool_axis} fixed",
+            "machine {name} has no rotary axis and cannot lean the tool as {strategy} asks: choose {tool_axis}",
             name=machine.name,
-            strategy=tool.tool_axis,
-            tool_axis=Option("tool_axis"),
+            strategy=Choice("tool_axis", (tool.tool_axis,), alone=True),
+            tool_axis=Choice("tool_axis", (FIXED,), flag=True),
         ), tool.tool_axis
     for option, value in (("lead", tool.lead), ("tilt", tool.tilt)):
         if value:
@@ -84,9 +85,9 @@ def _leaning(settings: Settings, machine: Machine) -> tuple[str, object] | None:
             ), value  # fmt: skip
     if settings.gouge.gouge == "tilt":
         return say(
-            "machine {name} has no rotary axis and cannot lean the tool: choose {gouge} lift, leave-out or report",
+            "machine {name} has no rotary axis and cannot lean the tool: choose {gouge}",
             name=machine.name,
-            gouge=Option("gouge"),
+            gouge=Choice("gouge", ("lift", "leave-out", "report"), flag=True),
         ), settings.gouge.gouge
     return None
 

@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.recover import (
     recovery_text,
     rotary_letters,
 )
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.sentences import Option, say
 
 from .apt import read_apt
 from .asked import clamped, dialect_for
@@ -115,6 +115,15 @@ def _refuse_guided(program: Program) -> None:
 def _start(settings: Settings) -> tuple[Machine | None, Setup]:
     given = settings.machine
     start = load_machine(given.machine) if given.machine else None
+    if start is not None and start.rotaries < 2:
+        raise SettingsError(
+            say(
+                "machine {name} has fewer than two rotary axes, and only five axes are recovered: leave {machine} out",
+                name=start.name,
+                machine=Option("machine"),
+            ),
+            start.rotaries,
+        )
     origin = given.origin or (start.origin if start else (0.0, 0.0, 0.0))
     return start, Setup(origin, given.tool_length or 0.0)
 

@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
-from freecad_fiveaxis.core.sentences import Angle, Length, Option, Point, say
+from freecad_fiveaxis.core.sentences import Angle, Choice, Length, Option, Point, say
 
 from .branches import POLE_ANGLE, broken_steps, choose, within_limits
 from .rewind import Drive, insert_rewinds, rewind_findings, subdivide_rapids
@@ -195,10 +195,11 @@ def _no_rotary_axis(count: int, all_rows: int, tip: Floats, axis: Floats) -> str
     i, j, k = axis.tolist()
     return say(
         "{count} of {all} points need a leaning tool, the first is {axis} at {place}, and this machine has no rotary axis: keep "
-        "the tool axis along Z (the strategy fixed) or take another machine",
+        "the tool axis along Z ({fixed}) or take another machine",
         count=count,
         all=all_rows,
         axis=f"({i:.6g}, {j:.6g}, {k:.6g})",
+        fixed=Choice("tool_axis", ("fixed",)),
         place=Point(tuple(tip.tolist()), ".6g", bare=True),
     )
 
