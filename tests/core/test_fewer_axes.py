@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.nc_reader import read_nc
 from freecad_fiveaxis.core.outputs import write_outputs
 from freecad_fiveaxis.core.playback import Playback
 from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.trials import try_setups
 from freecad_fiveaxis.core.workshop import prove as prove_signs
 
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
@@ -246,6 +247,8 @@ def test_the_studies_that_make_no_sense_are_refused(files):
     given = {"machine": str(files / "table_a.fcm"), "output": str(files / "signs.ngc")}
     with pytest.raises(SettingsError, match=r"fewer than two rotary axes.*jog"):
         prove_signs(build_settings("prove-signs", "", given))
+    with pytest.raises(SettingsError, match=r"no rotary axis.*wherever the part is clamped"):
+        try_setups(build_settings("setup", str(files / "level.apt"), {"machine": str(files / "three.fcm")}))
 
 
 @pytest.mark.rs274
