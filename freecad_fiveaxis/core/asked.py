@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.sentences import Option, say
 from .apt import ClHead
 from .cutter import cutter_name
 from .errors import SettingsError
+from .fewer_axes import refuse_what_needs_more_axes
 from .post import Dialect, PostOptions, find_dialect
 from .settings import Settings
 from .tool_axis import AxisOptions
@@ -41,6 +42,7 @@ def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
     """The machine, where the part stands on it, and its dialect."""
     given = settings.machine
     machine = load_machine(given.machine)
+    refuse_what_needs_more_axes(settings, machine)
     dialect = dialect_for(given.controller, machine)
     if given.tool_length is None and machine.has_head:
         raise SettingsError(

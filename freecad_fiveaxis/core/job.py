@@ -41,6 +41,7 @@ from .apt import cutter_note, read_cl_file
 from .asked import axis_options, machine_of, nc_title, post_options, reach, scallop_asked, title_of, with_head
 from .faces import facets_on
 from .feasible import feasible_rows
+from .fewer_axes import keeps_its_axis
 from .files import read_bytes
 from .findings import Finding
 from .gouge_free import (
@@ -165,7 +166,8 @@ def mill(
     """From a mesh to a program: the street itself. ``faces`` (f,): the facets to cut; the others are still kept clear of."""
     passes, cutter = settings.passes, settings.cutter.cutter
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
-    keep, left_out = reachable_facets(mesh, links, passes.max_axis_angle, faces)
+    followed = None if keeps_its_axis(settings, machine) else links
+    keep, left_out = reachable_facets(mesh, followed, passes.max_axis_angle, faces)
     planes, spacing = _planes(settings, mesh, keep, progress)
     contact = slice_mesh(mesh, planes, passes.direction, progress=progress, plain=~keep, order=settings.links.order)
     spacing = _with_sides(settings, mesh, keep, planes, contact, spacing)

@@ -146,7 +146,7 @@ def _beyond(order: list[int], axis: int | None) -> int | None:
 
 def _table(links: Chain, low: Floats, high: Floats, least: float, table: float | None) -> list[Body]:
     order = sides(links)[0][::-1]
-    turning = [axis for axis in reversed(order) if axis >= 3]
+    turning = [axis for axis in reversed(order) if axis >= 3 and links.axes[axis].fitted]
     stand = low if table is None else np.array([low[0], low[1], min(low[2], table)])
     part = corners(Box(0.5 * (stand + high), np.eye(3), 0.5 * (high - stand)))
     if not turning:
@@ -276,9 +276,9 @@ def _table_knuckle(
 
 
 def _head(links: Chain, height: float, radius: float) -> list[Body]:
-    order = sides(links)[1]
+    order = [axis for axis in sides(links)[1] if links.axes[axis].fitted]
     last = order[-1] if order else None
-    turning = [axis for axis in reversed(order) if axis >= 3]
+    turning = [axis for axis in reversed(order) if axis >= 3 and links.axes[axis].fitted]
     if not turning:
         top = height + 2.0 * radius
         frame = _Frame(np.array([0.0, 0.0, top]), np.eye(3))

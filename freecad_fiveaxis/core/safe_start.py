@@ -28,7 +28,7 @@ Box = tuple[Floats, Floats]
 def started(dialect: Dialect, machine: Machine) -> Dialect:
     """The dialect with the machine's safe start and end."""
     table = [axis.direction for axis in machine.rotary if axis.side == "table"]
-    return with_start(dialect, machine.safe_start, all(abs(z) > 1.0 - UPRIGHT for _, _, z in table))
+    return with_start(dialect, machine.safe_start, all(abs(z) > 1.0 - UPRIGHT for _, _, z in table), machine.rotaries > 0)
 
 
 def start_plane(

@@ -74,7 +74,7 @@ def try_setups(
     Raises SettingsError for a region with nothing to choose from, and for one that leaves every limit.
     """
     street = _street(settings)
-    machine, base, dialect = clamped(street)
+    machine, base, dialect = clamped(replace(street, task=SETUP))  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
     made = _posted(street, progress, mesh, faces)

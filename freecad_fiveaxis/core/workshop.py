@@ -27,11 +27,11 @@ from freecad_fiveaxis.core.recover import (
     recovery_text,
     rotary_letters,
 )
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.sentences import Option, say
 
 from .apt import read_apt
 from .asked import clamped, dialect_for
-from .errors import FileError, SettingsError
+from .errors import FileError, ProgramError, SettingsError
 from .files import check_readable, read_bytes, write_whole
 from .findings import Finding
 from .post import PostOptions
@@ -89,6 +89,7 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     dialect = dialect_for(settings.machine.controller, start)
     dialect, read_as = (dialect, ()) if settings.machine.controller else dialect_of_text(nc, dialect)
     program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress)
+    _refuse_guided(program)
     found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)
     told = recovery_findings(found, settings.recover.certainty)
     machine = replace(found.machine, controller=dialect.name, description=_description(settings, found))
@@ -96,9 +97,33 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     return Recovered(settings, found, found.findings)
 
 
+def _refuse_guided(program: Program) -> None:
+    """Raises ProgramError where the controller guides the tip: X Y Z are then its place, whatever the machine."""
+    if program.guided is None or not program.guided.on.any():
+        return
+    line = int(program.line[int(program.guided.on.argmax())])
+    raise ProgramError(
+        say(
+            "from line {line} on the controller guides the tip (G43.4, G43.5, G234, M128, M428, TRAORI or FUNCTION TCPM): X Y Z "
+            "are tips and say nothing of pivots; post it again without tool centre point control",
+            line=line,
+        ),
+        line,
+    )
+
+
 def _start(settings: Settings) -> tuple[Machine | None, Setup]:
     given = settings.machine
     start = load_machine(given.machine) if given.machine else None
+    if start is not None and start.rotaries < 2:
+        raise SettingsError(
+            say(
+                "machine {name} has fewer than two rotary axes, and only five axes are recovered: leave {machine} out",
+                name=start.name,
+                machine=Option("machine"),
+            ),
+            start.rotaries,
+        )
     origin = given.origin or (start.origin if start else (0.0, 0.0, 0.0))
     return start, Setup(origin, given.tool_length or 0.0)
 

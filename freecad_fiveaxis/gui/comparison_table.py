@@ -10,6 +10,7 @@ import math
 from typing import Any
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.core.machine import fitted_columns
 
 from .qt import QtCore, QtWidgets, main_window, translate
 
@@ -143,11 +144,16 @@ def cells(row: Any) -> list[Cell]:
         Cell(str(row.blocks), row.blocks),
         Cell(clock(row.time), row.time),
         Cell(f"{length_text(linear)}/min", linear),
-        *(Cell(f"{letter} {math.degrees(rate):.0f}°/min", rate) for letter, rate in zip(row.letters[3:], row.peak_rate[3:],
-                                                                                        strict=True)),
+        *(_turning(row, column) for column in (3, 4)),
         Cell(over if row.over > LEAST_OVER else within, row.over),
     ]  # fmt: skip
 
 
 LEAST_OVER = 5e-4
 """mm; less beyond a limit than this is none, as in the core's own table."""
+
+
+def _turning(row: Any, column: int) -> Cell:
+    """The peak rate of a rotary axis; a dash where the machine has none."""
+    letter, rate = row.letters[column], row.peak_rate[column]
+    return Cell(f"{letter} {math.degrees(rate):.0f}°/min", rate) if column in fitted_columns(row.letters) else Cell("–")

@@ -19,7 +19,7 @@ STREET = [  # rooms and single modules of the core; imports only point up this l
     "passes", "cutter", "coedge", "tool_axis", "feasible", "seating", "cl_path", "apt", "trajectory", "deviation",
     "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces",
     "nc_reader", "audit", "report", "setup_map", "compare", "recover", "prove_signs", "playback", "machine_sketch",
-    "option_values", "settings", "asked", "safe_start", "gouge_free", "job", "outputs", "cures", "trials", "workshop", "memory",
+    "option_values", "settings", "fewer_axes", "asked", "safe_start", "gouge_free", "job", "outputs", "cures", "trials", "workshop", "memory",
     "terminal", "cli",
 ]  # fmt: skip
 LATE = {"post/writer.py": "program", "post/start.py": "program"}  # a file that stands further down the street than its room

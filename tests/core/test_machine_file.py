@@ -376,11 +376,11 @@ def test_contradictions_are_named(data, load, key, value, words):
     refused(load, data, *words)
 
 
-def test_axes_must_be_five_with_letters_of_their_own(data, load):
+def test_axes_must_be_three_to_five_with_letters_of_their_own(data, load):
     axes = data["machine"]["axes"]
     without = copy.deepcopy(data)
     del without["machine"]["axes"]["Z"]
-    refused(load, without, "2 linear and 2 rotary", "3 and 2")
+    refused(load, without, "2 linear and 2 rotary", "3 and at most 2")
     axes["B"] = {**axes["A"], "parent": None}
     axes["A"]["parent"] = "B"
     refused(load, data, "3 linear and 3 rotary")

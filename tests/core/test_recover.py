@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Machines recovered from rows: against the machines that made them, LinuxCNC's formulas and So et al.'s Table 2."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -17,6 +18,8 @@ from freecad_fiveaxis.core.recover.layouts import Guess, start_layout
 from freecad_fiveaxis.core.recover.matching import _table, _traced, aligned, in_order, sequences
 from freecad_fiveaxis.core.recover.model import UNKNOWNS, rows_of
 from freecad_fiveaxis.core.recover.pairs import Pairs, Steps, step_of
+from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.workshop import recover_machine
 
 NEAR = 0.01  # mm, what is asked for
 
@@ -197,7 +200,13 @@ def test_shifted_zeros_are_found_and_named(name, shift):
     assert line_errors(found.machine, load_machine(name)).max() < NEAR
     np.testing.assert_allclose(values, shift, rtol=0, atol=2e-3)
     named = [one for one in recovery_findings(found, 0.01) if one.code == "zero-elsewhere"]
-    assert len(named) == np.count_nonzero(shift) and "cannot hold" in named[0].text
+    linear = np.count_nonzero(shift[:3])
+    assert len(named) == min(linear, 1) + np.count_nonzero(shift[3:]) and "cannot hold" in named[0].text
+    if linear > 1:  # one cause, told once, with every amount
+        told = [float(number) for number in re.findall(r"-?\d+\.\d{4}", named[0].text)]
+        assert "work zero is shifted" in named[0].text
+        np.testing.assert_allclose(told, shift[:3], rtol=0, atol=2e-3)
+        assert named[0].value == pytest.approx(np.linalg.norm(shift[:3]), abs=5e-3)
 
 
 def test_a_machine_file_with_a_wrong_pivot_is_named_with_the_amount():
@@ -338,6 +347,58 @@ def test_rows_that_do_not_move_are_passed_over_as_posts_do():
     np.testing.assert_array_equal(doubled.tip[pairs.row], path.tip)
     assert in_order(sequences(path, program(made.letters, made.words[:-1]), 1e-4)) is None
     assert len(aligned(sequences(path, program(made.letters, made.words[:-1]), 1e-4)).row) == 29
+
+
+HAAS = Machine(
+    "haas",
+    (
+        Axis("B", True, "table", (0.0, 0.0, 1.0), (3.0, 7.0, 0.0), max_rate=30.0),
+        Axis("A", True, "table", (-1.0, 0.0, 0.0), (0.0, 4.0, -60.0), max_rate=30.0),
+        *(
+            Axis(letter, False, "head", way, max_rate=9000.0)
+            for letter, way in zip("XYZ", ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), strict=True)
+        ),
+    ),
+)
+"""A about -X, B about Z: B is not the letter of its axis."""
+
+
+def test_unusual_letters_with_rows_dropped_on_either_side():
+    path, made, _ = posted(HAAS, 90, 6)
+    rows, blocks = np.setdiff1d(np.arange(90), (7, 31, 32, 60)), np.setdiff1d(np.arange(90), (12, 45, 80))
+    found = recover(cl_path(path.tip[rows], path.axis[rows]), program(made.letters, made.words[blocks]), setup=SETUP)
+    np.testing.assert_array_equal(rows[found.pairs.row[found.fit.good]], blocks[found.pairs.line[found.fit.good] - 10])
+    assert found.fit.good.sum() > 70
+    assert line_errors(found.machine, HAAS).max() < NEAR
+
+
+def test_one_operation_is_found_in_the_whole_program():
+    path, made, _ = posted("trunnion_ac", 1407, 8)
+    one = slice(700, 985)
+    found = recover(cl_path(path.tip[one], path.axis[one]), made, setup=SETUP)
+    np.testing.assert_array_equal(found.pairs.row[found.fit.good] + 700, found.pairs.line[found.fit.good] - 10)
+    assert found.fit.good.sum() > 250
+    assert line_errors(found.machine, load_machine("trunnion_ac")).max() < NEAR
+
+
+@pytest.mark.parametrize(
+    ("controller", "on"),
+    [("fanuc", "G43.4 H1"), ("siemens840d", "TRAORI"), ("heidenhain", "M128"), ("linuxcnc", "M428")],
+)
+def test_a_guided_program_is_refused_by_name(tmp_path, controller, on):
+    apt, nc = tmp_path / "path.apt", tmp_path / "path.nc"
+    apt.write_text("UNITS/MM\nMULTAX/ON\nFEDRAT/800\nGOTO/0,0,60,0,0,1\nGOTO/10,0,40,0.1,0.2,0.974679434\nFINI\n")
+    lines = (
+        ["L X0 Y0 Z60 A0 C0 FMAX", "L X10 Y0 Z40 A10 C20 F800"]
+        if controller == "heidenhain"
+        else ["G0 X0 Y0 Z60 A0 C0", "G1 X10 Z40 A10 C20 F800"]
+    )
+    head = ["BEGIN PGM T MM"] if controller == "heidenhain" else ["G21 G90"]
+    nc.write_text("\n".join([*head, on, *lines, "END PGM T MM" if controller == "heidenhain" else "M30"]) + "\n")
+    given = {"program": str(nc), "machine_file": str(tmp_path / "out.fcm"), "controller": controller}
+    with pytest.raises(ProgramError, match=r"controller guides the tip .*post it again without"):
+        recover_machine(build_settings("recover", str(apt), given))
+    assert not (tmp_path / "out.fcm").exists()
 
 
 # Texts

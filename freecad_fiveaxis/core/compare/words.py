@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from html import escape
 
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.report.text import duration, number
 from freecad_fiveaxis.core.sentences import Choice, Length, Sentence, plural, say
 from freecad_fiveaxis.core.setup_map.sheet import Table, json_text, page, section, table, text_table
@@ -113,7 +114,6 @@ def _table(rows: Sequence[Row]) -> Table:
 
 
 def _cells(row: Row) -> list[str]:
-    first, second = row.letters[3], row.letters[4]
     named = [row.machine, row.cure, "on" if row.tool_centre else "off"]
     if row.problem:
         return [*named, *["-"] * 8, "impossible"]
@@ -125,10 +125,15 @@ def _cells(row: Row) -> list[str]:
         str(row.blocks),
         duration(row.time),
         number(max(row.peak_rate[:3]), 0),
-        f"{first} {math.degrees(row.peak_rate[3]):.0f}",
-        f"{second} {math.degrees(row.peak_rate[4]):.0f}",
+        *(_rate(row, column) for column in (3, 4)),
         f"over by {row.over:.3f} mm" if row.over > LIMIT_SHOWN else "within",
     ]
+
+
+def _rate(row: Row, column: int) -> str:
+    if column not in fitted_columns(row.letters):
+        return "-"
+    return f"{row.letters[column]} {math.degrees(row.peak_rate[column]):.0f}"
 
 
 def _record(row: Row) -> dict[str, object]:
@@ -136,7 +141,7 @@ def _record(row: Row) -> dict[str, object]:
     return {
         "machine": row.machine, "cure": row.cure, "tool_centre": row.tool_centre, "deviation": row.deviation, "bound": row.bound,
         "axis_deviation_deg": math.degrees(row.axis_deviation), "blocks": row.blocks, "feed_blocks": row.feed_blocks,
-        "time_s": row.time, "peak_rate": dict(zip(row.letters, rates, strict=True)), "over_limits": row.over,
+        "time_s": row.time, "peak_rate": {row.letters[k]: rates[k] for k in fitted_columns(row.letters)}, "over_limits": row.over,
         "problem": row.problem,
     }  # fmt: skip
 

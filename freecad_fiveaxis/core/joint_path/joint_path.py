@@ -21,10 +21,11 @@ from freecad_fiveaxis.core.cl_path import SAFE_MARGIN, CLPath, Motion
 from freecad_fiveaxis.core.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, Matrix, RotaryPair, inverse_axis, joint_words, mapped, split
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
-from freecad_fiveaxis.core.sentences import Angle, Length, Option, Point, say
+from freecad_fiveaxis.core.sentences import Angle, Choice, Length, Option, Point, say
 
 from .branches import POLE_ANGLE, broken_steps, choose, within_limits
 from .rewind import Drive, insert_rewinds, rewind_findings, subdivide_rapids
@@ -86,6 +87,7 @@ def solve(
     cutting = ~_above(path, high[2] + clearance)
     words, branch = choose(angles, fits, links.low[3:], links.high[3:], cutting, crossing, progress)
     _place_turns(path, pole, words, branch)
+    _hold_stand_ins(words, links)
     breaks = np.flatnonzero(broken_steps(words, branch, cutting, crossing))
     start = Drive(path, np.arange(len(words)), words, branch)
     drive, gaps = insert_rewinds(start, links, breaks, np.asarray(low), np.asarray(high), clearance, radius)
@@ -169,13 +171,17 @@ def _reachable(links: Chain, path: CLPath, angles: Floats, pole: Bools) -> Bools
         lost = lost[~pole[lost]] if not pole[lost].all() else lost  # a pole row only shares the fate of its neighbour
         x, y, z = path.tip[lost[0]]
         i, j, k = path.axis[lost[0]]
+        if not fitted_columns(links.letters)[3:]:
+            raise ReachError(
+                _no_rotary_axis(len(lost), len(path.tip), path.tip[lost[0]], path.axis[lost[0]]), (float(i), float(j), float(k))
+            )
         raise ReachError(
             say(
                 "{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, the "
                 "first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another machine",
                 count=len(lost),
                 all=len(path.tip),
-                letters=links.letters[3:],
+                letters="".join(links.letters[column] for column in fitted_columns(links.letters)[3:]),
                 axis=f"({i:.6g}, {j:.6g}, {k:.6g})",
                 place=Point((x, y, z), ".6g", bare=True),
                 max_axis_angle=Option("max_axis_angle"),
@@ -183,6 +189,19 @@ def _reachable(links: Chain, path: CLPath, angles: Floats, pole: Bools) -> Bools
             (float(i), float(j), float(k)),
         )
     return fits
+
+
+def _no_rotary_axis(count: int, all_rows: int, tip: Floats, axis: Floats) -> str:
+    i, j, k = axis.tolist()
+    return say(
+        "{count} of {all} points need a leaning tool, the first is {axis} at {place}, and this machine has no rotary axis: keep "
+        "the tool axis along Z ({fixed}) or take another machine",
+        count=count,
+        all=all_rows,
+        axis=f"({i:.6g}, {j:.6g}, {k:.6g})",
+        fixed=Choice("tool_axis", ("fixed",)),
+        place=Point(tuple(tip.tolist()), ".6g", bare=True),
+    )
 
 
 def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> None:
@@ -213,7 +232,15 @@ def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> Non
     words[row, 0], branch[row] = words[source, 0], branch[source]
 
 
+def _hold_stand_ins(angles: Floats, links: Chain) -> None:
+    """Rotary axes that the machine has not stay at 0; what a tool axis leans about them is within the print of CL files."""
+    for k, axis in enumerate(links.axes[3:]):
+        if not axis.fitted:
+            angles[:, k] = 0.0
+
+
 def _finish(drive: Drive, links: Chain, findings: tuple[Finding, ...]) -> JointPath:
+    _hold_stand_ins(drive.angles, links)
     q = joint_words(links, drive.path.tip, drive.angles)
     if np.isnan(q[:, :3].min()):
         lost = np.flatnonzero(np.isnan(q[:, :3]).any(1))

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Machines and their files."""
 
-from .machine import FARTHEST, Axis, Machine, Vector
+from .machine import FARTHEST, Axis, Machine, Vector, fitted_columns
 from .machine_file import load_machine, save_machine, shipped_machines
 from .safe_start import BY_CLEARANCE, BY_MACHINE, BY_NOTHING, BY_REFERENCE, RETRACTS, SafeStart
 
 __all__ = [
     "BY_CLEARANCE", "BY_MACHINE", "BY_NOTHING", "BY_REFERENCE", "FARTHEST", "RETRACTS", "Axis", "Machine", "SafeStart", "Vector",
-    "load_machine", "save_machine", "shipped_machines",
+    "fitted_columns", "load_machine", "save_machine", "shipped_machines",
 ]  # fmt: skip

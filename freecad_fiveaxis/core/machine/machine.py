@@ -36,6 +36,11 @@ SHORTEST_DIRECTION = 1e-6
 """A direction shorter than this is taken for a forgotten one, as FreeCAD's Machine editor does."""
 
 
+STAND_INS = ("-", "_")
+"""Letters of the rotary axes that a machine of three or four axes has not: no controller knows them."""
+OUT_OF_REACH = 1e-4
+"""A tool axis that leans by less than this (rad) where a machine has no rotary axis is what CL files print with four decimals."""
+
 FARTHEST = 1e6
 """No point of a machine lies farther from its zero, mm: a kilometre. Beyond it a file has the wrong unit or a slip."""
 
@@ -59,8 +64,13 @@ class Axis:
     max_rate: float = math.inf
     wrap: str = "unwound"
 
+    @property
+    def fitted(self) -> bool:
+        """False for the stand-in of a rotary axis that the machine has not: its word is always 0, and never written."""
+        return self.letter not in STAND_INS
+
     def __post_init__(self) -> None:
-        letters = ROTARY_LETTERS if self.rotary else LINEAR_LETTERS
+        letters = STAND_INS if not self.fitted else ROTARY_LETTERS if self.rotary else LINEAR_LETTERS
         kind = say("rotary") if self.rotary else say("linear")
         self._need(
             self.letter in letters,
@@ -110,13 +120,15 @@ class Axis:
 
 @dataclass(frozen=True)
 class Machine:
-    """``axes`` from work to tool, the table's before the head's: X, Y, Z and two rotary. ``gauge_point`` mm, machine frame.
+    """``axes`` from work to tool, the table's before the head's: X, Y, Z and up to two rotary. Where there are fewer,
+    stand-ins that never turn follow (:attr:`Axis.fitted`): records have five columns.
+    ``gauge_point`` mm, machine frame.
 
     ``singular_cone`` rad: half angle about the first rotary axis within which a block counts as near the pole.
     ``origin``: where the work zero stands unless the setup says otherwise, machine frame, mm. ``controller``: name of the
     dialect that the machine speaks unless the settings say otherwise, or empty. ``safe_start``: how its programs begin and end.
     ``table`` mm: height of the table's face in the machine frame, all joints zero; None where it is not known. Raises
-    MachineError for axes that do not make a five-axis machine.
+    MachineError for axes that do not make a machine of three to five axes.
     """
 
     name: str
@@ -131,7 +143,7 @@ class Machine:
     letters: str = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "axes", tuple(self.axes))
+        object.__setattr__(self, "axes", with_stand_ins(self.name, tuple(self.axes)))
         object.__setattr__(self, "letters", "".join(axis.letter for axis in self.axes))
         for name in ("gauge_point", "origin"):
             object.__setattr__(self, name, finite_vector(getattr(self, name), name, FARTHEST))
@@ -154,9 +166,11 @@ class Machine:
 
     def _check_axes(self) -> None:
         kinds = [axis.rotary for axis in self.axes]
-        if kinds.count(True) != 2 or kinds.count(False) != 3:
+        if kinds.count(True) > 2 or kinds.count(False) != 3:
             count = f"{kinds.count(False)} linear and {kinds.count(True)} rotary axes"
-            raise MachineError(say("machine {name} has {count}; needs 3 and 2", name=self.name, count=count), self.letters)
+            raise MachineError(
+                say("machine {name} has {count}; needs 3 and at most 2", name=self.name, count=count), self.letters
+            )
         if len(set(self.letters)) != len(self.letters):
             raise MachineError(
                 say("machine {name} has two axes of the same letter: {letters}", name=self.name, letters=self.letters),
@@ -175,9 +189,19 @@ class Machine:
 
     @property
     def rotary(self) -> tuple[Axis, Axis]:
-        """The two rotary axes, the one nearer to the work first."""
+        """The two rotary axes, the one nearer to the work first; stand-ins last."""
         first, second = (axis for axis in self.axes if axis.rotary)
         return first, second
+
+    @property
+    def fitted(self) -> tuple[Axis, ...]:
+        """The axes that the machine really has."""
+        return tuple(axis for axis in self.axes if axis.fitted)
+
+    @property
+    def rotaries(self) -> int:
+        """How many rotary axes the machine really has."""
+        return sum(axis.rotary for axis in self.fitted)
 
     @property
     def linear(self) -> tuple[Axis, Axis, Axis]:
@@ -188,7 +212,38 @@ class Machine:
     @property
     def has_head(self) -> bool:
         """True where a rotary axis carries the tool: then the tool length enters the words."""
-        return any(axis.rotary and axis.side == "head" for axis in self.axes)
+        return any(axis.rotary and axis.fitted and axis.side == "head" for axis in self.axes)
+
+
+def fitted_columns(letters: str) -> list[int]:
+    """The columns of the words whose axes the machine really has, by the letters of all ("XYZA-": 0 1 2 3)."""
+    return [column for column, letter in enumerate(letters) if letter not in STAND_INS]
+
+
+def with_stand_ins(name: str, axes: tuple[Axis, ...]) -> tuple[Axis, ...]:
+    """The axes with stand-ins for the rotary ones that are missing, nearest to the tool, where they move nothing.
+
+    Beside one axis stands one across it and the tool: no axis that the machine reaches is then near a pole. Raises MachineError
+    where a single rotary axis is parallel to the tool.
+    """
+    rotary = [axis for axis in axes if axis.rotary]
+    if not rotary:
+        return (*axes, _stand_in(0, (1.0, 0.0, 0.0)), _stand_in(1, (0.0, 1.0, 0.0)))
+    if len(rotary) > 1:
+        return axes
+    x, y, _ = rotary[0].direction
+    if math.hypot(x, y) < SHORTEST_DIRECTION:
+        text = say(
+            "machine {name}: its only rotary axis {letter} is parallel to the tool and never tilts it; leave it out of the file",
+            name=name,
+            letter=rotary[0].letter,
+        )
+        raise MachineError(text, rotary[0].direction)
+    return (*axes, _stand_in(0, (-y + 0.0, x, 0.0)))
+
+
+def _stand_in(which: int, direction: Vector) -> Axis:
+    return Axis(STAND_INS[which], True, "head", direction, low=-OUT_OF_REACH, high=OUT_OF_REACH)
 
 
 def finite_vector(value: Sequence[float], what: str, most: float = sys.float_info.max) -> Vector:

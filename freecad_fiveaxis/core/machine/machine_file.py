@@ -238,7 +238,7 @@ def _safe_start(given: _Object, where: str, unit: float) -> SafeStart:
 def _axis(letter: str, axes: _Object, unit: float) -> Axis:
     if letter not in LINEAR_LETTERS + ROTARY_LETTERS:
         raise _fail(
-            "machine.axes", say("{letter} names no axis; use X Y Z and two of A B C", letter=reprlib.repr(letter)), letter
+            "machine.axes", say("{letter} names no axis; use X Y Z and up to two of A B C", letter=reprlib.repr(letter)), letter
         )
     axis, where = _object(axes, "machine.axes.", letter), f"machine.axes.{letter}."
     rotary = KINDS[_choice(axis, where, "type", KINDS)]
@@ -352,7 +352,7 @@ def _data(machine: Machine) -> dict[str, Any]:
                 "base_frame": {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]},
                 "tcp_supported": False,
             },
-            "axes": {letter: _axis_data(machine, letter) for letter in sorted(machine.letters)},
+            "axes": {letter: _axis_data(machine, letter) for letter in sorted(axis.letter for axis in machine.fitted)},
             "toolheads": [{"id": "toolhead1", "name": "Spindle", "toolhead_type": "rotary"}],
         },
         "output": {"units": "metric"},
@@ -378,7 +378,7 @@ def _axis_data(machine: Machine, letter: str) -> dict[str, Any]:
     axis = machine.axes[machine.letters.index(letter)]
     if math.isinf(axis.max_rate):
         raise MachineError(say("axis {letter} has no maximum rate; give one, the machine file needs it", letter=letter), letter)
-    outwards = [other.letter for other in machine.axes if other.side == axis.side]
+    outwards = [other.letter for other in machine.fitted if other.side == axis.side]
     outwards = outwards[::-1] if axis.side == "table" else outwards
     place = outwards.index(letter)
     in_file: Callable[[float], float] = _degrees if axis.rotary else float

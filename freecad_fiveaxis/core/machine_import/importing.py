@@ -89,7 +89,7 @@ def _controller(data: dict[str, object]) -> str:
 def as_text(imported: Imported) -> str:
     """The machine as a table, from the work to the tool, and the findings."""
     machine = imported.machine
-    rows = [f"{machine.name}: {machine.description}", *(_row(axis) for axis in machine.axes), _start(machine)]
+    rows = [f"{machine.name}: {machine.description}", *(_row(axis) for axis in machine.fitted), _start(machine)]
     marks = {Severity.NOTE: "note", Severity.WARNING: "warning", Severity.ERROR: "ERROR"}
     return "\n".join([*rows, *(f"{marks[found.severity]}: {found.text}" for found in imported.findings)])
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.records import Floats, Ints
 from freecad_fiveaxis.core.sentences import Option, say
@@ -127,7 +128,11 @@ def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar:
     """What had to be assumed: the first position, motion, units, offsets."""
     found, first = [], int(told.at[0])
     by_vector = not np.isnan(told.told[0]).all()
-    unknown = [letter for k, letter in enumerate(letters) if not (told.named[0, k] or (by_vector and k >= 3))]
+    unknown = [
+        letter
+        for k, letter in enumerate(letters)
+        if k in fitted_columns(letters) and not (told.named[0, k] or (by_vector and k >= 3))
+    ]
     if unknown:
         text = say(
             "The first motion line does not say where {unknown} stand; they are taken as 0 there.",

@@ -52,12 +52,13 @@ _BEYOND = Template(
 
 
 def reachable_facets(
-    mesh: Mesh, links: Chain, max_axis_angle: float, wanted: Bools | None = None
+    mesh: Mesh, links: Chain | None, max_axis_angle: float, wanted: Bools | None = None
 ) -> tuple[Bools, tuple[Finding, ...]]:
     """Mask (f,) of the facets that can be cut with the tool along their normal, and what of the wanted ones is left out.
 
     ``max_axis_angle`` rad: the largest axis angle that is wanted, over 0 and at most pi; facets that look down are out
-    whatever it is. Vertical walls count as 90 deg. ``wanted`` (f,): the facets that were chosen, None: all of them.
+    whatever it is. Vertical walls count as 90 deg.
+    ``links`` None: the tool axis does not follow the facets. ``wanted`` (f,): the facets that were chosen, None: all of them.
     Raises SettingsError for another angle, ReachError where no facet is left.
     """
     if not 0.0 < max_axis_angle <= math.pi:
@@ -75,7 +76,7 @@ def reachable_facets(
 
     def check(part: slice) -> None:
         rows = rest[part]
-        beyond[rows] = ~axes_within_limits(links, mesh.normal.T.take(rows, axis=1).T)
+        beyond[rows] = ~axes_within_limits(links, mesh.normal.T.take(rows, axis=1).T) if links is not None else False
 
     on_all(check, portions(len(rest)))
     keep: Bools = wanted & ~(down | steep | beyond)
@@ -161,7 +162,9 @@ def _too_steep(mesh: Mesh, area: Floats, out: Bools, most: float) -> Finding | N
     return _left_out(Severity.WARNING, "facets-beyond-axis-angle", _STEEP, mesh, area, out, most=angle)
 
 
-def _beyond(mesh: Mesh, area: Floats, out: Bools, links: Chain) -> Finding | None:
+def _beyond(mesh: Mesh, area: Floats, out: Bools, links: Chain | None) -> Finding | None:
+    if links is None:
+        return None
     return _left_out(Severity.WARNING, "facets-beyond-machine", _BEYOND, mesh, area, out, limits=_limits(links))
 
 
@@ -171,6 +174,8 @@ def _limits(links: Chain) -> Sentence:
         say("{letter} ({low} to {high})", letter=letter, low=Angle(low, bare=True), high=Angle(high))
         for letter, (low, high) in zip(links.letters[3:], spans, strict=True)
     )
+    if not links.axes[4].fitted:
+        return one
     return say("{one} or {other}", one=one, other=other)
 
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.sentences import Length, Number, Option, say
 
 from .dialect import Dialect
@@ -93,7 +94,7 @@ def slot_texts(
         "spindle": dialect.spindle_on.format(speed=options.speed) if options.speed > 0.0 else dialect.spindle_off,
         "coolant": dialect.coolant_on if options.coolant else dialect.coolant_off,
         "feed_mode": dialect.inverse_time if inverse_time else dialect.per_minute,
-        "axes": ",".join(sorted(letters, key=dialect.order.index)),
+        "axes": ",".join(sorted((letters[k] for k in fitted_columns(letters)), key=dialect.order.index)),
         "shorter": dialect.shorter_on if modulo else dialect.shorter_off,
         "number": "" if options.tool is None else str(options.tool),
         "tolerance": f"{options.blend or USUAL_TOLERANCE:.4f}",

@@ -18,7 +18,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_NOTHING, BY_REFERENCE, SafeStart
+from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_NOTHING, BY_REFERENCE, SafeStart, fitted_columns
 from freecad_fiveaxis.core.number_text import rounded
 from freecad_fiveaxis.core.program import Program
 
@@ -28,8 +28,9 @@ UPRIGHT = 1e-9
 """A table axis whose direction is that near to Z keeps X and Y level."""
 
 
-def with_start(dialect: Dialect, start: SafeStart, over_by_tip: bool = False) -> Dialect:
+def with_start(dialect: Dialect, start: SafeStart, over_by_tip: bool = False, turns: bool = True) -> Dialect:
     """The dialect with the lines of a safe start and end, of joint output and of guided, and the line that names the cutter.
+    ``turns``: the machine has rotary axes.
 
     ``over_by_tip``: as ``tip`` above. A guide that gives the tool's length itself leaves no way to a plane above the part before
     it: there the reference point is taken instead."""
@@ -38,7 +39,7 @@ def with_start(dialect: Dialect, start: SafeStart, over_by_tip: bool = False) ->
         return named
     guided = SafeStart(BY_REFERENCE) if by_reference(dialect, start) else start
     return replace(
-        named, head=_joint_head(named, start), tail=(*_retract(dialect, start), *dialect.tail),
+        named, head=_joint_head(named, start, turns), tail=(*_retract(dialect, start), *dialect.tail),
         guided_head=_guided_head(named, guided, over_by_tip), guided_tail=_guided_tail(dialect, guided),
     )  # fmt: skip
 
@@ -72,8 +73,8 @@ def _before_tool(head: tuple[str, ...], lines: tuple[str, ...]) -> tuple[str, ..
     return (*head[:at], *lines, *head[at:])
 
 
-def _joint_head(dialect: Dialect, start: SafeStart) -> tuple[str, ...]:
-    retract, turn = _retract(dialect, start), (_rapid(dialect, "rotaries"), _rapid(dialect, "over"))
+def _joint_head(dialect: Dialect, start: SafeStart, turns: bool) -> tuple[str, ...]:
+    retract, turn = _retract(dialect, start), (*((_rapid(dialect, "rotaries"),) if turns else ()), _rapid(dialect, "over"))
     if start.retract == BY_CLEARANCE:
         return (*dialect.head, *retract, *turn)
     return (*_before_tool(dialect.head, retract), *turn)
@@ -103,7 +104,7 @@ def start_words(program: Program, dialect: Dialect, height: float) -> dict[str, 
     """The words of the start's slots: those of block 0, and the ``height`` (mm, a word of Z) of the plane above the part."""
     first = program.words[0] if len(program.words) else np.zeros(5)
     tip = program.guided.tip[0] if len(program.words) and program.guided is not None else first
-    order = sorted((3, 4), key=lambda column: dialect.order.index(program.letters[column]))
+    order = sorted(fitted_columns(program.letters)[3:], key=lambda column: dialect.order.index(program.letters[column]))
     return {
         "height": "Z" + _number(height, dialect.linear_decimals, dialect.plus),
         "rotaries": " ".join(_rotary(program, dialect, column, float(first[column])) for column in order),

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.errors import ProgramError
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.number_text import EXACT, Choice, Column, Part, Units, nearest_whole, rounded, table_parts
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.program import Program
@@ -92,7 +93,7 @@ def _said(program: Program, dialect: Dialect) -> list[_Said]:
     if len(program.words) and (guided is None) != (dialect.guide is None):
         raise ProgramError(say("the program was not built for {name} as it is to be written", name=dialect.name), dialect.name)
     linear = program.words if guided is None else guided.tip
-    order = sorted(range(5), key=lambda column: dialect.order.index(program.letters[column]))
+    order = sorted(fitted_columns(program.letters), key=lambda column: dialect.order.index(program.letters[column]))
     vector = None if guided is None or dialect.guide is None else dialect.guide.vector
     said = [_axis_word(program, column, linear, dialect) for column in order if column < 3 or vector is None]
     if vector is not None and guided is not None and guided.vector is not None and dialect.guide is not None:

@@ -27,9 +27,12 @@ from .model import UNKNOWNS, Layout, rows_of
 from .pairs import Pairs, Steps, step_of
 
 MOST = 2000
-"""Rows and blocks that are aligned: time and memory grow with their product."""
+"""Rows and blocks that are aligned, or as many more of the one as there are fewer of the other: time and memory grow with their
+product."""
 PROBE = 250
 """Rows and blocks by which the layout for the alignment is chosen."""
+STRANGE, ENOUGH = 2.0, 0.3
+"""Layouts as strange as that are tried where the others make a smaller share of the rows alike than this."""
 AXIS_ALIKE, LENGTH_ALIKE, TIP_ALIKE = 1e-3, 2e-3, 0.05
 """rad, mm, mm: beyond these two are not alike at all."""
 STILL = (0.0, 1e-6, 1e-5, 5e-5, 1e-4)
@@ -91,23 +94,45 @@ def in_order(given: Sequences) -> Pairs | None:
 
 def aligned(given: Sequences, start: Machine | None = None) -> Pairs:
     """Paired by the likeness of the axes of that layout which makes most of them alike. Raises ProgramError where none does."""
-    head = _head(given, PROBE)
-    layouts = [layout for layout in every_layout(given.letters, start) if layout.strange < 2.0]
+    head, every = _probe(given), list(every_layout(given.letters, start))
+    usual = [layout for layout in every if layout.strange < STRANGE]
+    sum_, best = _likest(head, usual)
+    if sum_ < ENOUGH * min(len(head.row), len(head.line)):  # letters that are not those of their axes
+        sum_, best = max((sum_, best), _likest(head, [one for one in every if one not in usual]), key=lambda found: found[0])
+    whole = _whole(given)
+    return whole.paired(*_traced(_axis_likeness(whole, best)))
+
+
+def _likest(head: Sequences, layouts: list[Layout]) -> tuple[float, Layout]:
+    """The largest sum of likenesses, and the layout that has it."""
     sums = [float(_table(_axis_likeness(head, layout))[-1, -1]) for layout in layouts]
-    whole = _head(given, MOST)
-    return whole.paired(*_traced(_axis_likeness(whole, layouts[int(np.argmax(sums))])))
+    best = int(np.argmax(sums))
+    return sums[best], layouts[best]
 
 
 def realigned(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -> Pairs:
     """Paired by the likeness of the tips, with a machine that is known."""
-    whole = _head(given, MOST)
+    whole = _whole(given)
     tip, axis = _reached(whole, layout, base, unknown)
     alike = _alike(_distance(whole.tip, tip), TIP_ALIKE) * (_distance(whole.axis, axis) < 10.0 * AXIS_ALIKE)
     return whole.paired(*_traced(alike))
 
 
-def _head(given: Sequences, most: int) -> Sequences:
-    cl, nc = slice(0, most), slice(0, most)
+def _probe(given: Sequences) -> Sequences:
+    """The first rows and blocks; of the longer sequence as many more as it is longer, for the shorter may begin so late."""
+    late = min(abs(len(given.row) - len(given.line)), MOST - PROBE)
+    rows, blocks = (PROBE + late, PROBE) if len(given.row) > len(given.line) else (PROBE, PROBE + late)
+    return _head(given, rows, blocks)
+
+
+def _whole(given: Sequences) -> Sequences:
+    """All rows and blocks, or the first of them where there are too many to align."""
+    shorter = max(1, min(len(given.row), len(given.line), MOST))
+    return _head(given, MOST * MOST // shorter, MOST * MOST // shorter)
+
+
+def _head(given: Sequences, rows: int, blocks: int) -> Sequences:
+    cl, nc = slice(0, rows), slice(0, blocks)
     return Sequences(
         given.letters, given.tip[cl], given.axis[cl], given.row[cl], given.linear[nc], given.rotary[nc], given.line[nc],
         given.steps,

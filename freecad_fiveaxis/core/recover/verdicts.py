@@ -122,8 +122,13 @@ def _certainties(found: Recovery, told: tuple[Parameter, ...], tolerance: float)
 
 
 def _zeros(told: tuple[Parameter, ...]) -> Iterator[Finding]:
+    linear = [one for one in told[4:] if one.unit == "mm" and _elsewhere(one)]
+    if len(linear) > 1:
+        yield _shifted(linear)
     for one in told[4:]:
-        if one.fitted and one.determined and abs(one.value) > max(one.certainty, 1e-3 if one.unit == "mm" else 1e-4):
+        if one in linear and len(linear) > 1:
+            continue
+        if _elsewhere(one):
             what = say("the work offset") if one.unit == "mm" else say("the axis' zero in the controller")
             what += " or the tool's point that is driven (tip, centre, gauge point)" if one.name == "Z zero" else ""
             text = say(
@@ -146,6 +151,24 @@ def _zeros(told: tuple[Parameter, ...]) -> Iterator[Finding]:
             assumed=", ".join(assumed),
         )
         yield Finding(Severity.NOTE, "zeros-assumed", text)
+
+
+def _elsewhere(one: Parameter) -> bool:
+    """Whether a zero lies elsewhere than the CL path's, beyond its certainty."""
+    return one.fitted and one.determined and abs(one.value) > max(one.certainty, 1e-3 if one.unit == "mm" else 1e-4)
+
+
+def _shifted(zeros: list[Parameter]) -> Finding:
+    """Zeros of several linear axes that lie elsewhere are one thing: the work zero."""
+    shift = float(np.linalg.norm([one.value for one in zeros]))
+    text = say(
+        "The work zero is shifted: the program counts {axes} from {values} (within {certainty}), not from the CL path's zero. A "
+        "machine file cannot hold that: correct the work offset, or the post.",
+        axes=", ".join(one.name[0] for one in zeros),
+        values=", ".join(f"{one.value:.4f}" for one in zeros),
+        certainty=Length(max(one.certainty for one in zeros), ".2g"),
+    )
+    return Finding(Severity.WARNING, "zero-elsewhere", text, shift, 0.0, "mm")
 
 
 def _signs(found: Recovery) -> Iterator[Finding]:

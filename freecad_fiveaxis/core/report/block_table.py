@@ -16,6 +16,7 @@ import numpy as np
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.deviation import Deviation
 from freecad_fiveaxis.core.gouge import GougeCheck
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.number_text import Choice, Column, Part, table
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
@@ -27,8 +28,9 @@ DECIMALS = 6
 
 
 def letter_order(letters: str) -> list[int]:
-    """The columns of the words as people read them: X Y Z, then the rotary letters sorted ("XYZCA": 0 1 2 4 3)."""
-    return [0, 1, 2, *sorted((3, 4), key=lambda column: letters[column])]
+    """The columns of the words as people read them: X Y Z, then the rotary letters sorted ("XYZCA": 0 1 2 4 3); only
+    those that the machine has."""
+    return [0, 1, 2, *sorted(fitted_columns(letters)[3:], key=lambda column: letters[column])]
 
 
 def header(letters: str, depth: bool = False) -> str:

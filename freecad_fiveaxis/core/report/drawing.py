@@ -23,6 +23,7 @@ import numpy as np
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.gouge import GOUGES
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.trajectory import tip_at
 
@@ -95,7 +96,7 @@ class Spot:
     bound: float
     tolerance: float
     singular: bool
-    turns: tuple[tuple[str, float], tuple[str, float]]
+    turns: tuple[tuple[str, float], ...]
     lean: float
     step: float
     place: tuple[float, float, float]
@@ -140,7 +141,7 @@ def spot(figures: Figures, block: int) -> Spot:
     return Spot(
         block=row, line=int(program.line[row]), deviation=float(deviation.segment[row]), bound=float(deviation.bound[row]),
         tolerance=figures.tolerance, singular=bool(figures.singularity.singular[row]),
-        turns=((program.letters[3], first), (program.letters[4], second)),
+        turns=tuple((program.letters[k], (first, second)[k - 3]) for k in fitted_columns(program.letters)[3:]),
         lean=math.degrees(figures.singularity.axis_travel[row]), step=math.dist(figures.tip[row - 1], figures.tip[row]),
         place=(x, y, z),
     )  # fmt: skip
@@ -185,7 +186,7 @@ def _told(figures: Figures, mark: Marker) -> Finding:
         return mark.finding or Finding(severity, mark.kind, mark.label, block=mark.block, line=line, place=mark.place)
     there = spot(figures, mark.block)
     if mark.kind == SINGULAR:
-        value, unit, severity = max(turn for _, turn in there.turns), "deg", Severity.WARNING
+        value, unit, severity = max((turn for _, turn in there.turns), default=0.0), "deg", Severity.WARNING
     else:
         value, unit, severity = there.deviation, "mm", Severity.ERROR if mark.kind == OVER else Severity.NOTE
     return Finding(severity, mark.kind, mark.label, value, None, unit, there.block, there.line, mark.place)

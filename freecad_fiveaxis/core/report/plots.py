@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints
 
@@ -128,12 +129,15 @@ def _along(figure: Any, figures: Figures) -> Told:
     return "along", "Deviation along the program", caption, alt
 
 
-def _angles(figure: Any, figures: Figures) -> Told:
+def _angles(figure: Any, figures: Figures) -> Told | None:
     program, x = figures.program, figures.program.line.astype(float)
+    turning = fitted_columns(program.letters)[3:]
+    if not turning:
+        return None
     figure.set_size_inches(WIDE, 4.2)
-    panels = figure.subplots(2, 1, sharex=True)
+    panels = figure.subplots(len(turning), 1, sharex=True, squeeze=False)[:, 0]
     said = []
-    for axes, column, colour in zip(panels, (3, 4), (BLUE, GREEN), strict=True):
+    for axes, column, colour in zip(panels, turning, (BLUE, GREEN), strict=False):
         words, letter = program.words[:, column], program.letters[column]
         shown = thin(words)
         _shade(axes, figures, x)
@@ -141,7 +145,7 @@ def _angles(figure: Any, figures: Figures) -> Told:
         _limits(axes, figures, column)
         axes.set_ylabel(f"{letter}, deg")
         said.append(f"{letter} runs from {words.min():.1f} to {words.max():.1f} deg")
-    _lines(panels[1], x)
+    _lines(panels[-1], x)
     if panels[0].get_legend_handles_labels()[1]:
         _legend(panels[0])
     caption = (

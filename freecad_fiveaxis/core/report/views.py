@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.kinematics import Chain, forward
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 
 from .figures import Figures, inner_words
@@ -117,8 +118,10 @@ def _draw_profile(axes: Any, figures: Figures, u: Floats, off: Floats, row: int)
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2, borderaxespad=0.2, handlelength=1.4)
 
 
-def sphere(figure: Any, figures: Figures) -> Told:
-    """The tool axis over the whole program: as a map seen from the pole, and on the sphere."""
+def sphere(figure: Any, figures: Figures) -> Told | None:
+    """The tool axis over the whole program: as a map seen from the pole, and on the sphere; None where the tool cannot turn."""
+    if not fitted_columns(figures.program.letters)[3:]:
+        return None
     pole, first, second = _frame(figures)
     paths = _axis_paths(figures)
     local = paths @ np.column_stack([first, second, pole])

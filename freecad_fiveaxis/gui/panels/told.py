@@ -95,7 +95,7 @@ def imported(found: Any) -> str:
     sides = {"table": translate("FiveAxis", "the table"), "head": translate("FiveAxis", "the head")}
     rows = [
         [axis.letter, sides[axis.side], numbers(axis.direction), numbers(axis.point) if axis.rotary else "", _limits(axis)]
-        for axis in machine.axes
+        for axis in machine.fitted
     ]
     named = paragraph(f"{machine.name}: {machine.description}", bold=True)
     return named + table([head, *rows]) + findings(found.findings)

@@ -17,6 +17,7 @@ from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.errors import FiveAxisError
 from freecad_fiveaxis.core.job import Milled
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.playback import NCLines
 from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import status
@@ -129,7 +130,8 @@ class PlayPanel:
         low, high = figures.tip.min(axis=0), figures.tip.max(axis=0)
         tool = tool_of(self.obj, settings.machine.control_point == "centre")
         reach = max(REACH * float(np.linalg.norm(high - low)), LEAST_REACH)
-        zero, letters = np.array(self.obj.WorkZero), figures.program.letters[3:]
+        zero, words = np.array(self.obj.WorkZero), figures.program.letters
+        letters = "".join(words[at] for at in fitted_columns(words)[3:])
         made = results.result_of(self.obj).made
         origin = made.settings.machine.origin or made.machine.origin
         table = None if made.machine.table is None else made.machine.table - origin[2]

@@ -7,6 +7,7 @@ from typing import Any
 
 from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.playback import NCLines, Pose
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.gui.qt import QtGui, QtWidgets, translate
@@ -31,7 +32,8 @@ class Readout:
         self.rows.addRow(self.text)
         self.block = self._row("block", translate("FiveAxis", "Block"))
         self.clock = self._row("clock", translate("FiveAxis", "Time"))
-        self.joints = [self._row(f"joint_{letter}", letter) for letter in figures.program.letters]
+        letters = figures.program.letters
+        self.joints = {at: self._row(f"joint_{letters[at]}", letters[at]) for at in fitted_columns(letters)}
         self.gap = self._row("gap", translate("FiveAxis", "Off its segment"))
         self.most = self._row("most", translate("FiveAxis", "Most in block"))
         self.bound = self._row("bound", translate("FiveAxis", "Proven below"))
@@ -46,8 +48,8 @@ class Readout:
     def use(self, figures: Figures, lines: NCLines) -> None:
         """Speak of another result of the same path."""
         self.figures, self.lines = figures, lines
-        for label, letter in zip(self.joints, figures.program.letters, strict=True):
-            self.rows.labelForField(label).setText(letter)
+        for at, label in self.joints.items():
+            self.rows.labelForField(label).setText(figures.program.letters[at])
 
     def show(self, pose: Pose, whole: float) -> None:
         """Say where a single moment stands; ``whole`` s: the time of the program."""
@@ -58,7 +60,7 @@ class Readout:
         self.text.setCursorPosition(0)
         self.block.setText(_of(block, len(program.words) - 1, program.motion[block]))
         self.clock.setText(translate("FiveAxis", "{now} of {whole}").format(now=_clock(float(pose.seconds)), whole=_clock(whole)))
-        for at, label in enumerate(self.joints):
+        for at, label in self.joints.items():
             label.setText(joint_text(float(pose.words[at]), at >= 3))
         self.gap.setText(_distance(float(pose.to_chord)))
         self._show_deviation(block)

@@ -36,7 +36,7 @@ IDENTITY = np.eye(4)
 
 class Stage:
     """Nodes in a view's scene. ``graph``: the scene graph of a 3D view; ``zero`` (3,) mm: the work zero in the document;
-    ``letters``: of the two rotary axes; ``centre`` (3,) and ``reach`` mm: middle of the path and how far the axes are
+    ``letters``: of the rotary axes it has; ``centre`` (3,) and ``reach`` mm: middle of the path and how far the axes are
     drawn. ``tip`` (3,) mm: where the tip is drawn, document coordinates."""
 
     def __init__(
@@ -48,6 +48,7 @@ class Stage:
         self.axes, self.chord, self.curve, self.gap, self.dots = (_vertices() for _ in range(5))
         self.letters = Labels()
         self.letters.show([Label((0.0, 0.0, 0.0), letter, LETTER_COLOURS[letter]) for letter in letters])
+        self._lines = len(letters)
         self.curve_line = coin.SoLineSet()
         self.root = self._root(tool, letters)
         self._graph, self.tip = graph, np.zeros(3)
@@ -94,7 +95,7 @@ class Stage:
     def _draw_axes(self, ends: np.ndarray, scene_from_machine: np.ndarray) -> None:
         placed = ends @ scene_from_machine[:3, :3].T + scene_from_machine[:3, 3]
         _fill(self.axes, placed.reshape(-1, 3))
-        self.letters.move(placed[:, 1])
+        self.letters.move(placed[: self._lines, 1])
 
     def _root(self, tool: DrawnTool, letters: str) -> Any:
         zero = coin.SoTranslation()
