@@ -17,7 +17,7 @@ STREET = [  # rooms and single modules of the core; imports only point up this l
     "sentences", "errors", "findings", "portions", "records", "progress", "quantity", "files", "memory", "number_text", "machine",
     "kinematics", "mesh",
     "passes", "cutter", "coedge", "tool_axis", "feasible", "seating", "cl_path", "apt", "trajectory", "deviation",
-    "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces",
+    "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces", "part_size",
     "nc_reader", "audit", "report", "setup_map", "compare", "recover", "prove_signs", "playback", "machine_sketch",
     "option_values", "settings", "asked", "safe_start", "gouge_free", "job", "outputs", "cures", "trials", "workshop",
     "terminal", "cli",
