@@ -207,7 +207,8 @@ def still_true(findings: tuple[Finding, ...], check: GougeCheck | None) -> tuple
 
 def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
     """The share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away from the spindle is not
-    counted. ``keep`` (f,): the facets that are cut. Sides that no pass touches are uncut as well, so the larger of both counts."""
+    counted. ``keep`` (f,): the facets that are cut. Sides that no pass touches are uncut as
+    well, so the larger of both counts."""
 
     def area(*codes: str) -> float:
         return sum(one.value or 0.0 for one in findings if one.code in codes and one.unit == "mm2")

@@ -53,9 +53,7 @@ def test_ten_million_facets_under_two_gigabytes_are_refused_before_they_are_read
         file.write(bytes(80) + struct.pack("<I", 10_000_000))
         file.truncate(84 + 50 * 10_000_000)  # a sparse file: nothing of it is read
     environment = {"OPENBLAS_NUM_THREADS": "1"}
-    done = subprocess.run(
-        [sys.executable, "-c", LIMITED, part, out], capture_output=True, text=True, env=environment, timeout=60
-    )
+    done = subprocess.run([sys.executable, "-c", LIMITED, part, out], capture_output=True, text=True, env=environment, timeout=60)
     assert done.returncode == 2 and "10000000 facets need at least 1.9 GB" in done.stderr.replace(",", ""), done.stderr
     assert "coarser" in done.stderr and len(done.stderr.splitlines()) == 1 and not out.exists()
 
