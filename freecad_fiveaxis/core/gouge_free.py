@@ -63,6 +63,12 @@ SAMPLES = 10_000
 CURED = frozenset({"lifted", "left-out"})
 """The codes of findings that tell of a path changed by a cure."""
 
+JUDGED = frozenset({"surface-tighter-than-cutter"})
+"""The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
+
+NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine")
+"""The codes of findings on facets that are not among those to be cut."""
+
 HALVINGS = 6
 """Times that blocks of a cured path are halved."""
 
@@ -192,6 +198,24 @@ def _remedy(settings: Settings) -> str:
     divisible = settings.cure.linearize == "off" and settings.head.rtcp == "off"  # a guided tip excludes division
     way = say("let blocks be divided ({divide})", divide=DIVIDE) if divisible else say("ask for a smaller tolerance")
     return say("The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.", way=way)
+
+
+def still_true(findings: tuple[Finding, ...], check: GougeCheck | None) -> tuple[Finding, ...]:
+    """The findings without those that the check of the finished program, where there was one, has settled."""
+    return findings if check is None else tuple(one for one in findings if one.code not in JUDGED)
+
+
+def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
+    """The share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away from the spindle is not
+    counted. ``keep`` (f,): the facets that are cut. Sides that no pass touches are uncut as
+    well, so the larger of both counts."""
+
+    def area(*codes: str) -> float:
+        return sum(one.value or 0.0 for one in findings if one.code in codes and one.unit == "mm2")
+
+    out = area(*NOT_CUT)
+    whole = float(mesh.area[keep].sum()) + out
+    return (out + max(area("uncut"), area("side-not-machined"))) / whole
 
 
 def left_by(settings: Settings, mesh: Mesh, keep: Bools, links: Chain, program: Program, progress: Progress) -> Remainder:

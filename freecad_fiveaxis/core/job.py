@@ -53,10 +53,13 @@ from .gouge_free import (
     left_out_rows,
     lifted,
     said_of,
+    still_true,
     tilted,
     tool_body,
     uncut_by_cure,
+    unfinished_share,
 )
+from .part_size import unit_suspected
 from .post import Dialect
 from .post.head import slot_texts
 from .post.writer import write_nc
@@ -186,7 +189,8 @@ def mill(
 
     path, joints = driven_free(settings, path, mesh, links, drive, progress)
     uncut = uncut_by_cure(settings, path, mesh, keep, progress)
-    found = mesh.findings + left_out + spacing + contact.findings + turned.findings + said + path.findings + uncut
+    sized = mesh.findings + unit_suspected(mesh, cutter)
+    found = sized + left_out + spacing + contact.findings + turned.findings + said + path.findings + uncut
     posted = _posted(settings, path, joints, machine, links, dialect, (low, high), found, progress)
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis, keep=keep)
 
@@ -305,7 +309,7 @@ def prove(made: Made, progress: Progress = silent) -> Result:
     singularity = find_singular(made.links, words, made.machine.singular_cone)
     judged = judge(made.links, made.program, deviation, singularity, proof.tolerance)
     gouge, left, entries = _against_part(made, progress)
-    found = made.findings + deviation.findings + entries + judged
+    found = still_true(made.findings, gouge) + deviation.findings + entries + judged
     if made.settings.task != AUDIT:
         return Result(made, deviation, singularity, found, gouge=gouge, left=left)
     audited = _audited(made, deviation, progress)
@@ -356,4 +360,5 @@ def figures(result: Result) -> Figures:
         audit=result.audit, gouge=result.gouge, left=result.left,
         allowed=allowed(made.settings, made.mesh, made.keep) if result.left and isinstance(made, Milled) else 0.0,
         mesh=made.mesh if isinstance(made, Milled) else None,
+        unfinished=unfinished_share(result.findings, made.mesh, made.keep) if isinstance(made, Milled) else 0.0,
     )  # fmt: skip

@@ -151,6 +151,15 @@ def test_no_rows_are_put_half_way_into_a_path_that_is_only_looked_at_or_whose_bl
     assert given is path and joints is None and len(driven) == 1
 
 
+def test_rows_are_put_half_way_into_a_path_that_no_cure_has_changed(monkeypatch):
+    """The machine may lead the cutter into the part though nothing of the path had to be lifted."""
+    settings = build_settings("mill", "part", {**OPTIONS, "stepover": 2, "cutter": "ball:6:20", "gouge": "lift"})
+    path, entering = cl_path([(0, 0, 0), (0, 2, 0)]), iter([np.array([1]), np.array([], int)])
+    monkeypatch.setattr(gouge_free, "_entering", lambda *_: next(entering))
+    given, joints = gouge_free.driven_free(settings, path, step(), None, lambda path: len(path.tip), lambda *_: None)
+    assert not path.findings and given.tip.tolist() == [[0, 0, 0], [0, 1, 0], [0, 2, 0]] and joints == 3
+
+
 UNDER_A_ROOF = [(0, -20, 0), (0, -10, 0), (0, 5, 0), (0, 10, 0), (0, 14, 0), (0, 25, 16)]
 """Tips of a short ball of radius 2 that is free on the floor under the shelf's roof, until the wall comes too near."""
 

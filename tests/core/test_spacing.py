@@ -337,3 +337,11 @@ def test_progress_rises_to_one_and_can_stop_the_work(monkeypatch):
 
     with pytest.raises(Cancelled):
         place_planes(box(), 0.0, RADIUS, scallop=0.1, least=LEAST, progress=stop)
+
+
+@pytest.mark.parametrize("scallop", [1e-9, 1e-12, 1e-300])
+def test_a_scallop_that_needs_too_many_samples_is_refused_at_once(scallop):
+    """Its samples stand half an interval of a flat apart, 1e-4 mm at 1e-9: the work would take hours."""
+    mesh = patch(plane(0.1, 0.0), length=60.0, width=60.0, size=2.0)
+    with pytest.raises(SettingsError, match=r"scallop .* needs .*; give a larger scallop or check the units of the part"):
+        place_planes(mesh, TURN, RADIUS, scallop=scallop, least=0.05)

@@ -6,14 +6,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gouge_examples import dense_points, prism, sampled_depth, step
+from gouge_examples import dense_points, prism, round_groove, sampled_depth, step
 from report_examples import TRUNNION, by_hand, empty, figures_of, table2
 from uncured import UNCURED
 
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.apt import write_apt
+from freecad_fiveaxis.core.coedge import trimming
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.gouge import Entries, GougeCheck, body_of, program_course
+from freecad_fiveaxis.core.mesh import from_faces
 from freecad_fiveaxis.core.report import Light, as_html, as_json, as_text, html_page, summary, verdict
 from freecad_fiveaxis.core.settings import build_settings
 
@@ -145,3 +147,59 @@ def test_errors_are_named_by_what_they_do_to_the_part_and_counted_beyond_three()
     assert said.reasons[0] == "enters the part at 1 place, 0.5 mm deep (NC line 7)"
     assert said.reasons[1].startswith("hits the part between passes") and said.reasons[2].startswith("2 of 5 feed blocks leave")
     assert said.text.endswith("; and 2 more.") and len(said.reasons) == 5
+
+
+# ------------------------------------------------------------------------------------------------ what stays, and what is settled
+
+
+def tiny():
+    """A part of 0.09 mm, as one drawn in metres."""
+    return prism([(-0.04, -0.01), (0.04, -0.01), (0.04, 0.01), (-0.04, 0.01)], 0.09)
+
+
+def test_a_part_smaller_than_the_cutter_may_be_in_another_unit():
+    settings = build_settings("mill", "part.stl", {**MACHINE, "cutter": "ball:6", "stepover": 0.02})
+    result = job.prove(job.make(settings, mesh=tiny()))
+    (found,) = [one for one in result.findings if one.code == "unit-suspected"]
+    assert (found.severity, found.value, found.limit, found.unit) == (Severity.WARNING, pytest.approx(0.09), 6.0, "mm")
+    assert "metres (90 mm)" in found.text and "inches (2.286 mm)" in found.text
+    assert told(result).light is Light.AMBER and "0.09 mm long" in told(result).text
+    assert "unit-suspected" in {one["code"] for one in json.loads(as_json(job.figures(result)))["findings"]}
+    assert "unit-suspected" in as_text(job.figures(result))
+
+
+def test_a_part_larger_than_the_cutter_is_not_suspected(made):
+    assert "unit-suspected" not in {one.code for one in made(step, tool_axis="fixed").findings}
+
+
+@pytest.mark.parametrize(("how", "told_of"), [("off", True), ("report", False), ("lift", False)])
+def test_what_the_check_has_settled_is_withdrawn(how, told_of, monkeypatch):
+    """A groove of 3 mm radius under a ball of 4. What the closing of co-edges can only suspect, the check of the program knows:
+    after it nothing says any more that the tool may cut into the part; and without it no depth is told, for none is known."""
+    monkeypatch.setattr(trimming, "ROUNDS", 1)
+    given = {"cutter": "ball:8", "direction": 90, "tool_axis": "fixed", "max_axis_angle": 85}
+    settings = build_settings("mill", "part.stl", {**MACHINE, **given, "gouge": how})
+    found = job.prove(job.make(settings, mesh=round_groove(3.0, side=12.0, length=20.0))).findings
+    suspected = [one for one in found if one.code == "surface-tighter-than-cutter"]
+    assert bool(suspected) is told_of
+    assert all(one.value is None and "not known" in one.text and " mm" not in one.text for one in suspected)
+
+
+def test_the_share_that_stays_unfinished_comes_first(made):
+    """Walls of a block, 20 deg at most from Z: of the top, 40 x 40, and the four sides, 40 x 20 each, only the top is cut."""
+    result = made(block, max_axis_angle=20)
+    said, numbers = told(result), summary(job.figures(result))
+    assert numbers["unfinished_share"] == pytest.approx(3200.0 / 4800.0)
+    assert said.text.startswith("CHECK: 67 % of the surface that faces up stays unfinished;")
+
+
+def block():
+    return prism([(-20, -20), (20, -20), (20, 0), (-20, 0)])
+
+
+def sheet():
+    return from_faces(np.array([(-9.0, -9, 0), (9, -9, 0), (9, 9, 0), (-9, 9, 0)]), np.array([(0, 1, 2), (0, 2, 3)]))
+
+
+def test_of_a_part_that_is_finished_no_share_is_told(made):
+    assert "unfinished" not in told(made(sheet)).text

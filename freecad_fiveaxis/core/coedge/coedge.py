@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.portions import on_all
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze, picked
-from freecad_fiveaxis.core.sentences import Length, say
+from freecad_fiveaxis.core.sentences import Choice, Length, say
 
 from .columns import Columns
 from .junction import Segments, find_segments, groups
@@ -128,13 +128,14 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
     deep = _over([part.cut_into for part in trimmed], [part.depth for part in trimmed], wanted)
     if deep:
         text = say(
-            "The facets curl tighter than the cutter at {number} segments, and the cutter cuts up to {worst} into"
-            " them. Use a smaller cutter or a finer mesh, or check these places before milling.",
+            "The facets curl tighter than the cutter at {number} segments, and the cutter cuts into them; how deep is not known"
+            " here. Have the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.",
             number=deep.number,
-            worst=Length(deep.worst, ".3g"),
+            report=Choice("gouge", ("report",)),
+            lift=Choice("gouge", ("lift",)),
         )
         code, place = "surface-tighter-than-cutter", _place(contact, deep.segment)
-        found.append(Finding(Severity.WARNING, code, text, deep.worst, NOTABLE, "mm", place=place))
+        found.append(Finding(Severity.WARNING, code, text, place=place))
     high = _over([part.missed for part in trimmed], [part.height for part in trimmed], wanted)
     if high:
         much = say("a whole run of facets stays uncut")

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.errors import FileError, MeshError
 from freecad_fiveaxis.core.files import write_whole
+from freecad_fiveaxis.core.memory import check_memory
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.sentences import Number, say
@@ -30,6 +31,12 @@ from .mesh import Mesh, from_columns
 
 HEADER = 84  # bytes: header text and count
 RECORD = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
+
+_BYTES = 190
+"""Of memory for each facet at least, from its record to the welded mesh: measured, 195 at two million facets."""
+
+_ASCII_BYTES = 400
+"""Of an ASCII file for each facet, at most: with all digits of its twelve numbers, and indented."""
 
 _PIECE = 1 << 22  # bytes of ASCII read at a time; its words take about ten times that
 _ROWS = 4096  # facets read or written at a time
@@ -83,9 +90,11 @@ def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:
             facets = int.from_bytes(stream.read(HEADER)[80:], "little")
             size = stream.seek(0, os.SEEK_END)
             if size == HEADER + RECORD.itemsize * facets:
+                _check_room(facets)
                 stream.seek(HEADER)
                 return _binary_columns(stream, facets)
             stream.seek(0)
+            _check_room(size // _ASCII_BYTES)
             data = stream.read()
     except OSError as problem:
         raise FileError(
@@ -93,6 +102,12 @@ def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:
         ) from problem
     _check_text(data, facets)
     return data
+
+
+def _check_room(facets: int) -> None:
+    """Raise SettingsError, before any work, where so many facets cannot be held."""
+    what = say("{count} facets", count=facets)
+    check_memory(_BYTES * facets, what, say("export the part with a coarser tolerance, or free memory"))
 
 
 def _check_text(data: bytes, facets: int) -> None:

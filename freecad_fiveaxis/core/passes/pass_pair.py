@@ -97,7 +97,7 @@ def _split(length: Floats, step: float) -> tuple[Ints, Floats]:
 class Strip:
     """The facets that are cut, in the order in which planes reach them, so that a plane looks only at those near it.
 
-    ``ranges``: the spans of offsets, mm, that facets cover without a gap.
+    ``ranges``: the spans of offsets, mm, that facets cover without a gap; ``area`` mm2 of all of them.
     """
 
     def __init__(self, mesh: Mesh, across: Floats, rows: Ints) -> None:
@@ -110,6 +110,7 @@ class Strip:
         self._active, self._taken = np.empty(0, dtype=np.int64), 0
         self._last: tuple[tuple[float, float], FacetPass] | None = None
         self.ranges = self._covered()
+        self.area = float(mesh.area[rows].sum())
 
     def _covered(self) -> list[tuple[float, float]]:
         rows = np.flatnonzero(self._high > self._low)  # a facet that lies in a plane is cut by none

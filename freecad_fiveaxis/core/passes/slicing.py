@@ -21,11 +21,20 @@ import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import depth_first_order
 
+from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.memory import check_memory
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.records import Bools, Floats, Ints, owners
+from freecad_fiveaxis.core.sentences import say
 
 NOWHERE = -(1 << 40)  # base of a facet that is not there; stays negative whatever plane is added
+
+MOST_SEGMENTS = 20_000_000
+"""More than any job can want: a program of them is a file of some gigabytes."""
+
+BYTES = 200
+"""Of memory for each segment at least, slicing alone: two crossings, and twice two rows of a path."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,6 +172,7 @@ def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats,
     """
     level = levels(distance, offsets)
     base, nodes = first_nodes(mesh, level, keep)
+    _check_size(nodes)
     present = base != NOWHERE
     upward = np.append(mesh.normal[:, 2] > 0.0, False)
     downward = present & ~upward
@@ -190,6 +200,20 @@ def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats,
     opening, turning = ([none, *(pair[end] for pair in starts)] for end in (0, 1))
     coedge, left, at, height = label[0, :total], label[1, :total], place[0, :total], place[1, :total]
     return Crossings(coedge, left, at, height, next_node, exit_, base, Starts.joined(opening), Starts.joined(turning))
+
+
+def _check_size(segments: int) -> None:
+    """Raise SettingsError, before the work, for more segments than any job can want or than can be held."""
+    finer = say("give a larger stepover or scallop, or check the units of the part")
+    if segments > MOST_SEGMENTS:
+        text = say(
+            "the planes cut the facets {segments} times, more than {most}; {remedy}",
+            segments=segments,
+            most=MOST_SEGMENTS,
+            remedy=finer,
+        )
+        raise SettingsError(text, segments)
+    check_memory(BYTES * segments, say("{segments} segments of passes", segments=segments), finer)
 
 
 def _interpolate(piece: _Piece, offsets: Floats, distance: Floats, values: tuple[Floats, Floats], out: Floats) -> None:

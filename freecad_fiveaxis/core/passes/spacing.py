@@ -28,13 +28,16 @@ from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.portions import on_all, portions
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.sentences import Angle, Length, say
+from freecad_fiveaxis.core.sentences import Angle, Length, Number, say
 
 from .pass_pair import Strip, scallop_between, smallest_interval
 from .scallop import flat_interval
 
 MOST_PLANES = 200_000
 """More planes than any job can want: a unit or a setting is wrong."""
+
+MOST_SAMPLES = 200_000_000
+"""Samples of all passes between which scallops are measured: some minutes of work. More need a coarser scallop."""
 
 TOP, AIM, BOTTOM = 0.96, 0.945, 0.92
 """Shares of the scallop asked for: the measured one must not exceed the first, is aimed at the second, good from the last."""
@@ -186,6 +189,22 @@ class _March:
         self._bound: list[_Step] = []  # where the least interval is larger than the scallop allows
         self._told, self._far = 0.0, 0.0
         _check_count(sum(high - low for low, high in strip.ranges) / self._flat, "scallop", scallop)
+        self._check_samples()
+
+    def _check_samples(self) -> None:
+        """Raise SettingsError where the scallop needs more samples than can be measured: area by interval and by sample."""
+        samples = self._strip.area / (max(self._flat, self._least) * self._sample)
+        if samples > MOST_SAMPLES:
+            raise SettingsError(
+                say(
+                    "scallop {value} needs about {samples} samples of its passes, more than {most}; give a larger scallop or"
+                    " check the units of the part",
+                    value=Length(self._scallop),
+                    samples=Number(samples, ".2g"),
+                    most=MOST_SAMPLES,
+                ),
+                self._scallop,
+            )
 
     def run(self) -> tuple[Floats, tuple[Finding, ...]]:
         for low, high in self._strip.ranges:

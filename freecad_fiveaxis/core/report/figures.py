@@ -50,7 +50,8 @@ class Figures:
 
     ``program``, ``deviation`` and ``singularity`` have one row a block; ``links`` is the chain that ``program`` is for. ``audit``
     where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
-    ``allowed`` mm: so much may be left; ``mesh``: the part where it is known.
+    ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
+    1, of the surface asked for that stays unfinished.
     """
 
     title: str
@@ -68,6 +69,7 @@ class Figures:
     left: Remainder | None = None
     allowed: float = 0.0
     mesh: Mesh | None = None
+    unfinished: float = 0.0
 
     @cached_property
     def feeds(self) -> Ints:
@@ -165,6 +167,7 @@ def summary(figures: Figures) -> dict[str, Any]:
         | _travelled(figures)
         | audited(figures.program, figures.audit)
         | part_numbers(figures.program, figures.gouge, figures.left, figures.tolerance, figures.allowed)
+        | ({} if figures.mesh is None else {"unfinished_share": figures.unfinished})
     )
 
 

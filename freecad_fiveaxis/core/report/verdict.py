@@ -27,6 +27,10 @@ NAMED = 3
 """So many kinds of errors, or of warnings, are named in the sentence; the findings tell of all."""
 
 
+NOTABLE_SHARE = 0.005
+"""Of the surface asked for: where less stays unfinished, what is said of the single places tells it."""
+
+
 class Light(Enum):
     """The light of a verdict; its value is the word for scripts and properties."""
 
@@ -141,6 +145,8 @@ def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
 
 def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     feeds = numbers["feed_blocks"]
+    if figures.unfinished >= NOTABLE_SHARE:
+        yield say("{share} % of the surface that faces up stays unfinished", share=Number(100.0 * figures.unfinished, ".2g"))
     if not feeds:
         yield say("the program has no feed blocks, so nothing is proven")
     if not is_checked(figures):

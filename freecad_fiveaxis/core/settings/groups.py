@@ -31,6 +31,10 @@ ONE_PROGRAM = (MILL, POST, AUDIT)
 
 LONGEST = 1e6
 """mm; a length, a coordinate or a number of a vector beyond this is a slip of the pen."""
+SMALLEST = 1e-6
+"""mm; a tolerance below this is less than any rounding of words, and would divide without end."""
+NEAREST = 1e-3
+"""mm; no clearance is less than the step of a machine."""
 FARTHEST = 1e4
 """mm; no machine has more room for its rapids."""
 SLOWEST, FASTEST = 1e-3, 1e6
@@ -89,7 +93,7 @@ class CutterSettings:
 
     cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in", (*FROM_PATH, AUDIT))
     coedge_tolerance: float = option(
-        0.01, "length", "largest R - r at a convex co-edge before an arc is used", above=0, most=LONGEST
+        0.01, "length", "largest R - r at a convex co-edge before an arc is used", least=SMALLEST, most=LONGEST
     )
 
 
@@ -115,7 +119,7 @@ class LinkSettings:
     order: Literal["zigzag", "one_way"] = option(
         "zigzag", "choice", "passes run to and fro, or all in one direction", choices=("zigzag", "one_way")
     )
-    clearance: float = option(5.0, "length", "rapids stay this far off the part's bounding box", above=0, most=FARTHEST)
+    clearance: float = option(5.0, "length", "rapids stay this far off the part's bounding box", least=NEAREST, most=FARTHEST)
 
 
 @dataclass(frozen=True)

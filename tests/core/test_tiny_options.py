@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Options so small that the work would never end, or numbers overflow, are refused before it; a long mill is stopped at once."""
+
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from gouge_examples import blade_beside_hub, step
+
+from freecad_fiveaxis.core.mesh import write_stl
+
+MILL = [sys.executable, "-W", "error", "-m", "freecad_fiveaxis", "mill"]
+
+
+@pytest.mark.parametrize(
+    "given", ["--clearance 1e-320", "--coedge-tolerance 1e-320", "--scallop 1e-9", "--stepover 1e-4", "--scallop 1e-320"]
+)
+def test_an_option_that_is_too_small_is_refused_in_one_line(given, tmp_path):
+    part, out = tmp_path / "part.stl", tmp_path / "part.ngc"
+    write_stl(step(), part)
+    more = [] if given.startswith(("--scallop", "--stepover")) else ["--stepover", "4"]
+    words = [*MILL, part, "--machine", "trunnion_ac", "--gouge", "off", *given.split(), *more, "-o", out, "--quiet"]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=30)
+    assert done.returncode == 2 and len(done.stderr.splitlines()) == 1 and not out.exists(), done.stderr
+    assert "give a larger" in done.stderr or "at least" in done.stderr, done.stderr
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("after", [2.0, 3.5, 5.0, 8.0, 12.0])
+def test_a_long_mill_hears_ctrl_c_within_a_second(after, tmp_path):
+    """After 2 s it slices or lifts, later it lifts and checks; it takes more than 20 s in all."""
+    part, out = tmp_path / "part.stl", tmp_path / "part.ngc"
+    write_stl(blade_beside_hub(cells=120), part)
+    words = [*MILL, part, "--machine", "trunnion_ac", "--scallop", "0.002", "--cutter", "ball:4", "-o", out]
+    with subprocess.Popen(words, stderr=subprocess.PIPE, text=True) as mill:
+        time.sleep(after)
+        assert mill.poll() is None, mill.stderr.read()
+        sent = time.monotonic()
+        mill.send_signal(signal.SIGINT)
+        said = mill.communicate(timeout=60)[1]
+    assert time.monotonic() - sent < 1.0 and mill.returncode == 130, said
+    assert "nothing was written" in said and not out.exists()
