@@ -8,18 +8,34 @@ from dataclasses import replace
 import numpy as np
 
 from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.post.dialect import Dialect
 from freecad_fiveaxis.core.program import Program
-from freecad_fiveaxis.core.records import Floats, Ints
-from freecad_fiveaxis.core.sentences import Option, say
+from freecad_fiveaxis.core.program.wrapping import CIRCLE
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.sentences import Option, Template, say
 
 from . import codes
 from .codes import Grammar
 from .lines import Lines, tenfold
-from .positions import Moves
+from .positions import ABSOLUTE, Moves
 from .words import Words
 
 NAMES = {"siemens": "Siemens 840D", "heidenhain": "Heidenhain klartext", "iso": "ISO"}
 LARGEST_CODE = 1e6
+NEARLY_ROUND = 270.0
+"""deg; a feed block that turns so far on purpose, while all words lie within one turn, is hardly met."""
+COUNTED_ON = Template(
+    "The words of {letter} count their turns on, and {count} blocks turn by more than half a turn; the machine file says modulo, "
+    "so the shorter way is taken. If the control counts turns, set wrap_strategy to unwound."
+)
+IF_SET = Template(
+    "{count} blocks take the shorter way to {letter}, as the machine file says (modulo). "
+    "{name} does so only if it is set to: check it."
+)
+WITHIN_A_TURN = Template(
+    "{count} feed blocks turn {letter} by nearly a whole turn, and all its words lie within one: they seem meant by the shorter "
+    "way. If the control takes it, set wrap_strategy to modulo."
+)
 
 
 def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...]]:
@@ -148,6 +164,33 @@ def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar:
             count=len(offsets),
         )
         found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
+    return found
+
+
+def wrap_findings(
+    letters: str, wrap: tuple[str, str], meant: list[tuple[Floats, Bytes]], told: Moves, feeding: Bools, dialect: Dialect | None
+) -> list[Finding]:
+    """Where the rotary words and the machine file's ``wrap_strategy`` (``wrap``) contradict each other, and where the controller
+    does what the machine file says only if it is set so. ``meant``: as of :func:`.positions.moves`; ``feeding`` (m,)."""
+    found, skipped = [], len(meant[0][0]) - len(told.at)
+    for k, way in enumerate(wrap, 3):
+        value, kind = meant[k][0][skipped:], meant[k][1][skipped:]
+        rows = np.flatnonzero(kind == ABSOLUTE)
+        step = np.abs(np.diff(value[rows]))
+        one_turn = bool(len(rows)) and float(np.ptp(value[rows])) <= CIRCLE
+        wide = rows[1:][step > CIRCLE / 2] if way == "modulo" else rows[1:][(step > NEARLY_ROUND) & feeding[rows[1:]]]
+        said = None
+        if way == "modulo" and len(wide) and not one_turn:
+            said = COUNTED_ON
+        elif way == "modulo" and len(wide) and not (dialect is not None and dialect.shorter_way):
+            said = IF_SET
+        elif way != "modulo" and len(wide) and one_turn:
+            said = WITHIN_A_TURN
+        if said is not None:
+            severity = Severity.NOTE if said is IF_SET else Severity.WARNING
+            text = said.say(letter=letters[k], count=len(wide), name="ISO" if dialect is None else dialect.name)
+            block = int(wide[0])
+            found.append(Finding(severity, "wrap-contradicted", text, float(len(wide)), line=int(told.at[block])))
     return found
 
 

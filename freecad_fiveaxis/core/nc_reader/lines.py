@@ -7,6 +7,7 @@ modal     a code or a word that stays in force until another of its group comes 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.sentences import say
 
+from . import codes
+from .codes import Grammar
 from .words import Words
 
 
@@ -67,6 +70,21 @@ class Lines:
         lookup[list(group)] = list(group.values())
         state[line] = lookup[code]
         return held(state, line, self.count)
+
+
+def without_dwells(words: Words, grammar: Grammar) -> Words:
+    """The words without the times of dwells (G4): of each such line the first letter of ``grammar.dwell`` that stands in it. All
+    else in the line is meant as in any other (NIST RS274NGC 3, 3.5.4: the axes may move in the line of a dwell)."""
+    dwell = words.line[(words.letter == ord("G")) & (tenfold(words.value) == codes.DWELL)]
+    keep = np.ones(len(words.line), np.bool_)
+    for letter in grammar.dwell if len(dwell) else ():
+        time = (words.letter == ord(letter)) & np.isin(words.line, dwell)
+        keep &= ~time
+        dwell = np.setdiff1d(dwell, words.line[time])
+    if keep.all():
+        return words
+    start = None if words.start is None else words.start[keep]
+    return replace(words, letter=words.letter[keep], value=words.value[keep], line=words.line[keep], start=start)
 
 
 def tenfold(value: Floats) -> Ints:
