@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
 from freecad_fiveaxis.core.findings import Severity
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
-from freecad_fiveaxis.core.nc_reader import read_nc
+from freecad_fiveaxis.core.nc_reader import Assumed, read_nc
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.program import Program
 
@@ -188,7 +188,7 @@ def test_axis_words_before_any_motion_code_are_said_to_be_taken_as_g1() -> None:
 
 
 def test_a_program_that_says_no_units_gets_a_note() -> None:
-    assert kinds(read(b"G0 X0 Y0 Z0 A0 C0\nG1 X1 F1\n")) == [("units-not-said", NOTE)]
+    assert kinds(read(b"G0 X0 Y0 Z0 A0 C0\nG1 X1 F1\n")) == [("units-not-said", WARNING)]
 
 
 @pytest.mark.parametrize(
@@ -318,3 +318,45 @@ def test_words_that_count_on_contradict_a_machine_file_that_says_modulo() -> Non
     axes = tuple(replace(axis, wrap="modulo") if axis.rotary else axis for axis in LINKS.axes)
     program = read_nc(HEAD + b"G1 C200\nC400\nC700\n", replace(LINKS, axes=axes), DIALECTS["haas"])
     assert ("wrap-contradicted", WARNING) in kinds(program) and program.words[:, 3].tolist() == [0, -160, -320, -380]
+
+
+UNSAID = b"G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X10 A90 F40\nG2 X12 Y0 I1 J0\n"
+
+
+def test_units_that_nobody_said_are_a_warning_that_weighs_size_and_feed() -> None:
+    (doubted,) = [found for found in read(UNSAID).findings if found.code == "units-not-said"]
+    assert doubted.severity is WARNING and "rather those of inches" in doubted.text and "12" in doubted.text
+    (taken,) = [found for found in read(UNSAID.replace(b"F40", b"F900")).findings if found.code == "units-not-said"]
+    assert "taken as mm" in taken.text and "rather those" not in taken.text and "--units" in str(taken.text)
+
+
+@pytest.mark.parametrize(("units", "scale"), [("mm", 1.0), ("inch", 25.4)])
+def test_units_that_are_told_hold_where_the_program_says_none(units: str, scale: float) -> None:
+    program = read_nc(UNSAID, LINKS, DIALECTS["linuxcnc"], assumed=Assumed(units))
+    assert program.words[1].tolist() == [10 * scale, 0, 0, 0, 90] and program.feed[1] == pytest.approx(40 * scale)
+    assert program.words[-1, 0] == pytest.approx(12 * scale)
+    top = program.words[2:, 1].max()
+    assert top == pytest.approx(scale, rel=1e-2)  # the arc is of radius 1 in the same units
+    assert "units-not-said" not in [found.code for found in program.findings]
+    said = read_nc(b"G21 " + UNSAID, LINKS, DIALECTS["linuxcnc"], assumed=Assumed(units))
+    assert said.words[1, 0] == 10  # what the program says goes before
+
+
+BARE = b"O1\nG21 G90 G94\nG0 X0 Y0 Z10\nA0 C0\nG1 X100 Y50. Z0 F1000\nX150 A10 C5\nM30\n"
+
+
+@pytest.mark.parametrize("controller", DIALECTS)
+def test_words_without_a_point_are_counted_where_the_controller_may_take_them_for_increments(controller: str) -> None:
+    found = [one for one in read_nc(BARE, LINKS, DIALECTS[controller]).findings if one.code == "no-decimal-point"]
+    assert len(found) == (controller in ("fanuc", "haas"))
+    for one in found:
+        assert (one.severity, one.value, one.line) == (NOTE, 5.0, 3) and "Z10 is 10" in one.text and "0.01" in one.text
+
+
+@pytest.mark.parametrize(("head", "step"), [(b"G21", 1e-3), (b"G20", 25.4e-4)])
+def test_least_increments_are_thousandths_of_a_millimetre_and_a_degree_or_ten_thousandths_of_an_inch(head, step) -> None:
+    program = read_nc(BARE.replace(b"G21", head), LINKS, DIALECTS["haas"], assumed=Assumed(decimal="least-increment"))
+    inch = 25.4 if head == b"G20" else 1.0
+    assert program.words[-1] == pytest.approx([150 * step, 50 * inch, 0, 0.005, 0.01])
+    assert program.feed[-1] == pytest.approx(1000 * inch)  # F is no word of a place
+    assert "no-decimal-point" not in [found.code for found in program.findings]

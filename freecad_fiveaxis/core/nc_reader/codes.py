@@ -42,6 +42,8 @@ HARMLESS = {
 }  # fmt: skip
 WORDS_IGNORED = "NOSMTHDPQLFG"
 AXES = "XYZABCUVW"
+INCREMENTED = AXES + "IJKR"
+"""Words that count the least increment where they have no decimal point, on the controllers that are set so."""
 
 STEP_OF = dict(zip("XYZABC", "xyzabc", strict=True))
 """An incremental word among absolute ones (Heidenhain's IX, Siemens' X=IC())."""

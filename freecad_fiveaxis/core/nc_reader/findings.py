@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.post.dialect import Dialect
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.program.wrapping import CIRCLE
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
-from freecad_fiveaxis.core.sentences import Option, Template, say
+from freecad_fiveaxis.core.sentences import Choice, Number, Option, Template, say
 
 from . import codes
 from .codes import Grammar
@@ -24,6 +24,19 @@ NAMES = {"siemens": "Siemens 840D", "heidenhain": "Heidenhain klartext", "iso": 
 LARGEST_CODE = 1e6
 NEARLY_ROUND = 270.0
 """deg; a feed block that turns so far on purpose, while all words lie within one turn, is hardly met."""
+LARGE_INCHES, FAST_INCHES = 40.0, 150.0
+"""A part of less than 40 inches is milled at less than 150 inches a minute; one of 40 mm mostly faster than 150 mm."""
+UNITS_TAKEN = Template(
+    "The program says {units_said}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give {option}, mm or inch."
+)
+UNITS_DOUBTED = Template(
+    "The program says {units_said}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. "
+    "Give {option}, mm or inch."
+)
+POINTS = Template(
+    "{count} words have no decimal point; taken as they stand: {word} is {value}. If the control counts its least "
+    "increment, it is {small} there: give {option}."
+)
 COUNTED_ON = Template(
     "The words of {letter} count their turns on, and {count} blocks turn by more than half a turn; the machine file says modulo, "
     "so the shorter way is taken. If the control counts turns, set wrap_strategy to unwound."
@@ -154,9 +167,8 @@ def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar:
         block = int((mode == codes.NONE).argmax())
         text = say("Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.")
         found.append(Finding(Severity.WARNING, "no-motion-code", text, block=block, line=int(told.at[block])))
-    if not np.isin(lines.code, list(grammar.units)).any():
-        text = say("The program says {units_said}; taken as mm.", units_said=grammar.units_said)
-        found.append(Finding(Severity.NOTE, "units-not-said", text, line=first))
+    if lines.assumed.units == "file" and not np.isin(lines.code, list(grammar.units)).any():
+        found.append(_units_finding(told, lines, grammar))
     offsets = np.unique(lines.code[np.isin(lines.code, grammar.offsets)])
     if len(offsets) > 1:
         text = say(
@@ -165,6 +177,33 @@ def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar:
         )
         found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
     return found
+
+
+def _units_finding(told: Moves, lines: Lines, grammar: Grammar) -> Finding:
+    """That nobody has said the units; and whether sizes and feeds are rather those of a program in inches."""
+    size = float(np.ptp(told.said[:, :3], axis=0).max())
+    feed = lines.column("F")[lines.mode(codes.FEED_MODE, 0) == codes.PER_MINUTE]
+    fastest = float(np.nanmax(feed)) if not np.isnan(feed).all() else 0.0
+    against = size < LARGE_INCHES and 0.0 < fastest < FAST_INCHES
+    text = (UNITS_DOUBTED if against else UNITS_TAKEN).say(
+        units_said=grammar.units_said, size=Number(size), feed=Number(fastest), option=Option("units")
+    )
+    return Finding(Severity.WARNING, "units-not-said", text, line=int(told.at[0]))
+
+
+def point_findings(words: Words) -> tuple[Finding, ...]:
+    """How many words of axes have no decimal point, and are not 0."""
+    at = np.flatnonzero(words.bare() & np.isin(words.letter, [ord(one) for one in codes.INCREMENTED]) & (words.value != 0.0))
+    if not len(at):
+        return ()
+    text = POINTS.say(
+        count=len(at),
+        word=f"{chr(words.letter[at[0]])}{words.value[at[0]]:g}",
+        value=f"{words.value[at[0]]:g}",
+        small=f"{words.value[at[0]] / 1000.0:g}",
+        option=Choice("decimal", ("least-increment",), flag=True),
+    )
+    return (Finding(Severity.NOTE, "no-decimal-point", text, float(len(at)), line=int(words.line[at[0]])),)
 
 
 def wrap_findings(

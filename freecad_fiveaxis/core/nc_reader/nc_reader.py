@@ -37,20 +37,23 @@ from .findings import (
     code_findings,
     guide_findings,
     language_finding,
+    point_findings,
     read_as_finding,
     start_findings,
     up_to_end,
     word_findings,
     wrap_findings,
 )
-from .lines import Lines, last_of, without_dwells
+from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
 from .positions import INCH, Moves, axis_words, begun, check_near, moves, tool_axes, where_axes_stand
 from .words import language_of, read_words
 
 
-def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress: Progress = silent) -> Program:
+def read_nc(
+    text: bytes, links: Chain, dialect: Dialect | None = None, progress: Progress = silent, assumed: Assumed = UNTOLD
+) -> Program:
     """The Program of an NC text. ``dialect``: whose language it is (where the text does not show that itself), how F is meant
-    under G94; None: ISO, over X Y Z.
+    under G94; None: ISO, over X Y Z. ``assumed``: what is taken where the text does not say it.
 
     Rotary words are taken as the machine file's ``wrap_strategy`` says; inches become mm; arcs become chords. Axes that the
     first motion line does not name are taken as 0 there, with a finding. Raises ProgramError, naming line and column, for text
@@ -65,7 +68,11 @@ def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress:
     words, findings = up_to_end(words, grammar)
     words = without_dwells(words, grammar)
     findings += words.findings + language_finding(language, told)
-    lines = Lines(words)
+    lines = Lines(words, assumed)
+    if assumed.decimal == "least-increment":
+        lines = Lines(by_least_increment(words, lines, grammar), assumed)
+    elif dialect is not None and dialect.least_increment:
+        findings += point_findings(words)
     axes = [axis_words(lines, letter) for letter in links.letters]
     mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
     at = _motion_lines(lines, grammar, axes, mode, on)
@@ -156,7 +163,7 @@ def _vectors(lines: Lines, at: Ints, mode: Ints, on: Bools) -> Floats:
 def _meant(lines: Lines, axes: list[tuple[Floats, Bytes]], at: Ints, grammar: Grammar) -> list[tuple[Floats, Bytes]]:
     """The words of the motion lines in mm and degrees, and how each is meant."""
     steps = lines.mode(codes.DISTANCE, 0)[at] == 1
-    inch = lines.mode(grammar.units, 0)[at] == 1
+    inch = lines.inch(grammar)[at]
     meant = []
     for k, (value, kind) in enumerate(axes):
         value, kind = value[at], kind[at]
@@ -174,7 +181,7 @@ def _chords(lines: Lines, told: Moves, mode: Ints, grammar: Grammar) -> tuple[Ch
     if not len(row):
         return None, []
     line = told.at[row]
-    inch = np.where(lines.mode(grammar.units, 0)[line] == 1, INCH, 1.0)
+    inch = np.where(lines.inch(grammar)[line], INCH, 1.0)
     is_arc = np.zeros(lines.count, np.bool_)
     is_arc[line] = True
     told_as = {letter: lines.column(letter) for letter in ("I", "J", "K", "R", *codes.CENTRE)}

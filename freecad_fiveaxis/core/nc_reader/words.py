@@ -80,6 +80,14 @@ class Words:
         begin = compact.rfind(b"\n", 0, int(self.start[word])) + 1
         return f"line {line}, column {_column(self.text, line, int(self.start[word]) - begin)}"
 
+    def bare(self) -> Bools:
+        """Which words (w,) have no decimal point."""
+        if self.start is None:
+            return np.zeros(len(self.letter), np.bool_)
+        code = np.frombuffer(self.text.translate(None, b" ") + b"\n", np.uint8)
+        every = np.flatnonzero(code >= ord("A"))
+        return np.asarray(np.add.reduceat(code == ord("."), every, dtype=np.int32)[np.searchsorted(every, self.start)] == 0)
+
     def __post_init__(self) -> None:
         freeze(self, None, letter="m", value="f", line="i")
 
