@@ -76,6 +76,13 @@ def read_nc(
     axes = [axis_words(lines, letter) for letter in links.letters]
     mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
     at = _motion_lines(lines, grammar, axes, mode, on)
+    if not len(at) and any(found.code == codes.MACRO[1] for found in findings):
+        raise ProgramError(
+            say(
+                "all moves stand in variables, expressions or jumps, which are not interpreted; post straight moves with numbers"
+            ),
+            links.letters,
+        )
     if not len(at):
         raise ProgramError(say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), links.letters)
     first, second = (axis.wrap for axis in links.axes[3:])
