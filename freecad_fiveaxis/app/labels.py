@@ -130,6 +130,8 @@ def _of_programs() -> dict[str, str]:
         "max_axis_change": translate("FiveAxis", "Largest axis change"),
         "tolerance": translate("FiveAxis", "Tolerance"),
         "against": translate("FiveAxis", "Compare with"),
+        "units": translate("FiveAxis", "Units"),
+        "decimal": translate("FiveAxis", "Words without a decimal point"),
         "axis_tolerance": translate("FiveAxis", "Axis tolerance"),
         "method": translate("FiveAxis", "Line deviation by"),
         "region": translate("FiveAxis", "Room for the work zero"),
@@ -203,6 +205,11 @@ def _choices() -> dict[str, str]:
         "so2008-printed": translate("FiveAxis", "model of So et al. 2008 as printed"),
         "scallop": translate("FiveAxis", "Scallop"),
         "stepover": translate("FiveAxis", "Stepover"),
+        "file": translate("FiveAxis", "as the file says"),
+        "mm": translate("FiveAxis", "mm"),
+        "inch": translate("FiveAxis", "inch"),
+        "calculator": translate("FiveAxis", "as they stand"),
+        "least-increment": translate("FiveAxis", "least increment"),
     }
 
 

@@ -99,6 +99,8 @@ TEXTS = {
         "App::Property", "How certain the offsets should be, and how near to those of the machine they are compared with"
     ),
     "against": QT_TRANSLATE_NOOP("App::Property", "CL file (.apt, .cl) or part (.stl) that the program is compared with"),
+    "units": QT_TRANSLATE_NOOP("App::Property", "Units of a program that does not say them itself"),
+    "decimal": QT_TRANSLATE_NOOP("App::Property", "What a word without a decimal point counts: X100 is 100 mm, or 0.1 mm"),
     "axis_tolerance": QT_TRANSLATE_NOOP(
         "App::Property", "Largest angle between the tool axis and that of the CL file at the end of a block"
     ),

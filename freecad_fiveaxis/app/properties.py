@@ -79,6 +79,7 @@ _GROUPS = {
     "GougeSettings": QT_TRANSLATE_NOOP("App::Property", "Safety"),
     "ProofSettings": QT_TRANSLATE_NOOP("App::Property", "Safety"),
     "SetupSettings": QT_TRANSLATE_NOOP("App::Property", "Setup"),
+    "ReadingSettings": QT_TRANSLATE_NOOP("App::Property", "Reading"),
     "AuditSettings": QT_TRANSLATE_NOOP("App::Property", "Comparison"),
 }
 """The group of the options of a settings class."""

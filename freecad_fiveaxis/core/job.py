@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.linearize import linearize
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.minimax import minimax_axes
-from freecad_fiveaxis.core.nc_reader import dialect_of_text, read_nc
+from freecad_fiveaxis.core.nc_reader import Assumed, dialect_of_text, read_nc
 from freecad_fiveaxis.core.passes import (
     ContactPath,
     flat_interval,
@@ -140,7 +140,7 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
         return post(settings, machine, links, dialect, progress)
     text = read_bytes(settings.source, "NC file")
     dialect, found = (dialect, ()) if settings.machine.controller else dialect_of_text(text, dialect)
-    program = read_nc(text, links, dialect, progress)
+    program = read_nc(text, links, dialect, progress, Assumed(settings.reading.units, settings.reading.decimal))
     return Made(settings, machine, links, dialect, program, found + program.findings)
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, save_machine
-from freecad_fiveaxis.core.nc_reader import dialect_of_text, read_nc
+from freecad_fiveaxis.core.nc_reader import Assumed, dialect_of_text, read_nc
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.prove_signs import Plan, Wishes, make_plan, proof_nc, proof_program, sheet_html, sheet_json, sheet_text
 from freecad_fiveaxis.core.recover import (
@@ -88,7 +88,8 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     path = read_apt(apt, settings.feeds.feed, progress)
     dialect = dialect_for(settings.machine.controller, start)
     dialect, read_as = (dialect, ()) if settings.machine.controller else dialect_of_text(nc, dialect)
-    program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress)
+    assumed = Assumed(settings.reading.units, settings.reading.decimal)
+    program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress, assumed)
     _refuse_guided(program)
     found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)
     told = recovery_findings(found, settings.recover.certainty)

@@ -414,6 +414,23 @@ def test_modulo_words_are_0_to_360_and_read_back_by_the_shorter_way(dialect, how
     assert np.abs(again.words[:, 3:] + first - program.words[:, 3:]).max() < 1e-8
 
 
+@EVERY
+@pytest.mark.parametrize("wrap", ["unwound", "modulo", "rezero"])
+def test_what_is_written_is_read_back_to_the_same_axes_whatever_the_machine_file_says(dialect, wrap) -> None:
+    links = turning(wrap)
+    joints = some_joints(links, 300)
+    q = joints.q.copy()
+    q[:, 3] += np.linspace(-40.0, 40.0, 300)
+    q[100:, 4] += 4.0  # a block of more than half a turn
+    program = build_program(replace(joints, q=q), links, dialect, False)
+    again = read_nc(write_nc(program, dialect, "part"), links, dialect)
+    first = 360.0 * np.round((program.words[0, 3:] - again.words[0, 3:]) / 360.0)
+    assert np.array_equal(again.words[:, :3], program.words[:, :3])
+    assert np.abs(again.words[:, 3:] + first - program.words[:, 3:]).max() < 1e-8
+    assert (np.abs(np.diff(program.words[:, 4])).max() > 180.0) == (wrap != "modulo")
+    assert again.wrap == (wrap, wrap)
+
+
 def test_a_block_of_more_than_half_a_turn_goes_the_shorter_way_and_says_so() -> None:
     links, dialect = turning("modulo"), DIALECTS["fanuc"]
     joints = some_joints(links, 4)

@@ -301,3 +301,41 @@ def test_a_long_program_is_read_in_columns(controller):
     program = read(text, controller)
     assert len(program.words) == 100_001 and program.line[-1] == 100_002
     assert program.words[1:, 0].tolist() == [k % 7 for k in range(100_000)]
+
+
+KLARTEXT = "0 BEGIN PGM 1 MM\n1 L X+0 Y+0 Z+0 A+0 C+0 FMAX\n2 L X+5 F100\n"
+
+
+@pytest.mark.parametrize(
+    ("line", "places"), [("L M140 MB MAX", 2), ("M140 MB MAX", 2), ("L Z-1 R F MAX M91", 2), ("L X+6 R F MAX", 3)]
+)
+def test_klartext_with_blanks_in_its_words_is_read(line: str, places: int) -> None:
+    program = read(f"{KLARTEXT}3 {line}\n", "heidenhain")
+    assert len(program.words) == places and program.words[-1, 0] == (6 if places == 3 else 5)
+
+
+def test_the_last_line_of_a_heidenhain_iso_program_is_its_name_once_more() -> None:
+    text = "%123 G71 *\nN10 G00 G90 X+0 Y+0 Z+0 A+0 C+0*\nN20 G01 X+5 F100*\nN9999 % 123 G71\n"
+    assert read(text, "heidenhain").words[:, 0].tolist() == [0, 5]
+
+
+@pytest.mark.parametrize("line", ["M66E0L0", "M66 P0 L0", "M3 $0 S1", "(a (nested (twice)) comment X9)"])
+def test_lines_of_linuxcnc_that_are_no_moves_are_read_without_a_word(line: str) -> None:
+    program = read(f"G21 G90 G94 F100\nG0 X0 Y0 Z0 A0 C0\n{line}\nG1 X5\n", "linuxcnc")
+    assert program.words[:, 0].tolist() == [0, 5] and program.findings == ()
+
+
+def test_polar_words_are_said_to_be_missing() -> None:
+    program = read("G21 G90 G94 F100\nG0 X0 Y0 Z0 A0 C0\nG1 @5 ^30\nG1 X5\n", "linuxcnc")
+    assert [found.code for found in program.findings] == ["macro-not-interpreted"]
+
+
+@pytest.mark.parametrize(
+    ("text", "cause"),
+    [
+        ("#1=5\nG1 X#1\n", "variables"), ("%\nO\nG21\nG0 X0\n%\n", "no number"), ("PART ONE\nG21\nG0 X0\n", "before the program"),
+    ],
+)  # fmt: skip
+def test_a_program_that_cannot_be_read_names_the_cause_and_the_remedy(text: str, cause: str) -> None:
+    with pytest.raises(ProgramError, match=cause):
+        read(text, "fanuc")

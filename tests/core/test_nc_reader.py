@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -11,9 +13,9 @@ from hypothesis import strategies as st
 from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
 from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain
-from freecad_fiveaxis.core.machine import Axis, Machine
-from freecad_fiveaxis.core.nc_reader import read_nc
+from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, words_to_q
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
+from freecad_fiveaxis.core.nc_reader import Assumed, read_nc
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.program import Program
 
@@ -186,7 +188,7 @@ def test_axis_words_before_any_motion_code_are_said_to_be_taken_as_g1() -> None:
 
 
 def test_a_program_that_says_no_units_gets_a_note() -> None:
-    assert kinds(read(b"G0 X0 Y0 Z0 A0 C0\nG1 X1 F1\n")) == [("units-not-said", NOTE)]
+    assert kinds(read(b"G0 X0 Y0 Z0 A0 C0\nG1 X1 F1\n")) == [("units-not-said", WARNING)]
 
 
 @pytest.mark.parametrize(
@@ -249,3 +251,112 @@ def test_a_plain_reader_of_one_line_at_a_time_finds_the_same_words() -> None:
         lines.append(" ".join(["G1", *(f"{letter}{position[letter]:.4f}" for letter in chosen)]))
         expected.append([position[letter] for letter in "XYZCA"])
     assert read("\n".join(lines).encode()).words.tolist() == expected
+
+
+@pytest.mark.parametrize("line", [b"G4 P0.1 G1 X5 Y5 F10", b"G1 G4 P0.1 X5 Y5 F10", b"F10\nG1\nG04 P1 X5 Y5"])
+def test_a_dwell_takes_its_time_and_leaves_the_move_and_its_feed(line: bytes) -> None:
+    program = read(HEAD + line + b"\nX6\n")
+    assert program.words[1:, :2].tolist() == [[5, 5], [6, 5]] and program.feed[1:].tolist() == [10, 10]
+
+
+@pytest.mark.parametrize("controller", DIALECTS)
+def test_a_dwell_alone_is_no_move_and_no_feed(controller: str) -> None:
+    times = {"iso": (b"P2", b"X2.5", b"U7", b"P500"), "siemens": (b"F2", b"S30"), "heidenhain": (b"F2",)}
+    for time in times[DIALECTS[controller].language]:
+        program = read_nc(HEAD + b"G1 X1 F100\nG4 " + time + b"\nG1 X2\n", LINKS, DIALECTS[controller])
+        assert program.words[:, 0].tolist() == [0, 1, 2] and program.feed.tolist() == [0, 100, 100]
+
+
+@pytest.mark.parametrize("word", [b"I99999999999999999999", b"R1000000000", b"J-88888888 I1"])
+def test_an_arc_whose_centre_is_beyond_any_machine_is_refused_with_its_place(word: bytes) -> None:
+    with pytest.raises(ProgramError, match=r"line 3, column [0-9]+: [IJR].* is beyond"):
+        read(HEAD + b"G2 X1 Y1 " + word + b"\n")
+
+
+FAR_AXIS = b"""0 BEGIN PGM 1 MM
+1 FUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR
+2 LN X+0 Y+0 Z+80 TX+0 TY+0 TZ+1 FMAX
+3 LN X+1 Y+19 Z+10 TX-0.1765610 TY+0.2881214 TZ-1 F1000
+4 LN X+2 TX-0.18 TY+0.28 TZ+0.94
+5 END PGM 1 MM
+"""
+
+
+@pytest.mark.parametrize("machine", shipped_machines())
+def test_an_axis_beyond_the_limits_comes_to_an_end_and_stands_where_it_is_told(machine: str) -> None:
+    links = chain(load_machine(machine), Setup((0.0, 0.0, 0.0), 100.0))
+    program = read_nc(FAR_AXIS, links, DIALECTS["heidenhain"])
+    lost = [found for found in program.findings if found.code == "axis-not-reachable"]
+    told = np.array([[0, 0, 1], [-0.1765610, 0.2881214, -1], [-0.18, 0.28, 0.94]])
+    told /= np.linalg.norm(told, axis=1)[:, None]
+    off = np.linalg.norm(forward(links, words_to_q(program.words))[1] - told, axis=1)
+    assert off[[0, 2]].max() < 1e-9 and (off[1] < 1e-9 or lost)
+
+
+def test_a_vector_that_only_leads_beyond_the_limits_comes_to_an_end_in_iso_too() -> None:
+    links = chain(load_machine("fork_head_bc"), Setup((0.0, 0.0, 0.0), 100.0))
+    text = b"G21 G90 G94\nG43.5 H1\nG1 X0 Y0 Z50 I0 J0 K1 F500\nX1 I-0.1765610 J0.2881214 K-1\nX2 I-0.18 J0.28 K0.94\n"
+    assert len(read_nc(text, links, DIALECTS["fanuc"]).words) == 3
+
+
+@pytest.mark.parametrize("controller", ["haas", "linuxcnc", "fanuc"])
+def test_the_machine_file_rules_how_a_rotary_word_is_taken(controller: str) -> None:
+    text = b"G21 G90 G94 F100\nG0 X0 Y0 Z0 A0 C350\nG1 C359.857\nC7.501\n"
+    by_file = {}
+    for wrap in ("modulo", "unwound", "rezero"):
+        axes = tuple(replace(axis, wrap=wrap) if axis.rotary else axis for axis in LINKS.axes)
+        by_file[wrap] = read_nc(text, replace(LINKS, axes=axes), DIALECTS[controller])
+    assert np.diff(by_file["modulo"].words[:, 3]).tolist() == pytest.approx([9.857, 7.644])
+    for wrap in ("unwound", "rezero"):
+        assert by_file[wrap].words[:, 3].tolist() == [350, 359.857, 7.501]
+        assert ("wrap-contradicted", WARNING) in kinds(by_file[wrap])
+    said = [found for found in by_file["modulo"].findings if found.code == "wrap-contradicted"]
+    assert len(said) == (0 if controller == "fanuc" else 1) and all("only if it is set" in one.text for one in said)
+
+
+def test_words_that_count_on_contradict_a_machine_file_that_says_modulo() -> None:
+    axes = tuple(replace(axis, wrap="modulo") if axis.rotary else axis for axis in LINKS.axes)
+    program = read_nc(HEAD + b"G1 C200\nC400\nC700\n", replace(LINKS, axes=axes), DIALECTS["haas"])
+    assert ("wrap-contradicted", WARNING) in kinds(program) and program.words[:, 3].tolist() == [0, -160, -320, -380]
+
+
+UNSAID = b"G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X10 A90 F40\nG2 X12 Y0 I1 J0\n"
+
+
+def test_units_that_nobody_said_are_a_warning_that_weighs_size_and_feed() -> None:
+    (doubted,) = [found for found in read(UNSAID).findings if found.code == "units-not-said"]
+    assert doubted.severity is WARNING and "rather those of inches" in doubted.text and "12" in doubted.text
+    (taken,) = [found for found in read(UNSAID.replace(b"F40", b"F900")).findings if found.code == "units-not-said"]
+    assert "taken as mm" in taken.text and "rather those" not in taken.text and "--units" in str(taken.text)
+
+
+@pytest.mark.parametrize(("units", "scale"), [("mm", 1.0), ("inch", 25.4)])
+def test_units_that_are_told_hold_where_the_program_says_none(units: str, scale: float) -> None:
+    program = read_nc(UNSAID, LINKS, DIALECTS["linuxcnc"], assumed=Assumed(units))
+    assert program.words[1].tolist() == [10 * scale, 0, 0, 0, 90] and program.feed[1] == pytest.approx(40 * scale)
+    assert program.words[-1, 0] == pytest.approx(12 * scale)
+    top = program.words[2:, 1].max()
+    assert top == pytest.approx(scale, rel=1e-2)  # the arc is of radius 1 in the same units
+    assert "units-not-said" not in [found.code for found in program.findings]
+    said = read_nc(b"G21 " + UNSAID, LINKS, DIALECTS["linuxcnc"], assumed=Assumed(units))
+    assert said.words[1, 0] == 10  # what the program says goes before
+
+
+BARE = b"O1\nG21 G90 G94\nG0 X0 Y0 Z10\nA0 C0\nG1 X100 Y50. Z0 F1000\nX150 A10 C5\nM30\n"
+
+
+@pytest.mark.parametrize("controller", DIALECTS)
+def test_words_without_a_point_are_counted_where_the_controller_may_take_them_for_increments(controller: str) -> None:
+    found = [one for one in read_nc(BARE, LINKS, DIALECTS[controller]).findings if one.code == "no-decimal-point"]
+    assert len(found) == (controller in ("fanuc", "haas"))
+    for one in found:
+        assert (one.severity, one.value, one.line) == (NOTE, 5.0, 3) and "Z10 is 10" in one.text and "0.01" in one.text
+
+
+@pytest.mark.parametrize(("head", "step"), [(b"G21", 1e-3), (b"G20", 25.4e-4)])
+def test_least_increments_are_thousandths_of_a_millimetre_and_a_degree_or_ten_thousandths_of_an_inch(head, step) -> None:
+    program = read_nc(BARE.replace(b"G21", head), LINKS, DIALECTS["haas"], assumed=Assumed(decimal="least-increment"))
+    inch = 25.4 if head == b"G20" else 1.0
+    assert program.words[-1] == pytest.approx([150 * step, 50 * inch, 0, 0.005, 0.01])
+    assert program.feed[-1] == pytest.approx(1000 * inch)  # F is no word of a place
+    assert "no-decimal-point" not in [found.code for found in program.findings]

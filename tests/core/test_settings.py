@@ -124,3 +124,12 @@ def test_the_cutter_belongs_to_the_tasks_that_add_rapids_and_to_audits_against_a
 def test_a_source_that_no_file_can_be_is_refused(source):
     with pytest.raises(SettingsError, match="source"):
         build_settings("mill", source, {"machine": "trunnion_ac"})
+
+
+@pytest.mark.parametrize("task", ["audit", "recover"])
+def test_what_a_program_does_not_say_itself_can_be_said(task: str) -> None:
+    more = {"program": "p.nc"} if task == "recover" else {}
+    told = build_settings(task, "p.nc", {"machine": "trunnion_ac", "units": "inch", "decimal": "least-increment", **more})
+    assert (told.reading.units, told.reading.decimal) == ("inch", "least-increment")
+    with pytest.raises(SettingsError, match="not one of file, mm, inch"):
+        build_settings(task, "p.nc", {"machine": "trunnion_ac", "units": "cm", **more})

@@ -36,10 +36,13 @@ def spot(view, place):
 
 
 def turn_away(view, pump):
-    """The view shows a part of the document 10 m off."""
+    """The view shows a part of the document 10 m off. It may get there by and by, or be fitted once more by FreeCAD first."""
     view.viewTop()
-    pump(600)  # it may get there by and by
-    view.getCameraNode().position.setValue(10000.0, 0.0, 500.0)
+    for _ in range(20):
+        pump(200)
+        if spot(view, (0, 0, 20))[0] < -0.5 or spot(view, (0, 0, 20))[0] > 1.5:
+            return
+        view.getCameraNode().position.setValue(10000.0, 0.0, 500.0)
 
 
 def calculated(part, pump, **values):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """NC text of any origin in."""
 
+from .lines import Assumed
 from .nc_reader import dialect_of_text, read_nc
 
-__all__ = ["dialect_of_text", "read_nc"]
+__all__ = ["Assumed", "dialect_of_text", "read_nc"]

@@ -30,7 +30,7 @@ PLANES = {170: 0, 180: 1, 190: 2}
 PER_MINUTE, INVERSE, PER_TURN = 0, 1, 2
 FEED_MODE = {940: PER_MINUTE, 930: INVERSE, 950: PER_TURN}
 DWELL = 40
-NO_MOVE = (DWELL, 100, 280, 281, 300, 301, 520, 530, 650, 660, 661, 920, 921, 922, 923)
+NO_MOVE = (100, 280, 281, 300, 301, 520, 530, 650, 660, 661, 920, 921, 922, 923)
 """Codes (ten times the G number) whose axis words are no move of a block."""
 OFFSETS = tuple(range(540, 600))
 GUIDE_ON, GUIDE_OFF = (434, 435, 2340), (430, 490, 2341)
@@ -42,6 +42,8 @@ HARMLESS = {
 }  # fmt: skip
 WORDS_IGNORED = "NOSMTHDPQLFG"
 AXES = "XYZABCUVW"
+INCREMENTED = AXES + "IJKR"
+"""Words that count the least increment where they have no decimal point, on the controllers that are set so."""
 
 STEP_OF = dict(zip("XYZABC", "xyzabc", strict=True))
 """An incremental word among absolute ones (Heidenhain's IX, Siemens' X=IC())."""
@@ -109,7 +111,8 @@ CODES: dict[int, Kind] = {
 class Grammar:
     """One language. ``units``: codes of mm (0) and inches (1), ``units_said``: how messages call them; ``harmless``, ``codes``,
     ``m_codes``: what is said of a code; ``ends``: M codes that end the program; ``guide_m``: M codes that switch the guide on (1)
-    and off (0); ``offsets``: work offsets; ``no_move``, ``machine_m``: G and M codes whose axis words are no move."""
+    and off (0); ``dwell``: words that can be the time of G4, the first of them that stands in its line is; ``offsets``: work
+    offsets; ``no_move``, ``machine_m``: G and M codes whose axis words are no move."""
 
     name: str
     units: Mapping[int, int]
@@ -119,6 +122,7 @@ class Grammar:
     m_codes: Mapping[int, Kind]
     ends: tuple[int, ...] = (2, 30, 99)
     guide_m: Mapping[int, int] | None = None
+    dwell: str = "PXUF"
     offsets: tuple[int, ...] = OFFSETS
     no_move: tuple[int, ...] = NO_MOVE
     machine_m: tuple[int, ...] = ()
@@ -147,8 +151,9 @@ SIEMENS = Grammar(
     },
     {},
     ends=(2, 17, 30),
+    dwell="FS",
     offsets=_SIEMENS_OFFSETS,
-    no_move=(DWELL, 530, 740, 750, 1530, 1100, 1110, 1120),
+    no_move=(530, 740, 750, 1530, 1100, 1110, 1120),
 )
 HEIDENHAIN = Grammar(
     "heidenhain",
@@ -158,6 +163,7 @@ HEIDENHAIN = Grammar(
     {},
     {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL},
     ends=(2, 30),
+    dwell="FPXU",
     guide_m={128: 1, 129: 0},
     machine_m=(91, 92),
 )

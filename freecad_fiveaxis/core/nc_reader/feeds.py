@@ -20,10 +20,9 @@ NO_INVERSE_FEED = Template("{count} blocks under G93 have no F of their own; mos
 
 def feeds(lines: Lines, at: Ints, feeding: Bools, grammar: Grammar) -> tuple[Floats, Bools, tuple[Finding, ...]]:
     """F (m,) in force in the motion lines ``at`` in mm/min or 1/min, whether it is inverse time, and the findings."""
-    mode, inch, column = lines.mode(codes.FEED_MODE, 0), lines.mode(grammar.units, 0), lines.column("F")
-    column[lines.any_of((codes.DWELL,))] = np.nan  # the time of a dwell
+    mode, inch, column = lines.mode(codes.FEED_MODE, 0), lines.inch(grammar), lines.column("F")
     given = np.flatnonzero(~np.isnan(column))
-    column[given] *= np.where((inch[given] == 1) & (mode[given] != codes.INVERSE), INCH, 1.0)
+    column[given] *= np.where(inch[given] & (mode[given] != codes.INVERSE), INCH, 1.0)
     last = last_of(given, lines.count)
     changed = last_of(np.flatnonzero(np.diff(mode, prepend=mode[:1])), lines.count)
     valid = (last > 0) & (last >= changed)  # an F word dies with its feed mode

@@ -9,18 +9,47 @@ import numpy as np
 
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.post.dialect import Dialect
 from freecad_fiveaxis.core.program import Program
-from freecad_fiveaxis.core.records import Floats, Ints
-from freecad_fiveaxis.core.sentences import Option, say
+from freecad_fiveaxis.core.program.wrapping import CIRCLE
+from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.sentences import Choice, Number, Option, Template, say
 
 from . import codes
 from .codes import Grammar
 from .lines import Lines, tenfold
-from .positions import Moves
+from .positions import ABSOLUTE, Moves
 from .words import Words
 
 NAMES = {"siemens": "Siemens 840D", "heidenhain": "Heidenhain klartext", "iso": "ISO"}
 LARGEST_CODE = 1e6
+NEARLY_ROUND = 270.0
+"""deg; a feed block that turns so far on purpose, while all words lie within one turn, is hardly met."""
+LARGE_INCHES, FAST_INCHES = 40.0, 150.0
+"""A part of less than 40 inches is milled at less than 150 inches a minute; one of 40 mm mostly faster than 150 mm."""
+UNITS_TAKEN = Template(
+    "The program says {units_said}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give {option}, mm or inch."
+)
+UNITS_DOUBTED = Template(
+    "The program says {units_said}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. "
+    "Give {option}, mm or inch."
+)
+POINTS = Template(
+    "{count} words have no decimal point; taken as they stand: {word} is {value}. If the control counts its least "
+    "increment, it is {small} there: give {option}."
+)
+COUNTED_ON = Template(
+    "The words of {letter} count their turns on, and {count} blocks turn by more than half a turn; the machine file says modulo, "
+    "so the shorter way is taken. If the control counts turns, set wrap_strategy to unwound."
+)
+IF_SET = Template(
+    "{count} blocks take the shorter way to {letter}, as the machine file says (modulo). "
+    "{name} does so only if it is set to: check it."
+)
+WITHIN_A_TURN = Template(
+    "{count} feed blocks turn {letter} by nearly a whole turn, and all its words lie within one: they seem meant by the shorter "
+    "way. If the control takes it, set wrap_strategy to modulo."
+)
 
 
 def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...]]:
@@ -143,9 +172,8 @@ def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar:
         block = int((mode == codes.NONE).argmax())
         text = say("Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.")
         found.append(Finding(Severity.WARNING, "no-motion-code", text, block=block, line=int(told.at[block])))
-    if not np.isin(lines.code, list(grammar.units)).any():
-        text = say("The program says {units_said}; taken as mm.", units_said=grammar.units_said)
-        found.append(Finding(Severity.NOTE, "units-not-said", text, line=first))
+    if lines.assumed.units == "file" and not np.isin(lines.code, list(grammar.units)).any():
+        found.append(_units_finding(told, lines, grammar))
     offsets = np.unique(lines.code[np.isin(lines.code, grammar.offsets)])
     if len(offsets) > 1:
         text = say(
@@ -153,6 +181,60 @@ def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar:
             count=len(offsets),
         )
         found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
+    return found
+
+
+def _units_finding(told: Moves, lines: Lines, grammar: Grammar) -> Finding:
+    """That nobody has said the units; and whether sizes and feeds are rather those of a program in inches."""
+    size = float(np.ptp(told.said[:, :3], axis=0).max())
+    feed = lines.column("F")[lines.mode(codes.FEED_MODE, 0) == codes.PER_MINUTE]
+    fastest = float(np.nanmax(feed)) if not np.isnan(feed).all() else 0.0
+    against = size < LARGE_INCHES and 0.0 < fastest < FAST_INCHES
+    text = (UNITS_DOUBTED if against else UNITS_TAKEN).say(
+        units_said=grammar.units_said, size=Number(size), feed=Number(fastest), option=Option("units")
+    )
+    return Finding(Severity.WARNING, "units-not-said", text, line=int(told.at[0]))
+
+
+def point_findings(words: Words) -> tuple[Finding, ...]:
+    """How many words of axes have no decimal point, and are not 0."""
+    at = np.flatnonzero(words.bare() & np.isin(words.letter, [ord(one) for one in codes.INCREMENTED]) & (words.value != 0.0))
+    if not len(at):
+        return ()
+    text = POINTS.say(
+        count=len(at),
+        word=f"{chr(words.letter[at[0]])}{words.value[at[0]]:g}",
+        value=f"{words.value[at[0]]:g}",
+        small=f"{words.value[at[0]] / 1000.0:g}",
+        option=Choice("decimal", ("least-increment",), flag=True),
+    )
+    return (Finding(Severity.NOTE, "no-decimal-point", text, float(len(at)), line=int(words.line[at[0]])),)
+
+
+def wrap_findings(
+    letters: str, wrap: tuple[str, str], meant: list[tuple[Floats, Bytes]], told: Moves, feeding: Bools, dialect: Dialect | None
+) -> list[Finding]:
+    """Where the rotary words and the machine file's ``wrap_strategy`` (``wrap``) contradict each other, and where the controller
+    does what the machine file says only if it is set so. ``meant``: as of :func:`.positions.moves`; ``feeding`` (m,)."""
+    found, skipped = [], len(meant[0][0]) - len(told.at)
+    for k, way in enumerate(wrap, 3):
+        value, kind = meant[k][0][skipped:], meant[k][1][skipped:]
+        rows = np.flatnonzero(kind == ABSOLUTE)
+        step = np.abs(np.diff(value[rows]))
+        one_turn = bool(len(rows)) and float(np.ptp(value[rows])) <= CIRCLE
+        wide = rows[1:][step > CIRCLE / 2] if way == "modulo" else rows[1:][(step > NEARLY_ROUND) & feeding[rows[1:]]]
+        said = None
+        if way == "modulo" and len(wide) and not one_turn:
+            said = COUNTED_ON
+        elif way == "modulo" and len(wide) and not (dialect is not None and dialect.shorter_way):
+            said = IF_SET
+        elif way != "modulo" and len(wide) and one_turn:
+            said = WITHIN_A_TURN
+        if said is not None:
+            severity = Severity.NOTE if said is IF_SET else Severity.WARNING
+            text = said.say(letter=letters[k], count=len(wide), name="ISO" if dialect is None else dialect.name)
+            block = int(wide[0])
+            found.append(Finding(severity, "wrap-contradicted", text, float(len(wide)), line=int(told.at[block])))
     return found
 
 

@@ -27,6 +27,12 @@ CENTRE = re.compile(rb"^( *)CC\b([^\n]*)$", re.MULTILINE)
 SENSE = re.compile(rb"DR *([-+])")
 NO_RADIUS = re.compile(rb"(?<![A-Z0-9.])R0(?![0-9.])")
 SIDE = re.compile(rb"(?<![A-Z])R([LR])(?![A-Z])")
+LAST_LINE = re.compile(rb"^ *N[0-9]+ *%[^\n]*", re.MULTILINE)
+"""The end of a DIN/ISO program: its name once more."""
+RETRACT = re.compile(rb"M140 *MB *(?:MAX|[-+]?[0-9.]+)(?: +F *(?:MAX|[0-9.]+))?")
+RAPID = re.compile(rb"(?<![A-Z])F +MAX\b")
+SAME_SIDE = re.compile(rb"(?<![A-Z])R(?= +[FM])")
+"""R alone: the radius compensation stays as it is."""
 STEP = re.compile(rb"I([XYZABC])")
 FEED_BY_NAME = re.compile(rb"F *(?:AUTO|Q[LR]?[0-9]+|MAXT|[UZ](?= *[0-9])|T(?= *[0-9]))")
 PARAMETER = re.compile(rb"^[^\n]*(?:Q[LRS]?[0-9]+|[=#])[^\n]*$", re.MULTILINE)
@@ -54,6 +60,10 @@ def plain(text: bytes, notes: Notes) -> bytes:
     if b"~" in text:
         text = CONTINUED.sub(_one_line, text)
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
+    text = LAST_LINE.sub(_blank, text) if b"%" in text else text
+    text = RETRACT.sub(lambda found: _noted(found, codes.HOME, notes), text) if b"M140" in text else text
+    text = RAPID.sub(lambda found: b"FMAX".ljust(len(found[0])), text)
+    text = SAME_SIDE.sub(_blank, text)
     text = CODE_LINE.sub(lambda found: _function(found, notes), text)
     text = text.replace(b"FMAX", b"G0  ").replace(b" R0 ", b"    ")
     for word, private in PRIVATE:
@@ -84,6 +94,10 @@ def _one_line(found: re.Match[bytes]) -> bytes:
     """A function over several lines: its first line, the others blank."""
     first, *others = found[0].split(b"\n")
     return b"\n".join([first.replace(b"~", b" "), *(b" " * len(line) for line in others)])
+
+
+def _blank(found: re.Match[bytes]) -> bytes:
+    return b" " * len(found[0])
 
 
 def _noted(found: re.Match[bytes], kind: codes.Kind, notes: Notes) -> bytes:

@@ -7,6 +7,7 @@ modal     a code or a word that stays in force until another of its group comes 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,14 +15,29 @@ from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.sentences import say
 
+from . import codes
+from .codes import Grammar
 from .words import Words
+
+
+@dataclass(frozen=True)
+class Assumed:
+    """What is taken where the text does not say it. ``units``: ``mm``, ``inch``, or ``file`` where nobody has said it either (mm,
+    with a finding); ``decimal``: a word without a point is in millimetres or inches and degrees (``calculator``), or counts the
+    controller's least increment."""
+
+    units: str = "file"
+    decimal: str = "calculator"
+
+
+UNTOLD = Assumed()
 
 
 class Lines:
     """Every column is (lines + 1,), line 0 stands empty."""
 
-    def __init__(self, words: Words) -> None:
-        self.words = words
+    def __init__(self, words: Words, assumed: Assumed) -> None:
+        self.words, self.assumed = words, assumed
         self.count = int(words.line.max(initial=0)) + 1
         self.letters = frozenset(map(chr, np.unique(words.letter).tolist()))
         at = np.flatnonzero(words.letter == ord("G"))
@@ -43,6 +59,10 @@ class Lines:
             )
         column[line] = self.words.value[at]
         return column
+
+    def inch(self, grammar: Grammar) -> Bools:
+        """Whether the lengths of each line are in inches."""
+        return np.asarray(self.mode(grammar.units, int(self.assumed.units == "inch")) == 1)
 
     def any_of(self, chosen: Iterable[int]) -> Bools:
         """The lines with one of these codes."""
@@ -67,6 +87,30 @@ class Lines:
         lookup[list(group)] = list(group.values())
         state[line] = lookup[code]
         return held(state, line, self.count)
+
+
+def without_dwells(words: Words, grammar: Grammar) -> Words:
+    """The words without the times of dwells (G4): of each such line the first letter of ``grammar.dwell`` that stands in it. All
+    else in the line is meant as in any other (NIST RS274NGC 3, 3.5.4: the axes may move in the line of a dwell)."""
+    dwell = words.line[(words.letter == ord("G")) & (tenfold(words.value) == codes.DWELL)]
+    keep = np.ones(len(words.line), np.bool_)
+    for letter in grammar.dwell if len(dwell) else ():
+        time = (words.letter == ord(letter)) & np.isin(words.line, dwell)
+        keep &= ~time
+        dwell = np.setdiff1d(dwell, words.line[time])
+    if keep.all():
+        return words
+    start = None if words.start is None else words.start[keep]
+    return replace(words, letter=words.letter[keep], value=words.value[keep], line=words.line[keep], start=start)
+
+
+def by_least_increment(words: Words, lines: Lines, grammar: Grammar) -> Words:
+    """The words in which those of axes, centres and radii without a decimal point counted the least increment, IS-B (Fanuc
+    B-63324EN, 3.4.3): 0.001 mm, 0.0001 inch, 0.001 deg."""
+    bare = words.bare() & np.isin(words.letter, [ord(letter) for letter in codes.INCREMENTED])
+    linear = ~np.isin(words.letter, [ord(letter) for letter in "ABC"])
+    step = np.where(linear & lines.inch(grammar)[words.line], 1e-4, 1e-3)
+    return replace(words, value=np.where(bare, np.round(words.value * step, 4), words.value))
 
 
 def tenfold(value: Floats) -> Ints:

@@ -25,7 +25,6 @@ from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.post import DIALECTS
 from freecad_fiveaxis.core.post.dialect import Dialect, feed_distance
 from freecad_fiveaxis.core.program import Guided, Program, rapid_minutes
-from freecad_fiveaxis.core.program.wrapping import wraps_of
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.sentences import say
@@ -38,19 +37,23 @@ from .findings import (
     code_findings,
     guide_findings,
     language_finding,
+    point_findings,
     read_as_finding,
     start_findings,
     up_to_end,
     word_findings,
+    wrap_findings,
 )
-from .lines import Lines, last_of
-from .positions import INCH, Moves, axis_words, begun, moves, tool_axes, where_axes_stand
+from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
+from .positions import INCH, Moves, axis_words, begun, check_near, moves, tool_axes, where_axes_stand
 from .words import language_of, read_words
 
 
-def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress: Progress = silent) -> Program:
+def read_nc(
+    text: bytes, links: Chain, dialect: Dialect | None = None, progress: Progress = silent, assumed: Assumed = UNTOLD
+) -> Program:
     """The Program of an NC text. ``dialect``: whose language it is (where the text does not show that itself), how F is meant
-    under G94, and whether rotary words are taken by the shorter way; None: ISO, over X Y Z, and not.
+    under G94; None: ISO, over X Y Z. ``assumed``: what is taken where the text does not say it.
 
     Rotary words are taken as the machine file's ``wrap_strategy`` says; inches become mm; arcs become chords. Axes that the
     first motion line does not name are taken as 0 there, with a finding. Raises ProgramError, naming line and column, for text
@@ -63,19 +66,33 @@ def read_nc(text: bytes, links: Chain, dialect: Dialect | None = None, progress:
     words = read_words(text, language)
     progress("reading NC", 0.5)
     words, findings = up_to_end(words, grammar)
+    words = without_dwells(words, grammar)
     findings += words.findings + language_finding(language, told)
-    lines = Lines(words)
+    lines = Lines(words, assumed)
+    if assumed.decimal == "least-increment":
+        lines = Lines(by_least_increment(words, lines, grammar), assumed)
+    elif dialect is not None and dialect.least_increment:
+        findings += point_findings(words)
     axes = [axis_words(lines, letter) for letter in links.letters]
     mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
     at = _motion_lines(lines, grammar, axes, mode, on)
+    if not len(at) and any(found.code == codes.MACRO[1] for found in findings):
+        raise ProgramError(
+            say(
+                "all moves stand in variables, expressions or jumps, which are not interpreted; post straight moves with numbers"
+            ),
+            links.letters,
+        )
     if not len(at):
         raise ProgramError(say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), links.letters)
-    wrap = wraps_of([axis.wrap for axis in links.axes[3:]], dialect)
-    at, told_moves = _moves(lines, at, _meant(lines, axes, at, grammar), mode, on, links, wrap)
+    first, second = (axis.wrap for axis in links.axes[3:])
+    wrap, meant = (first, second), _meant(lines, axes, at, grammar)
+    at, told_moves = _moves(lines, at, meant, mode, on, links, wrap)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
     chords, bad = _chords(lines, told_moves, mode[at], grammar)
     findings += (*code_findings(words, grammar, at), *word_findings(words, lines, links.letters, bool(on.any())), *more, *bad)
     findings += tuple(start_findings(links.letters, told_moves, mode[at], lines, grammar))
+    findings += tuple(wrap_findings(links.letters, wrap, meant, told_moves, mode[at] != codes.RAPID, dialect))
     program = _program(links, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect)
     return replace(program, findings=findings + guide_findings(program, told_moves), wrap=wrap)
 
@@ -153,7 +170,7 @@ def _vectors(lines: Lines, at: Ints, mode: Ints, on: Bools) -> Floats:
 def _meant(lines: Lines, axes: list[tuple[Floats, Bytes]], at: Ints, grammar: Grammar) -> list[tuple[Floats, Bytes]]:
     """The words of the motion lines in mm and degrees, and how each is meant."""
     steps = lines.mode(codes.DISTANCE, 0)[at] == 1
-    inch = lines.mode(grammar.units, 0)[at] == 1
+    inch = lines.inch(grammar)[at]
     meant = []
     for k, (value, kind) in enumerate(axes):
         value, kind = value[at], kind[at]
@@ -171,14 +188,19 @@ def _chords(lines: Lines, told: Moves, mode: Ints, grammar: Grammar) -> tuple[Ch
     if not len(row):
         return None, []
     line = told.at[row]
-    inch = np.where(lines.mode(grammar.units, 0)[line] == 1, INCH, 1.0)
-    offset = np.stack([lines.column(letter)[line] for letter in "IJK"], axis=1) * inch[:, None]
-    here = np.stack([lines.column(letter) for letter in codes.CENTRE], axis=1)
+    inch = np.where(lines.inch(grammar)[line], INCH, 1.0)
+    is_arc = np.zeros(lines.count, np.bool_)
+    is_arc[line] = True
+    told_as = {letter: lines.column(letter) for letter in ("I", "J", "K", "R", *codes.CENTRE)}
+    for letter, column in told_as.items():
+        check_near(lines, letter, np.where(is_arc, column, np.nan))
+    offset = np.stack([told_as[letter][line] for letter in "IJK"], axis=1) * inch[:, None]
+    here = np.stack([told_as[letter] for letter in codes.CENTRE], axis=1)
     centre = np.stack([_last_told(column)[line] for column in here.T], axis=1) * inch[:, None]
     sense = lines.mode({codes.CLOCKWISE: 0, codes.COUNTER: 1}, 0)[line]
     arcs = Arcs(
         row, lines.mode(codes.PLANES, 0)[line], sense == 1, offset, lines.mode(codes.CENTRES, 0)[line] == 1,
-        lines.column("R")[line] * inch, centre,
+        told_as["R"][line] * inch, centre,
     )  # fmt: skip
     return chorded(arcs, told.before, told.said, told.at)
 

@@ -83,6 +83,12 @@ def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
             other = lines.column(forms[letter])
             given = ~np.isnan(other)
             value[given], kind[given] = other[given], meant
+    check_near(lines, letter, value)
+    return value, kind
+
+
+def check_near(lines: Lines, letter: str, value: Floats) -> None:
+    """Raises ProgramError, naming the place, where a word ``value`` (lines,) of that letter is beyond :data:`FARTHEST`."""
     far = np.flatnonzero(np.abs(np.nan_to_num(value)) > FARTHEST)
     if len(far):
         at = np.flatnonzero((lines.words.line == far[0]) & (lines.words.letter == ord(letter)))
@@ -97,7 +103,6 @@ def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
             ),
             letter,
         )
-    return value, kind
 
 
 def moves(
@@ -196,8 +201,11 @@ def _angles(links: Chain, axis: Floats, start: Floats) -> tuple[Floats, Bools]:
     fits = within_limits(angles, links.low[3:], links.high[3:])
     none = ~fits.any(axis=0)
     fits[:, none] = ~np.isnan(angles[:, none, 0] + angles[:, none, 1])
+    low, high = links.low[3:], links.high[3:]
+    if none.any():  # no way keeps to the limits: the least travel without them, which the check of limits then reports
+        low, high = np.full(2, -np.inf), np.full(2, np.inf)
     steps = len(pole) - 1
-    words, _ = choose(angles, fits, links.low[3:], links.high[3:], np.ones(steps, np.bool_), pole[1:] | pole[:-1])
+    words, _ = choose(angles, fits, low, high, np.ones(steps, np.bool_), pole[1:] | pole[:-1])
     found = np.empty((len(axis), 2))
     found[reached] = np.degrees(words)
     return found, reached

@@ -30,13 +30,15 @@ from . import codes, heidenhain, siemens
 from .noted import Notes
 
 SOLID = re.compile(rb"[^ \n]")
-BRACKETS, SEMICOLON, STAR = (b"(", rb"\([^()\n]*\)"), (b";", rb";[^\n]*"), (b"*", rb"\*[^\n]*")
+BRACKETS, SEMICOLON, STAR = (b"(", rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"), (b";", rb";[^\n]*"), (b"*", rb"\*[^\n]*")
 COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (SEMICOLON,), "heidenhain": (SEMICOLON, STAR)}
 SLASH = re.compile(rb"^ *(/[0-9]?)", re.MULTILINE)
 COLON = re.compile(rb"^ *(:)(?= *[0-9])", re.MULTILINE)
 EXPONENT = re.compile(rb"(?<=[0-9.])E[+-]?[0-9]")
+OF_MACHINE = re.compile(rb"\$ *[0-9]+|(?<=M66) *E *[0-9.]+")
+"""LinuxCNC's number of a spindle, and of the input that M66 waits for."""
 SYMBOLS = {
-    "iso": (b"#", b"[", b"]", b"=", b"<", b">"),
+    "iso": (b"@", b"^", b"#", b"[", b"]", b"=", b"<", b">"),
     "siemens": (b"=", b"[", b"]", b"<", b">", b"$", b"(", b")", b"#", b'"', b"{", b"}"),
     "heidenhain": (),
 }
@@ -55,6 +57,8 @@ MACROS = Template(
 )
 HEIDENHAIN_SIGN = re.compile(rb"^ *(?:0+ +)?BEGIN +PGM\b", re.MULTILINE | re.IGNORECASE)
 SIEMENS_SIGN = re.compile(rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE)
+PREFACE = 3
+"""Lines at the start of a file in which somebody may have written what the program is."""
 LOOKED_AT = 20_000
 """Bytes at the start of a text that tell whose language it is."""
 
@@ -79,6 +83,14 @@ class Words:
         compact = self.text.translate(None, b" ")
         begin = compact.rfind(b"\n", 0, int(self.start[word])) + 1
         return f"line {line}, column {_column(self.text, line, int(self.start[word]) - begin)}"
+
+    def bare(self) -> Bools:
+        """Which words (w,) have no decimal point."""
+        if self.start is None:
+            return np.zeros(len(self.letter), np.bool_)
+        code = np.frombuffer(self.text.translate(None, b" ") + b"\n", np.uint8)
+        every = np.flatnonzero(code >= ord("A"))
+        return np.asarray(np.add.reduceat(code == ord("."), every, dtype=np.int32)[np.searchsorted(every, self.start)] == 0)
 
     def __post_init__(self) -> None:
         freeze(self, None, letter="m", value="f", line="i")
@@ -135,6 +147,8 @@ def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
         read = (siemens if language == "siemens" else heidenhain).plain(text, notes)
         findings += notes.findings(text)
         text = read
+    if language == "iso" and (b"$" in text or b"M66" in text):
+        text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
     text = _without_macros(text, language, findings)
     if b"/" in text:
         text, lines = _overwritten(text, SLASH, b" ")
@@ -262,7 +276,13 @@ def _complain(text: bytes, compact: bytes, at: int) -> NoReturn:
     line = compact.count(b"\n", 0, at)
     begin = _line_start(text, line + 1)
     column = _column(text, line + 1, at - (compact.rfind(b"\n", 0, at) + 1))
-    _fail(text, begin + column - 1, say("a word is a letter and one number"))
+    found = text[begin : _line_end(text, begin)].strip()
+    reason = say("a word is a letter and one number")
+    if found == b"O":
+        reason = say("the program has no number; write one after the O, as O1")
+    elif line < PREFACE and b"G" not in text[:begin] and not re.search(rb"[0-9]", found):
+        reason = say("this is no NC line; delete what stands before the program, or put it in brackets")
+    _fail(text, begin + column - 1, reason)
 
 
 def _line_start(text: bytes, line: int) -> int:

@@ -62,6 +62,7 @@ class Dialect:
     default is Fanuc's, whose basic machines have 48 of the additional ones.
     ``number_step``: blocks are numbered by this step, after ``number_letter``, 0 for none, starting again after
     ``number_most``; ``number_all``: every line is, head and tail too, from 0 on.
+    ``least_increment``: a word without a decimal point counts the least increment, if the controller is set so.
     ``shorter_way``: the controller takes a rotary word of 0 to 360 by the shorter way, where the machine file says ``modulo``;
     ``shorter_on``, ``shorter_off``: the line that tells it so, or not; ``shorter_word``: what stands before and after the number.
     ``high_speed``: lines that switch the high-speed mode on and off, empty where there is none.
@@ -115,6 +116,7 @@ class Dialect:
         r"G5[4-9]|G54\.1 ?P([1-9][0-9]?|[12][0-9]{2}|300)",
         "G54 to G59, or G54.1 P1 to G54.1 P300",
     )
+    least_increment: bool = False
     shorter_way: bool = False
     shorter_on: str = ""
     shorter_off: str = ""

@@ -10,6 +10,7 @@ from .dialect import ANGLES, VECTORS, Dialect, Guide
 
 FANUC = Dialect(
     name="fanuc",
+    least_increment=True,
     description="Fanuc 15i to 31i, joint output or tool centre point control (G43.4, G43.5), G93 or G94",
     convention="""Rotary words are absolute degrees, turns not folded: the axes must be set to rotary type B, or roll-over
 off (parameters 1006 and 1008); where the machine file says modulo, they are 0 to 360, which is roll-over on and the shorter

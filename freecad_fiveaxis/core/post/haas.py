@@ -10,6 +10,7 @@ from .dialect import ANGLES, Dialect, Guide
 
 HAAS = Dialect(
     name="haas",
+    least_increment=True,
     description="Haas NGC (UMC, TR), joint output or TCPC (G234), G93 or G94",
     convention="""Rotary words are absolute degrees. Every number has a decimal point; the control's step is 0.0001 mm and
 0.001 deg. Under G93 (inverse time feed mode) F is one over the minutes of the block, in every feed block. Under G94 F is

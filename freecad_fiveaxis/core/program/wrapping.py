@@ -22,7 +22,8 @@ CIRCLE = 360.0
 
 
 def wraps_of(rotary: Sequence[str], dialect: Dialect | None) -> tuple[str, str]:
-    """What holds for each rotary word of the NC file: ``modulo`` only where the controller takes the shorter way."""
+    """How the words of the NC file are written: from 0 to 360 (``modulo``) only where the controller is known to take the
+    shorter way. How they are meant is the machine file's affair alone, in writing as in reading."""
     shorter = dialect is not None and dialect.shorter_way
     first, second = ("unwound" if wrap == "modulo" and not shorter else wrap for wrap in rotary)
     return first, second
@@ -45,7 +46,9 @@ def by_the_shorter_way(
 ) -> tuple[Floats, tuple[Finding, ...]]:
     """The words (m, 5) mm and degrees as the axes really turn, and what there is to say about it.
 
-    ``rotary``: the machine's strategies, ``wrap``: those in force (``wraps_of``); ``feeding`` (m,) is False in rapids.
+    ``rotary``: the machine's strategies, ``wrap``: how they are written (``wraps_of``); ``feeding`` (m,) is False in rapids.
+    Where the machine file says modulo no block turns by more than half a turn, however its words are written: so both kinds of
+    control do the same with them, and the reader finds the same places.
     """
     found: list[Finding] = []
     for k in (0, 1):
@@ -58,7 +61,7 @@ def by_the_shorter_way(
                 letter=letter,
             )
             found.append(Finding(Severity.WARNING, "wrap-not-written", text))
-        if wrap[k] != "modulo":
+        if rotary[k] != "modulo":
             continue
         turns = shorter_turns(words[:, 3 + k])
         if turns.any():

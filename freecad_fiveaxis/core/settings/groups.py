@@ -320,6 +320,27 @@ class ProveSettings:
     slow_feed: float = option(200.0, "feed", "feed of all its moves, mm/min and deg/min", (PROVE,), least=1, most=2000)
 
 
+UNITS, DECIMAL = ("file", "mm", "inch"), ("calculator", "least-increment")
+"""What a file may be taken for that does not say it itself."""
+
+
+@dataclass(frozen=True)
+class ReadingSettings:
+    """How numbers of a program of other origin are meant."""
+
+    units: Literal["file", "mm", "inch"] = option(
+        "file",
+        "choice",
+        "lengths in a file that does not say its units; file: mm, with a warning",
+        (AUDIT, RECOVER),
+        choices=UNITS,
+    )
+    decimal: Literal["calculator", "least-increment"] = option(
+        "calculator", "choice", "a word without a decimal point: X100 is 100 mm, or 0.1 mm (least increment)", (AUDIT, RECOVER),
+        choices=DECIMAL,
+    )  # fmt: skip
+
+
 @dataclass(frozen=True)
 class AuditSettings:
     """What the audited program is compared with."""

@@ -43,6 +43,7 @@ from .groups import (
     PassSettings,
     ProofSettings,
     ProveSettings,
+    ReadingSettings,
     RecoverSettings,
     SetupSettings,
     ToolAxisSettings,
@@ -78,6 +79,7 @@ class Settings:
     compare: CompareSettings = group(CompareSettings)
     recover: RecoverSettings = group(RecoverSettings)
     prove: ProveSettings = group(ProveSettings)
+    reading: ReadingSettings = group(ReadingSettings)
     audit: AuditSettings = group(AuditSettings)
     output: OutputSettings = group(OutputSettings)
 
