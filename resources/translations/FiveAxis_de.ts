@@ -216,6 +216,10 @@
         <translation>Zylinder des Halters über Fräser und Schaft, von unten: Durchmesser x Länge in mm, etwa 40x25,63x50</translation>
     </message>
     <message>
+        <source>Decimal</source>
+        <translation>Dezimalpunkt</translation>
+    </message>
+    <message>
         <source>Deepest that the cutter goes below the machined surface</source>
         <translation>So tief geht der Fräser höchstens unter die bearbeitete Fläche</translation>
     </message>
@@ -664,6 +668,10 @@
         <translation>So weit bleiben Eilgänge vom Hüllquader des Werkstücks weg</translation>
     </message>
     <message>
+        <source>Reading</source>
+        <translation>Einlesen</translation>
+    </message>
+    <message>
         <source>Recommended</source>
         <translation>Empfohlen</translation>
     </message>
@@ -988,6 +996,14 @@
         <translation>Ungefrästes Volumen</translation>
     </message>
     <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Units of a program that does not say them itself</source>
+        <translation>Einheiten eines Programms, das sie nicht selbst nennt</translation>
+    </message>
+    <message>
         <source>Up To Date</source>
         <translation>Auf dem neuesten Stand</translation>
     </message>
@@ -998,6 +1014,10 @@
     <message>
         <source>Way of the tip along the part</source>
         <translation>Weg der Werkzeugspitze am Werkstück entlang</translation>
+    </message>
+    <message>
+        <source>What a word without a decimal point counts: X100 is 100 mm, or 0.1 mm</source>
+        <translation>Was ein Wort ohne Dezimalpunkt zählt: X100 sind 100 mm oder 0,1 mm</translation>
     </message>
     <message>
         <source>What each marker marks</source>
@@ -2259,6 +2279,10 @@
         <translation>Ungefräst: {area} von {whole}</translation>
     </message>
     <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
         <source>Value</source>
         <translation>Wert</translation>
     </message>
@@ -2335,6 +2359,10 @@
         <translation>In einem Schritt von {step} dreht {first} um {first_turn} und {second} um {second_turn}. Während Rundachsen drehen, tragen gleichmäßige Bewegungen der Achsen die Spitze auf einer Kurve neben der Geraden entlang.</translation>
     </message>
     <message>
+        <source>Words without a decimal point</source>
+        <translation>Wörter ohne Dezimalpunkt</translation>
+    </message>
+    <message>
         <source>Work offset</source>
         <translation>Nullpunktverschiebung</translation>
     </message>
@@ -2387,8 +2415,16 @@
         <translation>so viele, wie einige Sekunden dauern</translation>
     </message>
     <message>
+        <source>as the file says</source>
+        <translation>wie die Datei sagt</translation>
+    </message>
+    <message>
         <source>as the machine file says</source>
         <translation>wie in der Maschinendatei</translation>
+    </message>
+    <message>
+        <source>as they stand</source>
+        <translation>wie sie dastehen</translation>
     </message>
     <message>
         <source>axis</source>
@@ -2515,6 +2551,10 @@
         <translation>unmöglich: {why}</translation>
     </message>
     <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
         <source>instead of {deviation} where it stood</source>
         <translation>statt {deviation}, wo er stand</translation>
     </message>
@@ -2533,6 +2573,10 @@
     <message>
         <source>least deviation (minimax)</source>
         <translation>kleinste Abweichung (minimax)</translation>
+    </message>
+    <message>
+        <source>least increment</source>
+        <translation>kleinstes Inkrement</translation>
     </message>
     <message>
         <source>lift the tool</source>
@@ -2569,6 +2613,10 @@
     <message>
         <source>meshing the solid</source>
         <translation>Volumenkörper vernetzen</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
     <message>
         <source>model of So et al. 2008</source>
@@ -3344,8 +3392,8 @@
         <translation>Die Anzeige zeigt {place}. Das Werkzeug steht senkrecht, der Tisch waagrecht. Nichts ist nahe am Werkzeug.</translation>
     </message>
     <message>
-        <source>The facets curl tighter than the cutter at {number} segments, and the cutter cuts up to {worst} into them. Use a smaller cutter or a finer mesh, or check these places before milling.</source>
-        <translation>Die Facetten sind an {number} Stücken enger gekrümmt als der Fräser, und er schneidet bis zu {worst} in sie ein. Einen kleineren Fräser oder ein feineres Netz nehmen oder diese Stellen vor dem Fräsen prüfen.</translation>
+        <source>The facets curl tighter than the cutter at {number} segments, and the cutter cuts into them; how deep is not known here. Have the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.</source>
+        <translation>Die Facetten krümmen sich an {number} Teilstrecken enger als der Fräser, und er schneidet hinein; wie tief, ist hier nicht bekannt. Den Weg gegen das Werkstück prüfen ({report}) oder herausheben lassen ({lift}), oder einen kleineren Fräser nehmen.</translation>
     </message>
     <message>
         <source>The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool.</source>
@@ -3440,8 +3488,12 @@
         <translation>Das Programm hat die Rundachsen {letters}, {name} hat {own}.</translation>
     </message>
     <message>
-        <source>The program says {units_said}; taken as mm.</source>
-        <translation>Das Programm sagt {units_said}; als mm genommen.</translation>
+        <source>The program says {units_said}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. Give {option}, mm or inch.</source>
+        <translation>Das Programm nennt {units_said}; es wird in mm gelesen, doch Größe ({size}) und F (bis {feed}) sprechen eher für Zoll. {option} angeben, mm oder inch.</translation>
+    </message>
+    <message>
+        <source>The program says {units_said}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give {option}, mm or inch.</source>
+        <translation>Das Programm nennt {units_said}; es wird in mm gelesen und fährt dann höchstens {size} mm, mit F bis {feed}. {option} angeben, mm oder inch.</translation>
     </message>
     <message>
         <source>The program uses {count} work offsets; their distance is not known, and the blocks between are not right.</source>
@@ -3530,6 +3582,18 @@
     <message>
         <source>The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the spindle. Turn the part over to cut it.</source>
         <translation>Die Unterseite bei Z {height} ist nicht bearbeitet: {area} ({share} % des Werkstücks) zeigen von der Spindel weg. Das Werkstück wenden, um sie zu fräsen.</translation>
+    </message>
+    <message>
+        <source>The whole part is {size} long, less than the cutter's diameter of {diameter}: its file may be in metres ({metres}) or inches ({inches}). Export the part in mm, or scale it.</source>
+        <translation>Das ganze Werkstück ist {size} lang, weniger als der Durchmesser {diameter} des Fräsers: seine Datei ist vielleicht in Metern ({metres}) oder Zoll ({inches}). Das Werkstück in mm exportieren oder skalieren.</translation>
+    </message>
+    <message>
+        <source>The words of {letter} count their turns on, and {count} blocks turn by more than half a turn; the machine file says modulo, so the shorter way is taken. If the control counts turns, set wrap_strategy to unwound.</source>
+        <translation>Die Wörter von {letter} zählen Umdrehungen weiter, und {count} NC-Sätze drehen um mehr als eine halbe Umdrehung; die Maschinendatei sagt modulo, also gilt der kürzere Weg. Zählt die Steuerung Umdrehungen, wrap_strategy auf unwound stellen.</translation>
+    </message>
+    <message>
+        <source>The work zero is shifted: the program counts {axes} from {values} (within {certainty}), not from the CL path's zero. A machine file cannot hold that: correct the work offset, or the post.</source>
+        <translation>Der Werkstücknullpunkt ist verschoben: das Programm zählt {axes} von {values} an (auf {certainty}), nicht vom Nullpunkt des CL-Wegs. Eine Maschinendatei kann das nicht festhalten: Nullpunktverschiebung oder Postprozessor berichtigen.</translation>
     </message>
     <message>
         <source>The zeros of {assumed} are taken as right: these rows could not tell them apart from the offsets. Give rows with larger turns to have them proven too.</source>
@@ -3666,6 +3730,10 @@
     <message>
         <source>above {bound}</source>
         <translation>über {bound} sein</translation>
+    </message>
+    <message>
+        <source>all moves stand in variables, expressions or jumps, which are not interpreted; post straight moves with numbers</source>
+        <translation>alle Bewegungen stehen in Variablen, Ausdrücken oder Sprüngen, die nicht ausgewertet werden; Bewegungen mit Zahlen ausgeben</translation>
     </message>
     <message>
         <source>and {count} more</source>
@@ -3860,6 +3928,10 @@
         <translation>dringt ins Werkstück ein</translation>
     </message>
     <message>
+        <source>export the part with a coarser tolerance, or free memory</source>
+        <translation>das Werkstück gröber exportieren oder Speicher freimachen</translation>
+    </message>
+    <message>
         <source>faces need the part (.stl), {source} is none; leave faces out</source>
         <translation>Flächen brauchen das Werkstück (.stl), {source} ist keines; die Flächen weglassen</translation>
     </message>
@@ -3908,6 +3980,10 @@
         <translation>von oben</translation>
     </message>
     <message>
+        <source>from line {line} on the controller guides the tip (G43.4, G43.5, G234, M128, M428, TRAORI or FUNCTION TCPM): X Y Z are tips and say nothing of pivots; post it again without tool centre point control</source>
+        <translation>ab Zeile {line} führt die Steuerung die Spitze (G43.4, G43.5, G234, M128, M428, TRAORI oder FUNCTION TCPM): X Y Z sind Orte der Spitze und sagen nichts über Drehpunkte; ohne Werkzeugspitzenführung noch einmal ausgeben</translation>
+    </message>
+    <message>
         <source>from the front</source>
         <translation>von vorn</translation>
     </message>
@@ -3922,6 +3998,10 @@
     <message>
         <source>give Z, a machine coordinate</source>
         <translation>Z angeben, eine Maschinenkoordinate</translation>
+    </message>
+    <message>
+        <source>give a larger stepover or scallop, or check the units of the part</source>
+        <translation>größeren Bahnabstand oder größere Rillenhöhe angeben, oder die Einheiten des Werkstücks prüfen</translation>
     </message>
     <message>
         <source>gouge, shank and holder need the part: give its STL with {against}</source>
@@ -4068,12 +4148,40 @@
         <translation>die Maschine {name} hat einen Schwenkkopf: {tool_length} angeben, vom Bezugspunkt bis zur Werkzeugspitze</translation>
     </message>
     <message>
+        <source>machine {name} has fewer than two rotary axes, and only five axes are recovered: leave {machine} out</source>
+        <translation>die Maschine {name} hat weniger als zwei Drehachsen, und nur fünf Achsen werden zurückgewonnen: {machine} weglassen</translation>
+    </message>
+    <message>
+        <source>machine {name} has fewer than two rotary axes: the proof of signs turns two; jog each axis and compare with the machine file</source>
+        <translation>die Maschine {name} hat weniger als zwei Drehachsen, der Nachweis der Vorzeichen dreht zwei: jede Achse von Hand fahren und mit der Maschinendatei vergleichen</translation>
+    </message>
+    <message>
+        <source>machine {name} has no rotary axis and cannot lean the tool as {strategy} asks: choose {tool_axis}</source>
+        <translation>die Maschine {name} hat keine Drehachse und kann das Werkzeug nicht neigen, wie {strategy} es verlangt: {tool_axis} wählen</translation>
+    </message>
+    <message>
+        <source>machine {name} has no rotary axis and cannot lean the tool: choose {gouge}</source>
+        <translation>die Maschine {name} hat keine Drehachse und kann das Werkzeug nicht neigen: {gouge} wählen</translation>
+    </message>
+    <message>
+        <source>machine {name} has no rotary axis and cannot lean the tool: leave {option} out</source>
+        <translation>die Maschine {name} hat keine Drehachse und kann das Werkzeug nicht neigen: {option} weglassen</translation>
+    </message>
+    <message>
+        <source>machine {name} has no rotary axis: its tip leaves no line wherever the part is clamped; put it where the travel reaches</source>
+        <translation>die Maschine {name} hat keine Drehachse: ihre Spitze verlässt die Gerade nicht, wo immer gespannt wird; dort spannen, wohin die Verfahrwege reichen</translation>
+    </message>
+    <message>
         <source>machine {name} has two axes of the same letter: {letters}</source>
         <translation>die Maschine {name} hat zwei Achsen mit demselben Buchstaben: {letters}</translation>
     </message>
     <message>
-        <source>machine {name} has {count}; needs 3 and 2</source>
-        <translation>die Maschine {name} hat {count}; sie braucht 3 und 2</translation>
+        <source>machine {name} has {count}; needs 3 and at most 2</source>
+        <translation>die Maschine {name} hat {count}; gebraucht werden 3 und höchstens 2</translation>
+    </message>
+    <message>
+        <source>machine {name}: its only rotary axis {letter} is parallel to the tool and never tilts it; leave it out of the file</source>
+        <translation>Maschine {name}: ihre einzige Drehachse {letter} ist parallel zum Werkzeug und neigt es nie; in der Datei weglassen</translation>
     </message>
     <message>
         <source>machine {name}: singular_cone {cone} is not between 0 and 90</source>
@@ -4304,6 +4412,10 @@
         <translation>die Kuppenhöhe {scallop} liegt nicht unter dem Fräserradius {radius}; eine kleinere angeben</translation>
     </message>
     <message>
+        <source>scallop {value} needs about {samples} samples of its passes, more than {most}; give a larger scallop or check the units of the part</source>
+        <translation>die Rillenhöhe {value} braucht etwa {samples} Stützpunkte ihrer Bahnen, mehr als {most}; eine größere angeben oder die Einheiten des Werkstücks prüfen</translation>
+    </message>
+    <message>
         <source>select a solid, faces of a solid, a body, a compound of solids, or a mesh</source>
         <translation>einen Volumenkörper, Flächen eines solchen, einen Körper (Body), einen Verbund von Volumenkörpern oder ein Netz auswählen</translation>
     </message>
@@ -4460,12 +4572,20 @@
         <translation>der Name ist leer; der Maschine einen geben</translation>
     </message>
     <message>
+        <source>the planes cut the facets {segments} times, more than {most}; {remedy}</source>
+        <translation>die Ebenen schneiden die Facetten {segments} Mal, mehr als {most}; {remedy}</translation>
+    </message>
+    <message>
         <source>the program has no block that moves; there is nothing to play</source>
         <translation>das Programm hat keinen NC-Satz mit Bewegung; es gibt nichts abzuspielen</translation>
     </message>
     <message>
         <source>the program has no feed blocks, so nothing is proven</source>
         <translation>das Programm hat keine Vorschubsätze, also ist nichts nachgewiesen</translation>
+    </message>
+    <message>
+        <source>the program has no number; write one after the O, as O1</source>
+        <translation>das Programm hat keine Nummer; eine hinter das O schreiben, wie O1</translation>
     </message>
     <message>
         <source>the program has rotary words of {names}; a five-axis machine is recovered from two of A B C</source>
@@ -4614,6 +4734,10 @@
     <message>
         <source>this is no CL file: byte {control} (offset {offset}) stands in no text; give a text file</source>
         <translation>das ist keine CL-Datei: Byte {control} (Stelle {offset}) kommt in keinem Text vor; eine Textdatei angeben</translation>
+    </message>
+    <message>
+        <source>this is no NC line; delete what stands before the program, or put it in brackets</source>
+        <translation>das ist keine NC-Zeile; löschen, was vor dem Programm steht, oder in Klammern setzen</translation>
     </message>
     <message>
         <source>this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header</source>
@@ -4820,6 +4944,10 @@
         <translation>{count} NC-Sätze nahe am Pol</translation>
     </message>
     <message>
+        <source>{count} blocks take the shorter way to {letter}, as the machine file says (modulo). {name} does so only if it is set to: check it.</source>
+        <translation>{count} NC-Sätze nehmen den kürzeren Weg nach {letter}, wie die Maschinendatei sagt (modulo). {name} tut das nur, wenn so eingestellt: prüfen.</translation>
+    </message>
+    <message>
         <source>{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block.</source>
         <translation>{count} NC-Sätze unter G93 haben kein eigenes F; die meisten Steuerungen halten dort an. F in jedem Satz angeben.</translation>
     </message>
@@ -4830,6 +4958,10 @@
     <message>
         <source>{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the control takes the shorter way there (wrap_strategy modulo), and so do the words here. Divide blocks, or set wrap_strategy to unwound.</source>
         <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
+    </message>
+    <message>
+        <source>{count} facets</source>
+        <translation>{count} Facetten</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to cut them.</source>
@@ -4870,6 +5002,10 @@
     <message>
         <source>{count} feed blocks lie</source>
         <translation>{count} Vorschubsätze liegen</translation>
+    </message>
+    <message>
+        <source>{count} feed blocks turn {letter} by nearly a whole turn, and all its words lie within one: they seem meant by the shorter way. If the control takes it, set wrap_strategy to modulo.</source>
+        <translation>{count} Vorschubsätze drehen {letter} um fast eine ganze Umdrehung, und alle Wörter liegen innerhalb einer: gemeint ist wohl der kürzere Weg. Nimmt ihn die Steuerung, wrap_strategy auf modulo stellen.</translation>
     </message>
     <message>
         <source>{count} lines begin with a slash (block skip); they are read as if the switch were off.</source>
@@ -4918,6 +5054,10 @@
     <message>
         <source>{count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first NC line {first}.</source>
         <translation>{count} von {all} Vorschubsätzen {what} Am schlimmsten ist NC-Zeile {line}, {off} daneben ({tolerance} erlaubt); die erste ist NC-Zeile {first}.</translation>
+    </message>
+    <message>
+        <source>{count} of {all} points need a leaning tool, the first is {axis} at {place}, and this machine has no rotary axis: keep the tool axis along Z ({fixed}) or take another machine</source>
+        <translation>{count} von {all} Punkten brauchen ein geneigtes Werkzeug, der erste ist {axis} bei {place}, und diese Maschine hat keine Drehachse: die Werkzeugachse längs Z lassen ({fixed}) oder eine andere Maschine nehmen</translation>
     </message>
     <message>
         <source>{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, the first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another machine</source>
@@ -4974,6 +5114,10 @@
     <message>
         <source>{count} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine.</source>
         <translation>{count} Werkzeugachsen kann diese Maschine nicht einnehmen; die jeweils vorige bleibt. Die Maschine des Programms wählen.</translation>
+    </message>
+    <message>
+        <source>{count} words have no decimal point; taken as they stand: {word} is {value}. If the control counts its least increment, it is {small} there: give {option}.</source>
+        <translation>{count} Wörter haben keinen Dezimalpunkt; gelesen, wie sie dastehen: {word} ist {value}. Zählt die Steuerung ihr kleinstes Inkrement, ist es dort {small}: {option} angeben.</translation>
     </message>
     <message>
         <source>{deep} are cut too deep, at most by {most}</source>
@@ -5168,8 +5312,8 @@
         <translation>{letter} ist eine andere Achse: der Postprozessor dreht sie um {way}, {name} um {own}.</translation>
     </message>
     <message>
-        <source>{letter} names no axis; use X Y Z and two of A B C</source>
-        <translation>{letter} nennt keine Achse; X Y Z und zwei von A B C verwenden</translation>
+        <source>{letter} names no axis; use X Y Z and up to two of A B C</source>
+        <translation>{letter} benennt keine Achse; X Y Z und bis zu zwei von A B C nehmen</translation>
     </message>
     <message>
         <source>{letter} turns the other way: the post's positive {letter} is the negative one of {name}.{effect}</source>
@@ -5492,8 +5636,20 @@
         <translation>{role} widerspricht der Art der Achse; in Übereinstimmung bringen</translation>
     </message>
     <message>
+        <source>{rtcp} lets the controller guide the tip while rotary axes turn, and machine {name} has none; leave it out</source>
+        <translation>mit {rtcp} führt die Steuerung die Spitze, während Drehachsen drehen, und die Maschine {name} hat keine; weglassen</translation>
+    </message>
+    <message>
         <source>{rtcp} lets the controller guide the tip, {linearize} divides blocks where it does not; give one</source>
         <translation>{rtcp} lässt die Steuerung die Spitze führen, {linearize} teilt Sätze, wo sie es nicht tut; eines davon angeben</translation>
+    </message>
+    <message>
+        <source>{segments} segments of passes</source>
+        <translation>{segments} Teilstrecken von Bahnen</translation>
+    </message>
+    <message>
+        <source>{share} % of the surface that faces up stays unfinished</source>
+        <translation>{share} % der nach oben gerichteten Fläche bleiben unbearbeitet</translation>
     </message>
     <message>
         <source>{sides}; name another, or null for the base</source>
@@ -5502,6 +5658,10 @@
     <message>
         <source>{side} is not machined: {area}.</source>
         <translation>{side} ist nicht bearbeitet: {area}.</translation>
+    </message>
+    <message>
+        <source>{singularity} leads past a pole, and machine {name} has none; leave it out</source>
+        <translation>{singularity} führt an einem Pol vorbei, und die Maschine {name} hat keinen; weglassen</translation>
     </message>
     <message>
         <source>{size} setups are more than {most}; take a coarser grid or fewer turns</source>
@@ -5538,6 +5698,10 @@
     <message>
         <source>{text}; give another {origin} or {mark}, or less {gap}, {travel} or {angle}</source>
         <translation>{text}; {origin} oder {mark} anders angeben, oder weniger {gap}, {travel} oder {angle}</translation>
+    </message>
+    <message>
+        <source>{tool_axis} turns two rotary axes, machine {name} has fewer; choose another, {fixed} keeps the tool along Z</source>
+        <translation>{tool_axis} dreht zwei Drehachsen, die Maschine {name} hat weniger; eine andere wählen, {fixed} lässt das Werkzeug längs Z</translation>
     </message>
     <message>
         <source>{travel} for each {arm} from the axis</source>
@@ -5598,6 +5762,10 @@
     <message>
         <source>{what} is not a vector of three numbers</source>
         <translation>{what} ist kein Vektor aus drei Zahlen</translation>
+    </message>
+    <message>
+        <source>{what} need at least {needed} GB of memory, and {free} GB are free; {remedy}</source>
+        <translation>{what} brauchen mindestens {needed} GB Speicher, und {free} GB sind frei; {remedy}</translation>
     </message>
     <message>
         <source>{what} {number} of {rows} has {axis} = {value}, and no part exceeds {most}: check the units of the export</source>
