@@ -253,21 +253,31 @@ def test_a_base_frame_that_is_turned_is_an_error_finding(tmp_path) -> None:
     ("spoil", "words"),
     [
         (lambda data: data["machine"]["axes"]["A"].pop("limits"), ["machine.axes.A.limits", "missing"]),
-        (lambda data: data["machine"]["axes"].pop("C"), ["1 rotary", "needs 3 and 2"]),
+        (
+            lambda data: data["machine"]["axes"]["C"].update(parent=None) or data["machine"]["axes"].pop("A"),
+            ["only rotary axis C", "parallel to the tool"],
+        ),
         (
             lambda data: data["machine"]["axes"]["A"].update(parent="C") or data["machine"]["axes"]["C"].update(parent=None),
             ["order"],
         ),
     ],
-    ids=["no limits", "no C", "FreeCAD's own template: C carries A"],
+    ids=["no limits", "C alone", "FreeCAD's own template: C carries A"],
 )
-def test_a_freecad_file_that_makes_no_five_axis_machine_is_refused(spoil, words, tmp_path) -> None:
+def test_a_freecad_file_that_makes_no_machine_of_ours_is_refused(spoil, words, tmp_path) -> None:
     data = freecad_file()
     spoil(data)
     (tmp_path / "m.fcm").write_text(json.dumps(data))
     with pytest.raises(MachineError) as caught:
         import_machine(str(tmp_path / "m.fcm"))
     assert all(word in str(caught.value) for word in ["m.fcm", *words]) and "\n" not in str(caught.value)
+
+
+def test_a_freecad_file_of_four_axes_is_a_machine(tmp_path) -> None:
+    data = freecad_file()
+    data["machine"]["axes"].pop("C")
+    (tmp_path / "m.fcm").write_text(json.dumps(data))
+    assert [axis.letter for axis in import_machine(str(tmp_path / "m.fcm")).machine.fitted if axis.rotary] == ["A"]
 
 
 def test_the_command_writes_a_machine_that_the_program_takes(write, tmp_path, capsys) -> None:
