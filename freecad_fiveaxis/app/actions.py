@@ -166,9 +166,7 @@ def _base(given: Any, faces: Sequence[str] | None) -> tuple[Any, tuple[str, ...]
     if base.State != ["Up-to-date"] or base.MustExecute:
         base.Document.recompute([base])
     names = (faces,) if isinstance(faces, str) else tuple(faces or named or ())
-    if selection.is_mesh(base):
-        selection.checked_mesh(base)
-    else:
+    if not selection.is_mesh(base):  # a mesh is looked at where its facets are taken
         selection.solids(base, names)
     return base, names
 

@@ -51,8 +51,8 @@ def compare(
     task = toolpath.Proxy.task(toolpath)
 
     def work(told: Progress) -> trials.Comparison:
-        mesh = convert.mesh_of(task.data, told)
-        return trials.try_machines(settings, told, mesh, convert.facet_mask(task.data, mesh, task.runs))
+        mesh, faces = convert.mesh_and_mask(task.data, task.runs, told)
+        return trials.try_machines(settings, told, mesh, faces)
 
     return run(work, progress, toolpath.Document)
 

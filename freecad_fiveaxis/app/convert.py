@@ -30,10 +30,10 @@ from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import Settings, build_settings
 
 from . import wording
+from .facets import STL, Facets, kernel_of
 from .properties import MACHINES_OWN, RESULTS, cutter_values, default_value, property_name, property_value, shown_options
-from .selection import checked_mesh, holder_of
+from .selection import empty, holder_of
 
-_STL = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
 _HEADER = 84
 
 
@@ -146,14 +146,26 @@ def _choice(option: str, value: str, choices: Sequence[str]) -> str:
 
 def stl_bytes(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> bytes:
     """The mesh object's facets as a binary STL, relative to ``work_zero`` (mm, document). Raises SelectionError."""
-    mesh, zero, holder = checked_mesh(obj), FreeCAD.Vector(*plain(tuple(work_zero))), holder_of(obj)
+    return facets_of(obj, work_zero).stl()
+
+
+def facets_of(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> Facets:
+    """The mesh object's facets, relative to ``work_zero`` (mm, document). Raises SelectionError."""
+    place, zero, holder = obj.getLinkedObject().Placement, FreeCAD.Vector(*plain(tuple(work_zero))), holder_of(obj)
     if zero.Length or not holder.isIdentity():
-        mesh.Placement = FreeCAD.Placement(-zero, FreeCAD.Rotation()).multiply(holder).multiply(mesh.Placement)
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "mesh.stl")
-        mesh.write(Filename=path, Format="STL")
-        with open(path, "rb") as file:
-            return file.read()
+        place = FreeCAD.Placement(-zero, FreeCAD.Rotation()).multiply(holder).multiply(place)
+    facets = Facets(kernel_of(obj), tuple(place.Matrix.A))
+    if not facets.count:
+        raise empty(obj.Label)
+    return facets
+
+
+def mesh_and_mask(facets: Facets, runs: Sequence[int], progress: Progress = silent) -> tuple[Mesh, Bools | None]:
+    """The core's mesh of the facets, and which of its facets lie in the ``runs``, as :func:`facet_mask`. Raises MeshError."""
+    progress("weld", 0.0)
+    stl = facets.stl()
+    mesh = mesh_of(stl, progress)
+    return mesh, facet_mask(stl, mesh, runs)
 
 
 def mesh_of(stl: bytes, progress: Progress = silent) -> Mesh:
@@ -173,7 +185,7 @@ def facet_mask(stl: bytes, mesh: Mesh, runs: Sequence[int]) -> Bools | None:
     """
     if not runs:
         return None
-    corner = np.frombuffer(stl, _STL, offset=_HEADER)["corner"]
+    corner = np.frombuffer(stl, STL, offset=_HEADER)["corner"]
     chosen = np.zeros(len(corner), bool)
     for start, stop in zip(runs[::2], runs[1::2], strict=True):
         chosen[start:stop] = True

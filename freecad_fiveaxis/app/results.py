@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.settings import Settings
 
 from . import wording
 from .convert import clear_result, mark_users, put_result
+from .facets import Facets
 from .long_work import run
 from .properties import shown_options
 from .selection import SelectionError
@@ -31,10 +32,11 @@ from .selection import SelectionError
 
 @dataclass(frozen=True)
 class Task:
-    """What an object asks of the core: the ``settings``, and the ``data`` (STL or NC bytes) with the chosen facets' ``runs``."""
+    """What an object asks of the core: the ``settings``, and the ``data`` (a mesh's facets, or the NC file) with the chosen
+    facets' ``runs``."""
 
     settings: Settings
-    data: bytes
+    data: Any
     runs: tuple[int, ...] = ()
 
     @property
@@ -42,7 +44,8 @@ class Task:
         """A hexadecimal number that any change of the input changes; another name of it does not."""
         settings = replace(self.settings, source="")
         said = repr((__version__, settings, _machine(self.settings), self.runs, *_contents(self.settings))).encode()
-        return hashlib.sha256(hashlib.sha256(self.data).digest() + said).hexdigest()
+        data = self.data.digest() if isinstance(self.data, Facets) else hashlib.sha256(self.data).digest()
+        return hashlib.sha256(data + said).hexdigest()
 
 
 def _contents(settings: Settings) -> tuple[str, ...]:

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import io
 import re
-import zipfile
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -21,6 +20,8 @@ import Part
 
 from freecad_fiveaxis.core.errors import FiveAxisError
 from freecad_fiveaxis.core.sentences import say
+
+from .facets import kernel_of
 
 WHAT = say("select a solid, faces of a solid, a body, a compound of solids, or a mesh")
 CHECKED = 100
@@ -76,10 +77,8 @@ def is_mesh(obj: Any) -> bool:
 def copy_of_mesh(obj: Any) -> Any:
     """A copy of the mesh object's facets, standing as they do in the object's holder: 0.3 s for 1M facets."""
     linked = obj.getLinkedObject()
-    with zipfile.ZipFile(io.BytesIO(linked.dumpPropertyContent("Mesh", Compression=0))) as saved:
-        kernel = next(saved.read(name) for name in saved.namelist() if name.endswith(".bms"))
     mesh = Mesh.Mesh()
-    mesh.read(Stream=io.BytesIO(kernel), Format="BMS")
+    mesh.read(Stream=io.BytesIO(kernel_of(linked)), Format="BMS")
     mesh.Placement = linked.Placement
     return mesh
 
@@ -88,8 +87,13 @@ def checked_mesh(obj: Any) -> Any:
     """A copy of the mesh object's facets, to be changed at will. Raises SelectionError for a mesh without facets."""
     mesh = copy_of_mesh(obj)
     if not mesh.CountFacets:
-        raise SelectionError(say("{label} is an empty mesh: select a mesh with facets, or a solid.", label=obj.Label), obj.Label)
+        raise empty(obj.Label)
     return mesh
+
+
+def empty(label: str) -> SelectionError:
+    """What to say of a mesh without facets."""
+    return SelectionError(say("{label} is an empty mesh: select a mesh with facets, or a solid.", label=label), label)
 
 
 def solids(obj: Any, faces: Sequence[str] = ()) -> tuple[Any, list[int]]:

@@ -245,8 +245,7 @@ def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
 
 
 def _tried(task: Task, fingerprint: str, progress: Progress) -> Last:
-    mesh = convert.mesh_of(task.data, progress)
-    faces = convert.facet_mask(task.data, mesh, task.runs)
+    mesh, faces = convert.mesh_and_mask(task.data, task.runs, progress)
     return Last(fingerprint, trials.try_setups(task.settings, progress, mesh, faces))
 
 

@@ -45,13 +45,13 @@ class Toolpath(Proxy):
                 say("{label} is no mesh: choose a tessellation or a mesh.", label=obj.Mesh.Label), obj.Mesh.Label
             )
         settings = convert.settings_of(obj, MILL, f"{obj.Mesh.Label}.stl")
-        stl = convert.stl_bytes(obj.Mesh, obj.WorkZero)
-        return results.Task(settings, stl, tuple(getattr(obj.Mesh, "FacetRuns", ())))
+        facets = convert.facets_of(obj.Mesh, obj.WorkZero)
+        return results.Task(settings, facets, tuple(getattr(obj.Mesh, "FacetRuns", ())))
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The program, not yet proven."""
-        mesh = convert.mesh_of(task.data, progress)
-        return job.make(task.settings, progress, mesh=mesh, faces=convert.facet_mask(task.data, mesh, task.runs))
+        mesh, faces = convert.mesh_and_mask(task.data, task.runs, progress)
+        return job.make(task.settings, progress, mesh=mesh, faces=faces)
 
     def onDocumentRestored(self, obj: Any) -> None:
         """What its setup says cannot be edited."""

@@ -3,6 +3,7 @@
 
 import FreeCAD
 import Mesh
+import numpy as np
 import Part
 import pytest
 from conftest import half_ball
@@ -219,6 +220,19 @@ def test_the_property_of_a_mesh_is_never_read(doc, tmp_path):
     assert convert.stl_bytes(unread) == (tmp_path / "mesh.stl").read_bytes(), "the facets are the same, to the last bit"
     assert signs.top_of([unread]) == mesh.Mesh.BoundBox.ZMax
     assert tessellation._copied(unread, ()).CountFacets == mesh.Mesh.CountFacets
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_the_stl_of_a_mesh_is_freecad_s_own_to_the_last_bit(doc, tmp_path, turned):
+    corner = np.random.default_rng(3).normal(size=(300, 3, 3)).astype(np.float32)
+    corner[7, 2], corner[8] = corner[7, 1], corner[8, 0]  # a line and a point, which have no normal
+    mesh = doc.addObject("Mesh::Feature", "Mesh")
+    mesh.Mesh = Mesh.Mesh(corner.reshape(-1, 3).tolist())
+    mesh.Placement = FreeCAD.Placement(
+        FreeCAD.Vector(1.1, 2.2, 3.3), FreeCAD.Rotation(10, 20, 30) if turned else FreeCAD.Rotation()
+    )
+    selection.copy_of_mesh(mesh).write(Filename=str(tmp_path / "mesh.stl"), Format="STL")
+    assert convert.stl_bytes(mesh) == (tmp_path / "mesh.stl").read_bytes()
 
 
 def test_a_link_to_a_mesh_is_a_mesh(doc):

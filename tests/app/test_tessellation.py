@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.mesh import from_triangles, read_stl
 
 
 def corners(stl):
-    return np.frombuffer(stl, convert._STL, offset=84)["corner"].astype(float)
+    return np.frombuffer(stl, convert.STL, offset=84)["corner"].astype(float)
 
 
 def test_the_facets_keep_within_the_deflection(doc, ball):
@@ -66,7 +66,7 @@ def test_facets_without_area_do_not_shift_the_chosen_ones():
     triangles = rng.uniform(-10, 10, (40, 3, 3)).astype(np.float32)
     triangles[[3, 17, 18]] = triangles[[3, 17, 18]][:, :1]  # a point
     triangles[30, 2] = triangles[30, 0]  # a line
-    record = np.zeros(40, convert._STL)
+    record = np.zeros(40, convert.STL)
     record["corner"] = triangles
     stl = bytes(80) + (40).to_bytes(4, "little") + record.tobytes()
     mesh = convert.mesh_of(stl)

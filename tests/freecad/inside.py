@@ -5,7 +5,7 @@ FreeCAD exits with 0 after an uncaught exception and may run this file twice; it
 written to ``$FIVEAXIS_FINISHED`` and given to os._exit, which also spares the dialogs and crashes of a shut-down.
 A test that does not end within ``$FIVEAXIS_TEST_LIMIT`` seconds is photographed and its stack printed; then the process ends.
 The test that runs is named in ``$FIVEAXIS_AT``; with ``$FIVEAXIS_FROM`` the tests before the one of that name are left out.
-``$FIVEAXIS_PART``, as 2/3: of the tests in their order, the second of three equal parts.
+``$FIVEAXIS_AGAIN``: see SecondTry. ``$FIVEAXIS_PART``, as 2/3: of the tests in their order, the second of three equal parts.
 """
 
 import faulthandler
@@ -74,6 +74,7 @@ class SecondTry:
     """pytest plugin for the window: a test that fails is tried once more, and said so.
 
     Real clicks in a real window race with redraws; on a busy machine one may come too early. What fails twice has failed.
+    Where ``$FIVEAXIS_AGAIN`` names a file the test's name goes there instead: whoever reads it tries again, on a quieter machine.
     """
 
     def __init__(self, out):
@@ -84,7 +85,11 @@ class SecondTry:
 
         item.ihook.pytest_runtest_logstart(nodeid=item.nodeid, location=item.location)
         reports = runtestprotocol(item, nextitem=nextitem, log=False)
-        if any(report.failed for report in reports):
+        failed, elsewhere = any(report.failed for report in reports), os.environ.get("FIVEAXIS_AGAIN")
+        if failed and elsewhere:
+            with open(elsewhere, "a", encoding="utf-8") as file:
+                file.write("::".join([os.path.relpath(item.path, ROOT), *item.nodeid.split("::")[1:]]) + "\n")
+        elif failed:
             first = next(report for report in reports if report.failed)
             print(f"\nfreecad: {item.nodeid} failed, tried once more\n{first.longreprtext[-2000:]}", file=self._out, flush=True)
             item._initrequest()

@@ -41,6 +41,20 @@ def test_a_window_that_crashes_once_goes_on_from_there_and_twice_fails(times, co
     assert 'File "' in done.stdout, "where it was is said"
 
 
+@pytest.mark.skipif(not (shutil.which("freecad") and shutil.which("xvfb-run")), reason="there is no FreeCAD with a window here")
+@pytest.mark.parametrize(("times", "code"), [(1, 0), (2, 1)])
+def test_what_fails_in_a_part_is_tried_once_more_when_the_others_have_ended(times, code, tmp_path):
+    log = f"    with open({str(tmp_path / 'log')!r}, 'a+') as log:\n        log.write"
+    bad = f"def test_bad():\n{log}('b')\n        log.seek(0)\n        assert log.read().count('b') > {times}\n"
+    (tmp_path / "test_bad.py").write_text(bad)
+    (tmp_path / "test_slow.py").write_text(f"import time\ndef test_slow():\n    time.sleep(20)\n{log}('s')\n")
+    environment = {**os.environ, "FIVEAXIS_PARTS": "2"}
+    done = subprocess.run([RUN, "window", tmp_path], env=environment, capture_output=True, text=True, timeout=200, check=False)
+    assert done.returncode == code, done.stdout
+    assert (tmp_path / "log").read_text() == "bsb", "once beside the slow one, once after it"
+    assert "tried once more, by themselves:" in done.stdout and "test_bad.py::test_bad" in done.stdout
+
+
 def test_without_freecad_it_says_that_it_skipped(tmp_path):
     for tool in ("bash", "dirname", "pwd"):
         (tmp_path / tool).symlink_to(shutil.which(tool))

@@ -15,7 +15,7 @@ import Mesh
 import numpy as np
 import Part
 import pytest
-from conftest import QtCore, QtWidgets
+from conftest import QtCore, QtWidgets, pace
 from test_clicks import look
 
 from freecad_fiveaxis import app
@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.errors import Cancelled
 from freecad_fiveaxis.gui.waiting import waiting
 
 LONGEST = 0.3
-"""s for which the window may be blocked."""
+"""s for which the window may be blocked; Watchdog's gaps are what they would be at the pace at which this was set."""
 BEAT = 20
 """ms."""
 SOON = 1.0
@@ -48,9 +48,11 @@ def waits():
 
 class Watchdog:
     """``gap``: the longest time, s, between two beats inside the ``with``, without the time in which the kernel gave its processors
-    to others: what the window's thread waited for one, and the one of the other threads that waited most."""
+    to others (what the window's thread waited for one, and the one of the other threads that waited most), over the machine's
+    ``pace`` before and after."""
 
     def __enter__(self):
+        self.pace = pace()
         self.gap, self._last, self._waits = 0.0, time.monotonic(), waits()
         self.timer = QtCore.QTimer()
         self.timer.timeout.connect(self._beat)
@@ -66,6 +68,7 @@ class Watchdog:
     def __exit__(self, *_):
         self._beat()
         self.timer.stop()
+        self.gap /= max(self.pace, pace())
 
 
 class Escape:

@@ -204,7 +204,7 @@ def test_blocks_are_stepped_and_the_slider_and_the_time_follow(doc, opened, clic
     click(shown.controls.back)
     assert shown.player.block == 2
     end = shown.player.playback.program.words[2]
-    assert [label.text() for label in shown.readout.joints] == [
+    assert [label.text() for label in shown.readout.joints.values()] == [
         *(f"{word:.4f} mm" for word in end[:3]), *(f"{word:.4f}°" for word in end[3:])
     ]  # fmt: skip
     shown.controls.slider.setValue(5000)

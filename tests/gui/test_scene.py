@@ -9,6 +9,7 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
+from conftest import pace
 from conftest import picture as picture_of
 from PySide import QtCore
 from scipy.spatial import cKDTree
@@ -199,9 +200,9 @@ def test_labels_lie_beside_each_other_and_beside_the_legends_from_every_side(dom
     spent, place = [], on_screen._Overlay.place
 
     def timed(overlay, action):
-        began = time.perf_counter()
+        began = time.thread_time()
         place(overlay, action)
-        spent.append(time.perf_counter() - began)
+        spent.append(time.thread_time() - began)
 
     monkeypatch.setattr(on_screen._Overlay, "place", timed)
     for turn in range(12):
@@ -219,7 +220,7 @@ def test_labels_lie_beside_each_other_and_beside_the_legends_from_every_side(dom
     assert len(spent) >= 12 * 4
     with capsys.disabled():
         print(f"\nplaces of 8 labels and 2 legends: {4e3 * np.median(spent):.2f} ms a frame")
-    assert 4.0 * np.median(spent) < 5e-3
+    assert 4.0 * np.median(spent) < 5e-3 * pace()
     screenshot("scene-labels")
 
 
@@ -403,7 +404,7 @@ def test_a_long_path_stays_navigable(count, dome, scene, capsys):
     seconds = frames.seconds(view)
     with capsys.disabled():
         print(f"\n{count} blocks, {len(level)} strokes: nodes in {made:.2f} s, {seconds:.3f} s a frame")
-    assert seconds < FRAME
+    assert seconds < FRAME * pace()
 
 
 def surface(side):
@@ -433,7 +434,7 @@ def test_a_map_of_many_facets_stays_navigable(side, most, scene, capsys, monkeyp
     seconds = frames.seconds(view)
     with capsys.disabled():
         print(f"\n{len(mesh.face)} facets: nodes in {made:.2f} s, {seconds:.3f} s a frame")
-    assert seconds < FRAME
+    assert seconds < FRAME * pace()
 
 
 def test_a_map_shows_each_height_where_it_is_in_the_core_s_colour(scene, screenshot, pixels, view_box):
