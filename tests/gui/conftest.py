@@ -26,19 +26,8 @@ except ImportError:  # FreeCAD 0.20 keeps them here
 WORKBENCH = "FiveAxisWorkbench"
 LEFT, NONE = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
 PANELS = ("FiveAxisPanel", "FiveAxisPlay")
-PACE = 6e-3  # s of what `pace` does where the limits of time were set
 REFRESH = 700  # ms until FreeCAD's timer has renewed which commands are enabled
 SETTLED = 2000  # ms until a layout has settled, also where the 3D view is slow to paint
-
-
-def pace():
-    """How many times slower than where the tests' limits of time were set Python runs here and now; at least 1."""
-    spent = []
-    for _ in range(9):
-        began = time.thread_time()
-        sum(i * i for i in range(100_000))
-        spent.append(time.thread_time() - began)
-    return max(1.0, float(np.median(spent)) / PACE)
 
 
 def _pump(ms=100):

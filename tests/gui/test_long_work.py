@@ -15,7 +15,8 @@ import Mesh
 import numpy as np
 import Part
 import pytest
-from conftest import QtCore, QtWidgets, pace
+from conftest import QtCore, QtWidgets
+from pace import pace
 from test_clicks import look
 
 from freecad_fiveaxis import app

@@ -9,8 +9,8 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
-from conftest import pace
 from conftest import picture as picture_of
+from pace import pace
 from PySide import QtCore
 from scipy.spatial import cKDTree
 

@@ -14,7 +14,7 @@ HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parents[1]
 NEEDED = ("freecad", "freecadcmd", "Xvfb", "openbox", "xdotool", "import", "dbus-run-session")
 needs_a_desk = pytest.mark.skipif(not all(map(shutil.which, NEEDED)), reason="no FreeCAD, or no desk to sit at")
-PARTS = ("freecad_fiveaxis", "resources", "scripts", "tests/sitting", "Init.py", "InitGui.py", "package.xml")
+PARTS = ("freecad_fiveaxis", "resources", "scripts", "tests/sitting", "tests/pace.py", "Init.py", "InitGui.py", "package.xml")
 
 BROKEN = {
     "a slot raises": (
