@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.errors import FileError
 from freecad_fiveaxis.core.files import check_readable, read_bytes
 from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.sentences import say
-from freecad_fiveaxis.core.settings import AUDIT, build_settings
+from freecad_fiveaxis.core.settings import AUDIT, build_settings, is_part
 
 from . import convert, results
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, drawn_tool, setting_properties
@@ -53,9 +53,12 @@ class Audit(Proxy):
 
 
 def asked(options: Mapping[str, Any]) -> dict[str, Any]:
-    """What the core is asked: shank and holder are always drawn, but looked at only where ``gouge`` is not off."""
-    checked = options.get("gouge", "off") != "off"
-    return {name: value for name, value in options.items() if checked or name not in ("shank", "holder")}
+    """What the core is asked: shank and holder are always drawn, but checked only against a part, where ``gouge`` is not off."""
+    if not is_part(options.get("against") or ""):
+        left_out = {"gouge", "shank", "holder"}
+    else:
+        left_out = {"shank", "holder"} if options.get("gouge") == "off" else set()
+    return {name: value for name, value in options.items() if name not in left_out}
 
 
 def make(doc: Any, nc_path: str, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:

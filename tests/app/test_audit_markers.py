@@ -2,6 +2,7 @@
 """Audit and markers: the numbers and the places are the core's."""
 
 import numpy as np
+import Part
 import pytest
 from conftest import UNCURED
 
@@ -41,6 +42,24 @@ def test_the_marker_stands_at_the_largest_deviation_in_the_document(doc, table2)
     place = figures.deviation.place[figures.worst[0]]
     assert marks.Kinds[0] == "largest-deviation" and marks.Labels[0] == "2.126 mm, line 3"
     np.testing.assert_allclose(tuple(marks.Places[0]), place + (100, 0, -5), atol=1e-9)
+
+
+def test_a_part_to_compare_with_is_looked_at_by_the_whole_tool_unless_it_is_turned_off(doc, tmp_path):
+    program, part = tmp_path / "p.ngc", tmp_path / "box.stl"
+    program.write_text("G21 G90 G94\nG0 X-9 Y-9 Z60 A0 C0\nG0 X5 Y5 Z9\nG1 X5 Y5 Z60 F600\nM2\n")
+    low, high = np.zeros(3), np.array([10.0, 10.0, 10.0])
+    mesh = Part.makeBox(*(high - low)).tessellate(0.1)
+    facets = "".join(
+        "facet normal 0 0 0\nouter loop\n"
+        + "".join(f"vertex {x} {y} {z}\n" for x, y, z in (mesh[0][i] for i in face))
+        + "endloop\nendfacet\n"
+        for face in mesh[1]
+    )
+    part.write_text(f"solid box\n{facets}endsolid box\n")
+    for given, seen in (({}, True), ({"gouge": "off"}, False)):
+        made = app.audit(doc, program, "trunnion_ac", cutter="ball:2:4", holder="8x20", against=str(part), **given)
+        assert any(one.code == "rapid-collision" for one in results.figures_of(made).findings) is seen
+    assert app.audit(doc, program, "trunnion_ac", holder="8x20").State == ["Up-to-date"]  # drawn, and nothing to check it with
 
 
 def test_the_file_that_vanished_or_changed_is_told(doc, table2, reopen):

@@ -440,11 +440,26 @@ def test_any_cutter_is_held_against_the_part(tmp_path, cutter):
 
 def test_holder_and_rapids_of_a_program_are_checked_where_they_are_asked_for(tmp_path):
     lines = "G1 X-4 Y10 Z0 F600\nG1 Y20\nG0 X20 Z9\nG1 Z60"
-    alone = {one.code for one in audited(tmp_path, lines, cutter="ball:6:8").findings}
-    with_all = audited(tmp_path, lines, cutter="ball:6:8", gouge="report", holder="30x20")
+    alone = audited(tmp_path, lines, cutter="ball:6:8", gouge="off")
+    with_all = audited(tmp_path, lines, cutter="ball:6:8", holder="30x20")
     codes_ = {one.code for one in with_all.findings}
-    assert not {"holder-collision", "rapid-collision"} & alone and {"holder-collision", "rapid-collision"} <= codes_
+    assert not {"holder-collision", "rapid-collision"} & {one.code for one in alone.findings}
+    assert {"holder-collision", "rapid-collision"} <= codes_
+    without = audited(
+        tmp_path, lines, cutter="ball:6:8"
+    )  # rapids are looked at unasked, and a ball's deepest place stays its own
+    assert "rapid-collision" in {one.code for one in without.findings}
+    np.testing.assert_array_equal(without.audit.part.depth, alone.audit.part.depth)
     assert not math.isnan(with_all.audit.part.clearance)  # the ball's own measure still tells what is left
+
+
+def test_an_audit_with_the_gouge_check_off_says_so_and_one_without_a_part_checks_nothing(tmp_path):
+    clear = "G0 Z90\nG1 X20 F600"
+    told = {how: as_json(job.figures(audited(tmp_path, clear, cutter="ball:6", **how_))) for how, how_ in
+            {"": {}, "off": {"gouge": "off"}}.items()}  # fmt: skip
+    assert "only the cutter's own feed moves were checked" in told["off"] and "only the cutter" not in told[""]
+    assert build_settings("audit", "p.ngc", {"machine": "trunnion_ac"}).gouge.gouge == "off"
+    assert build_settings("audit", "p.ngc", {"machine": "trunnion_ac", "against": "a.stl"}).gouge.gouge == "report"
 
 
 @pytest.mark.parametrize(

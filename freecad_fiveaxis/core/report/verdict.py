@@ -16,7 +16,19 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.sentences import Area, Length, Number, Sentence, Template, first_clause, joined, measure, plural, say
+from freecad_fiveaxis.core.sentences import (
+    Area,
+    Choice,
+    Length,
+    Number,
+    Sentence,
+    Template,
+    first_clause,
+    joined,
+    measure,
+    plural,
+    say,
+)
 
 from .judgement import OVER, SINGULAR, UNPROVEN
 
@@ -81,7 +93,7 @@ def is_checked(figures: Figures) -> bool:
 
 
 def _stays_out(figures: Figures) -> Sentence:
-    above = figures.gouge is not None and any(figures.inputs.get(name) for name in ("shank", "holder"))
+    above = is_checked(figures) and any(figures.inputs.get(name) for name in ("shank", "holder"))
     return say("the tool stays out of the part") if above else say("the cutter stays out of the part (no shank or holder given)")
 
 
@@ -151,6 +163,8 @@ def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
         yield say("the program has no feed blocks, so nothing is proven")
     if not is_checked(figures):
         yield say("not checked against the part")
+    elif figures.inputs.get("gouge") == "off":
+        yield say("only the cutter's own feed moves were checked against the part ({off})", off=Choice("gouge", ("off",)))
     if guided := numbers["guided_blocks"]:
         yield say(
             "in {guided} of {all} feed blocks the controller guides the tip (RTCP), proven are only their ends",

@@ -218,7 +218,7 @@ class GougeSettings:
         "off", "choice",
         "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within max-tilt and "
         "lift where the cutter still enters; off: no check",
-        (MILL, AUDIT), choices=GOUGE, by_task={MILL: "lift"},
+        (MILL, AUDIT), choices=GOUGE, by_task={MILL: "lift", AUDIT: "report"},
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
         (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge", (MILL, AUDIT)

@@ -122,9 +122,17 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
     given = {name: value for name, value in options.items() if value is not None}
     groups = {top.name: _build(top.metadata["group"], task, given) for top in fields(Settings) if "group" in top.metadata}
     settings = Settings(task=task, source=source, **groups)
-    if settings.head.rtcp != "off" and "linearize" not in given:  # a default gives way to what is asked for
-        settings = replace(settings, cure=replace(settings.cure, linearize="off"))
+    settings = _with_defaults(settings, given)
     _check_together(settings)
+    return settings
+
+
+def _with_defaults(settings: Settings, given: Mapping[str, Any]) -> Settings:
+    """What was not asked for, where its default depends on what was: a guided tip is not divided, no part is not looked at."""
+    if settings.head.rtcp != "off" and "linearize" not in given:
+        settings = replace(settings, cure=replace(settings.cure, linearize="off"))
+    if settings.task == AUDIT and "gouge" not in given and not is_part(settings.audit.against or ""):
+        settings = replace(settings, gouge=replace(settings.gouge, gouge="off"))
     return settings
 
 
