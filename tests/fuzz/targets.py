@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is fuzzed: each target has seeds, whole files that work, and a function that reads one as a user's command would.
+
+A target may take the file or refuse it with an error of ours in one line. Anything else is a flaw: another exception, a warning
+of numpy's, a message of several lines, or more than the time that a small file may take.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.cli import main, read_job
+from freecad_fiveaxis.core.machine.machine_file import machine_folder
+from freecad_fiveaxis.core.machine_import import import_machine
+from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.settings import build_settings
+
+GOLDEN = Path(__file__).parents[1] / "golden"
+LINES = 60
+"""Of a seed, so that one run takes some hundredths of a second."""
+
+
+@dataclass(frozen=True)
+class Target:
+    """``seeds``: whole files; ``read``: takes the path of a spoilt one; ``ending`` of its name."""
+
+    seeds: tuple[bytes, ...]
+    read: Callable[[Path], object]
+    ending: str
+
+
+def _short(path: Path) -> bytes:
+    return b"\n".join(path.read_bytes().split(b"\n")[:LINES]) + b"\n"
+
+
+def _audit(controller: str) -> Callable[[Path], object]:
+    return lambda path: job.run(build_settings("audit", str(path), {"machine": "trunnion_ac", "controller": controller}))
+
+
+FOREIGN = {
+    "linuxcnc": (
+        b"G21 G90 G17 G94\nG0 X0 Y0 Z20 A0 C0\nF200\n#1=5\n#<depth>=-2.5\nG98 G81 X[#1*2] Y0 Z#<depth> R3\nX20\nG83 Y10 Z-8 R2 Q1.5\nG80\n"
+        b"o100 while [#1 GT 0]\nG1 X#1 A[#1*2]\n#1=[#1-1]\no100 endwhile\nG2 X5 Y5 I2.5 J2.5\nG4 P0.5\nM66E0L0\n(msg, hello)\nM2\n",
+        b"O10 SUB\nG1 X#1 F100\nO10 ENDSUB\nG90\nG0 X0 Y0 Z5 A0 C0\nO10 CALL [7]\nO20 IF [#5 EQ 0]\nG1 C10\nO20 ELSE\nG1 C20\nO20 ENDIF\nM2\n",
+    ),
+    "fanuc": (b"%\nO1234 (PART)\nG90 G21 G17 G94\nG0 X0. Y0. Z20. A0. C0.\n#100=3\nWHILE[#100GT0]DO1\nG1 X#100 F200.\n#100=#100-1\nEND1\nG43.4 H1\n"
+              b"G1 X5. A10. C20.\nG49\nG91 G28 Z0.\nM98 P2000\nM30\nO2000\nG90 G1 Y5.\nM99\n%\n",),
+    "siemens840d": (b"; PART\nG710 G90 G17\nR1=5 R2=R1+1\nTRAORI\nG0 X0 Y0 Z0 A=0 C=0\nG1 X=R1 Y=R2 A=DC(10) F100\nG1 X=IC(1) A3=0 B3=0.1 C3=0.99\nTRAFOOF\n"
+                    b"CYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\nG2 X3 Y3 I1 J1\nM30\n",),
+    "heidenhain": (b"0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+20 A+0 C+0 FMAX\n2 M128\n3 L X+1 Y-2.5 A+3 R0 F100\n4 CC X+0 Y+0\n5 C X+2 Y+0 DR+\n6 LN X+1 Y+1 Z+1 "
+                   b"TX+0.1 TY+0 TZ+0.99\n7 M129\n8 Q1 = 5\n9 L IX+1 FMAX M140 MB MAX\n10 END PGM A MM\n",),
+}  # fmt: skip
+"""Programs as other systems write them, by controller; some of it is refused by name."""
+
+CL = (
+    b"PARTNO TEST\nUNITS/MM\nCUTTER/10,5\nMULTAX/ON\nFEDRAT/500,MMPM\nRAPID\nGOTO/0,0,20,0,0,1\nGOTO/10,0,0,0,0.1,0.99\n"
+    b"CIRCLE/0,0,0,0,0,1,10\nGOTO/0,10,0,0,0,1\nGOTO/5,5,1,0.2,0,0.97\nFINI\n",
+    b"TOOL PATH/A,TOOL,T\nTLDATA/MILL,10.0000,5.0000,75.0000,0.0000,0.0000\nMSYS/0.0,0.0,0.0,1.0,0.0,0.0,0.0,1.0,0.0\n$$ centerline data\nPAINT/PATH\n"
+    b"LOADTL/1\nFEDRAT/MMPM,250.0\nGOTO/30.0,20.0,10.0,0.0,0.0,1.0\nCYCLE/DRILL,RAPTO,3.0,FEDTO,-10.0,RTRCTO,3.0,MMPM,100.0\nGOTO/40.0,20.0,0.0\n"
+    b"CYCLE/OFF\nEND-OF-PATH\n",
+    b"$$ CATIA\nUNITS / MM\nMULTAX\nTLAXIS/ 0.0, 0.0, 1.0\nFEDRAT/ 1000.0,MMPM\nGOTO  /   1.0,   2.0,   3.0, 0.000000, 0.000000, 1.000000           00010000\n"
+    b"INDIRV/ 1.0, 0.0, 0.0\nTLON,GOFWD/ (CIRCLE/   2.0,   3.0,   3.0,$\n   1.0),ON,2,INTOF,(LINE/   2.0,   3.0,   3.0,   3.0,   3.0,  3.0)\nGODLTA/1,0,0\nFINI\n",
+)  # fmt: skip
+JOBS = tuple(
+    json.dumps(one).encode()
+    for one in (
+        {"task": "mill", "source": "part.stl", "machine": "trunnion_ac", "output": "o.ngc", "cutter": "bull:10:2", "scallop": 0.01, "shank": [[8, 20]],
+         "tolerance": 0.01, "axis": [0, 0, 1], "report": ["r.json"], "linearize": "on", "gouge": "tilt", "lead": 5},
+        {"task": "audit", "source": "a.nc", "machine": "trunnion_ac", "against": "part.stl", "units": "inch", "origin": "0,0,50", "method": "so2008"},
+        {"task": "compare", "source": "a.apt", "machines": ["trunnion_ac", "head_bc.fcm"], "report": ["r.html"], "tool_length": "100 mm"},
+    )
+)  # fmt: skip
+INI = (
+    b"[KINS]\nKINEMATICS = xyzac-trt-kins\nJOINTS = 5\n[TRAJ]\nCOORDINATES = XYZAC\nLINEAR_UNITS = mm\n[HAL]\nHALFILE = k.hal\n[AXIS_X]\nMIN_LIMIT = -200\n"
+    b"MAX_LIMIT = 200\n[AXIS_A]\nMIN_LIMIT = -100\nMAX_LIMIT = 50\nMAX_VELOCITY = 30\n[AXIS_C]\nMIN_LIMIT = -36000\nMAX_LIMIT = 36000\n",
+)  # fmt: skip
+HAL = b"loadrt xyzac-trt-kins\nsetp xyzac-trt-kins.y-offset 20\nsetp xyzac-trt-kins.z-offset -10\n"
+STL = (
+    b"solid box\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 10 0 0\nvertex 0 10 0\nendloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 10 0 0\n"
+    b"vertex 10 10 0\nvertex 0 10 0\nendloop\nendfacet\nendsolid box\n",
+)
+ARGUMENTS = (
+    b"mill\npart.stl\n--machine\ntrunnion_ac\n-o\no.ngc\n--stepover\n2\n--cutter\nball:6", b"audit\na.nc\n--machine\ntrunnion_ac\n--tolerance\n0.01",
+    b"setup\npart.stl\n--machine\ntrunnion_ac\n--region\n10,10,10\n--grid\n2,2,1", b"machines", b"strategies", b"prove-signs\n--machine\ntrunnion_ac\n-o\np.nc",
+)  # fmt: skip
+"""Command lines, a word each line; no file of them exists, so that only their reading is tried."""
+
+
+def _post(path: Path) -> object:
+    return job.run(build_settings("post", str(path), {"machine": "trunnion_ac", "output": "unused.ngc"}))
+
+
+def _mill(path: Path) -> object:
+    given = {"machine": "trunnion_ac", "output": "unused.ngc", "stepover": 2, "cutter": "ball:3:10"}
+    return job.run(build_settings("mill", str(path), given))
+
+
+def _machine(path: Path) -> object:
+    from freecad_fiveaxis.core.machine import load_machine
+
+    return load_machine(path)
+
+
+def _ini(path: Path) -> object:
+    path.with_name("k.hal").write_bytes(HAL)
+    return import_machine(str(path))
+
+
+def _command(path: Path) -> object:
+    words = path.read_bytes().decode("utf-8", "surrogateescape").split("\n")
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said:
+        try:
+            code = main([str(path.parent / word) if "." in word and not word.startswith("-") else word for word in words])
+        except SystemExit as left:  # argparse
+            code = left.code
+    if code not in (0, 1, 2):
+        raise AssertionError(f"exit code {code}: {said.getvalue()}")
+    return code
+
+
+def _programs(controller: str) -> Target:
+    """A controller's own programs here, and some as others write them."""
+    own = tuple(_short(path) for path in sorted(GOLDEN.glob(f"{controller}_g*.nc")))
+    return Target(own + FOREIGN.get(controller, ()), _audit(controller), ".nc")
+
+
+TARGETS = {
+    **{f"nc-{controller}": _programs(controller) for controller in sorted(DIALECTS)},
+    "cl": Target(CL, _post, ".apt"),
+    "job": Target(JOBS, lambda path: read_job(str(path)), ".json"),
+    "machine": Target(tuple(path.read_bytes() for path in sorted(machine_folder().glob("*.fcm"))), _machine, ".fcm"),
+    "ini": Target(INI, _ini, ".ini"),
+    "stl": Target(STL, _mill, ".stl"),
+    "command": Target(ARGUMENTS, _command, ".txt"),
+}
