@@ -12,12 +12,15 @@ from freecad_fiveaxis.app.labels import group_label
 from freecad_fiveaxis.app.selection import is_mesh
 from freecad_fiveaxis.gui.messages import telling
 from freecad_fiveaxis.gui.qt import QtCore, translate
+from freecad_fiveaxis.gui.waiting import waiting
 
 from .fields import QuantityField
 from .form import SPACING, Form, Section
 from .job_setup import FAR, SHARED, SetupField, ask, shown
+from .panel_widget import PanelWidget
 from .path_panel import DRAWN, PathPanel, fit, is_seen, show
 from .picking import PointField
+from .scale_offer import ScaleOffer
 
 EXTRAS = ("work_zero", "linear_deflection", "angular_deflection")
 """Fields that are no options of the core."""
@@ -33,7 +36,9 @@ class ToolpathPanel(PathPanel):
         extras = [self.setup, *self._extras(not meshed)]
         part = base if obj is None else obj.Mesh
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
+        self.scale_offer = ScaleOffer()
         super().__init__(doc, translate("FiveAxis", "Tool path"), form, obj)
+        self.scale_offer.chosen.connect(self.scale_part)
         self.setup.edited.connect(self._take_setup)
         self.setup.browse.clicked.connect(lambda *_: self._edit_setup())
 
@@ -68,6 +73,31 @@ class ToolpathPanel(PathPanel):
             QtCore.QTimer.singleShot(DRAWN, lambda: fit(name))
         self.shown = True
         return True
+
+    def _widget(self, title: str) -> Any:
+        head = (self.calculate_button, self.summary, self.scale_offer, self.options.error)
+        return PanelWidget(title, head, self.options.widget)
+
+    def _edited(self) -> None:
+        super()._edited()
+        self.scale_offer.show_for(None if self.stale else self.obj)
+
+    def scale_part(self, factor: float) -> bool:
+        """Mill the part ``factor`` times as large, and calculate anew; whether that went well. Cancel takes it back."""
+        from freecad_fiveaxis.app.scaling import scale_part
+
+        self.step.begin()
+        try:
+            with waiting(self.title):
+                scale_part(self.obj, factor)
+        except BaseException as error:  # FreeCADAbort (Esc) is no Exception
+            self._undone()
+            self._tell(error)
+            return False
+        self.options.show_options({"work_zero": tuple(self.obj.WorkZero)})
+        self.calculated = None
+        self.shown = self.shown and self.base is None
+        return self.calculate()
 
     def _edit_setup(self) -> None:
         """Change the setup, or make one of what the form says; Cancel of the panel takes that back."""
