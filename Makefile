@@ -5,7 +5,7 @@
 PYTHON := .venv/bin/python
 FIVEAXIS := $(PYTHON) -m freecad_fiveaxis
 
-.PHONY: help demo test lint core slow linuxcnc freecad sitting test-matrix install bench clean
+.PHONY: help demo test lint core oldest slow linuxcnc freecad sitting test-matrix install bench clean
 
 help:
 	@sed -n '2,4s/^# //p' Makefile
@@ -25,6 +25,10 @@ lint:
 core:
 	@scripts/prepare test
 	$(PYTHON) -m pytest -n 2 -m "not rs274 and not slow"
+
+oldest: # the core ring on the oldest numpy and scipy that pyproject.toml allows
+	@scripts/prepare oldest
+	[ ! -e .cache/oldest/.complete ] || .cache/oldest/bin/python -m pytest -n 2 -m "not rs274 and not slow" -p no:cacheprovider
 
 slow: # what takes long to prove: dense samples of many blocks, dynamic programmes, every cure on every machine, real meshes
 	@scripts/prepare test
