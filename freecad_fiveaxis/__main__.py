@@ -4,8 +4,11 @@
 import sys
 
 if __name__ == "__main__":
+    from freecad_fiveaxis.core import signals
+
     try:
+        signals.watch()
         from freecad_fiveaxis.core.cli import main
-    except KeyboardInterrupt:  # before main could take care of it
-        sys.exit(130)
+    except KeyboardInterrupt as stop:  # before main could take care of it
+        sys.exit(signals.exit_code(stop))
     sys.exit(main())

@@ -20,7 +20,7 @@ STREET = [  # rooms and single modules of the core; imports only point up this l
     "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces", "part_size",
     "nc_reader", "audit", "report", "setup_map", "compare", "recover", "prove_signs", "playback", "machine_sketch",
     "option_values", "settings", "fewer_axes", "asked", "safe_start", "gouge_free", "job", "outputs", "cures", "trials", "workshop",
-    "terminal", "cli",
+    "job_file", "terminal", "cli",
 ]  # fmt: skip
 LATE = {"post/writer.py": "program", "post/start.py": "program"}  # a file that stands further down the street than its room
 

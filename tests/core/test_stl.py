@@ -115,7 +115,7 @@ def test_a_missing_file_is_a_file_error(tmp_path):
 
 def test_a_folder_that_cannot_be_written_is_a_file_error_and_leaves_nothing(tmp_path):
     mesh = from_triangles(box())
-    with pytest.raises(FileError, match="is a folder"):
+    with pytest.raises(FileError, match="cannot be written"):
         write_stl(mesh, tmp_path / "no folder" / "out.stl")
     (tmp_path / "taken.stl").mkdir()
     with pytest.raises(FileError, match="is a folder"):
