@@ -4,11 +4,15 @@
 import sys
 
 if __name__ == "__main__":
-    from freecad_fiveaxis.core import signals
-
     try:
+        from freecad_fiveaxis.core import signals
+
         signals.watch()
         from freecad_fiveaxis.core.cli import main
+
+        code = main()
     except KeyboardInterrupt as stop:  # before main could take care of it
-        sys.exit(signals.exit_code(stop))
-    sys.exit(main())
+        if sys.stderr is not None:
+            print("stopped; nothing was written", file=sys.stderr, flush=True)
+        code = 128 + getattr(stop, "number", 2)
+    sys.exit(code)

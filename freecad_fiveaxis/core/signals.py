@@ -43,9 +43,11 @@ class _Watch:
         if self.first is None:
             self.first = Stopped(number)
             raise self.first
-        if self.last_words is not None:
-            self.last_words()
-        os._exit(exit_code(self.first))
+        try:
+            if self.last_words is not None:
+                self.last_words()
+        finally:  # whatever the words met with: the stream may be in use just now
+            os._exit(exit_code(self.first))
 
     def leave_at_once(self, number: int, frame: FrameType | None) -> None:
         """Nothing is left to tidy up, and an exception in Python's own last steps would be shown to the user."""
