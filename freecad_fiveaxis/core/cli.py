@@ -22,7 +22,7 @@ import traceback
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from freecad_fiveaxis import __version__
 from freecad_fiveaxis.core.sentences import one_line, say
@@ -134,8 +134,15 @@ def _show_error(text: str) -> None:
         show(text, sys.stderr)
 
 
+class _Parser(argparse.ArgumentParser):
+    """Whose message is one line, whatever words were given."""
+
+    def error(self, message: str) -> NoReturn:
+        super().error(one_line(message))
+
+
 def _parser() -> argparse.ArgumentParser:
-    top = argparse.ArgumentParser(
+    top = _Parser(
         prog="fiveaxis", description="Five-axis tool paths with a proven deviation for every block.",
         epilog="Lengths in mm, angles in deg, or with a unit: 0.5in, 2deg. Feeds in mm/min.",
     )  # fmt: skip

@@ -206,6 +206,12 @@ def test_control_characters_in_names_are_shown_escaped(nc, tmp_path, capsys):
     assert (tmp_path / "a.txt").read_text().startswith("p\\n.ngc: audit on") and blocks.exists()
 
 
+def test_words_that_are_no_options_are_shown_on_one_line_too(capsys):
+    with pytest.raises(SystemExit, match="2"):
+        run("machines", "--no\nsuch")
+    assert capsys.readouterr().err.splitlines()[-1].endswith("unrecognized arguments: --no\\nsuch")
+
+
 # ------------------------------------------------------------------------------------------------ hostile input
 
 
