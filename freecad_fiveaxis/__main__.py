@@ -4,15 +4,14 @@
 import sys
 
 if __name__ == "__main__":
-    try:
-        from freecad_fiveaxis.core import signals
+    from freecad_fiveaxis.core import signals
 
+    try:
         signals.watch()
         from freecad_fiveaxis.core.cli import main
 
         code = main()
     except KeyboardInterrupt as stop:  # before main could take care of it
-        if sys.stderr is not None:
-            print("stopped; nothing was written", file=sys.stderr, flush=True)
-        code = 128 + getattr(stop, "number", 2)
+        signals.tell()
+        code = signals.exit_code(stop)
     sys.exit(code)

@@ -89,8 +89,7 @@ def _answered(argv: Sequence[str]) -> int:
 
 
 def _stopped(stop: BaseException) -> int:
-    signals.told()
-    _complain_stopped()
+    signals.tell(_complain_stopped)
     return signals.exit_code(stop)
 
 

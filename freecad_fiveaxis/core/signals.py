@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -31,21 +32,28 @@ def exit_code(stop: BaseException) -> int:
     return 128 + (stop.number if isinstance(stop, Stopped) else signal.SIGINT)
 
 
+def _nothing_written() -> None:
+    if sys.stderr is not None:
+        print("stopped; nothing was written", file=sys.stderr, flush=True)
+
+
 class _Watch:
     """What a command line does about signals; one for each process, as the signals are."""
 
     def __init__(self) -> None:
         self.first: Stopped | None = None
-        self.last_words: Callable[[], None] | None = None
+        self.last_words: Callable[[], None] = _nothing_written
+        self.telling = False
 
     def take(self, number: int, frame: FrameType | None) -> None:
         """The first signal is an exception; the second ends the process at once: the user is in a hurry."""
         if self.first is None:
             self.first = Stopped(number)
             raise self.first
+        if self.telling:  # and then it ends
+            return
         try:
-            if self.last_words is not None:
-                self.last_words()
+            self.last_words()
         finally:  # whatever the words met with: the stream may be in use just now
             os._exit(exit_code(self.first))
 
@@ -57,19 +65,20 @@ class _Watch:
 _watch = _Watch()
 
 
-def watch(last_words: Callable[[], None] | None = None) -> None:
+def watch(last_words: Callable[[], None] = _nothing_written) -> None:
     """From now on the first signal raises :class:`Stopped` in the main thread; for a command line, not for a library.
 
-    ``last_words`` are said where a second signal comes before the first was told."""
+    ``last_words`` are said where a second signal comes before the first is told."""
     _watch.last_words = last_words
     for number in ENDING:
         if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
             signal.signal(number, _watch.take)
 
 
-def told() -> None:
-    """The user knows that the process stops: a second signal needs no words."""
-    _watch.last_words = None
+def tell(last_words: Callable[[], None] = _nothing_written) -> None:
+    """Say the last words before the end; signals that come now are too late to matter."""
+    _watch.telling = True
+    last_words()
 
 
 def unwatch() -> None:
