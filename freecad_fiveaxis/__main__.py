@@ -4,8 +4,14 @@
 import sys
 
 if __name__ == "__main__":
+    from freecad_fiveaxis.core import signals
+
     try:
+        signals.watch()
         from freecad_fiveaxis.core.cli import main
-    except KeyboardInterrupt:  # before main could take care of it
-        sys.exit(130)
-    sys.exit(main())
+
+        code = main()
+    except KeyboardInterrupt as stop:  # before main could take care of it
+        signals.tell()
+        code = signals.exit_code(stop)
+    sys.exit(code)

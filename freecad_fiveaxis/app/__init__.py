@@ -54,15 +54,15 @@ def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
     return act(doc, base, settings)
 
 
-def post_process(toolpath: Any, nc_path: Any, overwrite: bool = False) -> Any:
-    """Write the NC file; returns the NCOutput object.
+def post_process(toolpath: Any, nc_path: Any, overwrite: bool = False, also: Any = None) -> Any:
+    """Write the NC file; returns the NCOutput object. ``also``: further files by name, as bytes; all are written or none.
 
     A file that is there is replaced only where asked, where it is empty, or where it still is what was written last.
     Raises FileError and what the toolpath's computation raises; then the file is as it was.
     """
     from .nc_output import post_process as act
 
-    return act(toolpath, nc_path, overwrite)
+    return act(toolpath, nc_path, overwrite, also)
 
 
 def annotate(toolpath: Any) -> Any:

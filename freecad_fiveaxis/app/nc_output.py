@@ -12,12 +12,12 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from freecad_fiveaxis.core.errors import FileError, FiveAxisError
-from freecad_fiveaxis.core.files import check_writable, read_bytes, write_whole
+from freecad_fiveaxis.core.files import check_writable, read_bytes, write_all
 from freecad_fiveaxis.core.sentences import say
 
 from . import results, wording
@@ -57,8 +57,11 @@ class NCOutput(Proxy):
         obj.UpToDate = _is_up_to_date(obj)
 
 
-def post_process(toolpath: Any, nc_path: str | os.PathLike[str], overwrite: bool = False) -> Any:
-    """Write the toolpath's NC file, whole or not at all; returns its NCOutput object, one for each file.
+def post_process(
+    toolpath: Any, nc_path: str | os.PathLike[str], overwrite: bool = False, also: Mapping[str, bytes] | None = None
+) -> Any:
+    """Write the toolpath's NC file and what is named ``also`` (its reports), all or none; returns its NCOutput object, one for
+    each file.
 
     An existing file is replaced only if ``overwrite``, if it is empty, or if it still is what was written last. Raises
     FileError for a file that may not be replaced or a folder that cannot be written, SelectionError for what is no toolpath,
@@ -69,7 +72,7 @@ def post_process(toolpath: Any, nc_path: str | os.PathLike[str], overwrite: bool
     path = Path(nc_path).expanduser().absolute()
     check_replaceable(toolpath.Document, path, overwrite)
     nc = results.nc_of(toolpath)
-    write_whole(path, nc)
+    write_all({str(path): nc, **(also or {})})
     obj = _output(toolpath, path)
     obj.File, obj.Written, obj.UpToDate = str(path), _digest(nc), True
     obj.purgeTouched()

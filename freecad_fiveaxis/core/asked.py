@@ -12,7 +12,7 @@ from pathlib import Path
 
 from freecad_fiveaxis.core.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.machine import Machine, load_machine
-from freecad_fiveaxis.core.sentences import Option, say
+from freecad_fiveaxis.core.sentences import Option, one_line, say
 
 from .apt import ClHead
 from .cutter import cutter_name
@@ -111,5 +111,5 @@ def nc_title(settings: Settings, machine: Machine) -> str:
 
 
 def title_of(settings: Settings) -> str:
-    """The title of reports: the source's name."""
-    return Path(settings.source).name
+    """The title of reports: the source's name, on one line."""
+    return one_line(Path(settings.source).name)

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The command line, its options made from :mod:`settings`.
 
-exit 0    done.    exit 1    done, with findings of severity error.    exit 2    the input cannot be used: a message on
-stderr, no output file; or the report cannot be shown: the message says which files are written.    exit 130    stopped by
-the user, no output file.
+exit 0    done.
+exit 1    done, with findings of severity error.
+exit 2    the input cannot be used: a message on stderr, no output file; or the report cannot be shown: the message says which
+          files are written.
+exit 3    a fault of the program or of its surroundings (memory that ran out): one line says where to report it. With
+          FIVEAXIS_TRACEBACK in the environment, Python's traceback comes before it.
+exit 130  stopped by SIGINT (Ctrl-C); 143 by SIGTERM, 129 by SIGHUP. The message says whether the outputs are written.
 
 The core is imported where it is used: numpy takes its time to load, and the user may stop that as well.
 """
@@ -11,19 +15,21 @@ The core is imported where it is used: numpy takes its time to load, and the use
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import os
 import sys
-from collections.abc import Iterable, Sequence
+import traceback
+import warnings
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from freecad_fiveaxis import __version__
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.sentences import one_line, say
 
+from . import signals
 from .errors import Cancelled, FileError, FiveAxisError, SettingsError
-from .files import check_readable, check_writable, read_bytes
+from .files import check_readable, check_writable, written
 from .findings import Severity
 from .memory import keep_freed_memory
 from .terminal import bars, show
@@ -31,7 +37,11 @@ from .terminal import bars, show
 if TYPE_CHECKING:
     from .settings import Settings
 
-DONE, DONE_WITH_ERRORS, UNUSABLE, STOPPED = 0, 1, 2, 130
+DONE, DONE_WITH_ERRORS, UNUSABLE, FAULT, STOPPED = 0, 1, 2, 3, 130
+REPORT_TO = "https://github.com/freecad-fiveaxis/freecad-fiveaxis/issues"
+"""Where faults are told, as package.xml says."""
+TRACEBACK = "FIVEAXIS_TRACEBACK"
+"""The environment variable that asks for tracebacks; empty is as good as not set."""
 ABOUT = {
     "mill": ("PART.stl", "mill a part: from an STL file to a proven NC program"),
     "post": ("PATH.apt", "post a CL file (APT) to a proven NC program"),
@@ -48,17 +58,58 @@ SECOND = {"program": "PROGRAM.ngc"}
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line; returns the exit code."""
-    if argv is None:  # a process of its own
+    if argv is not None:
+        return _answered(argv)
+    try:  # a process of its own
+        signals.watch(_complain_stopped)
         keep_freed_memory()
+        if not sys.warnoptions:  # warnings are for developers; findings say what a user should know
+            warnings.simplefilter("ignore")
+        return _answered(sys.argv[1:])
+    except KeyboardInterrupt as stop:  # while the outcome was told
+        return signals.exit_code(stop)
+    finally:
+        signals.unwatch()
+
+
+def _answered(argv: Sequence[str]) -> int:
+    """The exit code; what went wrong is told in one line."""
+    written.clear()
     try:
-        arguments = _parser().parse_args(_bare_said(sys.argv[1:] if argv is None else argv))
+        arguments = _parser().parse_args(_bare_said(argv))
         return int(arguments.act(arguments))
-    except (KeyboardInterrupt, Cancelled):
-        _complain("stopped; nothing was written")
-        return STOPPED
+    except (KeyboardInterrupt, Cancelled) as stop:
+        return _stopped(stop)
     except FiveAxisError as error:
         _complain(f"fiveaxis: {error}")
         return UNUSABLE
+    except Exception as fault:
+        signal = signals.received()  # what a module that is being loaded makes of a signal may be an ImportError
+        return _failed(fault) if signal is None else _stopped(signal)
+
+
+def _stopped(stop: BaseException) -> int:
+    signals.tell(_complain_stopped)
+    return signals.exit_code(stop)
+
+
+def _complain_stopped() -> None:
+    _complain(f"stopped; written before: {', '.join(written)}" if written else "stopped; nothing was written")
+
+
+def _failed(fault: Exception) -> int:
+    """A fault of ours, in one line."""
+    if os.environ.get(TRACEBACK):
+        _show_error("".join(traceback.format_exception(fault)).rstrip())
+    place = traceback.extract_tb(fault.__traceback__)[-1]
+    kind = "out of memory" if isinstance(fault, MemoryError) else "fault of the program"
+    what = ": ".join(part for part in (type(fault).__name__, str(fault)) if part)
+    _complain(
+        f"fiveaxis: {kind}: {what} ({os.path.basename(place.filename)} line {place.lineno}); "
+        + (f"written before: {', '.join(written)}; " if written else "nothing was written; ")
+        + f"please report it with the command and its files at {REPORT_TO} ({TRACEBACK}=1 shows more)"
+    )
+    return FAULT
 
 
 def _bare_said(argv: Sequence[str]) -> list[str]:
@@ -74,12 +125,23 @@ def _bare_said(argv: Sequence[str]) -> list[str]:
 
 
 def _complain(line: str) -> None:
+    _show_error(one_line(line))
+
+
+def _show_error(text: str) -> None:
     with suppress(FileError):  # where stderr cannot be written, the exit code is all that is left
-        show(line, sys.stderr)
+        show(text, sys.stderr)
+
+
+class _Parser(argparse.ArgumentParser):
+    """Whose message is one line, whatever words were given."""
+
+    def error(self, message: str) -> NoReturn:
+        super().error(one_line(message))
 
 
 def _parser() -> argparse.ArgumentParser:
-    top = argparse.ArgumentParser(
+    top = _Parser(
         prog="fiveaxis", description="Five-axis tool paths with a proven deviation for every block.",
         epilog="Lengths in mm, angles in deg, or with a unit: 0.5in, 2deg. Feeds in mm/min.",
     )  # fmt: skip
@@ -114,7 +176,7 @@ def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
     if what:
         parser.add_argument("source", metavar=what)
     for cls, leaf in option_fields(task):
-        title = (cls.__doc__ or "").strip().rstrip(".")
+        title = cls.__name__ if sys.flags.optimize > 1 else (cls.__doc__ or "").strip().rstrip(".")  # -OO: no docstrings
         if leaf.name in SECOND:
             parser.add_argument(leaf.name, metavar=SECOND[leaf.name])
             continue
@@ -170,58 +232,18 @@ def _run_task(arguments: argparse.Namespace) -> int:
 
 
 def _run_file(arguments: argparse.Namespace) -> int:
-    return _run(read_job(arguments.source), arguments.quiet)
+    from .job_file import read_job
+
+    return _run(read_job(arguments.source), arguments.quiet, (arguments.source,))
 
 
-def read_job(path: str) -> Settings:
-    """A job file: ``{"task": "mill", "source": "part.stl", "machine": ..., ...}``; its paths are relative to the file.
-
-    Raises SettingsError where it is no such thing. A report's ``inputs`` are a job file too.
-    """
-    from .settings import TASKS, WITHOUT_SOURCE, build_settings, option_fields
-
-    try:
-        given = json.loads(read_bytes(path, "job file"))
-    except (ValueError, RecursionError) as error:
-        raise SettingsError(say("job file {path} is not JSON: {error}", path=path, error=error), path) from error
-    if isinstance(given, dict) and given.get("task") in WITHOUT_SOURCE:
-        given.setdefault("source", "")
-    if not isinstance(given, dict) or given.get("task") not in TASKS or not isinstance(given.get("source"), str):
-        raise SettingsError(
-            say(
-                'job file {path} needs "task" (one of {tasks}) and "source", the file to read', path=path, tasks=", ".join(TASKS)
-            ),
-            path,
-        )
-    options = {name.replace("-", "_"): value for name, value in given.items() if name not in ("task", "source")}
-    settings_paths = {leaf.name for _, leaf in option_fields() if leaf.metadata["kind"] in ("path", "paths")}
-    beside = {name: _beside(path, value) if name in settings_paths else value for name, value in options.items()}
-    for name in {"machine", "machines"} & set(beside):
-        beside[name] = _machines_beside(path, beside[name])
-    return build_settings(given["task"], _beside(path, given["source"]) if given["source"] else "", beside)
-
-
-def _beside(job_file: str, value: Any) -> Any:
-    if isinstance(value, list):
-        return [_beside(job_file, item) for item in value]
-    return os.path.join(os.path.dirname(job_file), value) if isinstance(value, str) else value
-
-
-def _machines_beside(job_file: str, value: Any) -> Any:
-    """Machine files relative to the job file; names of shipped machines as they are."""
-    if isinstance(value, list):
-        return [_machines_beside(job_file, item) for item in value]
-    if not isinstance(value, str):
-        return value
-    return ",".join(_beside(job_file, name.strip()) if name.endswith(".fcm") else name for name in value.split(","))
-
-
-def _run(settings: Settings, quiet: bool) -> int:
+def _run(settings: Settings, quiet: bool, read: Sequence[str] = ()) -> int:
+    """Do what is asked; ``read``: files that are read already, which no output may be."""
     from freecad_fiveaxis.core.report import as_text
 
     from . import job, outputs, trials, workshop
 
-    outputs.check_outputs(settings)
+    outputs.check_outputs(settings, read)
     if settings.task in workshop.TASKS:
         return _work(settings, quiet)
     if settings.task in trials.TRIALS:
@@ -231,9 +253,9 @@ def _run(settings: Settings, quiet: bool) -> int:
     check_readable(settings.source)
     with bars(quiet) as progress:
         result = job.run(settings, progress)
-        written = outputs.write_outputs(result, progress)
+        made = outputs.write_outputs(result, progress)
     if not quiet:
-        _show_report([as_text(job.figures(result)), *(f"wrote {path}" for path in written)], written)
+        _show_report([as_text(job.figures(result)), *_wrote(made)], made)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in result.findings) else DONE
 
 
@@ -243,9 +265,9 @@ def _try(settings: Settings, quiet: bool) -> int:
     check_readable(settings.source)
     with bars(quiet) as progress:
         trial = trials.run(settings, progress)
-        written = trials.write_outputs(trial)
+        made = trials.write_outputs(trial)
     if not quiet:
-        _show_report([trials.as_text(trial), *(f"wrote {path}" for path in written)], written)
+        _show_report([trials.as_text(trial), *_wrote(made)], made)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in trial.findings) else DONE
 
 
@@ -254,10 +276,14 @@ def _work(settings: Settings, quiet: bool) -> int:
 
     with bars(quiet) as progress:
         done = workshop.run(settings, progress)
-        written = workshop.write_outputs(done)
+        made = workshop.write_outputs(done)
     if not quiet:
-        _show_report([workshop.as_text(done), *(f"wrote {path}" for path in written)], written)
+        _show_report([workshop.as_text(done), *_wrote(made)], made)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in done.findings) else DONE
+
+
+def _wrote(files: Iterable[str]) -> Iterator[str]:
+    return (f"wrote {one_line(path)}" for path in files)
 
 
 def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:
@@ -281,7 +307,7 @@ def _import_machine(arguments: argparse.Namespace) -> int:
     imported = import_machine(arguments.source)
     save_machine(imported.machine, arguments.output)
     if not arguments.quiet:
-        _show_report([as_text(imported), f"wrote {arguments.output}"], [arguments.output])
+        _show_report([as_text(imported), *_wrote([arguments.output])], [arguments.output])
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in imported.findings) else DONE
 
 
@@ -300,7 +326,10 @@ def _controllers(arguments: argparse.Namespace) -> int:
 def _strategies(arguments: argparse.Namespace) -> int:
     from .tool_axis import STRATEGIES
 
-    return _list((name, (strategy.__doc__ or "").strip().splitlines()[0]) for name, strategy in STRATEGIES.items())
+    told = {
+        name: (strategy.__doc__ or "").strip() for name, strategy in STRATEGIES.items()
+    }  # none where Python left them out (-OO)
+    return _list((name, text.partition("\n")[0]) for name, text in told.items())
 
 
 def _list(rows: Iterable[tuple[str, str]]) -> int:

@@ -30,12 +30,17 @@ def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
         given = rules["bare"] if given else leaf.default
     if rules["choices"] and given not in rules["choices"]:
         raise SettingsError(
-            say("{name} {given} is not one of {rules}", name=name, given=repr(given), rules=", ".join(rules["choices"])), given
+            say(
+                "{name} {given} is not one of {rules}", name=name, given=quantity.shown(given), rules=", ".join(rules["choices"])
+            ),
+            given,
         )
     try:
         value = READERS[rules["kind"]](given, name)
     except TypeError as error:
-        raise SettingsError(say("{name} {given} is not of the right kind", name=name, given=repr(given)), given) from error
+        raise SettingsError(
+            say("{name} {given} is not of the right kind", name=name, given=quantity.shown(given)), given
+        ) from error
     numbers = [number for number in (value if isinstance(value, tuple) else (value,)) if isinstance(number, float)]
     if not all(rules["least"] <= number <= rules["most"] and number > rules["above"] for number in numbers):
         raise SettingsError(
@@ -66,10 +71,11 @@ def _range_said(rules: Mapping[str, Any]) -> Sentence:
 def read_text(given: Any, name: str) -> str:
     """A text that can name a file or a thing. Raises SettingsError."""
     if not isinstance(given, str) or not given:
-        raise SettingsError(say("{name} {given} is not a text", name=name, given=repr(given)), given)
+        raise SettingsError(say("{name} {given} is not a text", name=name, given=quantity.shown(given)), given)
     if not is_name(given):
         raise SettingsError(
-            say("{name} {given} holds a character that no name can have; give another", name=name, given=repr(given)), given
+            say("{name} {given} holds a character that no name can have; give another", name=name, given=quantity.shown(given)),
+            given,
         )
     return given
 
@@ -77,7 +83,7 @@ def read_text(given: Any, name: str) -> str:
 def _count(given: Any, name: str) -> float:
     value = quantity.parse(given, quantity.NUMBERS, name)
     if value != int(value):
-        raise SettingsError(say("{name} {given} is not a whole number", name=name, given=repr(given)), given)
+        raise SettingsError(say("{name} {given} is not a whole number", name=name, given=quantity.shown(given)), given)
     return value
 
 
@@ -92,6 +98,8 @@ def _names(given: Any, name: str) -> tuple[str, ...]:
 
 
 def _paths(given: Any, name: str) -> tuple[str, ...]:
+    if not isinstance(given, str | list | tuple):
+        raise TypeError
     return tuple(read_text(item, name) for item in ([given] if isinstance(given, str) else given))
 
 

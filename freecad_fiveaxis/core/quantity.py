@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+import reprlib
 
 from freecad_fiveaxis.core.sentences import say
 
@@ -23,13 +24,13 @@ _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\
 
 def parse(text: str | float, units: dict[str, float], what: str) -> float:
     """The number of ``text`` in the core's unit. Raises SettingsError that names the text and the units known."""
-    match = _QUANTITY.fullmatch(str(text))
+    match = _QUANTITY.fullmatch(str(text)) if isinstance(text, str | float | int) else None
     if not match or match.group(2).lower() not in units or not math.isfinite(float(match.group(1))):
         known = ", ".join(unit for unit in units if unit)
         raise SettingsError(
-            say("{what} {text} is not a number with one of the units {known}", what=what, text=repr(text), known=known)
+            say("{what} {text} is not a number with one of the units {known}", what=what, text=shown(text), known=known)
             if known
-            else say("{what} {text} is not a number", what=what, text=repr(text)),
+            else say("{what} {text} is not a number", what=what, text=shown(text)),
             text,
         )
     return float(match.group(1)) * units[match.group(2).lower()]
@@ -43,7 +44,7 @@ def parse_length(text: str | float, what: str = "length") -> float:
 def parse_stack(text: str | list[str] | tuple[tuple[float, float], ...], what: str = "stack") -> tuple[tuple[float, float], ...]:
     """Cylinders upon each other, mm: ``DIAMETERxLENGTH``, as ``16x30`` or ``40x25,63x50`` (also ``0.5inx2in``); (d, l) each."""
     if not isinstance(text, str):
-        return tuple(row if isinstance(row, tuple) else parse_stack(row, what)[0] for row in text)
+        return tuple(row if isinstance(row, tuple) else _stack_row(row, what) for row in text)
     rows = []
     for part in text.split(","):
         diameter, times, length = part.lower().partition("x")
@@ -70,6 +71,21 @@ def parse_stack(text: str | list[str] | tuple[tuple[float, float], ...], what: s
     return tuple(rows)
 
 
+def _stack_row(text: str, what: str) -> tuple[float, float]:
+    """One cylinder of a list. Raises SettingsError for anything but one."""
+    rows = parse_stack(text, what) if isinstance(text, str) else ()
+    if len(rows) != 1:
+        raise SettingsError(
+            say("{what} {text} is no cylinder; write diameter x length, as 40x25", what=what, text=shown(text)), text
+        )
+    return rows[0]
+
+
+def shown(given: object) -> str:
+    """What was given, for a message: a text or number as it is, of anything else the beginning."""
+    return repr(given) if isinstance(given, str | float) else reprlib.repr(given)
+
+
 def stack_text(stack: tuple[tuple[float, float], ...]) -> str:
     """The stack as :func:`parse_stack` reads it as the same one, mm; empty where there is none."""
     return ",".join("x".join(repr(float(size)).removesuffix(".0") for size in row) for row in stack)
@@ -89,6 +105,6 @@ def parse_triple(text: str | list[float] | tuple[float, ...], units: dict[str, f
     """Three quantities, as ``X,Y,Z``."""
     parts = text.split(",") if isinstance(text, str) else list(text)
     if len(parts) != 3:
-        raise SettingsError(say("{what} {text} needs three numbers, as 0,0,50", what=what, text=repr(text)), text)
+        raise SettingsError(say("{what} {text} needs three numbers, as 0,0,50", what=what, text=shown(text)), text)
     x, y, z = (parse(part, units, what) for part in parts)
     return x, y, z

@@ -219,6 +219,15 @@ def joined(parts: Iterable[str], between: str = " ") -> Sentence:
     return Sentence(glue.join(f"{{{name}}}" for name in given), given, translated=False)
 
 
+CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
+"""What moves the cursor, ends the line or turns the way of writing; a file's name may hold it, a line that is shown may not."""
+
+
+def one_line(text: str) -> str:
+    """A text from outside, as a name of a file, with its control characters written out (``\\n``)."""
+    return CONTROL.sub(lambda found: found[0].encode("unicode_escape").decode("ascii"), text)
+
+
 CLAUSE = re.compile(r"[.:;] ")
 """What ends a clause; a point within a number does not."""
 
@@ -273,9 +282,9 @@ def _render_value(value: Any, translate: Translate, units: Units, names: Names) 
 
 
 def _value(value: Any) -> Any:
-    """What a sentence keeps: no arrays' numbers, and of an error its text."""
+    """What a sentence keeps: no arrays' numbers, of an error its text, and of what comes from outside one line."""
     if isinstance(value, Sentence | Measure | Number | Option | Choice | Task):
         return value
     if isinstance(value, BaseException) and value.args and isinstance(value.args[0], Sentence):
         return value.args[0]
-    return Number(float(value)) if isinstance(value, float) else str(value)
+    return Number(float(value)) if isinstance(value, float) else one_line(str(value))

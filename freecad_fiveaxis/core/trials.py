@@ -19,10 +19,10 @@ from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.sentences import Choice, Length, Option, joined, say
 from freecad_fiveaxis.core.setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
 
-from .asked import clamped
+from .asked import clamped, title_of
 from .cures import cures, known_cures
 from .errors import SettingsError
-from .files import write_whole
+from .files import write_all
 from .findings import Finding, Severity
 from .job import Milled, Posted, make
 from .post import Dialect
@@ -180,7 +180,7 @@ def _row_findings(rows: Sequence[Row]) -> Iterator[Finding]:
 
 def as_text(trial: Trial) -> str:
     """What was found, for the terminal."""
-    title = f"{Path(trial.settings.source).name}: {trial.settings.task}\n"
+    title = f"{title_of(trial.settings)}: {trial.settings.task}\n"
     if isinstance(trial, SetupTrial):
         return title + setup_text(trial.chart)
     return title + compare_text(trial.rows, trial.settings.proof.tolerance)
@@ -194,7 +194,7 @@ def as_json(trial: Trial) -> str:
 
 def as_html(trial: Trial) -> str:
     """What was found, as a page of its own."""
-    name = Path(trial.settings.source).name
+    name = title_of(trial.settings)
     if isinstance(trial, SetupTrial):
         return heat_map_html(trial.chart, name)
     return compare_html(trial.rows, name, trial.settings.proof.tolerance)
@@ -204,8 +204,8 @@ REPORTS = {".json": as_json, ".html": as_html, ".htm": as_html, ".txt": as_text}
 
 
 def write_outputs(trial: Trial) -> list[str]:
-    """Write the reports that the settings name, each whole or not at all; returns their names. Raises FileError."""
-    files = {path: REPORTS[Path(path).suffix.lower()](trial) for path in trial.settings.output.report}
-    for path, text in files.items():
-        write_whole(path, text.encode("utf-8", "backslashreplace"))
+    """Write the reports that the settings name, all or none; returns their names. Raises FileError."""
+    reports = trial.settings.output.report
+    files = {path: REPORTS[Path(path).suffix.lower()](trial).encode("utf-8", "backslashreplace") for path in reports}
+    write_all(files)
     return list(files)

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from freecad_fiveaxis.core.kinematics import Setup, chain
-from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, save_machine
+from freecad_fiveaxis.core.machine import Axis, Machine, check_new, load_machine, machine_bytes
 from freecad_fiveaxis.core.nc_reader import Assumed, dialect_of_text, read_nc
 from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.prove_signs import Plan, Wishes, make_plan, proof_nc, proof_program, sheet_html, sheet_json, sheet_text
@@ -27,12 +27,12 @@ from freecad_fiveaxis.core.recover import (
     recovery_text,
     rotary_letters,
 )
-from freecad_fiveaxis.core.sentences import Option, say
+from freecad_fiveaxis.core.sentences import Option, one_line, say
 
 from .apt import read_apt
-from .asked import clamped, dialect_for
+from .asked import clamped, dialect_for, title_of
 from .errors import FileError, ProgramError, SettingsError
-from .files import check_readable, read_bytes, write_whole
+from .files import check_readable, read_bytes, write_all
 from .findings import Finding
 from .post import PostOptions
 from .progress import Progress, silent
@@ -169,7 +169,7 @@ def prove(settings: Settings, progress: Progress = silent) -> Proof:
 def as_text(done: Work) -> str:
     """What was found, for the terminal."""
     if isinstance(done, Recovered):
-        return f"{Path(done.settings.source).name}: recover\n" + recovery_text(done.found)
+        return f"{title_of(done.settings)}: recover\n" + recovery_text(done.found)
     return f"{done.plan.machine.name}: prove-signs\n" + sheet_text(done.plan, done.program)
 
 
@@ -184,8 +184,8 @@ def as_json(done: Work) -> str:
 def as_html(done: Work) -> str:
     """What was found, as a page of its own."""
     if isinstance(done, Recovered):
-        names = f"{Path(done.settings.source).name} and {Path(done.settings.recover.program).name}"
-        return recovery_html(done.found, names)
+        names = f"{title_of(done.settings)} and {Path(done.settings.recover.program).name}"
+        return recovery_html(done.found, one_line(names))
     return sheet_html(done.plan, done.program)
 
 
@@ -193,15 +193,13 @@ REPORTS: dict[str, Callable[[Work], str]] = {".json": as_json, ".html": as_html,
 
 
 def write_outputs(done: Work) -> list[str]:
-    """Write the machine or NC file and the reports, each whole or not at all; returns their names. Raises FileError."""
+    """Write the machine or NC file and the reports, all or none; returns their names. Raises FileError."""
     reports = done.settings.output.report
     files = {path: REPORTS[Path(path).suffix.lower()](done).encode("utf-8", "backslashreplace") for path in reports}
     target = done.settings.output.output if isinstance(done, Proof) else done.settings.recover.machine_file
     assert target  # checked before the work
-    if isinstance(done, Proof):
-        write_whole(target, done.nc)
-    else:
-        save_machine(done.found.machine, target)
-    for path, data in files.items():
-        write_whole(path, data)
+    if isinstance(done, Recovered):
+        check_new(target)
+    made = done.nc if isinstance(done, Proof) else machine_bytes(done.found.machine)
+    write_all({target: made, **files})
     return [target, *files]

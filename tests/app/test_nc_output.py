@@ -197,3 +197,12 @@ def test_undo_takes_the_object_back_in_one_step(toolpath, tmp_path):
     assert len(doc.Objects) == count
     doc.redo()
     assert len(doc.Objects) == count + 1
+
+
+def test_the_program_and_its_reports_are_written_all_or_none(toolpath, tmp_path):
+    path, page = tmp_path / "dome.ngc", tmp_path / "dome.html"
+    with pytest.raises(FileError, match="gone"):
+        app.post_process(toolpath, path, also={str(page): b"page", str(tmp_path / "gone" / "dome.json"): b"{}"})
+    assert os.listdir(tmp_path) == []
+    app.post_process(toolpath, path, also={str(page): b"page"})
+    assert path.read_bytes() == nc_of(toolpath) and page.read_bytes() == b"page"

@@ -307,7 +307,7 @@ def test_an_interrupt_before_the_command_line_is_loaded_stops_quietly():
     head = STOP_AT.format(name="freecad_fiveaxis.core.cli")
     code = head + "import runpy\nrunpy.run_module('freecad_fiveaxis', run_name='__main__')"
     done = subprocess.run([sys.executable, "-c", code, "machines"], capture_output=True, timeout=60)
-    assert (done.returncode, done.stdout, done.stderr) == (cli.STOPPED, b"", b"")
+    assert (done.returncode, done.stdout, done.stderr) == (cli.STOPPED, b"", b"stopped; nothing was written\n")
 
 
 def test_a_source_that_is_a_folder_or_cannot_be_a_file_is_named_for_what_it_is(roof, tmp_path, capsys):

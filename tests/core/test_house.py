@@ -14,13 +14,13 @@ CORE = ROOT / "freecad_fiveaxis" / "core"
 FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySide2", "PySide6", "pivy", "Path")
 MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
 STREET = [  # rooms and single modules of the core; imports only point up this list
-    "sentences", "errors", "findings", "portions", "records", "progress", "quantity", "files", "memory", "number_text", "machine",
+    "sentences", "errors", "findings", "portions", "records", "progress", "quantity", "signals", "memory", "files", "number_text", "machine",
     "kinematics", "mesh",
     "passes", "cutter", "coedge", "tool_axis", "feasible", "seating", "cl_path", "apt", "trajectory", "deviation",
     "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces", "part_size",
     "nc_reader", "audit", "report", "setup_map", "compare", "recover", "prove_signs", "playback", "machine_sketch",
     "option_values", "settings", "fewer_axes", "asked", "safe_start", "gouge_free", "job", "outputs", "cures", "trials", "workshop",
-    "terminal", "cli",
+    "job_file", "terminal", "cli",
 ]  # fmt: skip
 LATE = {"post/writer.py": "program", "post/start.py": "program"}  # a file that stands further down the street than its room
 

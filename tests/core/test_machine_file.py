@@ -270,7 +270,7 @@ def test_a_missing_file_is_a_file_error(name, tmp_path):
 
 def test_a_folder_is_no_machine(tmp_path):
     (tmp_path / "folder.fcm").mkdir()
-    with pytest.raises(FileError, match="cannot be read"):
+    with pytest.raises(FileError, match="is a folder"):
         load_machine(tmp_path / "folder.fcm")
 
 

@@ -3,7 +3,6 @@
 
 import os
 import struct
-import threading
 from io import BytesIO
 
 import numpy as np
@@ -119,7 +118,7 @@ def test_a_folder_that_cannot_be_written_is_a_file_error_and_leaves_nothing(tmp_
     with pytest.raises(FileError, match="cannot be written"):
         write_stl(mesh, tmp_path / "no folder" / "out.stl")
     (tmp_path / "taken.stl").mkdir()
-    with pytest.raises(FileError, match="cannot be written"):
+    with pytest.raises(FileError, match="is a folder"):
         write_stl(mesh, tmp_path / "taken.stl")
     assert os.listdir(tmp_path) == ["taken.stl"]
 
@@ -199,15 +198,11 @@ def test_progress_is_told_and_may_stop_the_reading(tmp_path):
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="named pipes are a POSIX thing")
-@pytest.mark.parametrize("data", [binary(box()), "\n".join(ascii_lines(box())).encode()])
-def test_a_pipe_is_read_like_a_file(tmp_path, data):
+def test_a_pipe_is_refused_at_once(tmp_path):
     pipe = tmp_path / "pipe.stl"
-    os.mkfifo(pipe)
-    writer = threading.Thread(target=pipe.write_bytes, args=(data,))
-    writer.start()
-    mesh = read_stl(pipe)
-    writer.join()
-    same_triangles(mesh, box())
+    os.mkfifo(pipe)  # nobody writes: to open it would wait for ever
+    with pytest.raises(FileError, match="no ordinary file"):
+        read_stl(pipe)
 
 
 def test_a_file_that_shrinks_while_it_is_read_is_an_error():

@@ -15,13 +15,15 @@ from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.sentences import Length, say
 
 from .source import SOFT, Source
 from .vocabulary import MOTIONS, NUMBER
 
 MOST = 7
 """One number more than any move has."""
+FARTHEST = 1e7
+"""mm; no part is as large, and beyond some power of ten nothing can be computed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +73,9 @@ def _sorted_out(value: Floats, count: Ints, source: Source, turned_at: Ints, tur
 
 def places(moves: Moves, unit: Floats, scale: Floats, source: Source) -> Floats:
     """The driven points (n, 3) mm, steps added up; ``unit`` (n, 3) the axes, ``scale`` (n,) mm. Raises ProgramError."""
-    point: Floats = moves.point * scale[:, None]
+    with np.errstate(over="ignore"):
+        point: Floats = moves.point * scale[:, None]
+    _refuse_far(point, source)
     if not moves.step.any():
         return point
     rows = np.arange(len(point))
@@ -81,7 +85,15 @@ def places(moves: Moves, unit: Floats, scale: Floats, source: Source) -> Floats:
     point[moves.along] = point[moves.along, :1] * unit[moves.along]
     travelled = np.cumsum(np.where(moves.step[:, None], point, 0.0), axis=0)
     summed: Floats = point[anchor] + (travelled - travelled[anchor])
+    _refuse_far(summed, source)
     return summed
+
+
+def _refuse_far(point: Floats, source: Source) -> None:
+    far = np.abs(point).max(axis=1) > FARTHEST
+    if far.any():
+        told = say("a place or step beyond {farthest}; is it in another unit?", farthest=Length(FARTHEST))
+        source.fail(int(source.move_at[far.argmax()]), "", told)
 
 
 def _floats(chosen: NDArray[Any]) -> Floats | None:

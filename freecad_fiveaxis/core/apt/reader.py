@@ -93,11 +93,13 @@ def _feeds(said: Said, scale: Floats, source: Source) -> tuple[Ints, Floats]:
     if len(lost):
         k = int(said.statement[at[lost[0]]])
         source.fail(k, "", say("a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute"))
-    return at, said.value(at) * np.where(np.isnan(unit), scale[at], unit) * np.where(turn, turns, 1.0)
+    with np.errstate(over="ignore"):  # the machine's greatest feed is below any of these
+        return at, said.value(at) * np.where(np.isnan(unit), scale[at], unit) * np.where(turn, turns, 1.0)
 
 
 def _lengths(axis: Floats, source: Source, said: Said) -> Floats:
-    length: Floats = np.linalg.norm(axis, axis=1)
+    with np.errstate(over="ignore"):
+        length: Floats = np.linalg.norm(axis, axis=1)
     wrong: Bools = ~((length > 0.0) & (length < np.inf))
     if wrong.any():
         source.fail(int(source.move_at[wrong.argmax()]), "", say("the tool axis is 0, 0, 0, or beyond all bounds"))

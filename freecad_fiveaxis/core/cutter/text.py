@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.quantity import parse_angle, parse_length
+from freecad_fiveaxis.core.quantity import parse_angle, parse_length, shown
 from freecad_fiveaxis.core.sentences import say
 
 from .cutter import FULL, Cutter
@@ -56,7 +56,7 @@ def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
         raise SettingsError(
             say(
                 "cutter {text}: only {kinds} cutters are on offer; write it as {form}",
-                text=repr(text),
+                text=shown(text),
                 kinds=", ".join(KINDS),
                 form=FORMS[0],
             ),
@@ -68,7 +68,7 @@ def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
         raise SettingsError(
             say(
                 "cutter {text} needs {sizes} or {sizes}:LENGTH, as {form} or {form}:60",
-                text=repr(text),
+                text=shown(text),
                 sizes=f"KIND:{words}",
                 form=form,
             ),

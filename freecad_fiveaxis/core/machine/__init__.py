@@ -2,10 +2,10 @@
 """Machines and their files."""
 
 from .machine import FARTHEST, Axis, Machine, Vector, fitted_columns
-from .machine_file import load_machine, save_machine, shipped_machines
+from .machine_file import check_new, load_machine, machine_bytes, machine_path, save_machine, shipped_machines
 from .safe_start import BY_CLEARANCE, BY_MACHINE, BY_NOTHING, BY_REFERENCE, RETRACTS, SafeStart
 
 __all__ = [
     "BY_CLEARANCE", "BY_MACHINE", "BY_NOTHING", "BY_REFERENCE", "FARTHEST", "RETRACTS", "Axis", "Machine", "SafeStart", "Vector",
-    "fitted_columns", "load_machine", "save_machine", "shipped_machines",
+    "check_new", "fitted_columns", "load_machine", "machine_bytes", "machine_path", "save_machine", "shipped_machines",
 ]  # fmt: skip

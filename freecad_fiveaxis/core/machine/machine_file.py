@@ -71,10 +71,8 @@ def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
     Raises MachineError with file, key and remedy for an unknown name or an unusable file, FileError for a missing one.
     """
     given = os.fspath(name_or_path)
-    if given in shipped_machines():
-        return _load_file(machine_folder() / (given + SUFFIX))
-    if Path(given).suffix.lower() == SUFFIX or os.sep in given or "/" in given:
-        return _load_file(Path(given))
+    if (path := machine_path(given)) is not None:
+        return _load_file(path)
     names = shipped_machines()
     near = difflib.get_close_matches(given.lower().replace("-", "_"), names, n=1)
     hint = say("did you mean {near}? ", near=near[0]) if near else ""
@@ -82,6 +80,13 @@ def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
     raise MachineError(
         say("no machine is called {given}; {hint}{known}", given=reprlib.repr(given), hint=hint, known=known), given
     )
+
+
+def machine_path(given: str) -> Path | None:
+    """The file of a shipped name, or what is given as a file; None for a name that is not known."""
+    if given in shipped_machines():
+        return machine_folder() / (given + SUFFIX)
+    return Path(given) if Path(given).suffix.lower() == SUFFIX or os.sep in given or "/" in given else None
 
 
 def _load_file(path: Path) -> Machine:
@@ -334,10 +339,22 @@ def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool
     (unless ``overwrite``) or cannot be written, MachineError for an axis without a maximum rate; then no file is left.
     """
     target = _usable(Path(path))
+    data = machine_bytes(machine)
+    if not overwrite:
+        check_new(target)
+    write_whole(target, data)
+
+
+def machine_bytes(machine: Machine) -> bytes:
+    """The machine as the text of a ``.fcm`` file. Raises MachineError for an axis without a maximum rate."""
     text = VECTOR.sub(lambda found: "[" + " ".join(found[1].split()) + "]", json.dumps(_data(machine), indent=4)) + "\n"
-    if os.path.exists(target) and not overwrite:
-        raise FileError(say("{target} exists already; choose another name", target=target), str(target))
-    write_whole(target, text.encode())
+    return text.encode()
+
+
+def check_new(path: str | os.PathLike[str]) -> None:
+    """No machine is lost: raises FileError where the file exists already."""
+    if os.path.exists(path):
+        raise FileError(say("{target} exists already; choose another name", target=path), os.fspath(path))
 
 
 def _data(machine: Machine) -> dict[str, Any]:

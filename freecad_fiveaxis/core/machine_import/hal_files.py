@@ -17,7 +17,7 @@ from pathlib import Path
 from freecad_fiveaxis.core.errors import MachineError
 from freecad_fiveaxis.core.sentences import Template, say
 
-from .ini_file import DEEPEST, IniFile, Value, number, text_lines
+from .ini_file import IniFile, Value, number, text_lines
 
 FILES = ("HALFILE", "POSTGUI_HALFILE")
 TRUE = {"1": 1.0, "TRUE": 1.0, "0": 0.0, "FALSE": 0.0}
@@ -82,18 +82,32 @@ def _statements(ini: IniFile) -> Iterator[tuple[str, str]]:
         for value in ini.every("HAL", key):
             name = value.text.split()[0] if value.text else ""
             if name and not name.startswith("LIB:"):
-                yield from _of_file(ini.path.parent / Path(name).expanduser(), ini)
+                yield from _of_file(ini.path.parent / _at_home(name, value.where), ini, value.where)
     for value in ini.every("HAL", "HALCMD"):
         yield value.text, value.where
 
 
-def _of_file(path: Path, ini: IniFile, depth: int = 0) -> Iterator[tuple[str, str]]:
-    """The statements of a HAL file and of those that it sources (relative to the ini file, as LinuxCNC has it)."""
+def _at_home(name: str, where: str) -> Path:
+    """The file, ``~`` and ``~user`` being folders of users. Raises MachineError where there is no such user."""
+    try:
+        return Path(name).expanduser()
+    except RuntimeError as error:
+        text = say(
+            "{where}: {name} begins with the folder of a user who is not known; write the whole path", where=where, name=name
+        )
+        raise MachineError(text, name) from error
+
+
+def _of_file(path: Path, ini: IniFile, named: str, depth: int = 0) -> Iterator[tuple[str, str]]:
+    """The statements of a HAL file and of those that it sources (relative to the ini file, as LinuxCNC has it).
+
+    ``named``: where it is named. Raises MachineError where the files go in a circle or are too many."""
+    ini.reading.take(path, depth, named)
     for line, where in text_lines(path, "HAL file"):
         text = line.partition("#")[0].strip().rstrip(";")
         words = text.split()
-        if words[:1] == ["source"] and len(words) == 2 and depth < DEEPEST and not words[1].startswith(("LIB:", "$")):
-            yield from _of_file(ini.path.parent / words[1], ini, depth + 1)
+        if words[:1] == ["source"] and len(words) == 2 and not words[1].startswith(("LIB:", "$")):
+            yield from _of_file(ini.path.parent / words[1], ini, where, depth + 1)
         elif words:
             yield text, where
 

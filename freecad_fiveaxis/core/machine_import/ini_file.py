@@ -15,6 +15,9 @@ from freecad_fiveaxis.core.sentences import say
 
 DEEPEST = 8
 """Files that include one another deeper than this go in a circle."""
+MOST = 200
+"""Files of one configuration, each counted as often as it is read; none needs as many, and a few that name one another twice
+would make more than any time is enough for."""
 LONGEST = 5_000_000
 """Bytes; no configuration is as long."""
 
@@ -27,14 +30,41 @@ class Value:
     where: str
 
 
+class Reading:
+    """The files that one configuration makes the import read, so that the end is certain. ``path``: the ini file."""
+
+    def __init__(self, path: Path) -> None:
+        self.path, self.count = path, 0
+
+    def take(self, path: Path, depth: int, where: str) -> None:
+        """One file more, named at ``where``. Raises MachineError where they go in a circle or are too many."""
+        self.count += 1
+        if depth > DEEPEST:
+            raise MachineError(
+                say("{where}: {name} and others include one another in a circle; remove one", where=where, name=path.name),
+                str(path),
+            )
+        if self.count > MOST:
+            raise MachineError(
+                say(
+                    "{where}: more than {most} files are included, some again and again; leave out {name}",
+                    where=where,
+                    most=MOST,
+                    name=path.name,
+                ),
+                str(path),
+            )
+
+
 class IniFile:
     """The values of an ini file by section and key, both as spelled."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
+        self.reading = Reading(path)
         self.values: dict[tuple[str, str], list[Value]] = {}
         section = ""
-        for line, where in text_lines(path, "LinuxCNC configuration", including=True):
+        for line, where in text_lines(path, "LinuxCNC configuration", self.reading):
             if found := re.fullmatch(r"\[(\w+)\]\s*(?:[#;].*)?", line):
                 section = found[1]
             elif not line.startswith(("#", ";")) and "=" in line:
@@ -60,8 +90,10 @@ class IniFile:
         return value
 
 
-def text_lines(path: Path, what: str, including: bool = False, depth: int = 0) -> Iterator[tuple[str, str]]:
-    """The lines of a text file without blanks at their ends, those that end in a backslash joined, each with its place."""
+def text_lines(path: Path, what: str, reading: Reading | None = None, depth: int = 0) -> Iterator[tuple[str, str]]:
+    """The lines of a text file without blanks at their ends, those that end in a backslash joined, each with its place.
+
+    ``reading``: counts the files that ``#INCLUDE`` names; without it, that is a line like any other."""
     content = read_bytes(path, what)
     if b"\0" in content or len(content) > LONGEST:
         raise MachineError(say("{path} is no text file; give the {what}", path=path, what=what), str(path))
@@ -71,17 +103,10 @@ def text_lines(path: Path, what: str, including: bool = False, depth: int = 0) -
         begun = joined[:-1] + " " if joined.endswith("\\") else ""
         if begun and number < len(lines):
             continue
-        if including and (found := re.fullmatch(r"#INCLUDE\s+(\S.*)", joined)):
-            if depth == DEEPEST:
-                raise MachineError(
-                    say(
-                        "{path} line {number}: files include one another in a circle; remove one #INCLUDE",
-                        path=path,
-                        number=number,
-                    ),
-                    found[1],
-                )
-            yield from text_lines(path.parent / found[1].strip(), what, True, depth + 1)
+        if reading is not None and (found := re.fullmatch(r"#INCLUDE\s+(\S.*)", joined)):
+            included = path.parent / found[1].strip()
+            reading.take(included, depth + 1, f"{path.name} line {number}")
+            yield from text_lines(included, what, reading, depth + 1)
         elif joined:
             yield joined, f"{path.name} line {number}"
 

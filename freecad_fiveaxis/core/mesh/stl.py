@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.errors import FileError, MeshError
-from freecad_fiveaxis.core.files import write_whole
+from freecad_fiveaxis.core.files import open_file, write_whole
 from freecad_fiveaxis.core.memory import check_memory
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats
@@ -85,8 +85,7 @@ def _columns(path: str | os.PathLike[str], progress: Progress) -> NDArray[np.flo
 def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:
     """The corner columns of a binary file, or the text of an ASCII one."""
     try:
-        with open(path, "rb") as file:
-            stream = file if file.seekable() else BytesIO(file.read())
+        with open_file(path) as stream:
             facets = int.from_bytes(stream.read(HEADER)[80:], "little")
             size = stream.seek(0, os.SEEK_END)
             if size == HEADER + RECORD.itemsize * facets:
@@ -96,6 +95,8 @@ def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:
             stream.seek(0)
             _check_room(size // _ASCII_BYTES)
             data = stream.read()
+    except FileError:
+        raise
     except OSError as problem:
         raise FileError(
             say("STL file {path} cannot be read: {strerror}", path=os.fspath(path), strerror=problem.strerror or problem), path

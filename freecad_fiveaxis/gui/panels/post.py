@@ -122,7 +122,7 @@ class PostPanel:
         from freecad_fiveaxis import app
         from freecad_fiveaxis.app import cam, results
         from freecad_fiveaxis.core import outputs
-        from freecad_fiveaxis.core.files import check_writable, write_whole
+        from freecad_fiveaxis.core.files import check_writable
         from freecad_fiveaxis.core.report import summary
 
         nc, reports = self._nc_path(), self._report_paths()
@@ -140,9 +140,7 @@ class PostPanel:
             sheets = {
                 path: outputs.REPORTS["." + kind](figures).encode("utf-8", "backslashreplace") for kind, path in reports.items()
             }
-            app.post_process(self.path, nc, overwrite=nc in replaced)
-            for path, sheet in sheets.items():
-                write_whole(path, sheet)
+            app.post_process(self.path, nc, overwrite=nc in replaced, also=sheets)
             if self.preview.isChecked():
                 cam.preview(self.path)
             lines = results.nc_of(self.path).count(b"\n")
