@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.sentences import Option, say
 
-from .apt import ClHead
+from .apt import ARC_SHARE, ClHead, ClReading
 from .cutter import cutter_name
 from .errors import SettingsError
 from .fewer_axes import refuse_what_needs_more_axes
@@ -93,6 +93,11 @@ def cl_head(settings: Settings) -> ClHead:
     """What the head of a CL file is to say."""
     options = post_options(settings)
     return ClHead(options.tool, options.speed, options.coolant)
+
+
+def cl_reading(settings: Settings) -> ClReading:
+    """How a CL file is to be read."""
+    return ClReading(settings.feeds.feed, ARC_SHARE * settings.proof.tolerance)
 
 
 def with_head(settings: Settings, said: ClHead) -> Settings:

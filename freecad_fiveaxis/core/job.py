@@ -38,7 +38,7 @@ from freecad_fiveaxis.core.report import Figures, judge
 from freecad_fiveaxis.core.sentences import Length, say
 
 from .apt import cutter_note, read_cl_file
-from .asked import axis_options, machine_of, nc_title, post_options, reach, scallop_asked, title_of, with_head
+from .asked import axis_options, cl_reading, machine_of, nc_title, post_options, reach, scallop_asked, title_of, with_head
 from .faces import facets_on
 from .feasible import feasible_rows
 from .fewer_axes import keeps_its_axis
@@ -253,7 +253,7 @@ def _led(
 
 def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:
     """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the feed moves."""
-    file = read_cl_file(read_bytes(settings.source, "CL file"), settings.feeds.feed, progress)
+    file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
     settings, path = with_head(settings, file.head), file.path
     feeding = path.tip[path.motion != Motion.RAPID] if (path.motion != Motion.RAPID).any() else path.tip
     low, high = feeding.min(axis=0), feeding.max(axis=0)
@@ -332,7 +332,7 @@ def _compared(settings: Settings, progress: Progress) -> CLPath | Mesh | None:
         return None
     if is_part(path):
         return read_stl(path, progress)
-    return read_cl_file(read_bytes(path, "CL file"), settings.feeds.feed, progress).path
+    return read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress).path
 
 
 def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, Remainder | None, tuple[Finding, ...]]:

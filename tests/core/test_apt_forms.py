@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.apt import ClHead, read_apt, read_cl_file, write_apt
+from freecad_fiveaxis.core.apt import ClHead, ClReading, read_apt, read_cl_file, write_apt
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
@@ -206,8 +206,10 @@ def test_a_feed_per_turn_takes_the_spindles_speed() -> None:
 @pytest.mark.parametrize(
     ("statements", "code", "severity", "line"),
     [
-        (b"CIRCLE/1,2,3,0,0,1,5\nGOTO/2,2,3", "statement-not-interpreted", Severity.ERROR, 3),
-        (b"INDIRV/1,0,0\nTLON,GOFWD/ (CIRCLE/ 1,2,3,$\n5),ON,(LINE/1,2,3,4,5,6)", "statement-not-interpreted", Severity.ERROR, 3),
+        (b"CIRCLE/1,2,3,0,0,1,5\nGOTO/2,2,3", "arc-does-not-fit", Severity.ERROR, 3),
+        (b"CIRCLE/1,2,3,5\nGOTO/2,2,3", "statement-not-interpreted", Severity.ERROR, 3),
+        (b"INDIRV/1,0,0\nTLON,GOFWD/ (CIRCLE/ 1,2,3,$\n5),ON,(LINE/1,2,3,4,5,6)", "arc-does-not-fit", Severity.ERROR, 3),
+        (b"INDIRV/1,0,0\nTLON,GOFWD/ (CYLNDR/ 1,2,3,$\n5),ON,(LINE/1,2,3,4,5,6)", "statement-not-interpreted", Severity.ERROR, 3),
         (b"LOADTL/2\nGOTO/2,2,3\nLOADTL/3\nGOTO/2,2,4\nLOADTL/2", "several-tools", Severity.ERROR, 5),
         (b"MSYS/0,0,0,1,0,0,0,1,0\nGOTO/2,2,3\nMSYS/0,0,9,1,0,0,0,1,0", "several-coordinate-systems", Severity.ERROR, 5),
         (b"GOTO/2,2,3,0,1,0\nMULTAX/OFF\nGOTO/2,2,4", "axis-carried-on", Severity.WARNING, 5),
@@ -295,7 +297,7 @@ WORDS = ["GOTO/", "GODLTA/", "FROM/", "FEDRAT/", "UNITS/", "SPINDL/", "TLAXIS/",
 def test_no_string_of_words_gives_a_traceback(text: str) -> None:
     for given_text in (text, text.encode("latin-1", "replace"), "GOTO/1,2,3\n" + text, text.encode("utf-16")):
         try:
-            read_apt(given_text, feed=1.0)
+            read_apt(given_text, ClReading(feed=1.0))
         except FiveAxisError as error:
             assert "\n" not in str(error) and re.match(r"line \d+, column \d+", str(error))
 
@@ -307,7 +309,7 @@ def test_no_spoilt_file_gives_a_traceback(text: bytes, spots: list[tuple[float, 
         at = int(where * len(text))
         text = text[:at] + piece + text[at + len(piece) :]
     try:
-        read_apt(text, feed=1.0)
+        read_apt(text, ClReading(feed=1.0))
     except FiveAxisError as error:
         assert "\n" not in str(error) and re.match(r"line \d+, column \d+", str(error))
 
@@ -316,7 +318,7 @@ def test_no_spoilt_file_gives_a_traceback(text: bytes, spots: list[tuple[float, 
 @given(st.binary(max_size=200))
 def test_no_bytes_give_a_traceback(data: bytes) -> None:
     try:
-        read_apt(data, feed=1.0)
+        read_apt(data, ClReading(feed=1.0))
     except FiveAxisError as error:
         assert "\n" not in str(error)
 

@@ -3,6 +3,7 @@
 
 from .head import ClHead, cutter_note
 from .reader import ClFile, read_apt, read_cl_file
+from .reading import ARC_SHARE, ClReading
 from .writer import write_apt
 
-__all__ = ["ClFile", "ClHead", "cutter_note", "read_apt", "read_cl_file", "write_apt"]
+__all__ = ["ARC_SHARE", "ClFile", "ClHead", "ClReading", "cutter_note", "read_apt", "read_cl_file", "write_apt"]

@@ -4,6 +4,7 @@
 row       one of the path for each GOTO, GODLTA and FROM (a rapid).
 RAPID     the next move alone is a rapid.            FEDRAT/   the feed of those that follow, per minute, or per turn of SPINDL.
 UNITS/    the unit of all numbers from there on (mm at first).
+CIRCLE/   the next move is an arc: one row for each of its chords.
 
 Nothing is passed over in silence: what is not interpreted is a finding with its count and its lines.
 """
@@ -15,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.sentences import say
@@ -22,8 +24,12 @@ from freecad_fiveaxis.core.sentences import say
 from .findings import find_poor_spots
 from .head import ClHead
 from .poses import places, read_moves
+from .reading import ClReading
+from .rows import Rows, with_arcs
 from .said import Kind, Said, head_of, read_statements
 from .source import Source
+
+USUAL = ClReading()
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,16 +40,16 @@ class ClFile:
     head: ClHead
 
 
-def read_apt(text: bytes | str, feed: float = 0.0, progress: Progress = silent) -> CLPath:
-    """The CLPath of an APT text: a row for each move. ``feed`` mm/min serves until the first FEDRAT.
+def read_apt(text: bytes | str, reading: ClReading = USUAL, progress: Progress = silent) -> CLPath:
+    """The CLPath of an APT text: a row for each move, and for each chord of an arc; ``reading``: what the file does not say.
 
     The contact is the tip and the normal the axis; face and co-edge are -1; ``pass_`` counts the runs of cutting moves. A move
     of three numbers keeps the axis (0, 0, 1 at first). Raises ProgramError, naming line and column.
     """
-    return read_cl_file(text, feed, progress).path
+    return read_cl_file(text, reading, progress).path
 
 
-def read_cl_file(text: bytes | str, feed: float = 0.0, progress: Progress = silent) -> ClFile:
+def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progress = silent) -> ClFile:
     """The path of an APT text as ``read_apt`` gives it, and its head."""
     progress("reading CL", 0.0)
     source = Source(text.encode("utf-8") if isinstance(text, str) else text)
@@ -61,11 +67,16 @@ def read_cl_file(text: bytes | str, feed: float = 0.0, progress: Progress = sile
     motion = _motion(source, said, rows)
     scale_said = held(said.statement[units], said.value(units), 1.0, said.statement)
     at, rate = _feeds(said, scale_said, source)
-    speed = np.where(motion == Motion.RAPID, 0.0, held(said.row[at], rate, feed, np.arange(rows)))
-    none = np.full(rows, -1)
+    speed = np.where(motion == Motion.RAPID, 0.0, held(said.row[at], rate, reading.feed, np.arange(rows)))
     findings = find_poor_spots(source, said, moves, length, motion, speed)
-    path = CLPath(tip, axis, motion, speed, tip, axis, none, none, _runs(motion), findings)
-    return ClFile(path, head_of(said, scale_said))
+    made, of_arcs = with_arcs(source, said, Rows(tip, axis, motion, speed), scale, reading.chord)
+    return ClFile(_path(made, findings + of_arcs), head_of(said, scale_said))
+
+
+def _path(rows: Rows, findings: tuple[Finding, ...]) -> CLPath:
+    none = np.full(len(rows.tip), -1)
+    runs = _runs(rows.motion)
+    return CLPath(rows.tip, rows.axis, rows.motion, rows.speed, rows.tip, rows.axis, none, none, runs, findings)
 
 
 def held(at: Ints, value: Floats, first: float, rows: Ints) -> Floats:

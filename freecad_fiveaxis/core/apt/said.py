@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.sentences import say
 
 from . import vocabulary as words
+from .arc_statements import circle_numbers
 from .head import ClHead
 from .source import SOFT, Source
 
@@ -37,6 +38,8 @@ class Kind(IntEnum):
     AXIS = auto()
     MULTAX = auto()
     FRAME = auto()
+    CIRCLE = auto()
+    TANGENT = auto()
     UNKNOWN = auto()
 
 
@@ -176,6 +179,18 @@ def _axis(rest: str) -> Meaning:
     return Meaning(Kind.UNKNOWN)
 
 
+def _circle(rest: str) -> Meaning:
+    numbers = circle_numbers(rest)
+    return Meaning(Kind.UNKNOWN) if numbers is None else Meaning(Kind.CIRCLE, more=numbers)
+
+
+def _tangent(rest: str) -> Meaning:
+    """What ``catia_arcs_apart`` has made."""
+    numbers = words.numbers_of(rest)
+    good = len(numbers) == 7 and bool(np.isfinite(numbers).all()) and numbers[6] > 0.0
+    return Meaning(Kind.TANGENT, more=tuple(numbers)) if good else Meaning(Kind.UNKNOWN)
+
+
 READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
     "UNITS": _unit,
     "FEDRAT": _feed,
@@ -185,6 +200,8 @@ READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
     "LOAD": _load,
     "CUTTER": _cutter,
     "TLAXIS": _axis,
+    "CIRCLE": _circle,
+    "TANGENT": _tangent,
     "RAPID": lambda rest: Meaning(Kind.RAPID),
     "MULTAX": lambda rest: Meaning(Kind.MULTAX, float(rest != "OFF")),
     "MSYS": lambda rest: Meaning(Kind.FRAME),

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.records import Bools, Ints
 from freecad_fiveaxis.core.sentences import say
 
+from .arc_statements import catia_arcs_apart
 from .vocabulary import FREE_TEXT, MOTIONS
 
 TEXT = bytes({*range(32, 256), *b"\t\n\v\f\r"})
@@ -37,7 +38,7 @@ class Source:
         joined = COMMENT.sub(_lines_only, self.plain) if b"$$" in self.plain else self.plain
         joined = FREE_LINE.sub(_without_dollar, joined) if b"$" in joined else joined
         joined = CONTINUED.sub(SOFT, joined) if b"$" in joined else joined
-        self.text = joined.translate(None, b" \t\v\f$") + b"\n"
+        self.text = catia_arcs_apart(joined.translate(None, b" \t\v\f$")) + b"\n"
         self.code: NDArray[Any] = np.frombuffer(self.text, np.uint8)
         ends = np.flatnonzero(self.code == ord("\n"))
         self.line: Ints = np.arange(1, len(ends) + 1)
