@@ -7,11 +7,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.sentences import Length, plural, say
 
-from .arcs import FIT, Arcs, Course, ambiguous, misfit, runs_back
+from .arcs import FIT, Arcs, Course, ambiguous, chord_counts, course, inner_ends, misfit, runs_back
+from .rows import Put, Rows
 from .said import Kind, Said
 from .source import Source
 
@@ -19,14 +21,32 @@ MOST_ROWS = 20_000_000
 """More chords than this are a slip of the pen in a radius or a tolerance."""
 
 
-def read_arcs(said: Said, tip: Floats, scale: Floats) -> tuple[Arcs, Ints]:
-    """The arcs, and the statements (k,) that say one without a move before and after it, or one that another goes before.
-    ``tip`` (n, 3) mm; ``scale`` (n,) mm of the unit at each row."""
+def chords(
+    source: Source, said: Said, rows: Rows, scale: Floats, sagitta: float, holes: Ints
+) -> tuple[Put, tuple[Finding, ...]]:  # fmt: skip
+    """The rows that the chords of all arcs put in, and what is wrong about arcs. ``scale`` (n,) mm of the unit at each row;
+    ``sagitta`` mm; ``holes`` (h,) rows that no arc ends at. Raises ProgramError."""
+    arcs, lost = read_arcs(said, rows.tip, scale, holes)
+    ways = course(arcs, rows.tip)
+    straight = rows.motion != Motion.RAPID
+    straight[arcs.row] = False
+    found = tuple(arc_findings(source, arcs, ways, rows.tip, straight, lost))
+    arcs = arcs.take(fitting(arcs, ways))
+    ways = course(arcs, rows.tip)
+    count = chord_counts(arcs, ways, sagitta)
+    refuse_too_many(source, arcs, count)
+    at, tip, axis = inner_ends(arcs, ways, count, rows.axis)
+    return Put(at, tip, axis, rows.motion[at], rows.speed[at]), found
+
+
+def read_arcs(said: Said, tip: Floats, scale: Floats, holes: Ints) -> tuple[Arcs, Ints]:
+    """The arcs, and the statements (k,) that say one without a move before and after it, or one that another goes before,
+    or that would end in one of the ``holes``. ``tip`` (n, 3) mm; ``scale`` (n,) mm of the unit at each row."""
     at = np.concatenate([said.of(Kind.CIRCLE), said.of(Kind.TANGENT)])
     at = at[np.argsort(at, kind="stable")]
     row = said.row[at]
     last = np.append(row[1:] != row[:-1], True)[: len(row)]
-    whole = last & (row > 0) & (row < len(tip))
+    whole = last & (row > 0) & (row < len(tip)) & ~np.isin(row, holes)
     lost, at, row = at[~whole], at[whole], row[whole]
     number = np.array([said.meanings[which].more for which in said.which[at]]).reshape(-1, 7)
     centre, vector, radius = number[:, :3] * scale[row, None], number[:, 3:6], number[:, 6] * scale[row]

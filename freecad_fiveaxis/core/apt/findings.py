@@ -7,9 +7,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.records import Bytes, Floats, Ints
+from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.sentences import plural, say
 
 from .poses import Moves
@@ -26,11 +25,12 @@ LINES_TOLD, NAMES_TOLD = 5, 20
 
 
 def find_poor_spots(
-    source: Source, said: Said, moves: Moves, length: Floats, motion: Bytes, speed: Floats
+    source: Source, said: Said, moves: Moves, length: Floats, speed: Floats, fed: Bools
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """The findings of a CL file; ``length`` (n,) of the axes as printed, ``motion`` and ``speed`` (n,) of its rows."""
+    """The findings of a CL file; ``length`` (n,) of the axes as printed, ``speed`` (n,) mm/min of its moves, ``fed``
+    (n,) which of them need one."""
     found = [*_passed_over(source, said), *_frames(source, said), *_tools(source, said, len(length))]
-    return (*found, *_rows(source, said, moves, length, motion, speed))
+    return (*found, *_rows(source, said, moves, length, speed, fed))
 
 
 def _passed_over(source: Source, said: Said) -> Iterator[Finding]:
@@ -55,12 +55,16 @@ def _passed_over(source: Source, said: Said) -> Iterator[Finding]:
 
 def _not_interpreted(name: str, lines: Ints) -> Finding:
     told = ", ".join(map(str, lines[:LINES_TOLD].tolist())) + (" ..." if len(lines) > LINES_TOLD else "")
-    remedy = say(" The path goes straight on to the next GOTO: have curves written as points.") if name in CURVES else ""
+    remedy = ""
+    if name in CURVES:
+        remedy = say(" The path goes straight on to the next GOTO: have curves written as points.")
+    elif name.startswith("CYCLE"):
+        remedy = say(" The tool only goes to its points: have cycles written as moves.")
     where = plural(len(lines), "{count} statements, line {lines}", "{count} statements, lines {lines}", lines=told)
     text = say(
         "{name} is not interpreted ({where}); what it does is missing in the path.{remedy}", name=name, where=where, remedy=remedy
     )
-    severity = Severity.ERROR if name in SPOILING else Severity.WARNING
+    severity = Severity.ERROR if name.partition("/")[0] in SPOILING else Severity.WARNING
     return Finding(severity, "statement-not-interpreted", text, float(len(lines)), line=int(lines[0]))
 
 
@@ -91,7 +95,7 @@ def _tools(source: Source, said: Said, rows: int) -> Iterator[Finding]:
         yield Finding(Severity.ERROR, "several-tools", text, float(len(tools)), 1.0, line=line)
 
 
-def _rows(source: Source, said: Said, moves: Moves, length: Floats, motion: Bytes, speed: Floats) -> Iterator[Finding]:
+def _rows(source: Source, said: Said, moves: Moves, length: Floats, speed: Floats, fed: Bools) -> Iterator[Finding]:
     line = source.line[source.move_at]
     off = np.abs(length - 1.0)
     if (off > NOT_UNIT).any():
@@ -107,7 +111,7 @@ def _rows(source: Source, said: Said, moves: Moves, length: Floats, motion: Byte
             count=int(leaning.sum()),
         )
         yield Finding(Severity.WARNING, "axis-carried-on", text, line=int(line[leaning.argmax()]))
-    unfed = (motion != Motion.RAPID) & (speed <= 0.0)
+    unfed = fed & (speed <= 0.0)
     if unfed.any():
         text = say("{count} moves come before any FEDRAT; give a feed.", count=int(unfed.sum()))
         yield Finding(Severity.WARNING, "no-feed", text, line=int(line[unfed.argmax()]))

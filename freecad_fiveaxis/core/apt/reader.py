@@ -5,6 +5,7 @@ row       one of the path for each GOTO, GODLTA and FROM (a rapid).
 RAPID     the next move alone is a rapid.            FEDRAT/   the feed of those that follow, per minute, or per turn of SPINDL.
 UNITS/    the unit of all numbers from there on (mm at first).
 CIRCLE/   the next move is an arc: one row for each of its chords.
+CYCLE/    each GOTO until CYCLE/OFF is a hole: one row for each of its moves.
 
 Nothing is passed over in silence: what is not interpreted is a finding with its count and its lines.
 """
@@ -21,11 +22,14 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.sentences import say
 
+from .arc_reading import chords
+from .feeds import held, said_feeds
 from .findings import find_poor_spots
 from .head import ClHead
+from .holes import drilled, read_holes, with_feeds
 from .poses import places, read_moves
 from .reading import ClReading
-from .rows import Rows, with_arcs
+from .rows import Put, Rows
 from .said import Kind, Said, head_of, read_statements
 from .source import Source
 
@@ -55,9 +59,9 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
     source = Source(text.encode("utf-8") if isinstance(text, str) else text)
     progress("reading CL", 0.3)
     said = read_statements(source)
-    turning = said.of(Kind.AXIS)
-    turned = np.array([said.meanings[which].more for which in said.which[turning]]).reshape(-1, 3)
-    moves = read_moves(source, said.statement[turning], turned)
+    axes = said.of(Kind.AXIS)
+    turned = np.array([said.meanings[which].more for which in said.which[axes]]).reshape(-1, 3)
+    moves = read_moves(source, said.statement[axes], turned)
     progress("reading CL", 0.8)
     rows, units = len(moves.point), said.of(Kind.UNITS)
     length = _lengths(moves.axis, source, said)
@@ -66,10 +70,14 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
     tip = places(moves, axis, scale, source)
     motion = _motion(source, said, rows)
     scale_said = held(said.statement[units], said.value(units), 1.0, said.statement)
-    at, rate = _feeds(said, scale_said, source)
-    speed = np.where(motion == Motion.RAPID, 0.0, held(said.row[at], rate, reading.feed, np.arange(rows)))
-    findings = find_poor_spots(source, said, moves, length, motion, speed)
-    made, of_arcs = with_arcs(source, said, Rows(tip, axis, motion, speed), scale, reading.chord)
+    at, rate = said_feeds(said, scale_said, source)
+    rated = held(said.row[at], rate, reading.feed, np.arange(rows))
+    each = Rows(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, rated))
+    holes, of_holes = read_holes(source, said, rated, scale_said)
+    findings = find_poor_spots(source, said, moves, length, *with_feeds(each, holes)) + of_holes
+    each, drilling = drilled(each, holes)
+    turning, of_arcs = chords(source, said, each, scale, reading.chord, holes.row)
+    made = each.with_put(Put.joined([drilling, turning]))
     return ClFile(_path(made, findings + of_arcs), head_of(said, scale_said))
 
 
@@ -79,11 +87,6 @@ def _path(rows: Rows, findings: tuple[Finding, ...]) -> CLPath:
     return CLPath(rows.tip, rows.axis, rows.motion, rows.speed, rows.tip, rows.axis, none, none, runs, findings)
 
 
-def held(at: Ints, value: Floats, first: float, rows: Ints) -> Floats:
-    """The value of the last event at or before each row; ``at`` (e,) rises; ``first`` before all of them."""
-    return np.concatenate([[first], value])[np.searchsorted(at, rows, side="right")]
-
-
 def _motion(source: Source, said: Said, rows: int) -> Bytes:
     links = said.of(Kind.LINK)
     link = held(said.row[links], said.value(links), 0.0, np.arange(rows)) > 0.0
@@ -91,20 +94,6 @@ def _motion(source: Source, said: Said, rows: int) -> Bytes:
     one_shot = said.row[said.of(Kind.RAPID)]
     rapid[one_shot[one_shot < rows]] = True
     return np.where(rapid, Motion.RAPID, np.where(link, Motion.LINK, Motion.CUT)).astype(np.int8)
-
-
-def _feeds(said: Said, scale: Floats, source: Source) -> tuple[Ints, Floats]:
-    """The rows of ``said`` that say a feed, and the feeds in mm/min. Raises ProgramError for a feed per turn of no spindle."""
-    at, spindle = said.of(Kind.FEED), said.of(Kind.SPINDLE)
-    unit, turn = said.unit(at), said.turn(at)
-    speed = said.value(spindle)
-    going = ~np.isnan(speed)
-    turns = held(said.statement[spindle[going]], speed[going], 0.0, said.statement[at])
-    lost = np.flatnonzero(turn & ~(turns > 0.0))
-    if len(lost):
-        k = int(said.statement[at[lost[0]]])
-        source.fail(k, "", say("a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute"))
-    return at, said.value(at) * np.where(np.isnan(unit), scale[at], unit) * np.where(turn, turns, 1.0)
 
 
 def _lengths(axis: Floats, source: Source, said: Said) -> Floats:

@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of the path made of the moves of a CL file: each move is one, arcs are as many as they have chords."""
+"""The rows of the path made of the moves of a CL file: one each, and those that arcs and holes put in before them."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
 
 from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.findings import Finding
-from freecad_fiveaxis.core.records import Bytes, Floats, Insertion
-
-from .arc_reading import arc_findings, fitting, read_arcs, refuse_too_many
-from .arcs import chord_counts, course, inner_ends
-from .said import Said
-from .source import Source
+from freecad_fiveaxis.core.records import Bytes, Floats, Insertion, Ints
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,26 +21,38 @@ class Rows:
     motion: Bytes
     speed: Floats
 
+    def with_put(self, put: Put) -> Rows:
+        """These rows with others put in."""
+        if not len(put.at):
+            return self
+        order = np.argsort(put.at, kind="stable")
+        places = Insertion(len(self.tip), put.at[order])
+        columns = ("tip", "axis", "motion", "speed")
+        return Rows(*(places.woven(getattr(self, name), getattr(put, name)[order]) for name in columns))
 
-def with_arcs(source: Source, said: Said, rows: Rows, scale: Floats, sagitta: float) -> tuple[Rows, tuple[Finding, ...]]:
-    """The rows with those of the arcs' chords put in, and what is wrong about arcs. ``scale`` (n,) mm of the unit at each row;
-    ``sagitta`` mm. Raises ProgramError."""
-    arcs, lost = read_arcs(said, rows.tip, scale)
-    if not len(arcs.row) and not len(lost):
-        return rows, ()
-    ways = course(arcs, rows.tip)
-    straight = rows.motion != Motion.RAPID
-    straight[arcs.row] = False
-    found = tuple(arc_findings(source, arcs, ways, rows.tip, straight, lost))
-    arcs = arcs.take(fitting(arcs, ways))
-    ways = course(arcs, rows.tip)
-    count = chord_counts(arcs, ways, sagitta)
-    refuse_too_many(source, arcs, count)
-    at, tip, axis = inner_ends(arcs, ways, count, rows.axis)
-    if not len(at):
-        return rows, found
-    put = Insertion(len(rows.tip), at)
-    return replace(
-        rows, tip=put.woven(rows.tip, tip), axis=put.woven(rows.axis, axis), motion=put.woven(rows.motion, rows.motion[at]),
-        speed=put.woven(rows.speed, rows.speed[at]),
-    ), found  # fmt: skip
+
+@dataclass(frozen=True, eq=False)
+class Put:
+    """Rows to be put in before the rows ``at`` (m,), in their order where several are; the columns as in Rows."""
+
+    at: Ints
+    tip: Floats
+    axis: Floats
+    motion: Bytes
+    speed: Floats
+
+    @staticmethod
+    def none() -> Put:
+        """No rows."""
+        return Put.rapids(np.zeros(0, np.int64), np.zeros((0, 3)), np.zeros((0, 3)))
+
+    @staticmethod
+    def rapids(at: Ints, tip: Floats, axis: Floats) -> Put:
+        """Rapids."""
+        return Put(at, tip, axis, np.full(len(at), Motion.RAPID, np.int8), np.zeros(len(at)))
+
+    @staticmethod
+    def joined(parts: Iterable[Put]) -> Put:
+        """All of them; of those before one row, the rows of the first part come first."""
+        every = list(parts)
+        return Put(*(np.concatenate([getattr(one, name) for one in every]) for name in ("at", "tip", "axis", "motion", "speed")))

@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.sentences import say
 
 from . import vocabulary as words
 from .arc_statements import circle_numbers
+from .cycles import cycle_of
 from .head import ClHead
 from .source import SOFT, Source
 
@@ -40,6 +41,7 @@ class Kind(IntEnum):
     FRAME = auto()
     CIRCLE = auto()
     TANGENT = auto()
+    CYCLE = auto()
     UNKNOWN = auto()
 
 
@@ -123,6 +125,8 @@ def meaning_of(statement: str) -> Meaning | tuple[str, str]:
 
 def name_of(statement: str) -> str:
     """The word that a statement is called by in a finding."""
+    if statement.startswith("CYCLE/"):
+        return re.sub(r"(?<=/)([A-Z0-9]*).*", r"\1", statement)
     return re.sub(r"[^A-Z].*", "", statement) or statement[:20]
 
 
@@ -191,6 +195,12 @@ def _tangent(rest: str) -> Meaning:
     return Meaning(Kind.TANGENT, more=tuple(numbers)) if good else Meaning(Kind.UNKNOWN)
 
 
+def _cycle(rest: str) -> Meaning:
+    if rest in ("OFF", "NOMORE"):
+        return Meaning(Kind.NOTHING)
+    return Meaning(Kind.UNKNOWN if cycle_of(rest) is None else Kind.CYCLE)
+
+
 READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
     "UNITS": _unit,
     "FEDRAT": _feed,
@@ -202,6 +212,7 @@ READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
     "TLAXIS": _axis,
     "CIRCLE": _circle,
     "TANGENT": _tangent,
+    "CYCLE": _cycle,
     "RAPID": lambda rest: Meaning(Kind.RAPID),
     "MULTAX": lambda rest: Meaning(Kind.MULTAX, float(rest != "OFF")),
     "MSYS": lambda rest: Meaning(Kind.FRAME),
