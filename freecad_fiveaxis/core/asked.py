@@ -97,7 +97,7 @@ def cl_head(settings: Settings) -> ClHead:
 
 def cl_reading(settings: Settings) -> ClReading:
     """How a CL file is to be read."""
-    return ClReading(settings.feeds.feed, ARC_SHARE * settings.proof.tolerance)
+    return ClReading(settings.feeds.feed, ARC_SHARE * settings.proof.tolerance, settings.reading.units)
 
 
 def with_head(settings: Settings, said: ClHead) -> Settings:

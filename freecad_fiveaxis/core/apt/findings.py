@@ -9,12 +9,12 @@ import numpy as np
 
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.sentences import plural, say
+from freecad_fiveaxis.core.sentences import Option, plural, say
 
 from .poses import Moves
 from .said import Kind, Said, name_of
 from .source import Source
-from .vocabulary import CURVES, SPOILING
+from .vocabulary import CURVES, OF_INCHES, SPOILING
 
 NOT_UNIT = 1e-4
 """An axis whose length differs by more than this from 1 was not meant as a unit vector; four printed decimals stay below."""
@@ -93,6 +93,29 @@ def _tools(source: Source, said: Said, rows: int) -> Iterator[Finding]:
             told=told,
         )
         yield Finding(Severity.ERROR, "several-tools", text, float(len(tools)), 1.0, line=line)
+
+
+def units_findings(source: Source, said: Said, units: str) -> tuple[Finding, ...]:
+    """That nobody has said the unit, where feeds or speeds are said in those of inches. ``units``: what the reading says."""
+    if units != "file" or len(said.of(Kind.UNITS)):
+        return ()
+    spoken = (Kind.FEED, Kind.SPINDLE, Kind.CYCLE)
+    inches = [
+        meaning.kind in spoken and not OF_INCHES.isdisjoint(text.partition("/")[2].split(","))
+        for text, meaning in zip(said.texts, said.meanings, strict=True)
+    ]
+    at = np.flatnonzero(np.array(inches or [False])[said.which])
+    if not len(at):
+        return ()
+    line = int(source.line[said.statement[at[0]]])
+    text = say(
+        "The CL file does not say its unit; mm is taken, but line {line} says {statement}, as files in inches do. Give {option}, "
+        "mm or inch.",
+        line=line,
+        statement=said.texts[said.which[at[0]]][:40],
+        option=Option("units"),
+    )
+    return (Finding(Severity.WARNING, "units-not-said", text, float(len(at)), line=line),)
 
 
 def _rows(source: Source, said: Said, moves: Moves, length: Floats, speed: Floats, fed: Bools) -> Iterator[Finding]:

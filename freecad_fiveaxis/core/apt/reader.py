@@ -3,7 +3,7 @@
 
 row       one of the path for each GOTO, GODLTA and FROM (a rapid).
 RAPID     the next move alone is a rapid.            FEDRAT/   the feed of those that follow, per minute, or per turn of SPINDL.
-UNITS/    the unit of all numbers from there on (mm at first).
+UNITS/    the unit of all numbers from there on; before it that of the reading, mm if nobody says.
 CIRCLE/   the next move is an arc: one row for each of its chords.
 CYCLE/    each GOTO until CYCLE/OFF is a hole: one row for each of its moves.
 
@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.sentences import say
 
 from .arc_reading import chords
 from .feeds import held, said_feeds
-from .findings import find_poor_spots
+from .findings import find_poor_spots, units_findings
 from .head import ClHead
 from .holes import drilled, read_holes, with_feeds
 from .poses import places, read_moves
@@ -66,15 +66,16 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
     rows, units = len(moves.point), said.of(Kind.UNITS)
     length = _lengths(moves.axis, source, said)
     axis = moves.axis / length[:, None]
-    scale = held(said.row[units], said.value(units), 1.0, np.arange(rows))
+    scale = held(said.row[units], said.value(units), reading.scale, np.arange(rows))
     tip = places(moves, axis, scale, source)
     motion = _motion(source, said, rows)
-    scale_said = held(said.statement[units], said.value(units), 1.0, said.statement)
+    scale_said = held(said.statement[units], said.value(units), reading.scale, said.statement)
     at, rate = said_feeds(said, scale_said, source)
     rated = held(said.row[at], rate, reading.feed, np.arange(rows))
     each = Rows(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, rated))
     holes, of_holes = read_holes(source, said, rated, scale_said)
     findings = find_poor_spots(source, said, moves, length, *with_feeds(each, holes)) + of_holes
+    findings += units_findings(source, said, reading.units)
     each, drilling = drilled(each, holes)
     turning, of_arcs = chords(source, said, each, scale, reading.chord, holes.row)
     made = each.with_put(Put.joined([drilling, turning]))

@@ -203,6 +203,7 @@ def _cycle(rest: str) -> Meaning:
 
 READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
     "UNITS": _unit,
+    "UNIT": _unit,
     "FEDRAT": _feed,
     "SPINDL": _spindle,
     "COOLNT": _coolant,

@@ -43,6 +43,9 @@ FEED_UNITS = {"IPM": 25.4, "MMPM": 1.0}
 PER_TURN = {"IPR": 25.4, "MMPR": 1.0, "PERREV": None}
 """mm a turn; PERREV: the file's unit."""
 
+OF_INCHES = frozenset({"IPM", "IPR", "SFM", "FPM"})
+"""Units of feeds and cutting speeds that files in mm do not say."""
+
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?")
 
 

@@ -326,13 +326,13 @@ UNITS, DECIMAL = ("file", "mm", "inch"), ("calculator", "least-increment")
 
 @dataclass(frozen=True)
 class ReadingSettings:
-    """How numbers of a program of other origin are meant."""
+    """How numbers of a file of other origin are meant."""
 
     units: Literal["file", "mm", "inch"] = option(
         "file",
         "choice",
-        "lengths in a file that does not say its units; file: mm, with a warning",
-        (AUDIT, RECOVER),
+        "lengths in an NC or CL file that does not say its units; file: mm, with a warning",
+        (POST, SETUP, COMPARE, AUDIT, RECOVER),
         choices=UNITS,
     )
     decimal: Literal["calculator", "least-increment"] = option(
