@@ -81,7 +81,7 @@ def arc_findings(
 ) -> Iterator[Finding]:  # fmt: skip
     """What is wrong about arcs; ``lost`` (k,) statements that say one without its two ends."""
     off = misfit(arcs, ways)
-    bad = off > FIT
+    bad = ~(off <= FIT)  # not a number where a row lies beyond all bounds
     if bad.any():
         yield _does_not_fit(source, arcs, off, bad)
     if len(lost):

@@ -28,7 +28,7 @@ def circle_numbers(rest: str) -> tuple[float, ...] | None:
         return None
     x, y, z, i, j, k, r = (float(part) for part in parts[:7])
     hand = -1.0 if len(parts) == 11 else 1.0
-    good = r > 0.0 and np.isfinite([x, y, z, i, j, k, r]).all() and np.linalg.norm([i, j, k]) > 0.0
+    good = r > 0.0 and np.abs([x, y, z, i, j, k, r]).max() <= words.LARGEST and np.linalg.norm([i, j, k]) > 0.0
     return (x, y, z, hand * i, hand * j, hand * k, r) if good else None
 
 

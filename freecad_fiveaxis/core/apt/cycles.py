@@ -104,10 +104,10 @@ def _said(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
 
 
 def _numbers(parts: list[str]) -> list[float]:
-    """The finite numbers at the begin of ``parts``."""
+    """The numbers at the begin of ``parts``, of sizes that holes can have."""
     numbers: list[float] = []
     for part in parts:
-        if not words.NUMBER.fullmatch(part) or not math.isfinite(float(part)):
+        if not words.NUMBER.fullmatch(part) or not abs(float(part)) <= words.LARGEST:
             break
         numbers.append(float(part))
     return numbers

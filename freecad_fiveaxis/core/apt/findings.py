@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is poor about a CL file: statements not interpreted, axes that are no unit vectors, moves without a feed, more tools."""
+"""What is poor about a CL file: statements not interpreted, axes that are no unit vectors, moves without a feed, no unit."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def find_poor_spots(
 ) -> tuple[Finding, ...]:  # fmt: skip
     """The findings of a CL file; ``length`` (n,) of the axes as printed, ``speed`` (n,) mm/min of its moves, ``fed``
     (n,) which of them need one."""
-    found = [*_passed_over(source, said), *_frames(source, said), *_tools(source, said, len(length))]
+    found = [*_passed_over(source, said), *_frames(source, said)]
     return (*found, *_rows(source, said, moves, length, speed, fed))
 
 
@@ -78,21 +78,6 @@ def _frames(source: Source, said: Said) -> Iterator[Finding]:
             "MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system."
         )
         yield Finding(Severity.ERROR, "several-coordinate-systems", text, float(len(other)), line=line)
-
-
-def _tools(source: Source, said: Said, rows: int) -> Iterator[Finding]:
-    at = said.of(Kind.TOOL)
-    at = at[said.row[at] < rows]
-    value = said.value(at)
-    tools = list(dict.fromkeys(value.tolist()))
-    if len(tools) > 1:
-        line = int(source.line[said.statement[at[(value != value[0]).argmax()]]])
-        told = ", ".join(f"{tool:g}" for tool in tools[:NAMES_TOLD])
-        text = say(
-            "The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool.",
-            told=told,
-        )
-        yield Finding(Severity.ERROR, "several-tools", text, float(len(tools)), 1.0, line=line)
 
 
 def units_findings(source: Source, said: Said, units: str) -> tuple[Finding, ...]:

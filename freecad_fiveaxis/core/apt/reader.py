@@ -12,12 +12,11 @@ Nothing is passed over in silence: what is not interpreted is a finding with its
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.sentences import say
@@ -27,11 +26,12 @@ from .feeds import held, said_feeds
 from .findings import find_poor_spots, units_findings
 from .head import ClHead
 from .holes import drilled, read_holes, with_feeds
-from .poses import places, read_moves
+from .poses import Moves, places, read_moves
 from .reading import ClReading
 from .rows import Put, Rows
 from .said import Kind, Said, head_of, read_statements
 from .source import Source
+from .tools import only, tool_findings, tools_of
 
 USUAL = ClReading()
 
@@ -59,33 +59,42 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
     source = Source(text.encode("utf-8") if isinstance(text, str) else text)
     progress("reading CL", 0.3)
     said = read_statements(source)
+    moves, tools = _moves(source, said), tools_of(source, said)
+    if reading.tool is not None:
+        kept = only(source, said, tools, reading.tool)
+        moves, source = moves.take(kept[source.move_at]), source.kept(kept)
+        said = read_statements(source)
+    progress("reading CL", 0.8)
+    units = said.of(Kind.UNITS)
+    scale = held(said.statement[units], said.value(units), reading.scale, np.arange(len(source.begin)))
+    path = _path(source, said, moves, scale, reading)
+    told = units_findings(source, said, reading.units) + tool_findings(tools, reading.tool)
+    return ClFile(replace(path, findings=path.findings + told), head_of(said, scale[said.statement]))
+
+
+def _path(source: Source, said: Said, moves: Moves, scale: Floats, reading: ClReading) -> CLPath:
+    """The path of the moves; ``scale`` (s,) mm of the unit at each statement."""
+    length = _lengths(moves.axis, source, said)
+    axis, mm = moves.axis / length[:, None], scale[source.move_at]
+    tip, motion = places(moves, axis, mm, source), _motion(source, said, len(length))
+    scale = scale[said.statement]
+    at, rate = said_feeds(said, scale, source)
+    rated = held(said.row[at], rate, reading.feed, np.arange(len(length)))
+    each = Rows(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, rated))
+    holes, of_holes = read_holes(source, said, rated, scale)
+    findings = find_poor_spots(source, said, moves, length, *with_feeds(each, holes)) + of_holes
+    with np.errstate(over="ignore", invalid="ignore"):  # rows beyond all bounds fit no arc
+        each, drilling = drilled(each, holes)
+        turning, of_arcs = chords(source, said, each, mm, reading.chord, holes.row)
+    made = each.with_put(Put.joined([drilling, turning]))
+    none, runs = np.full(len(made.tip), -1), _runs(made.motion)
+    return CLPath(made.tip, made.axis, made.motion, made.speed, made.tip, made.axis, none, none, runs, findings + of_arcs)
+
+
+def _moves(source: Source, said: Said) -> Moves:
     axes = said.of(Kind.AXIS)
     turned = np.array([said.meanings[which].more for which in said.which[axes]]).reshape(-1, 3)
-    moves = read_moves(source, said.statement[axes], turned)
-    progress("reading CL", 0.8)
-    rows, units = len(moves.point), said.of(Kind.UNITS)
-    length = _lengths(moves.axis, source, said)
-    axis = moves.axis / length[:, None]
-    scale = held(said.row[units], said.value(units), reading.scale, np.arange(rows))
-    tip = places(moves, axis, scale, source)
-    motion = _motion(source, said, rows)
-    scale_said = held(said.statement[units], said.value(units), reading.scale, said.statement)
-    at, rate = said_feeds(said, scale_said, source)
-    rated = held(said.row[at], rate, reading.feed, np.arange(rows))
-    each = Rows(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, rated))
-    holes, of_holes = read_holes(source, said, rated, scale_said)
-    findings = find_poor_spots(source, said, moves, length, *with_feeds(each, holes)) + of_holes
-    findings += units_findings(source, said, reading.units)
-    each, drilling = drilled(each, holes)
-    turning, of_arcs = chords(source, said, each, scale, reading.chord, holes.row)
-    made = each.with_put(Put.joined([drilling, turning]))
-    return ClFile(_path(made, findings + of_arcs), head_of(said, scale_said))
-
-
-def _path(rows: Rows, findings: tuple[Finding, ...]) -> CLPath:
-    none = np.full(len(rows.tip), -1)
-    runs = _runs(rows.motion)
-    return CLPath(rows.tip, rows.axis, rows.motion, rows.speed, rows.tip, rows.axis, none, none, runs, findings)
+    return read_moves(source, said.statement[axes], turned)
 
 
 def _motion(source: Source, said: Said, rows: int) -> Bytes:

@@ -17,11 +17,12 @@ USUAL_CHORD = 0.002
 class ClReading:
     """``feed`` mm/min until the first FEDRAT; ``chord`` mm, the largest sagitta of the chords that an arc is divided into;
     ``units``: ``mm``, ``inch``, or ``file`` where nobody says it for a file that does not (mm, with a warning where it speaks
-    against that)."""
+    against that); ``tool``: the number of the one whose moves are meant, None: all."""
 
     feed: float = 0.0
     chord: float = USUAL_CHORD
     units: str = "file"
+    tool: int | None = None
 
     @property
     def scale(self) -> float:

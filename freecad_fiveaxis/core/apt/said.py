@@ -42,6 +42,7 @@ class Kind(IntEnum):
     CIRCLE = auto()
     TANGENT = auto()
     CYCLE = auto()
+    TOOLNO = auto()
     UNKNOWN = auto()
 
 
@@ -174,6 +175,22 @@ def _cutter(rest: str) -> Meaning:
     return Meaning(Kind.CUTTER, numbers[0], more=tuple(numbers[1:7])) if numbers else Meaning(Kind.NOTHING)
 
 
+def _number_of_tool(rest: str) -> Meaning:
+    return _tool(rest)._replace(kind=Kind.TOOLNO) if words.NUMBER.fullmatch(rest.partition(",")[0]) else Meaning(Kind.NOTHING)
+
+
+def _data(rest: str) -> Meaning:
+    """NX: ``TLDATA/MILL, diameter, corner, length, taper, tip angle`` as the CUTTER statement of it; of a drill its diameter."""
+    parts = rest.split(",")
+    numbers = words.numbers_of(rest)
+    if not numbers or parts[0] not in ("MILL", "DRILL"):
+        return Meaning(Kind.NOTHING)
+    if parts[0] == "DRILL" or len(numbers) < 5:
+        return Meaning(Kind.CUTTER, numbers[0])
+    diameter, corner, length, taper, tip = numbers[:5]
+    return Meaning(Kind.CUTTER, diameter, more=(corner, np.nan, corner, tip, taper, length))
+
+
 def _axis(rest: str) -> Meaning:
     parts = rest.split(",")
     if len(parts) == 3 and all(words.NUMBER.fullmatch(part) for part in parts):
@@ -191,7 +208,7 @@ def _circle(rest: str) -> Meaning:
 def _tangent(rest: str) -> Meaning:
     """What ``catia_arcs_apart`` has made."""
     numbers = words.numbers_of(rest)
-    good = len(numbers) == 7 and bool(np.isfinite(numbers).all()) and numbers[6] > 0.0
+    good = len(numbers) == 7 and float(np.abs(numbers).max()) <= words.LARGEST and numbers[6] > 0.0
     return Meaning(Kind.TANGENT, more=tuple(numbers)) if good else Meaning(Kind.UNKNOWN)
 
 
@@ -209,6 +226,8 @@ READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
     "COOLNT": _coolant,
     "LOADTL": _tool,
     "LOAD": _load,
+    "TOOLNO": _number_of_tool,
+    "TLDATA": _data,
     "CUTTER": _cutter,
     "TLAXIS": _axis,
     "CIRCLE": _circle,

@@ -9,6 +9,7 @@ soft   a byte that stands for the end of a line within a statement.
 from __future__ import annotations
 
 import re
+from copy import copy
 from typing import Any, NoReturn
 
 import numpy as np
@@ -49,10 +50,7 @@ class Source:
         real = ends > begins
         self.begin, self.end, self.line = begins[real], ends[real], self.line[real]
         self._cut_at_end()
-        kinds = [self.starts(word) for word in MOTIONS]
-        self.moves: Bools = np.logical_or.reduce(kinds)
-        self.moves_before: Ints = np.cumsum(self.moves) - self.moves
-        self.move_at: Ints = np.flatnonzero(self.moves)
+        self._find_moves()
 
     def starts(self, word: bytes) -> Bools:
         """Which statements start with the word."""
@@ -99,6 +97,19 @@ class Source:
             ),
             part,
         )
+
+    def kept(self, statements: Bools) -> Source:
+        """The same text with some of its statements (s,) alone."""
+        made = copy(self)
+        made.begin, made.end, made.line = self.begin[statements], self.end[statements], self.line[statements]
+        made._find_moves()
+        return made
+
+    def _find_moves(self) -> None:
+        kinds = [self.starts(word) for word in MOTIONS]
+        self.moves: Bools = np.logical_or.reduce(kinds)
+        self.moves_before: Ints = np.cumsum(self.moves) - self.moves
+        self.move_at: Ints = np.flatnonzero(self.moves)
 
     def _cut_at_end(self) -> None:
         last = np.flatnonzero(self.starts(b"FINI") & (self.end - self.begin == len(b"FINI")))

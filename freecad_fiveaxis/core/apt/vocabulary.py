@@ -46,6 +46,9 @@ PER_TURN = {"IPR": 25.4, "MMPR": 1.0, "PERREV": None}
 OF_INCHES = frozenset({"IPM", "IPR", "SFM", "FPM"})
 """Units of feeds and cutting speeds that files in mm do not say."""
 
+LARGEST = 1e9
+"""A number of a circle, a cycle or a tool beyond this is a slip of the pen."""
+
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?")
 
 

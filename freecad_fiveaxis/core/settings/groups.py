@@ -335,6 +335,10 @@ class ReadingSettings:
         (POST, SETUP, COMPARE, AUDIT, RECOVER),
         choices=UNITS,
     )
+    cl_tool: float | None = option(
+        None, "count", "the tool of the CL file whose moves are meant, by its number there [all]",
+        (POST, SETUP, COMPARE, AUDIT, RECOVER), least=0, most=99_999_999,
+    )  # fmt: skip
     decimal: Literal["calculator", "least-increment"] = option(
         "calculator", "choice", "a word without a decimal point: X100 is 100 mm, or 0.1 mm (least increment)", (AUDIT, RECOVER),
         choices=DECIMAL,
