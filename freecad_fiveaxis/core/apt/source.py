@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.records import Bools, Ints
 from freecad_fiveaxis.core.sentences import say
 
 from .arc_statements import catia_arcs_apart
+from .columns import without_sequence_numbers
 from .vocabulary import FREE_TEXT, MOTIONS
 
 TEXT = bytes({*range(32, 256), *b"\t\n\v\f\r"})
@@ -36,7 +37,8 @@ class Source:
 
     def __init__(self, raw: bytes) -> None:
         self.plain = plain_text(raw)
-        joined = COMMENT.sub(_lines_only, self.plain) if b"$$" in self.plain else self.plain
+        joined = without_sequence_numbers(self.plain)
+        joined = COMMENT.sub(_lines_only, joined) if b"$$" in joined else joined
         joined = FREE_LINE.sub(_without_dollar, joined) if b"$" in joined else joined
         joined = CONTINUED.sub(SOFT, joined) if b"$" in joined else joined
         self.text = catia_arcs_apart(joined.translate(None, b" \t\v\f$")) + b"\n"
