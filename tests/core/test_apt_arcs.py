@@ -139,3 +139,12 @@ def test_nx_helices_of_several_turns_are_not_passed_over() -> None:
 def test_the_jobs_tolerance_sets_the_sagitta() -> None:
     settings = build_settings("post", "path.apt", {"machine": "linuxcnc_xyzac_trt", "tolerance": "0.05"})
     assert cl_reading(settings).chord == pytest.approx(0.01)
+
+
+def test_an_arc_of_a_file_of_catia_turns_by_its_quarter() -> None:
+    """Numbers as CATIA prints them: the start follows from its tangent, (4.96057, -0.62667)."""
+    text = "AUTOPS\nINDIRV/    0.12533,    0.99211,    0.00000\nTLON,GOFWD/      (CIRCLE/      0.00000,      0.00000,      2.00000,$\n"
+    text += "       5.00000),ON,(LINE/      0.00000,      0.00000,      2.00000,$\n                               0.62667,      4.96057,      2.00000)\n"
+    tip = _read("GOTO  /    4.96057,   -0.62667,    2.00000\n" + text)
+    turned = np.unwrap(np.arctan2(tip[:, 1], tip[:, 0]))
+    assert turned[-1] - turned[0] == pytest.approx(np.pi / 2, abs=1e-5) and (np.diff(turned) > 0).all()
