@@ -131,6 +131,7 @@ def _of_programs() -> dict[str, str]:
         "tolerance": translate("FiveAxis", "Tolerance"),
         "against": translate("FiveAxis", "Compare with"),
         "units": translate("FiveAxis", "Units"),
+        "cl_tool": translate("FiveAxis", "Tool of the CL file"),
         "decimal": translate("FiveAxis", "Words without a decimal point"),
         "axis_tolerance": translate("FiveAxis", "Axis tolerance"),
         "method": translate("FiveAxis", "Line deviation by"),

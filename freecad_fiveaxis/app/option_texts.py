@@ -100,6 +100,7 @@ TEXTS = {
     ),
     "against": QT_TRANSLATE_NOOP("App::Property", "CL file (.apt, .cl) or part (.stl) that the program is compared with"),
     "units": QT_TRANSLATE_NOOP("App::Property", "Units of a program that does not say them itself"),
+    "cl_tool": QT_TRANSLATE_NOOP("App::Property", "Number of the CL file's tool whose moves are meant; empty: all"),
     "decimal": QT_TRANSLATE_NOOP("App::Property", "What a word without a decimal point counts: X100 is 100 mm, or 0.1 mm"),
     "axis_tolerance": QT_TRANSLATE_NOOP(
         "App::Property", "Largest angle between the tool axis and that of the CL file at the end of a block"

@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.sentences import Option, one_line, say
 
-from .apt import ClHead
+from .apt import ARC_SHARE, ClHead, ClReading
 from .cutter import cutter_name
 from .errors import SettingsError
 from .fewer_axes import refuse_what_needs_more_axes
@@ -95,14 +95,28 @@ def cl_head(settings: Settings) -> ClHead:
     return ClHead(options.tool, options.speed, options.coolant)
 
 
+def cl_reading(settings: Settings) -> ClReading:
+    """How a CL file is to be read."""
+    tool = settings.reading.cl_tool
+    return ClReading(
+        settings.feeds.feed, ARC_SHARE * settings.proof.tolerance, settings.reading.units, None if tool is None else int(tool)
+    )
+
+
 def with_head(settings: Settings, said: ClHead) -> Settings:
-    """The settings with the tool, speed and coolant of a CL file where they have none of their own."""
+    """The settings with the tool, speed, coolant and cutter of a CL file where they have none of their own.
+
+    Where the cutter's centre is driven, the cutter must be said with it: the machine has been set up by its corner.
+    """
     given = settings.head
     head = replace(
         given, tool=said.tool if given.tool is None else given.tool, spindle=given.spindle or said.speed,
         coolant="on" if said.coolant else given.coolant,
     )  # fmt: skip
-    return replace(settings, head=head)
+    settings = replace(settings, head=head)
+    if said.cutter is None or "cutter" in settings.asked or settings.machine.control_point != "tip":
+        return settings
+    return replace(settings, cutter=replace(settings.cutter, cutter=said.cutter))
 
 
 def nc_title(settings: Settings, machine: Machine) -> str:

@@ -37,8 +37,8 @@ from freecad_fiveaxis.core.program import Program, block_findings, build_program
 from freecad_fiveaxis.core.report import Figures, judge
 from freecad_fiveaxis.core.sentences import Length, say
 
-from .apt import cutter_note, read_cl_file
-from .asked import axis_options, machine_of, nc_title, post_options, reach, scallop_asked, title_of, with_head
+from .apt import cutter_note, cutter_taken, of_cl_file, read_cl_file
+from .asked import axis_options, cl_reading, machine_of, nc_title, post_options, reach, scallop_asked, title_of, with_head
 from .faces import facets_on
 from .feasible import feasible_rows
 from .fewer_axes import keeps_its_axis
@@ -253,12 +253,14 @@ def _led(
 
 def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:
     """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the feed moves."""
-    file = read_cl_file(read_bytes(settings.source, "CL file"), settings.feeds.feed, progress)
-    settings, path = with_head(settings, file.head), file.path
+    file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
+    given, path = settings, file.path
+    settings = with_head(given, file.head)
     feeding = path.tip[path.motion != Motion.RAPID] if (path.motion != Motion.RAPID).any() else path.tip
     low, high = feeding.min(axis=0), feeding.max(axis=0)
     joints = _driven(settings, path, low, high, machine, links, dialect, progress)
-    found = path.findings + cutter_note(file.head, settings.cutter.cutter)
+    taken = settings.cutter is not given.cutter
+    found = path.findings + (cutter_taken(settings.cutter.cutter) if taken else cutter_note(file.head, settings.cutter.cutter))
     return _posted(settings, path, joints, machine, links, dialect, (low, high), found, progress)
 
 
@@ -312,17 +314,19 @@ def prove(made: Made, progress: Progress = silent) -> Result:
     found = still_true(made.findings, gouge) + deviation.findings + entries + judged
     if made.settings.task != AUDIT:
         return Result(made, deviation, singularity, found, gouge=gouge, left=left)
-    audited = _audited(made, deviation, progress)
-    return Result(made, deviation, singularity, found + audited.findings, audited)
+    against = _compared(made.settings, progress)
+    audited = _audited(made, deviation, against, progress)
+    of_path = tuple(of_cl_file(one) for one in against.findings) if isinstance(against, CLPath) else ()
+    return Result(made, deviation, singularity, found + of_path + audited.findings, audited)
 
 
-def _audited(made: Made, deviation: Deviation, progress: Progress) -> Audit:
+def _audited(made: Made, deviation: Deviation, against: CLPath | Mesh | None, progress: Progress) -> Audit:
     """Limits and rates (of a program made here they hold by its making), and the comparison that the settings ask for."""
     settings, proof = made.settings, made.settings.proof
     gouge = settings.gouge
     body = tool_body(settings) if gouge.gouge != "off" or gouge.shank or gouge.holder else None
     options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body)
-    return audit_program(made.links, made.program, deviation, _compared(settings, progress), options, progress)
+    return audit_program(made.links, made.program, deviation, against, options, progress)
 
 
 def _compared(settings: Settings, progress: Progress) -> CLPath | Mesh | None:
@@ -332,7 +336,7 @@ def _compared(settings: Settings, progress: Progress) -> CLPath | Mesh | None:
         return None
     if is_part(path):
         return read_stl(path, progress)
-    return read_cl_file(read_bytes(path, "CL file"), settings.feeds.feed, progress).path
+    return read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress).path
 
 
 def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, Remainder | None, tuple[Finding, ...]]:

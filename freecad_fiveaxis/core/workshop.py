@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.recover import (
 from freecad_fiveaxis.core.sentences import Option, one_line, say
 
 from .apt import read_apt
-from .asked import clamped, dialect_for, title_of
+from .asked import cl_reading, clamped, dialect_for, title_of
 from .errors import FileError, ProgramError, SettingsError
 from .files import check_readable, read_bytes, write_all
 from .findings import Finding
@@ -85,7 +85,7 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
         check_readable(file)
     apt, nc = read_bytes(settings.source, "CL file"), read_bytes(settings.recover.program, "NC file")
     start, setup = _start(settings)
-    path = read_apt(apt, settings.feeds.feed, progress)
+    path = read_apt(apt, cl_reading(settings), progress)
     dialect = dialect_for(settings.machine.controller, start)
     dialect, read_as = (dialect, ()) if settings.machine.controller else dialect_of_text(nc, dialect)
     assumed = Assumed(settings.reading.units, settings.reading.decimal)

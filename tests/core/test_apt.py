@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from freecad_fiveaxis.core.apt import read_apt, write_apt
+from freecad_fiveaxis.core.apt import ClReading, read_apt, write_apt
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
@@ -116,7 +116,7 @@ def test_statements_that_are_not_interpreted_are_told_once_each(statement: bytes
 
 
 def test_moves_before_any_feed_take_the_given_one_or_are_told() -> None:
-    assert read_apt(b"GOTO/1,2,3\nFEDRAT/5\nGOTO/1,2,4\n", feed=700.0).feed.tolist() == [700, 5]
+    assert read_apt(b"GOTO/1,2,3\nFEDRAT/5\nGOTO/1,2,4\n", ClReading(feed=700.0)).feed.tolist() == [700, 5]
     assert [found.code for found in read_apt(b"GOTO/1,2,3\n").findings] == ["no-feed"]
 
 

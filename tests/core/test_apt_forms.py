@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 import time
 
@@ -12,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.apt import ClHead, read_apt, read_cl_file, write_apt
+from freecad_fiveaxis.core.apt import ClHead, ClReading, read_apt, read_cl_file, write_apt
 from freecad_fiveaxis.core.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
@@ -206,8 +207,10 @@ def test_a_feed_per_turn_takes_the_spindles_speed() -> None:
 @pytest.mark.parametrize(
     ("statements", "code", "severity", "line"),
     [
-        (b"CIRCLE/1,2,3,0,0,1,5\nGOTO/2,2,3", "statement-not-interpreted", Severity.ERROR, 3),
-        (b"INDIRV/1,0,0\nTLON,GOFWD/ (CIRCLE/ 1,2,3,$\n5),ON,(LINE/1,2,3,4,5,6)", "statement-not-interpreted", Severity.ERROR, 3),
+        (b"CIRCLE/1,2,3,0,0,1,5\nGOTO/2,2,3", "arc-does-not-fit", Severity.ERROR, 3),
+        (b"CIRCLE/1,2,3,5\nGOTO/2,2,3", "statement-not-interpreted", Severity.ERROR, 3),
+        (b"INDIRV/1,0,0\nTLON,GOFWD/ (CIRCLE/ 1,2,3,$\n5),ON,(LINE/1,2,3,4,5,6)", "arc-does-not-fit", Severity.ERROR, 3),
+        (b"INDIRV/1,0,0\nTLON,GOFWD/ (CYLNDR/ 1,2,3,$\n5),ON,(LINE/1,2,3,4,5,6)", "statement-not-interpreted", Severity.ERROR, 3),
         (b"LOADTL/2\nGOTO/2,2,3\nLOADTL/3\nGOTO/2,2,4\nLOADTL/2", "several-tools", Severity.ERROR, 5),
         (b"MSYS/0,0,0,1,0,0,0,1,0\nGOTO/2,2,3\nMSYS/0,0,9,1,0,0,0,1,0", "several-coordinate-systems", Severity.ERROR, 5),
         (b"GOTO/2,2,3,0,1,0\nMULTAX/OFF\nGOTO/2,2,4", "axis-carried-on", Severity.WARNING, 5),
@@ -288,6 +291,22 @@ def test_reading_keeps_up_with_splitting_and_converting_in_plain_python() -> Non
 WORDS = ["GOTO/", "GODLTA/", "FROM/", "FEDRAT/", "UNITS/", "SPINDL/", "TLAXIS/", "LOADTL/", "CUTTER/", "MULTAX", "RAPID", "FINI", "MSYS/",
          "PPRINT", "REMARK ", "$", "$$", "$$->", "\n", "\r\n", "\r", ",", "/", "1", "-2.5", "1E5", "1E999", ".", "INCHES", "MMPR", "OFF", "\0",
          "\x1a", "é", "\u2028", " ", "\t", "(", "CIRCLE/"]  # fmt: skip
+STATEMENTS = [
+    "GOTO/1,2,3", "GOTO/10,0,0,0,.6,.8", "GOTO/0,10,0", "GOTO/10,0,0", "GODLTA/1,2,3", "GODLTA/-2", "FROM/0,0,9", "RAPID", "FEDRAT/9", "FEDRAT/.1,IPR",
+    "SPINDL/90", "UNIT/INCHES", "UNITS/MM", "CIRCLE/0,0,0,0,0,1,10", "CIRCLE/0,0,0,0,0,-1,10,1,1,1,1", "CIRCLE/0,0,0,0,0,0,1", "CIRCLE/0,0,0,1E200,0,1,1E300",
+    "INDIRV/0,1,0", "INDIRV/1,0,0\nTLON,GOFWD/(CIRCLE/0,0,0,$\n10),ON,2,INTOF,(LINE/0,0,0,10,0,0)", "TLON,GOFWD/(CIRCLE/0,0,0,10),ON,(LINE/0,0,0,.,1,0)",
+    "INDIRV/.,1,0\nTLON,GOFWD/(CIRCLE/-,0,0,10),ON,(LINE/0,0,0,0,0,1E999)", "CYCLE/DEEP,DEPTH,5,STEP,2,CLEAR,1,IPM,3", "CYCLE/DRILL,RAPTO,3,FEDTO,-3,RTRCTO,AUTO",
+    "CYCLE/TAP,3", "CYCLE/OFF", "CYCLE/REAM,DEPTH,1E300,CLEAR,1E300,RETURN,1E308", "LOADTL/1", "LOADTL/2", "TOOLNO/-1E999", "TLDATA/MILL,1,1,1,1,1", "TLDATA/MILL,1E999,0,-1,90,1",
+    "TOOL PATH/A,TOOL,B", "END-OF-PATH", "MULTAX/OFF", "TLAXIS/0,1,0", "FINI",
+]  # fmt: skip
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.lists(st.sampled_from(STATEMENTS), max_size=20).map("\n".join), st.sampled_from([None, None, 0, 1, 2]))
+def test_no_string_of_statements_gives_a_traceback(given_text: str, tool: int | None) -> None:
+    with contextlib.suppress(ProgramError):
+        path = read_apt(given_text, ClReading(feed=1.0, units="inch", tool=tool))
+        assert np.allclose(np.linalg.norm(path.axis, axis=1), 1.0) and (path.feed >= 0.0).all()
 
 
 @settings(max_examples=400, deadline=None)
@@ -295,7 +314,7 @@ WORDS = ["GOTO/", "GODLTA/", "FROM/", "FEDRAT/", "UNITS/", "SPINDL/", "TLAXIS/",
 def test_no_string_of_words_gives_a_traceback(text: str) -> None:
     for given_text in (text, text.encode("latin-1", "replace"), "GOTO/1,2,3\n" + text, text.encode("utf-16")):
         try:
-            read_apt(given_text, feed=1.0)
+            read_apt(given_text, ClReading(feed=1.0))
         except FiveAxisError as error:
             assert "\n" not in str(error) and re.match(r"line \d+, column \d+", str(error))
 
@@ -307,7 +326,7 @@ def test_no_spoilt_file_gives_a_traceback(text: bytes, spots: list[tuple[float, 
         at = int(where * len(text))
         text = text[:at] + piece + text[at + len(piece) :]
     try:
-        read_apt(text, feed=1.0)
+        read_apt(text, ClReading(feed=1.0))
     except FiveAxisError as error:
         assert "\n" not in str(error) and re.match(r"line \d+, column \d+", str(error))
 
@@ -316,7 +335,7 @@ def test_no_spoilt_file_gives_a_traceback(text: bytes, spots: list[tuple[float, 
 @given(st.binary(max_size=200))
 def test_no_bytes_give_a_traceback(data: bytes) -> None:
     try:
-        read_apt(data, feed=1.0)
+        read_apt(data, ClReading(feed=1.0))
     except FiveAxisError as error:
         assert "\n" not in str(error)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is poor about a CL file: statements not interpreted, axes that are no unit vectors, moves without a feed, more tools."""
+"""What is poor about a CL file: statements not interpreted, axes that are no unit vectors, moves without a feed, no unit."""
 
 from __future__ import annotations
 
@@ -7,15 +7,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl_path import Motion
 from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.records import Bytes, Floats, Ints
-from freecad_fiveaxis.core.sentences import plural, say
+from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.sentences import Option, plural, say
 
 from .poses import Moves
 from .said import Kind, Said, name_of
 from .source import Source
-from .vocabulary import CURVES, SPOILING
+from .vocabulary import CURVES, OF_INCHES, SPOILING
 
 NOT_UNIT = 1e-4
 """An axis whose length differs by more than this from 1 was not meant as a unit vector; four printed decimals stay below."""
@@ -26,11 +25,12 @@ LINES_TOLD, NAMES_TOLD = 5, 20
 
 
 def find_poor_spots(
-    source: Source, said: Said, moves: Moves, length: Floats, motion: Bytes, speed: Floats
+    source: Source, said: Said, moves: Moves, length: Floats, speed: Floats, fed: Bools
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """The findings of a CL file; ``length`` (n,) of the axes as printed, ``motion`` and ``speed`` (n,) of its rows."""
-    found = [*_passed_over(source, said), *_frames(source, said), *_tools(source, said, len(length))]
-    return (*found, *_rows(source, said, moves, length, motion, speed))
+    """The findings of a CL file; ``length`` (n,) of the axes as printed, ``speed`` (n,) mm/min of its moves, ``fed``
+    (n,) which of them need one."""
+    found = [*_passed_over(source, said), *_frames(source, said)]
+    return (*found, *_rows(source, said, moves, length, speed, fed))
 
 
 def _passed_over(source: Source, said: Said) -> Iterator[Finding]:
@@ -55,12 +55,16 @@ def _passed_over(source: Source, said: Said) -> Iterator[Finding]:
 
 def _not_interpreted(name: str, lines: Ints) -> Finding:
     told = ", ".join(map(str, lines[:LINES_TOLD].tolist())) + (" ..." if len(lines) > LINES_TOLD else "")
-    remedy = say(" The path goes straight on to the next GOTO: have curves written as points.") if name in CURVES else ""
+    remedy = ""
+    if name in CURVES:
+        remedy = say(" The path goes straight on to the next GOTO: have curves written as points.")
+    elif name.startswith("CYCLE"):
+        remedy = say(" The tool only goes to its points: have cycles written as moves.")
     where = plural(len(lines), "{count} statements, line {lines}", "{count} statements, lines {lines}", lines=told)
     text = say(
         "{name} is not interpreted ({where}); what it does is missing in the path.{remedy}", name=name, where=where, remedy=remedy
     )
-    severity = Severity.ERROR if name in SPOILING else Severity.WARNING
+    severity = Severity.ERROR if name.partition("/")[0] in SPOILING else Severity.WARNING
     return Finding(severity, "statement-not-interpreted", text, float(len(lines)), line=int(lines[0]))
 
 
@@ -76,22 +80,30 @@ def _frames(source: Source, said: Said) -> Iterator[Finding]:
         yield Finding(Severity.ERROR, "several-coordinate-systems", text, float(len(other)), line=line)
 
 
-def _tools(source: Source, said: Said, rows: int) -> Iterator[Finding]:
-    at = said.of(Kind.TOOL)
-    at = at[said.row[at] < rows]
-    value = said.value(at)
-    tools = list(dict.fromkeys(value.tolist()))
-    if len(tools) > 1:
-        line = int(source.line[said.statement[at[(value != value[0]).argmax()]]])
-        told = ", ".join(f"{tool:g}" for tool in tools[:NAMES_TOLD])
-        text = say(
-            "The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool.",
-            told=told,
-        )
-        yield Finding(Severity.ERROR, "several-tools", text, float(len(tools)), 1.0, line=line)
+def units_findings(source: Source, said: Said, units: str) -> tuple[Finding, ...]:
+    """That nobody has said the unit, where feeds or speeds are said in those of inches. ``units``: what the reading says."""
+    if units != "file" or len(said.of(Kind.UNITS)):
+        return ()
+    spoken = (Kind.FEED, Kind.SPINDLE, Kind.CYCLE)
+    inches = [
+        meaning.kind in spoken and not OF_INCHES.isdisjoint(text.partition("/")[2].split(","))
+        for text, meaning in zip(said.texts, said.meanings, strict=True)
+    ]
+    at = np.flatnonzero(np.array(inches or [False])[said.which])
+    if not len(at):
+        return ()
+    line = int(source.line[said.statement[at[0]]])
+    text = say(
+        "The CL file does not say its unit; mm is taken, but line {line} says {statement}, as files in inches do. Give {option}, "
+        "mm or inch.",
+        line=line,
+        statement=said.texts[said.which[at[0]]][:40],
+        option=Option("units"),
+    )
+    return (Finding(Severity.WARNING, "units-not-said", text, float(len(at)), line=line),)
 
 
-def _rows(source: Source, said: Said, moves: Moves, length: Floats, motion: Bytes, speed: Floats) -> Iterator[Finding]:
+def _rows(source: Source, said: Said, moves: Moves, length: Floats, speed: Floats, fed: Bools) -> Iterator[Finding]:
     line = source.line[source.move_at]
     off = np.abs(length - 1.0)
     if (off > NOT_UNIT).any():
@@ -107,7 +119,7 @@ def _rows(source: Source, said: Said, moves: Moves, length: Floats, motion: Byte
             count=int(leaning.sum()),
         )
         yield Finding(Severity.WARNING, "axis-carried-on", text, line=int(line[leaning.argmax()]))
-    unfed = (motion != Motion.RAPID) & (speed <= 0.0)
+    unfed = fed & (speed <= 0.0)
     if unfed.any():
         text = say("{count} moves come before any FEDRAT; give a feed.", count=int(unfed.sum()))
         yield Finding(Severity.WARNING, "no-feed", text, line=int(line[unfed.argmax()]))

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from freecad_fiveaxis.core.cutter import Cutter, cutter_from_apt, cutter_name
 from freecad_fiveaxis.core.findings import Finding, Severity
@@ -30,6 +30,19 @@ class ClHead:
     def cutter(self) -> Cutter | None:
         """The cutter, where its shape is said and is one that can be used here."""
         return cutter_from_apt(self.said)
+
+
+def cutter_taken(taken: Cutter) -> tuple[Finding, ...]:
+    """That the CL file's cutter has been taken, because none is given."""
+    text = say("No cutter is given; the CL file's is taken: {cutter}.", cutter=cutter_name(taken))
+    return (Finding(Severity.NOTE, "cutter-from-cl-file", text, taken.diameter, unit="mm"),)
+
+
+def of_cl_file(finding: Finding) -> Finding:
+    """A finding of a CL file among those of a program, whose lines are others."""
+    if finding.line is None:
+        return replace(finding, text=say("CL file: {finding}", finding=finding.text))
+    return replace(finding, text=say("CL file, line {line}: {finding}", line=finding.line, finding=finding.text), line=None)
 
 
 def cutter_note(said: ClHead, given: Cutter) -> tuple[Finding, ...]:

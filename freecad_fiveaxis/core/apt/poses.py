@@ -37,6 +37,10 @@ class Moves:
     axis: Floats
     full: Bools
 
+    def take(self, rows: Bools) -> Moves:
+        """Some of the moves, with the axes that they have."""
+        return Moves(self.point[rows], self.step[rows], self.along[rows], self.axis[rows], self.full[rows])
+
 
 def read_moves(source: Source, turned_at: Ints, turned: Floats) -> Moves:
     """The moves, with the axes that TLAXIS says: statement ``turned_at`` (t,), ``turned`` (t, 3). Raises ProgramError."""

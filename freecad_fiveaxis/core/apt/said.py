@@ -18,6 +18,8 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.sentences import say
 
 from . import vocabulary as words
+from .arc_statements import circle_numbers
+from .cycles import cycle_of
 from .head import ClHead
 from .source import SOFT, Source
 
@@ -37,6 +39,10 @@ class Kind(IntEnum):
     AXIS = auto()
     MULTAX = auto()
     FRAME = auto()
+    CIRCLE = auto()
+    TANGENT = auto()
+    CYCLE = auto()
+    TOOLNO = auto()
     UNKNOWN = auto()
 
 
@@ -120,6 +126,8 @@ def meaning_of(statement: str) -> Meaning | tuple[str, str]:
 
 def name_of(statement: str) -> str:
     """The word that a statement is called by in a finding."""
+    if statement.startswith("CYCLE/"):
+        return re.sub(r"(?<=/)([A-Z0-9]*).*", r"\1", statement)
     return re.sub(r"[^A-Z].*", "", statement) or statement[:20]
 
 
@@ -167,6 +175,22 @@ def _cutter(rest: str) -> Meaning:
     return Meaning(Kind.CUTTER, numbers[0], more=tuple(numbers[1:7])) if numbers else Meaning(Kind.NOTHING)
 
 
+def _number_of_tool(rest: str) -> Meaning:
+    return _tool(rest)._replace(kind=Kind.TOOLNO) if words.NUMBER.fullmatch(rest.partition(",")[0]) else Meaning(Kind.NOTHING)
+
+
+def _data(rest: str) -> Meaning:
+    """NX: ``TLDATA/MILL, diameter, corner, length, taper, tip angle`` as the CUTTER statement of it; of a drill its diameter."""
+    parts = rest.split(",")
+    numbers = words.numbers_of(rest)
+    if not numbers or parts[0] not in ("MILL", "DRILL"):
+        return Meaning(Kind.NOTHING)
+    if parts[0] == "DRILL" or len(numbers) < 5:
+        return Meaning(Kind.CUTTER, numbers[0])
+    diameter, corner, length, taper, tip = numbers[:5]
+    return Meaning(Kind.CUTTER, diameter, more=(corner, np.nan, corner, tip, taper, length))
+
+
 def _axis(rest: str) -> Meaning:
     parts = rest.split(",")
     if len(parts) == 3 and all(words.NUMBER.fullmatch(part) for part in parts):
@@ -176,15 +200,39 @@ def _axis(rest: str) -> Meaning:
     return Meaning(Kind.UNKNOWN)
 
 
+def _circle(rest: str) -> Meaning:
+    numbers = circle_numbers(rest)
+    return Meaning(Kind.UNKNOWN) if numbers is None else Meaning(Kind.CIRCLE, more=numbers)
+
+
+def _tangent(rest: str) -> Meaning:
+    """What ``catia_arcs_apart`` has made."""
+    numbers = words.numbers_of(rest)
+    good = len(numbers) == 7 and float(np.abs(numbers).max()) <= words.LARGEST and numbers[6] > 0.0
+    return Meaning(Kind.TANGENT, more=tuple(numbers)) if good else Meaning(Kind.UNKNOWN)
+
+
+def _cycle(rest: str) -> Meaning:
+    if rest in ("OFF", "NOMORE"):
+        return Meaning(Kind.NOTHING)
+    return Meaning(Kind.UNKNOWN if cycle_of(rest) is None else Kind.CYCLE)
+
+
 READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
     "UNITS": _unit,
+    "UNIT": _unit,
     "FEDRAT": _feed,
     "SPINDL": _spindle,
     "COOLNT": _coolant,
     "LOADTL": _tool,
     "LOAD": _load,
+    "TOOLNO": _number_of_tool,
+    "TLDATA": _data,
     "CUTTER": _cutter,
     "TLAXIS": _axis,
+    "CIRCLE": _circle,
+    "TANGENT": _tangent,
+    "CYCLE": _cycle,
     "RAPID": lambda rest: Meaning(Kind.RAPID),
     "MULTAX": lambda rest: Meaning(Kind.MULTAX, float(rest != "OFF")),
     "MSYS": lambda rest: Meaning(Kind.FRAME),

@@ -9,6 +9,7 @@ soft   a byte that stands for the end of a line within a statement.
 from __future__ import annotations
 
 import re
+from copy import copy
 from typing import Any, NoReturn
 
 import numpy as np
@@ -18,6 +19,8 @@ from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.records import Bools, Ints
 from freecad_fiveaxis.core.sentences import say
 
+from .arc_statements import catia_arcs_apart
+from .columns import without_sequence_numbers
 from .vocabulary import FREE_TEXT, MOTIONS
 
 TEXT = bytes({*range(32, 256), *b"\t\n\v\f\r"})
@@ -34,10 +37,11 @@ class Source:
 
     def __init__(self, raw: bytes) -> None:
         self.plain = plain_text(raw)
-        joined = COMMENT.sub(_lines_only, self.plain) if b"$$" in self.plain else self.plain
+        joined = without_sequence_numbers(self.plain)
+        joined = COMMENT.sub(_lines_only, joined) if b"$$" in joined else joined
         joined = FREE_LINE.sub(_without_dollar, joined) if b"$" in joined else joined
         joined = CONTINUED.sub(SOFT, joined) if b"$" in joined else joined
-        self.text = joined.translate(None, b" \t\v\f$") + b"\n"
+        self.text = catia_arcs_apart(joined.translate(None, b" \t\v\f$")) + b"\n"
         self.code: NDArray[Any] = np.frombuffer(self.text, np.uint8)
         ends = np.flatnonzero(self.code == ord("\n"))
         self.line: Ints = np.arange(1, len(ends) + 1)
@@ -48,10 +52,7 @@ class Source:
         real = ends > begins
         self.begin, self.end, self.line = begins[real], ends[real], self.line[real]
         self._cut_at_end()
-        kinds = [self.starts(word) for word in MOTIONS]
-        self.moves: Bools = np.logical_or.reduce(kinds)
-        self.moves_before: Ints = np.cumsum(self.moves) - self.moves
-        self.move_at: Ints = np.flatnonzero(self.moves)
+        self._find_moves()
 
     def starts(self, word: bytes) -> Bools:
         """Which statements start with the word."""
@@ -98,6 +99,19 @@ class Source:
             ),
             part,
         )
+
+    def kept(self, statements: Bools) -> Source:
+        """The same text with some of its statements (s,) alone."""
+        made = copy(self)
+        made.begin, made.end, made.line = self.begin[statements], self.end[statements], self.line[statements]
+        made._find_moves()
+        return made
+
+    def _find_moves(self) -> None:
+        kinds = [self.starts(word) for word in MOTIONS]
+        self.moves: Bools = np.logical_or.reduce(kinds)
+        self.moves_before: Ints = np.cumsum(self.moves) - self.moves
+        self.move_at: Ints = np.flatnonzero(self.moves)
 
     def _cut_at_end(self) -> None:
         last = np.flatnonzero(self.starts(b"FINI") & (self.end - self.begin == len(b"FINI")))

@@ -326,15 +326,19 @@ UNITS, DECIMAL = ("file", "mm", "inch"), ("calculator", "least-increment")
 
 @dataclass(frozen=True)
 class ReadingSettings:
-    """How numbers of a program of other origin are meant."""
+    """How numbers of a file of other origin are meant."""
 
     units: Literal["file", "mm", "inch"] = option(
         "file",
         "choice",
-        "lengths in a file that does not say its units; file: mm, with a warning",
-        (AUDIT, RECOVER),
+        "lengths in an NC or CL file that does not say its units; file: mm, with a warning",
+        (POST, SETUP, COMPARE, AUDIT, RECOVER),
         choices=UNITS,
     )
+    cl_tool: float | None = option(
+        None, "count", "the tool of the CL file whose moves are meant, by its number there [all]",
+        (POST, SETUP, COMPARE, AUDIT, RECOVER), least=0, most=99_999_999,
+    )  # fmt: skip
     decimal: Literal["calculator", "least-increment"] = option(
         "calculator", "choice", "a word without a decimal point: X100 is 100 mm, or 0.1 mm (least increment)", (AUDIT, RECOVER),
         choices=DECIMAL,

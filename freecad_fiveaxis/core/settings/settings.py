@@ -27,6 +27,7 @@ from .groups import (
     MILL,
     POST,
     RECOVER,
+    SETUP,
     TASKS,
     WITHOUT_SOURCE,
     AuditSettings,
@@ -60,7 +61,8 @@ def group(cls: type) -> Any:
 
 @dataclass(frozen=True)
 class Settings:
-    """Every input of a job. ``source``: the STL, CL or NC file that the task reads."""
+    """Every input of a job. ``source``: the STL, CL or NC file that the task reads; ``asked``: the options that were given, the
+    others have their defaults."""
 
     task: str = MILL
     source: str = ""
@@ -82,6 +84,7 @@ class Settings:
     reading: ReadingSettings = group(ReadingSettings)
     audit: AuditSettings = group(AuditSettings)
     output: OutputSettings = group(OutputSettings)
+    asked: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
 
 
 def option_fields(task: str | None = None) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
@@ -121,8 +124,7 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
             )
     given = {name: value for name, value in options.items() if value is not None}
     groups = {top.name: _build(top.metadata["group"], task, given) for top in fields(Settings) if "group" in top.metadata}
-    settings = Settings(task=task, source=source, **groups)
-    settings = _with_defaults(settings, given)
+    settings = _with_defaults(Settings(task=task, source=source, asked=frozenset(given), **groups), given)
     _check_together(settings)
     return settings
 
@@ -139,6 +141,15 @@ def _with_defaults(settings: Settings, given: Mapping[str, Any]) -> Settings:
 def _build(cls: type, task: str, given: Mapping[str, Any]) -> Any:
     leaves = [_in_task(leaf, task) for leaf in fields(cls)]
     return cls(**{leaf.name: read_option(leaf, given[leaf.name]) if leaf.name in given else leaf.default for leaf in leaves})
+
+
+def _refuse_of_cl_file(settings: Settings) -> None:
+    for name, value in (("units", settings.reading.units), ("cl_tool", settings.reading.cl_tool)):
+        if value not in ("file", None):
+            raise SettingsError(
+                say("{option} is of a CL file, {source} is a part; leave it out", option=Option(name), source=settings.source),
+                value,
+            )
 
 
 def _check_together(settings: Settings) -> None:
@@ -187,6 +198,8 @@ def _check_together(settings: Settings) -> None:
         raise SettingsError(
             say("faces need the part (.stl), {source} is none; leave faces out", source=settings.source), settings.faces.faces
         )
+    if settings.task in (SETUP, COMPARE) and is_part(settings.source):
+        _refuse_of_cl_file(settings)
     tool = settings.tool_axis
     if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
         given = ",".join(f"{number:g}" for number in tool.axis)
