@@ -15,7 +15,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.cli import main, read_job
+from freecad_fiveaxis.core.cli import main
+from freecad_fiveaxis.core.job_file import read_job
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
 from freecad_fiveaxis.core.machine_import import import_machine
 from freecad_fiveaxis.core.post import DIALECTS

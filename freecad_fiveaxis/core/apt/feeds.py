@@ -35,4 +35,5 @@ def per_minute(said: Said, at: Ints, value: Floats, unit: Floats, turn: Bools, s
     if len(lost):
         k = int(said.statement[at[lost[0]]])
         source.fail(k, "", say("a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute"))
-    return np.asarray(value * np.where(np.isnan(unit), scale[at], unit) * np.where(turn, turns, 1.0))
+    with np.errstate(over="ignore"):  # the machine's greatest feed is below any of these
+        return np.asarray(value * np.where(np.isnan(unit), scale[at], unit) * np.where(turn, turns, 1.0))
