@@ -104,6 +104,10 @@
         <translation>Prüfsumme der Grundlage und der Abweichungen, aus denen das Netz gemacht ist</translation>
     </message>
     <message>
+        <source>Cl Tool</source>
+        <translation>CL-Werkzeug</translation>
+    </message>
+    <message>
         <source>Clearance</source>
         <translation>Sicherheitsabstand</translation>
     </message>
@@ -582,6 +586,10 @@
     <message>
         <source>NCFile</source>
         <translation>NC-Datei</translation>
+    </message>
+    <message>
+        <source>Number of the CL file's tool whose moves are meant; empty: all</source>
+        <translation>Nummer des Werkzeugs der CL-Datei, dessen Bewegungen gemeint sind; leer: alle</translation>
     </message>
     <message>
         <source>Number of the tool; not given: the program calls no tool, the operator sets tool and length</source>
@@ -2095,6 +2103,14 @@
         <translation>Der nächste NC-Satz, in dem eine Rundachse weit dreht, um das Werkzeug ein wenig zu neigen</translation>
     </message>
     <message>
+        <source>The part is in inches: scale it by 25.4</source>
+        <translation>Das Teil ist in Zoll: mit 25,4 skalieren</translation>
+    </message>
+    <message>
+        <source>The part is in metres: scale it by 1000</source>
+        <translation>Das Teil ist in Metern: mit 1000 skalieren</translation>
+    </message>
+    <message>
         <source>The part was deleted meanwhile: press Cancel, and select another one.</source>
         <translation>Das Werkstück wurde inzwischen gelöscht: „Abbrechen“ drücken und ein anderes auswählen.</translation>
     </message>
@@ -2249,6 +2265,10 @@
     <message>
         <source>Tool number</source>
         <translation>Werkzeugnummer</translation>
+    </message>
+    <message>
+        <source>Tool of the CL file</source>
+        <translation>Werkzeug der CL-Datei</translation>
     </message>
     <message>
         <source>Tool path</source>
@@ -3012,6 +3032,10 @@
         <translation> Der Werkzeugweg geht gerade weiter zum nächsten GOTO: Kurven als Punkte ausgeben lassen.</translation>
     </message>
     <message>
+        <source> The tool only goes to its points: have cycles written as moves.</source>
+        <translation> Das Werkzeug fährt nur zu seinen Punkten: Zyklen als Bewegungen ausgeben lassen.</translation>
+    </message>
+    <message>
         <source> This is the deepest of {blocks} blocks in {places} places.</source>
         <translation> Das ist der tiefste von {blocks} NC-Sätzen an {places} Stellen.</translation>
     </message>
@@ -3080,6 +3104,10 @@
         <translation> – ist {close} gemeint?</translation>
     </message>
     <message>
+        <source>; what was there before is in {backups}</source>
+        <translation>; was vorher dort stand, ist in {backups}</translation>
+    </message>
+    <message>
         <source>A controller with tool tip control (RTCP) guides the tip along the segment itself.</source>
         <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Werkzeugspitze von sich aus auf der Strecke.</translation>
     </message>
@@ -3088,12 +3116,36 @@
         <translation>Eine andere Anzeige oder Stellung: Nullpunktverschiebung, Werkzeuglänge oder Nullstellungen sind nicht gesetzt.</translation>
     </message>
     <message>
+        <source>A drilling cycle dwells at the bottom (line {line}): the tool does not wait there in the program.</source>
+        <translation>Ein Bohrzyklus verweilt am Grund (Zeile {line}): Im Programm wartet das Werkzeug dort nicht.</translation>
+    </message>
+    <message>
+        <source>A drilling cycle with pecks says no STEP (line {line}): its holes are drilled in one go. Say the step, if the chips are to come out.</source>
+        <translation>Ein Bohrzyklus mit Zustellungen nennt kein STEP (Zeile {line}): Seine Bohrungen werden in einem Zug gebohrt. Die Zustellung angeben, wenn die Späne herauskommen sollen.</translation>
+    </message>
+    <message>
         <source>A head's pivot was found as its distance from the tip, tool included. Give {tool_length} to have the gauge point's written; else use the file with tool length 0.</source>
         <translation>Der Drehpunkt eines Kopfes wurde als Abstand von der Werkzeugspitze gefunden, das Werkzeug eingeschlossen. {tool_length} angeben, damit der des Bezugspunkts geschrieben wird; sonst die Datei mit Werkzeuglänge 0 verwenden.</translation>
     </message>
     <message>
+        <source>A step or FROM stands within a drilling cycle (line {line}): no hole is drilled there. Say CYCLE/OFF before.</source>
+        <translation>Ein Schritt oder FROM steht in einem Bohrzyklus (Zeile {line}): Dort wird nicht gebohrt. Vorher CYCLE/OFF angeben.</translation>
+    </message>
+    <message>
         <source>All {count} facets looked inward and were turned outward; check the export if only some of them should.</source>
         <translation>Alle {count} Facetten zeigten nach innen und wurden nach außen gewendet; den Export prüfen, wenn es nur für einige gelten sollte.</translation>
+    </message>
+    <message>
+        <source>An arc does not pass through the points before and after it (line {line}: off by {off}, radius {radius}); the path goes straight there. Has the CAM system left out a move, or are the units mixed?</source>
+        <translation>Ein Kreisbogen geht nicht durch die Punkte vor und nach ihm (Zeile {line}: {off} daneben, Radius {radius}); der Weg ist dort gerade. Hat das CAM-System eine Bewegung ausgelassen, oder sind die Einheiten gemischt?</translation>
+    </message>
+    <message>
+        <source>An arc lacks its start or its end (line {line}): it stands before the first move, after the last one, or before another arc, or its direction points to its centre. The path goes straight there.</source>
+        <translation>Einem Kreisbogen fehlt Anfang oder Ende (Zeile {line}): Er steht vor der ersten Bewegung, nach der letzten oder vor einem anderen Bogen, oder seine Richtung zeigt auf seinen Mittelpunkt. Der Weg ist dort gerade.</translation>
+    </message>
+    <message>
+        <source>An arc runs back against the straight moves beside it (line {line}): does the CAM system mean its circles the other way round? Have curves written as points.</source>
+        <translation>Ein Kreisbogen läuft den geraden Bewegungen neben ihm entgegen (Zeile {line}): Meint das CAM-System seine Kreise andersherum? Kurven als Punkte ausgeben lassen.</translation>
     </message>
     <message>
         <source>Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.</source>
@@ -3114,6 +3166,14 @@
     <message>
         <source>CHECK</source>
         <translation>PRÜFEN</translation>
+    </message>
+    <message>
+        <source>CL file, line {line}: {finding}</source>
+        <translation>CL-Datei, Zeile {line}: {finding}</translation>
+    </message>
+    <message>
+        <source>CL file: {finding}</source>
+        <translation>CL-Datei: {finding}</translation>
     </message>
     <message>
         <source>F says {speed}</source>
@@ -3252,6 +3312,10 @@
         <translation>Keine HAL-Datei setzt {lacking} von {module}; sie sind 0, wie bei LinuxCNC dann üblich. Stimmt das?</translation>
     </message>
     <message>
+        <source>No cutter is given; the CL file's is taken: {cutter}.</source>
+        <translation>Kein Fräser ist angegeben; der der CL-Datei wird genommen: {cutter}.</translation>
+    </message>
+    <message>
         <source>No setup of the region keeps all axes within their limits and the part on the table.</source>
         <translation>Keine Aufspannung des Bereichs hält alle Achsen in ihren Grenzen und das Werkstück auf dem Tisch.</translation>
     </message>
@@ -3278,6 +3342,10 @@
     <message>
         <source>Nothing may stand above Z {z} of the work zero: remove the part, or give {mark} as high as part and clamps reach.</source>
         <translation>Über Z {z} vom Werkstücknullpunkt darf nichts stehen: das Werkstück entfernen oder {mark} so hoch angeben, wie Werkstück und Spannmittel reichen.</translation>
+    </message>
+    <message>
+        <source>Of the file's tools ({told}) the moves of tool {tool} are taken: {count} of {all}.</source>
+        <translation>Von den Werkzeugen der Datei ({told}) werden die Bewegungen von Werkzeug {tool} genommen: {count} von {all}.</translation>
     </message>
     <message>
         <source>Of {whole} that are machined, all are cut: no more than {allowed} is left, nothing is cut too deep.</source>
@@ -3360,6 +3428,10 @@
         <translation>Aufstellen: {place}. Größte Abweichung {deviation}.</translation>
     </message>
     <message>
+        <source>The CL file does not say its unit; mm is taken, but line {line} says {statement}, as files in inches do. Give {option}, mm or inch.</source>
+        <translation>Die CL-Datei nennt ihre Einheit nicht; mm wird angenommen, aber in Zeile {line} steht {statement}, wie in Dateien in Zoll. {option} angeben, mm oder inch.</translation>
+    </message>
+    <message>
         <source>The CL file is for a cutter of {diameter}, retracts are laid out for {given}; give {cutter}.</source>
         <translation>Die CL-Datei ist für einen Fräser von {diameter}, die Rückzüge sind für {given} ausgelegt; {cutter} angeben.</translation>
     </message>
@@ -3392,12 +3464,20 @@
         <translation>Die Anzeige zeigt {place}. Das Werkzeug steht senkrecht, der Tisch waagrecht. Nichts ist nahe am Werkzeug.</translation>
     </message>
     <message>
+        <source>The ends of an arc are as near as the printed digits allow (line {line}): it may be a whole turn or next to nothing; {taken} is taken, as its direction says.</source>
+        <translation>Die Enden eines Kreisbogens sind so nahe, wie die gedruckten Stellen es zulassen (Zeile {line}): Er kann ein voller Kreis oder fast nichts sein; {taken} wird genommen, wie seine Richtung sagt.</translation>
+    </message>
+    <message>
+        <source>The ends of {count} arcs are as near as the printed digits allow (first line {line}): they may be whole turns or next to nothing; there {taken} is taken, as its direction says.</source>
+        <translation>Die Enden von {count} Kreisbögen sind so nahe, wie die gedruckten Stellen es zulassen (zuerst Zeile {line}): Sie können volle Kreise oder fast nichts sein; dort wird {taken} genommen, wie die Richtung sagt.</translation>
+    </message>
+    <message>
         <source>The facets curl tighter than the cutter at {number} segments, and the cutter cuts into them; how deep is not known here. Have the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.</source>
         <translation>Die Facetten krümmen sich an {number} Teilstrecken enger als der Fräser, und er schneidet hinein; wie tief, ist hier nicht bekannt. Den Weg gegen das Werkstück prüfen ({report}) oder herausheben lassen ({lift}), oder einen kleineren Fräser nehmen.</translation>
     </message>
     <message>
-        <source>The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool.</source>
-        <translation>Die Datei wechselt die Werkzeuge ({told}), das Programm nicht: es fräst alles mit einem. Für jedes Werkzeug eine eigene Datei ausgeben.</translation>
+        <source>The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool, or choose one: {option}.</source>
+        <translation>Die Datei wechselt das Werkzeug ({told}), das Programm nicht: Es fräst alles mit einem. Eine Datei je Werkzeug schreiben, oder eines wählen: {option}.</translation>
     </message>
     <message>
         <source>The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.</source>
@@ -3692,6 +3772,10 @@
         <translation>ein Stück des Werkzeugs hat die Maße {sizes}; Radien ab 0 bis {largest} angeben</translation>
     </message>
     <message>
+        <source>a place or step beyond {farthest}; is it in another unit?</source>
+        <translation>ein Ort oder Schritt jenseits von {farthest}; ist er in einer anderen Einheit?</translation>
+    </message>
+    <message>
         <source>a plane offset is {wrong}: give finite numbers</source>
         <translation>ein Ebenenabstand ist {wrong}: endliche Zahlen angeben</translation>
     </message>
@@ -3714,6 +3798,10 @@
     <message>
         <source>a whole run of facets stays uncut</source>
         <translation>eine ganze Reihe von Facetten bleibt ungefräst</translation>
+    </message>
+    <message>
+        <source>a whole turn</source>
+        <translation>ein voller Kreis</translation>
     </message>
     <message>
         <source>a word is a letter and one number</source>
@@ -4004,6 +4092,10 @@
         <translation>größeren Bahnabstand oder größere Rillenhöhe angeben, oder die Einheiten des Werkstücks prüfen</translation>
     </message>
     <message>
+        <source>give a smaller file, or free memory</source>
+        <translation>eine kleinere Datei angeben oder Speicher freimachen</translation>
+    </message>
+    <message>
         <source>gouge, shank and holder need the part: give its STL with {against}</source>
         <translation>Eindringen, Schaft und Halter brauchen das Werkstück: dessen STL mit {against} angeben</translation>
     </message>
@@ -4058,6 +4150,10 @@
     <message>
         <source>job file {path} needs "task" (one of {tasks}) and "source", the file to read</source>
         <translation>die Auftragsdatei {path} braucht „task“ (eines von {tasks}) und „source“, die zu lesende Datei</translation>
+    </message>
+    <message>
+        <source>job file {path}: {error}</source>
+        <translation>Auftragsdatei {path}: {error}</translation>
     </message>
     <message>
         <source>joint axis {place} has no direction; give a unit vector</source>
@@ -4328,6 +4424,10 @@
         <translation>nur ein Werkzeugweg kann als NC-Datei ausgegeben werden: einen Werkzeugweg auswählen</translation>
     </message>
     <message>
+        <source>only the cutter's own feed moves were checked against the part ({off})</source>
+        <translation>nur die Vorschubbewegungen des Fräsers selbst wurden gegen das Teil geprüft ({off})</translation>
+    </message>
+    <message>
         <source>only {count} of {rows} CL rows can be paired with the program's {blocks} blocks; give a program that was posted from this CL path</source>
         <translation>nur {count} von {rows} CL-Zeilen lassen sich den {blocks} NC-Sätzen des Programms zuordnen; ein Programm angeben, das aus diesem CL-Weg entstand</translation>
     </message>
@@ -4476,8 +4576,16 @@
         <translation>Tisch</translation>
     </message>
     <message>
+        <source>the CL file has no tool {tool}; it has {told}</source>
+        <translation>die CL-Datei hat kein Werkzeug {tool}; sie hat {told}</translation>
+    </message>
+    <message>
         <source>the CL file holds fewer than two rows: there is no path to compare with</source>
         <translation>die CL-Datei enthält weniger als zwei Zeilen: es gibt keinen Weg zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>the CL file names no tool; leave {option} out</source>
+        <translation>die CL-Datei nennt kein Werkzeug; {option} weglassen</translation>
     </message>
     <message>
         <source>the arcs need {count} chords, more than {most}; is it a program in inches read as mm?</source>
@@ -4514,6 +4622,10 @@
     <message>
         <source>the document was closed; nothing was changed</source>
         <translation>das Dokument wurde geschlossen; nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>the factor is {factor}; it must be between 1e-6 and 1e6</source>
+        <translation>der Faktor ist {factor}; er muss zwischen 1e-6 und 1e6 liegen</translation>
     </message>
     <message>
         <source>the file became shorter while it was read; export it again</source>
@@ -4602,6 +4714,10 @@
     <message>
         <source>the second rotary axis is parallel to the tool and never tilts it; is the order of the two right?</source>
         <translation>die zweite Rundachse ist parallel zum Werkzeug und neigt es nie; stimmt die Reihenfolge der beiden?</translation>
+    </message>
+    <message>
+        <source>the short way</source>
+        <translation>der kurze Weg</translation>
     </message>
     <message>
         <source>the side at {letter} {at}</source>
@@ -4728,6 +4844,10 @@
         <translation>es gibt nichts zu vergleichen; mindestens eine Maschine und eine Korrektur nennen</translation>
     </message>
     <message>
+        <source>this arc alone needs {count} chords; give a larger tolerance</source>
+        <translation>dieser Kreisbogen allein braucht {count} Sehnen; eine größere Toleranz angeben</translation>
+    </message>
+    <message>
         <source>this correction turns the tool axes over the part's facets; give it the STL, not a CL file</source>
         <translation>diese Korrektur dreht die Werkzeugachsen über den Facetten des Werkstücks; das STL angeben, keine CL-Datei</translation>
     </message>
@@ -4798,10 +4918,6 @@
     <message>
         <source>turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only</source>
         <translation>zuerst das Werkstück um {turn} um Z durch seinen Nullpunkt drehen, gegen den Uhrzeigersinn, und nur eine Drehung erproben</translation>
-    </message>
-    <message>
-        <source>two outputs have the same name; name each file apart</source>
-        <translation>zwei Ausgaben haben denselben Namen; jede Datei anders benennen</translation>
     </message>
     <message>
         <source>unknown controller {name}; known are {dialects}</source>
@@ -4916,8 +5032,20 @@
         <translation>{change} {rate}, {turned}, {blocks}</translation>
     </message>
     <message>
+        <source>{count} arcs do not pass through the points before and after them (worst line {line}: off by {off}, radius {radius}); the path goes straight there. Has the CAM system left out a move, or are the units mixed?</source>
+        <translation>{count} Kreisbögen gehen nicht durch die Punkte vor und nach ihnen (am schlimmsten Zeile {line}: {off} daneben, Radius {radius}); der Weg ist dort gerade. Hat das CAM-System eine Bewegung ausgelassen, oder sind die Einheiten gemischt?</translation>
+    </message>
+    <message>
         <source>{count} arcs have no centre that fits their start and end; they are taken as straight. Post straight moves.</source>
         <translation>{count} Kreisbögen haben keinen Mittelpunkt, der zu Anfang und Ende passt; sie werden als Geraden genommen. Geraden ausgeben.</translation>
+    </message>
+    <message>
+        <source>{count} arcs lack their start or their end (first line {line}): they stand before the first move, after the last one, or before another arc, or their direction points to their centre. The path goes straight there.</source>
+        <translation>{count} Kreisbögen fehlt Anfang oder Ende (zuerst Zeile {line}): Sie stehen vor der ersten Bewegung, nach der letzten oder vor einem anderen Bogen, oder ihre Richtung zeigt auf ihren Mittelpunkt. Der Weg ist dort gerade.</translation>
+    </message>
+    <message>
+        <source>{count} arcs run back against the straight moves beside them (first line {line}): does the CAM system mean its circles the other way round? Have curves written as points.</source>
+        <translation>{count} Kreisbögen laufen den geraden Bewegungen neben ihnen entgegen (zuerst Zeile {line}): Meint das CAM-System seine Kreise andersherum? Kurven als Punkte ausgeben lassen.</translation>
     </message>
     <message>
         <source>{count} block near the pole</source>
@@ -4958,6 +5086,14 @@
     <message>
         <source>{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the control takes the shorter way there (wrap_strategy modulo), and so do the words here. Divide blocks, or set wrap_strategy to unwound.</source>
         <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
+    </message>
+    <message>
+        <source>{count} drilling cycles dwell at the bottom (first line {line}): the tool does not wait there in the program.</source>
+        <translation>{count} Bohrzyklen verweilen am Grund (zuerst Zeile {line}): Im Programm wartet das Werkzeug dort nicht.</translation>
+    </message>
+    <message>
+        <source>{count} drilling cycles with pecks say no STEP (first line {line}): their holes are drilled in one go. Say the step, if the chips are to come out.</source>
+        <translation>{count} Bohrzyklen mit Zustellungen nennen kein STEP (zuerst Zeile {line}): Ihre Bohrungen werden in einem Zug gebohrt. Die Zustellung angeben, wenn die Späne herauskommen sollen.</translation>
     </message>
     <message>
         <source>{count} facets</source>
@@ -5536,6 +5672,10 @@
         <translation>{option}</translation>
     </message>
     <message>
+        <source>{option} is of a CL file, {source} is a part; leave it out</source>
+        <translation>{option} gehört zu einer CL-Datei, {source} ist ein Teil; weglassen</translation>
+    </message>
+    <message>
         <source>{output} does not end in {suffix}, as machine files do; name it so</source>
         <translation>{output} endet nicht auf {suffix} wie Maschinendateien; so benennen</translation>
     </message>
@@ -5580,8 +5720,16 @@
         <translation>{path} ist ein Ordner; die zu lesende Datei nennen</translation>
     </message>
     <message>
+        <source>{path} is named for two outputs; name each file apart</source>
+        <translation>{path} ist für zwei Ausgaben genannt; jede Datei für sich benennen</translation>
+    </message>
+    <message>
         <source>{path} is no file name: it holds a null character</source>
         <translation>{path} ist kein Dateiname: er enthält ein Nullzeichen</translation>
+    </message>
+    <message>
+        <source>{path} is no ordinary file; name a file to write</source>
+        <translation>{path} ist keine gewöhnliche Datei; eine Datei zum Schreiben angeben</translation>
     </message>
     <message>
         <source>{path} is no ordinary file; name the file to read</source>
@@ -5592,16 +5740,16 @@
         <translation>{path} ist keine Textdatei; angeben: {what}</translation>
     </message>
     <message>
+        <source>{path} is read-only; make it writable, or choose another name</source>
+        <translation>{path} ist schreibgeschützt; den Schutz aufheben oder einen anderen Namen wählen</translation>
+    </message>
+    <message>
         <source>{path} is the file that is read; name another output</source>
         <translation>{path} ist die Datei, die gelesen wird; eine andere Ausgabe nennen</translation>
     </message>
     <message>
         <source>{path} is there already: name another file, or ask for it to be replaced</source>
         <translation>{path} gibt es schon: eine andere Datei nennen oder Ersetzen verlangen</translation>
-    </message>
-    <message>
-        <source>{path} line {number}: files include one another in a circle; remove one #INCLUDE</source>
-        <translation>{path} Zeile {number}: Dateien binden einander im Kreis ein; ein #INCLUDE entfernen</translation>
     </message>
     <message>
         <source>{path}: [JOINT_{joint}], {error}</source>
@@ -5784,8 +5932,16 @@
         <translation>{what} {path} ist nicht lesbar: {strerror}</translation>
     </message>
     <message>
+        <source>{what} {path}: its bytes</source>
+        <translation>{what} {path}: der Inhalt</translation>
+    </message>
+    <message>
         <source>{what} {place} is not finite or beyond {most}</source>
         <translation>{what} {place} ist nicht endlich oder jenseits von {most}</translation>
+    </message>
+    <message>
+        <source>{what} {text} is no cylinder; write diameter x length, as 40x25</source>
+        <translation>{what} {text} ist kein Zylinder; Durchmesser x Länge schreiben, etwa 40x25</translation>
     </message>
     <message>
         <source>{what} {text} is no stack; write diameter x length from the cutter upwards, as 40x25,63x50</source>
@@ -5822,6 +5978,18 @@
     <message>
         <source>{where}: kinematics {module} cannot be imported; {remedy}</source>
         <translation>{where}: die Kinematik {module} kann nicht importiert werden; {remedy}</translation>
+    </message>
+    <message>
+        <source>{where}: more than {most} files are included, some again and again; leave out {name}</source>
+        <translation>{where}: Mehr als {most} Dateien werden eingebunden, manche immer wieder; {name} weglassen</translation>
+    </message>
+    <message>
+        <source>{where}: {name} and others include one another in a circle; remove one</source>
+        <translation>{where}: {name} und andere binden einander im Kreis ein; eine entfernen</translation>
+    </message>
+    <message>
+        <source>{where}: {name} begins with the folder of a user who is not known; write the whole path</source>
+        <translation>{where}: {name} beginnt mit dem Ordner eines unbekannten Benutzers; den ganzen Pfad schreiben</translation>
     </message>
     <message>
         <source>{where}: {what} is {text}, not a number; write the number itself</source>
