@@ -3152,6 +3152,10 @@
         <translation>Anfahrten und NC-Sätze, in denen eine Achse an ihrer Grenze ist, sind zu Recht langsamer; die anderen ansehen.</translation>
     </message>
     <message>
+        <source>Are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero? If they are, the part is spoilt.</source>
+        <translation>Sind {cutter}, {origin} und die Maschine die des Programms, und steht die STL-Datei am Werkstücknullpunkt? Wenn ja, ist das Werkstück verdorben.</translation>
+    </message>
+    <message>
         <source>At every stop compare what you see with this sheet, and stop for good if it differs. The tip stays at least {gap} above the level of the mark, even if a rotary axis turns the wrong way or the two are exchanged.</source>
         <translation>An jedem Halt mit diesem Blatt vergleichen, was zu sehen ist, und bei einem Unterschied endgültig anhalten. Die Werkzeugspitze bleibt mindestens {gap} über der Höhe der Marke, auch wenn eine Rundachse falsch herum dreht oder die beiden vertauscht sind.</translation>
     </message>
@@ -3202,10 +3206,6 @@
     <message>
         <source>GODLTA stands before the first GOTO: from where is not known</source>
         <translation>GODLTA steht vor dem ersten GOTO: der Ausgangspunkt ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>If not: are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero?</source>
-        <translation>Wenn nicht: Sind {cutter}, {origin} und die Maschine die des Programms, und steht das STL am Werkstücknullpunkt?</translation>
     </message>
     <message>
         <source>If {text}, the tip is off by {size} only at the last stop, which is easily overlooked: rely on the stops</source>
@@ -3456,6 +3456,10 @@
         <translation>Der Fräser dringt auf dem Weg zwischen den Zeilen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen ({lift}).</translation>
     </message>
     <message>
+        <source>The cutter goes {depth} into the part at {at}, not cutting.</source>
+        <translation>Der Fräser dringt bei {at} {depth} ins Werkstück ein, ohne zu schneiden.</translation>
+    </message>
+    <message>
         <source>The cutter goes {depth} too deep into the part at {at}.</source>
         <translation>Der Fräser dringt bei {at} {depth} zu tief ins Werkstück ein.</translation>
     </message>
@@ -3682,6 +3686,10 @@
     <message>
         <source>The {count} words {letter} are not interpreted.</source>
         <translation>Die {count} Wörter {letter} werden nicht ausgewertet.</translation>
+    </message>
+    <message>
+        <source>The {part} goes {depth} into the part at {at}.</source>
+        <translation>{part}: dringt bei {at} {depth} ins Werkstück ein.</translation>
     </message>
     <message>
         <source>The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out ({tilt}), use a longer tool, or more lead or tilt.</source>

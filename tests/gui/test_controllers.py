@@ -137,11 +137,11 @@ def test_an_audit_is_compared_with_a_cl_path_or_a_part(dome, doc, press, field, 
     assert shown_of("axis_tolerance", "cutter_diameter") == {"cutter_diameter"}
     type_into(field("cutter_diameter"), "14 mm")  # the tip stands as before: 2 mm (1 - cos 20 deg) too deep
     click(field("calculate"))
-    until(lambda: "enter" in field("summary").text(), 60000, "that the larger ball enters the part")
+    until(lambda: "into the part" in field("summary").text(), 60000, "that the larger ball enters the part")
     pump(300)
     screenshot("audit-against")
     panel_button("OK", 500)
-    assert doc.Audit.Against == files["a.stl"] and any("enters the part" in text for text in doc.Audit.Findings)
+    assert doc.Audit.Against == files["a.stl"] and any("too deep into the part" in text for text in doc.Audit.Findings)
 
 
 def test_a_path_with_a_wish_that_its_controller_lacks_opens_and_is_mended(dome, doc, pump):

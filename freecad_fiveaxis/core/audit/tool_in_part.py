@@ -21,7 +21,8 @@ from freecad_fiveaxis.core.sentences import Option, joined, say
 from .against_part import AgainstPart, against_part
 
 ASKED = say(
-    "If not: are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero?",
+    "Are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero? If they are, the part "
+    "is spoilt.",
     cutter=Option("cutter"),
     origin=Option("origin"),
 )
@@ -35,7 +36,7 @@ def tool_in_part(
     ``body``: cutter, shank and holder. Of a cutter that is no ball the depth is never below 0, ``clearance`` not known (NaN) and
     ``place`` that of the part's deepest point.
     """
-    check = check_program(mesh, body, links, program, tolerance, progress=progress)
+    check = check_program(mesh, body, links, program, tolerance, progress=progress, remedy="")
     findings = _asked(check.findings)
     if is_ball(cutter):
         return replace(against_part(links, program, mesh, cutter.radius, tolerance, progress), findings=findings)

@@ -52,6 +52,13 @@ SAID = {
     ),
 }
 
+PLAIN = {
+    OVERCUT: SAID[OVERCUT],
+    RAPID_COLLISION: Template("The cutter goes {depth} into the part at {at}, not cutting."),
+    HOLDER_COLLISION: Template("The {part} goes {depth} into the part at {at}."),
+}
+"""The same of a program that is only looked at: what helps is not ours to do."""
+
 CURES = say(
     "Let the tool be lifted there or leave such places out ({lift}), or use a smaller cutter; where the machine "
     "leaves the path by as much, let blocks be divided ({divide}).",
@@ -96,7 +103,8 @@ def check_course(
     """Check every block of a course against the whole mesh.
 
     ``motion`` (m,) of Motion, what each block does; ``tolerance`` mm: entries up to it are no findings, and none deeper is
-    missed. ``where`` tells blocks and lines of the findings; ``remedy``: what the findings advise against overcuts.
+    missed. ``where`` tells blocks and lines of the findings; ``remedy``: what the findings advise against overcuts, empty
+    where nothing can be changed here.
     """
     tree = facet_tree(mesh)
     cutter = find_entries(body.only(CUTTER), tree, course, tolerance, progress=progress)
@@ -141,9 +149,7 @@ def _findings(
 ) -> tuple[Finding, ...]:  # fmt: skip
     found: list[Finding] = []
     for code, entries, depth in _cases(cutter, above, motion):
-        found += _spots(
-            code, remedy if code == OVERCUT else "", entries, depth, tolerance, where, whole if entries is cutter else np.inf
-        )
+        found += _spots(code, remedy, entries, depth, tolerance, where, whole if entries is cutter else np.inf)
     return (*found, *_buried(buried, where, course))
 
 
@@ -158,8 +164,10 @@ def _spots(
         x, y, z = entries.place[block].tolist()
         amount: Length | Sentence = Length(depth[block], ".4g")
         amount = say("at least {depth}", depth=amount) if depth[block] >= whole else amount
-        said = SAID[code].say(depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])], lift=LIFT, tilt=TILT)
-        said = joined((said, remedy))
+        said = (SAID if remedy else PLAIN)[code].say(
+            depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])], lift=LIFT, tilt=TILT
+        )
+        said = joined((said, remedy if code == OVERCUT else ""))
         if k == 0 and blocks > 1:
             said += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
         told, line = where(block)
