@@ -140,7 +140,7 @@ def test_axes_that_the_first_block_does_not_name_are_said_to_be_taken_as_zero() 
         (b"G2 X1 I1 J0", "arc-without-centre", ERROR),
         (b"G03 X100 R5", "arc-without-centre", ERROR),
         (b"G2 X5 Y1", "arc-without-centre", ERROR),
-        (b"G81 X1 Z-1 R2", "cycle-not-interpreted", ERROR),
+        (b"G87 X1 Z-1 R2", "cycle-not-interpreted", ERROR),
         (b"G5.2 X1 P1 L3", "spline-not-interpreted", ERROR),
         (b"#1=5", "macro-not-interpreted", ERROR),
         (b"G1 X[1+2]", "macro-not-interpreted", ERROR),
@@ -173,7 +173,7 @@ def test_what_is_not_interpreted_is_a_finding_with_its_line(line: bytes, code: s
 
 
 def test_an_arc_without_a_centre_is_taken_as_straight_and_a_cycle_left_out() -> None:
-    program = read(HEAD + b"G2 X1 I1 J0\nX2 I1\nG81 X5 Z-1 R2\nX6\nG80\nG1 X7\n")
+    program = read(HEAD + b"G2 X1 I1 J0\nX2 I1\nG87 X5 Z-1 R2\nX6\nG80\nG1 X7\n")
     assert program.words[:, 0].tolist() == [0, 1, 2, 7]
     assert not [found for found in program.findings if found.code == "word-not-interpreted" and "I" in found.text]
 

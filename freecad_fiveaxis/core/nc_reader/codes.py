@@ -45,6 +45,8 @@ AXES = "XYZABCUVW"
 INCREMENTED = AXES + "IJKR"
 """Words that count the least increment where they have no decimal point, on the controllers that are set so."""
 
+PECK = "Q"
+
 STEP_OF = dict(zip("XYZABC", "xyzabc", strict=True))
 """An incremental word among absolute ones (Heidenhain's IX, Siemens' X=IC())."""
 SHORTER_OF = dict(zip("ABC", "efg", strict=True))

@@ -68,6 +68,16 @@ def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...
     return replace(words, letter=words.letter[:keep], value=words.value[:keep], line=words.line[:keep], start=start), findings
 
 
+def in_file(words: Words, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
+    """The findings with the lines of the file for those of the words."""
+    if words.source is None:
+        return findings
+    lines = words.in_file(np.array([found.line or 0 for found in findings], np.int64))
+    return tuple(
+        found if found.line is None else replace(found, line=line) for found, line in zip(findings, lines.tolist(), strict=True)
+    )
+
+
 def language_finding(language: str, told: str) -> tuple[Finding, ...]:
     """Where the text shows another language than the controller's that was given."""
     if language == told:

@@ -66,7 +66,8 @@ LOOKED_AT = 20_000
 @dataclass(frozen=True, eq=False)
 class Words:
     """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file; ``text``: what was left
-    of the file when they were read, ``start`` (w,) where they stand in it without its blanks."""
+    of the file when they were read, ``start`` (w,) where they stand in it without its blanks. ``source``: where lines of the file
+    were written out as several, ``line`` counts those; ``source`` (lines + 1,) are the lines of the file that they come from."""
 
     letter: Bytes
     value: Floats
@@ -74,15 +75,20 @@ class Words:
     findings: tuple[Finding, ...] = ()
     text: bytes = b""
     start: Ints | None = None
+    source: Ints | None = None
 
     def place(self, word: int) -> str:
         """Where a word stands, as "line 3, column 7"."""
         line = int(self.line[word])
-        if self.start is None:
-            return f"line {line}"
+        if self.start is None or self.source is not None:
+            return f"line {int(self.in_file(self.line[word]))}"
         compact = self.text.translate(None, b" ")
         begin = compact.rfind(b"\n", 0, int(self.start[word])) + 1
         return f"line {line}, column {_column(self.text, line, int(self.start[word]) - begin)}"
+
+    def in_file(self, line: Ints) -> Ints:
+        """The lines of the file for some of ``line``."""
+        return line if self.source is None else self.source[line]
 
     def bare(self) -> Bools:
         """Which words (w,) have no decimal point."""
