@@ -333,7 +333,7 @@ def test_polar_words_are_said_to_be_missing() -> None:
 @pytest.mark.parametrize(
     ("text", "cause"),
     [
-        ("#1=5\nG1 X#1\n", "variables"), ("%\nO\nG21\nG0 X0\n%\n", "no number"), ("PART ONE\nG21\nG0 X0\n", "before the program"),
+        ("#1=5\nG1 X#5021\n", "variables"), ("%\nO\nG21\nG0 X0\n%\n", "no number"), ("PART ONE\nG21\nG0 X0\n", "before the program"),
     ],
 )  # fmt: skip
 def test_a_program_that_cannot_be_read_names_the_cause_and_the_remedy(text: str, cause: str) -> None:

@@ -96,7 +96,8 @@ def _words_and_lines(
     text: bytes, grammar: Grammar, dialect: Dialect | None, assumed: Assumed, progress: Progress
 ) -> tuple[Words, Lines, tuple[Finding, ...]]:
     """The words up to the program's end, loops and cycles written out; the same by lines; the findings."""
-    words = read_words(text, grammar.name)
+    controller = "" if dialect is None else dialect.name
+    words = read_words(text, grammar.name, controller, progress)
     progress("reading NC", 0.5)
     words, findings = up_to_end(words, grammar)
     words = without_dwells(words, grammar)
@@ -106,7 +107,7 @@ def _words_and_lines(
         lines = Lines(words, assumed)
     elif dialect is not None and dialect.least_increment:
         findings += point_findings(words)
-    made, found = written_out(words, lines, grammar, "" if dialect is None else dialect.name)
+    made, found = written_out(words, lines, grammar, controller)
     findings = words.findings + in_file(words, (*findings, *found))
     return made, lines if made is words else Lines(made, assumed), findings
 

@@ -23,10 +23,11 @@ from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.sentences import Template, say
 
-from . import codes, heidenhain, siemens
+from . import codes, heidenhain, interpreter, siemens
 from .noted import Notes
 
 SOLID = re.compile(rb"[^ \n]")
@@ -44,6 +45,9 @@ SYMBOLS = {
 }
 KEYWORDS = tuple(b"GOTO WHILE CALL SUB RETURN REPEAT THEN ELSE ENDIF DO1 DO2 DO3 END1 END2 END3".split())
 """These show that a line is macro language (Fanuc custom macro B, LinuxCNC O-codes)."""
+CALLS = (b"M98", b"M97", b"G65")
+FANUC = ("fanuc", "haas")
+"""Whose variables and jumps are Fanuc's; all others' are LinuxCNC's."""
 TAPE = b"\t\v\f\x11\x12\x13\x14\x1a"
 """Control characters that old files hold between the words: tabs, reader control, end of file."""
 TEXT = bytes({*range(32, 256), *TAPE, *b"\n\r"})
@@ -55,6 +59,11 @@ MACROS = Template(
     "{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without "
     "them. The first: {shown}."
 )
+NOT_RUN = Template(
+    "The lines with variables, expressions or jumps are not interpreted, because of this one: {reason}. Their words are missing "
+    "here; post without them."
+)
+NOT_CALLED = Template("Subprograms are not interpreted, because of this line: {reason}. Post one program without them.")
 HEIDENHAIN_SIGN = re.compile(rb"^ *(?:0+ +)?BEGIN +PGM\b", re.MULTILINE | re.IGNORECASE)
 SIEMENS_SIGN = re.compile(rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE)
 PREFACE = 3
@@ -110,22 +119,24 @@ def language_of(text: bytes, told: str) -> str:
     return "siemens" if told == "iso" and SIEMENS_SIGN.search(start) else told
 
 
-def read_words(text: bytes, language: str = "iso") -> Words:
-    """All words of an NC text up to the closing ``%``. Raises ProgramError, naming line and column, for what is no word."""
+def read_words(text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent) -> Words:
+    """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC where there is none)
+    comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
     text, findings = _blanked(text, language)
-    _check_characters(text)
+    text, source = _run(text, language, controller, findings, progress)
+    _check_characters(text, source)
     compact = text.translate(None, b" ") + b"\n"
     code = np.frombuffer(compact, np.uint8)
     is_letter = code >= ord("A")
     start = np.flatnonzero(is_letter)
     bad = _malformed(code, is_letter, start)
     if bad >= 0:
-        _complain(text, compact, bad)
+        _complain(text, compact, bad, source)
     value = _numbers(compact, len(start))
     if not np.isfinite(value).all():
-        _complain(text, compact, int(start[np.flatnonzero(~np.isfinite(value))[0]]))
+        _complain(text, compact, int(start[np.flatnonzero(~np.isfinite(value))[0]]), source)
     line = _lines(code, start)
-    return Words(code[start].astype(np.int8), value, line, tuple(findings), text, start)
+    return Words(code[start].astype(np.int8), value, line, tuple(findings), text, start, source)
 
 
 def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
@@ -155,7 +166,6 @@ def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
         text = read
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
-    text = _without_macros(text, language, findings)
     if b"/" in text:
         text, lines = _overwritten(text, SLASH, b" ")
         if lines:
@@ -174,19 +184,39 @@ def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[by
     return bytes(buffer), [first for first, _ in spans]
 
 
-def _without_macros(text: bytes, language: str, findings: list[Finding]) -> bytes:
-    """Blanks for the lines that hold macro language."""
+def _run(text: bytes, language: str, controller: str, findings: list[Finding], progress: Progress) -> tuple[bytes, Ints | None]:
+    """The text as the control comes to its lines, where it has variables, jumps or calls, and the lines of the file that these
+    are; where they are not understood, blanks for the lines that hold them, with a finding."""
     known = KEYWORDS if language == "iso" and _has_adjacent_letters(text) else ()
     marks = [mark for mark in (*SYMBOLS[language], *known) if mark in text]
-    if not marks:
-        return text
-    lines = text.split(b"\n")
-    hit = [k for k, line in enumerate(lines) if any(mark in line for mark in marks)]
-    shown = b" ".join(lines[hit[0]].split())[:40].decode("latin-1")
-    for k in hit:
-        lines[k] = b" " * len(lines[k])
+    calls = language == "iso" and any(mark in text for mark in CALLS)
+    if not (marks or calls):
+        return text, None
+    if language == "iso":
+        made = interpreter.written_out(text, controller in FANUC, progress)
+        if isinstance(made, interpreter.Written):
+            return made.text, made.source
+        if not marks:
+            findings.append(Finding(Severity.ERROR, codes.CALL[1], NOT_CALLED.say(reason=made.reason), line=made.line))
+            return text, None
+        findings.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=made.reason), line=made.line))
+        return _blank_lines(text, _lines_with(text, marks)), None
+    hit = _lines_with(text, marks)
+    shown = b" ".join(text.split(b"\n")[hit[0]].split())[:40].decode("latin-1")
     said = MACROS.say(count=len(hit), shown=repr(shown))
     findings.append(Finding(Severity.ERROR, codes.MACRO[1], said, float(len(hit)), line=hit[0] + 1))
+    return _blank_lines(text, hit), None
+
+
+def _lines_with(text: bytes, marks: list[bytes]) -> list[int]:
+    """The lines, counted from 0, with one of the marks."""
+    return [k for k, line in enumerate(text.split(b"\n")) if any(mark in line for mark in marks)]
+
+
+def _blank_lines(text: bytes, chosen: list[int]) -> bytes:
+    lines = text.split(b"\n")
+    for k in chosen:
+        lines[k] = b" " * len(lines[k])
     return b"\n".join(lines)
 
 
@@ -226,7 +256,7 @@ def _finding(severity: Severity, code: str, said: str, text: bytes, at: int) -> 
     return Finding(severity, code, said, line=text.count(b"\n", 0, at) + 1)
 
 
-def _check_characters(text: bytes) -> None:
+def _check_characters(text: bytes, source: Ints | None) -> None:
     if illegal := text.translate(None, LEGAL):
         shown = illegal[:1].decode("latin-1")
         partner = say("a bracket without its partner")
@@ -237,9 +267,10 @@ def _check_characters(text: bytes) -> None:
             say(
                 "character {shown} cannot be read ({hint})", shown=repr(shown), hint=hint.get(shown, say("not part of any word"))
             ),
+            source,
         )
     if b"E" in text and (found := EXPONENT.search(text)):
-        _fail(text, found.start(), say("a number with an exponent; write it out"))
+        _fail(text, found.start(), say("a number with an exponent; write it out"), source)
 
 
 def _malformed(code: NDArray[np.uint8], is_letter: Bools, start: Ints) -> int:
@@ -277,7 +308,7 @@ def _lines(code: NDArray[np.uint8], start: Ints) -> Ints:
     return np.repeat(np.arange(1, len(ends) + 1), np.diff(words_so_far, prepend=0))
 
 
-def _complain(text: bytes, compact: bytes, at: int) -> NoReturn:
+def _complain(text: bytes, compact: bytes, at: int, source: Ints | None) -> NoReturn:
     """Raise for the malformed word at ``at`` of the text without blanks."""
     line = compact.count(b"\n", 0, at)
     begin = _line_start(text, line + 1)
@@ -288,7 +319,7 @@ def _complain(text: bytes, compact: bytes, at: int) -> NoReturn:
         reason = say("the program has no number; write one after the O, as O1")
     elif line < PREFACE and b"G" not in text[:begin] and not re.search(rb"[0-9]", found):
         reason = say("this is no NC line; delete what stands before the program, or put it in brackets")
-    _fail(text, begin + column - 1, reason)
+    _fail(text, begin + column - 1, reason, source)
 
 
 def _line_start(text: bytes, line: int) -> int:
@@ -306,9 +337,10 @@ def _column(text: bytes, line: int, within: int) -> int:
     return places[within] - begin + 1 if within < len(places) else 1
 
 
-def _fail(text: bytes, at: int, reason: str) -> NoReturn:
+def _fail(text: bytes, at: int, reason: str, source: Ints | None) -> NoReturn:
     begin = text.rfind(b"\n", 0, at) + 1
     line = text.count(b"\n", 0, at) + 1
+    line = line if source is None else int(source[line])
     found = text[begin : begin + 200].split(b"\n")[0].decode("latin-1").strip()[:60]
     raise ProgramError(
         say("line {line}, column {at}: {reason}: {found}", line=line, at=at - begin + 1, reason=reason, found=repr(found)), found
