@@ -127,15 +127,14 @@ def agree(text: str, tmp_path: Path) -> None:
     """Position by position as rs274, without moves of no length."""
     file = tmp_path / "cycles.ngc"
     file.write_text(text)
-    ends, kinds, refused = judged(file)
-    assert not refused
+    said = judged(file)
+    assert not said.refused
     program = read(text)
     assert not errors(program), program.findings
-    ours = program.words[:, [0, 1, 2, 4]]
-    theirs = ends[:, :4]
-    mine, his = moving(ours), moving(theirs)
-    np.testing.assert_allclose(ours[mine], theirs[his], atol=1e-4)
-    assert [program.motion[row] == Motion.RAPID for row in mine[1:]] == [kinds[row] == "rapid" for row in his[1:]]
+    ours, theirs = program.words[:, [0, 1, 2, 4]], said.ends[:, :4]
+    mine, his = moving(ours, 1e-6), moving(theirs, 1e-6)
+    np.testing.assert_allclose(ours[mine], theirs[his], atol=said.off)
+    assert [program.motion[row] == Motion.RAPID for row in mine[1:]] == [said.kinds[row] == "rapid" for row in his[1:]]
 
 
 def some_cycles(seed: int) -> str:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from freecad_fiveaxis.core.errors import ProgramError
+from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Ints
 from freecad_fiveaxis.core.sentences import say
@@ -74,6 +74,8 @@ def written_out(text: bytes, fanuc: bool, progress: Progress = silent) -> Writte
         run.run()
     except Unread as refused:
         return Refused(run.at + 1, refused.reason)
+    except FiveAxisError:
+        raise
     except (ArithmeticError, ValueError):
         return Refused(run.at + 1, say("a value that is no number"))
     made = [rows[at] if row is None else row.encode("latin-1") for at, row in run.made]

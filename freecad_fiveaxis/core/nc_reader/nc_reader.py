@@ -70,10 +70,13 @@ def read_nc(
     axes = [axis_words(lines, letter) for letter in links.letters]
     mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
     at = _motion_lines(lines, grammar, axes, mode, on)
-    if not len(at) and any(found.code == codes.MACRO[1] for found in before):
+    lost = next((found for found in before if found.code == codes.MACRO[1]), None)
+    if not len(at) and lost is not None:
         raise ProgramError(
             say(
-                "all moves stand in variables, expressions or jumps, which are not interpreted; post straight moves with numbers"
+                "all moves stand in variables, expressions or jumps, which are not interpreted; line {line}: {text}",
+                line=lost.line or 0,
+                text=lost.text,
             ),
             links.letters,
         )
@@ -148,6 +151,8 @@ def _motion_lines(lines: Lines, grammar: Grammar, axes: list[tuple[Floats, Bytes
     moving = np.logical_or.reduce([kind != 0 for _, kind in axes])
     if on.any():
         moving |= ~np.isnan(_told(lines, mode, on)).all(axis=1)
+    if (mode == codes.ARC).any():  # a full circle needs no word of an axis
+        moving |= (mode == codes.ARC) & np.logical_or.reduce([~np.isnan(lines.column(letter)) for letter in "IJK"])
     moving &= ~lines.any_of(grammar.no_move) & (mode != codes.CYCLE)
     moving[lines.m_line(grammar.machine_m)] = False
     if codes.MACHINE in lines.letters:

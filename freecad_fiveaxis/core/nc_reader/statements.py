@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.sentences import say
 from .expressions import NUMBER, Expression, Parser, Unread, Value, Variables, number
 from .flow import O_WORD, without_number
 
-SPECIAL = re.compile(r"[#\[\]=<>@^]|O[0-9]|M0*(?:2|30|9[789])(?![0-9])|G0*6[567](?![0-9])|GOTO|IF|WHILE|END|DO|THEN")
+SPECIAL = re.compile(r"[#\[\]=<>@^]|O[0-9]|M0*(?:2|30|7[0-3]|9[789])(?![0-9])|G0*6[567](?![0-9])|GOTO|IF|WHILE|END|DO|THEN")
 """A line without any of these is a block of words with numbers."""
 LARGEST = 1e12
 ARGUMENTS = dict(zip("ABCIJKDEFHMQRSTUVWXYZ", (1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, *range(17, 27)), strict=True))
@@ -134,7 +134,7 @@ def _block(parser: Parser, fanuc: bool) -> Block:
             words.append(_word(parser, rest[0]))
         else:
             raise Unread(say("{rest} is not known here", rest=repr(rest[:20])))
-    return Block(tuple(words), tuple(settings), *_kind(words))
+    return Block(tuple(words), tuple(settings), *_kind(words, fanuc))
 
 
 def _word(parser: Parser, letter: str) -> tuple[str, str, Expression | None]:
@@ -147,14 +147,17 @@ def _word(parser: Parser, letter: str) -> tuple[str, str, Expression | None]:
     return letter, "", parser.value()
 
 
-def _kind(words: list[tuple[str, str, Expression | None]]) -> tuple[str, bool]:
+def _kind(words: list[tuple[str, str, Expression | None]], fanuc: bool) -> tuple[str, bool]:
     """The call that a block of words is, if any, and whether it ends the program."""
     told = {(letter, float(text)) for letter, text, value in words if value is None and letter in "GM"}
+    if not fanuc and told & STATES:
+        raise Unread(say("M70 to M73 keep and restore modes"))
     if ("G", 66.0) in told or ("G", 66.1) in told:
         raise Unread(say("G66 calls a program after each block"))
     call = next((f"{letter}{code:g}" for letter, code in sorted(told) if (letter, code) in CALLS), "")
     return call, bool(told & {("M", 2.0), ("M", 30.0)})
 
 
+STATES = {("M", 70.0), ("M", 71.0), ("M", 72.0), ("M", 73.0)}
 CALLS = {("M", 97.0), ("M", 98.0), ("M", 99.0), ("G", 65.0)}
 __all__ = ["ARGUMENTS", "SPECIAL", "Block", "Macro", "OWord", "Statement", "number", "statement"]

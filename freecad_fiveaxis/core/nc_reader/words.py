@@ -36,16 +36,19 @@ COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (SEMICOLON,), "heidenhain":
 SLASH = re.compile(rb"^ *(/[0-9]?)", re.MULTILINE)
 COLON = re.compile(rb"^ *(:)(?= *[0-9])", re.MULTILINE)
 EXPONENT = re.compile(rb"(?<=[0-9.])E[+-]?[0-9]")
-OF_MACHINE = re.compile(rb"\$ *[0-9]+|(?<=M66) *E *[0-9.]+")
+OF_MACHINE = re.compile(rb"\$ *-?[0-9]+|(?<=M66) *E *[0-9.]+")
 """LinuxCNC's number of a spindle, and of the input that M66 waits for."""
 SYMBOLS = {
     "iso": (b"@", b"^", b"#", b"[", b"]", b"=", b"<", b">"),
     "siemens": (b"=", b"[", b"]", b"<", b">", b"$", b"(", b")", b"#", b'"', b"{", b"}"),
     "heidenhain": (),
 }
-KEYWORDS = tuple(b"GOTO WHILE CALL SUB RETURN REPEAT THEN ELSE ENDIF DO1 DO2 DO3 END1 END2 END3".split())
+KEYWORDS = tuple(b"GOTO WHILE CALL SUB RETURN REPEAT BREAK CONTINUE THEN IF ELSE DO END1 END2 END3".split())
 """These show that a line is macro language (Fanuc custom macro B, LinuxCNC O-codes)."""
+O_LINE = re.compile(rb" *O *[0-9]+ *[A-Z]{2}")
 CALLS = (b"M98", b"M97", b"G65")
+STATES = (b"M71", b"M72", b"M73")
+"""LinuxCNC's modes kept and restored, which Fanuc's and Haas' M codes are not."""
 FANUC = ("fanuc", "haas")
 """Whose variables and jumps are Fanuc's; all others' are LinuxCNC's."""
 TAPE = b"\t\v\f\x11\x12\x13\x14\x1a"
@@ -189,7 +192,7 @@ def _run(text: bytes, language: str, controller: str, findings: list[Finding], p
     are; where they are not understood, blanks for the lines that hold them, with a finding."""
     known = KEYWORDS if language == "iso" and _has_adjacent_letters(text) else ()
     marks = [mark for mark in (*SYMBOLS[language], *known) if mark in text]
-    calls = language == "iso" and any(mark in text for mark in CALLS)
+    calls = language == "iso" and any(mark in text for mark in (CALLS if controller in FANUC else CALLS + STATES))
     if not (marks or calls):
         return text, None
     if language == "iso":
@@ -210,7 +213,8 @@ def _run(text: bytes, language: str, controller: str, findings: list[Finding], p
 
 def _lines_with(text: bytes, marks: list[bytes]) -> list[int]:
     """The lines, counted from 0, with one of the marks."""
-    return [k for k, line in enumerate(text.split(b"\n")) if any(mark in line for mark in marks)]
+    lines = text.split(b"\n")
+    return [k for k, line in enumerate(lines) if any(mark in line for mark in marks) or O_LINE.match(line)]
 
 
 def _blank_lines(text: bytes, chosen: list[int]) -> bytes:
