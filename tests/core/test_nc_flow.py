@@ -7,7 +7,10 @@ import re
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from rs274_judge import difference, judged, needs_rs274
 from test_nc_cycles import HEAD, LINKS, errors, read
 
@@ -161,7 +164,10 @@ def test_every_example_of_linuxcnc_agrees_or_is_refused_by_name() -> None:
 @pytest.mark.rs274
 @needs_rs274
 @pytest.mark.parametrize("file", FORMS, ids=[file.stem for file in FORMS])
-def test_subprograms_of_linuxcnc_called_with_their_usual_values_agree_or_are_refused(file: Path, tmp_path: Path) -> None:
+def test_subprograms_of_linuxcnc_called_with_their_usual_values_agree_or_are_refused(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(interpreter, "MOST", 100_000)
     text = "".join(one.read_text(errors="replace") + "\n" for one in sorted((file.parent / "utilitysubs").glob("*.ngc")))
     usual = re.findall(r"= *#(\d+) *\((?:=) *([-+0-9.]+)", file.read_text(errors="replace"))
     given = {int(number): value for number, value in usual}
@@ -174,3 +180,67 @@ def test_subprograms_of_linuxcnc_called_with_their_usual_values_agree_or_are_ref
     one = verdict((tmp_path / "call.ngc").read_bytes(), tmp_path / "call.ngc")
     print(file.stem, one)
     assert one in ("agree", "refused", "-")
+
+
+PIECES = [
+    "o1 sub",
+    "o1 endsub",
+    "o1 call [1]",
+    "o1 call",
+    "o2 if [#1 GT 0]",
+    "o2 else",
+    "o2 endif",
+    "o3 while [#2 LT 3]",
+    "o3 endwhile",
+    "#2=[#2+1]",
+    "#1=#2",
+    "o4 repeat [2]",
+    "o4 endrepeat",
+    "o3 break",
+    "o3 continue",
+    "o1 return [3]",
+    "G1 X#1 Y[#2]",
+    "G81 X1 Z-1 R2",
+    "X3",
+    "G80",
+    "M98 P7",
+    "O7",
+    "M99",
+    "GOTO 3",
+    "N3 G1 Z1",
+    "WHILE [#1 LT 2] DO1",
+    "END1",
+    "IF [#1 EQ 1] THEN #2=2",
+    "IF [#1 EQ 1] GOTO 3",
+    "G65 P7 A1",
+    "M2",
+    "G91",
+    "G90",
+    "/#1=1",
+    "O<",
+    "#<",
+    "[",
+    "]",
+    "#",
+    "=",
+    "o1",
+    "IF",
+    "DO",
+    "#1=[",
+    "X[SIN[",
+    "M97 P3",
+    "O7 G83 Q1",
+]
+
+
+@given(st.lists(st.sampled_from(PIECES), max_size=14), st.sampled_from(["linuxcnc", "haas", "fanuc"]))
+@settings(max_examples=300, deadline=None)
+def test_nothing_but_clear_errors_comes_of_any_text(pieces: list[str], controller: str) -> None:
+    most, interpreter.MOST = interpreter.MOST, 20_000
+    try:
+        program = read(HEAD + "\n".join(pieces) + "\n", controller)
+        assert np.isfinite(program.words).all() and program.line.max() <= 2 + max(len(pieces), 1)
+    except FiveAxisError:
+        pass
+    finally:
+        interpreter.MOST = most

@@ -11,7 +11,6 @@ operator's manual, canned cycles. What differs between them is a row of :class:`
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -32,6 +31,8 @@ READ = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)
 """The cycles that are written out; the others stay as they are, and are named."""
 PECKING = (730, 830)
 RETRACT = {980: 0, 990: 1}
+BACK = np.argsort(AXES, axis=1)
+"""By plane: where X, Y and Z stand in :data:`AXES`."""
 WORDS = "XYZRQPLKIJ"
 """The words of a cycle, which mean nothing in the moves that it becomes."""
 SAME = 1e-6
@@ -77,7 +78,7 @@ class Hole:
 
 @dataclass(eq=False)
 class Made:
-    """The moves that lines have become; lines left as they are, with code and reason; lines that only tell R or Q."""
+    """The moves that lines become, along the axes of their planes; lines left, with code and reason; those of R, Q alone."""
 
     moves: dict[int, Moves] = field(default_factory=dict)
     refused: dict[int, tuple[int, str]] = field(default_factory=dict)
@@ -169,7 +170,7 @@ class _Table:
         for _, *where in moves[-1:]:
             place = place.copy()
             place[axes] = where
-        made.moves[row] = [(fast, *np.array(where)[np.argsort(axes)].tolist()) for fast, *where in moves]
+        made.moves[row] = moves
         return place
 
     def _take(self, hole: Hole, code: int, row: int, axis: int) -> str | None:
@@ -268,16 +269,16 @@ def _with_moves(words: Words, lines: Lines, made: Made, table: _Table) -> Words:
     keep = _kept(words, rows, made)
     letter = _stepwise(words.letter[keep], np.isin(words.line[keep], rows[table.steps[rows]]))
     start = np.full(len(letter), NOWHERE) if words.start is None else words.start[keep]
-    new = np.array([*_said_again(made, shift), *_rows(made, shift, table)]).reshape(-1, 3)
-    line = np.concatenate([(words.line + shift[words.line])[keep], new[:, 0].astype(np.int64)])
+    at, letters, values = _new_words(made, rows, count, shift, table)
+    line = np.concatenate([(words.line + shift[words.line])[keep], at])
     order = np.argsort(line, kind="stable")
     source = np.repeat(np.arange(lines.count), more + 1)
     return replace(
         words,
-        letter=np.concatenate([letter, new[:, 1].astype(np.int8)])[order],
-        value=np.concatenate([words.value[keep], new[:, 2]])[order],
+        letter=np.concatenate([letter, letters])[order],
+        value=np.concatenate([words.value[keep], values])[order],
         line=line[order],
-        start=np.concatenate([start, np.full(len(new), NOWHERE)])[order],
+        start=np.concatenate([start, np.full(len(at), NOWHERE)])[order],
         source=source if words.source is None else words.source[source],
     )
 
@@ -298,24 +299,24 @@ def _stepwise(letter: Bytes, chosen: Bools) -> Bytes:
     return letter
 
 
-def _said_again(made: Made, shift: Ints) -> Iterator[tuple[int, int, float]]:
-    """The code of each refused line that says none, for the moves before it are in other modes."""
-    for row, (code, _) in made.refused.items():
-        yield row + int(shift[row]), ord("G"), code / 10.0
-
-
-def _rows(made: Made, shift: Ints, table: _Table) -> Iterator[tuple[int, int, float]]:
-    """Row, letter and value of the words of all moves."""
-    for row, moves in made.moves.items():
-        first, scale, steps = row + int(shift[row]), float(table.scale[row]), bool(table.steps[row])
-        for at, (fast, *where) in enumerate(moves, first):
-            yield at, ord("G"), 0.0 if fast else 1.0
-            if steps:
-                yield at, ord("G"), 90.0
-            for letter, value in zip(b"XYZ", where, strict=True):
-                yield at, letter, value / scale
-        if steps:
-            yield first + max(len(moves), 1), ord("G"), 91.0
+def _new_words(made: Made, rows: Ints, count: Ints, shift: Ints, table: _Table) -> tuple[Ints, Bytes, Floats]:
+    """Line, letter and value of the words of all moves; of the G91 behind those that stand under it; and the code of each refused
+    line, for the moves before it are in other modes."""
+    moves = np.array([move for row in rows.tolist() for move in made.moves[row]], float).reshape(-1, 4)
+    of, first = np.repeat(rows, count), rows + shift[rows]
+    at = np.repeat(first, count) + np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+    where = np.take_along_axis(moves[:, 1:], BACK[table.plane[of]], axis=1) / table.scale[of][:, None]
+    stepped, again = table.steps[of], rows[table.steps[rows]]
+    refused = np.array(list(made.refused), np.int64)
+    parts = [
+        (at, "G", 1.0 - moves[:, 0]),
+        (at[stepped], "G", np.full(int(stepped.sum()), 90.0)),
+        *((at, letter, where[:, k]) for k, letter in enumerate("XYZ")),
+        ((first + np.maximum(count, 1))[table.steps[rows]], "G", np.full(len(again), 91.0)),
+        (refused + shift[refused], "G", np.array([code / 10.0 for code, _ in made.refused.values()])),
+    ]
+    letters = np.concatenate([np.full(len(line), ord(letter), np.int8) for line, letter, _ in parts])
+    return np.concatenate([line for line, *_ in parts]), letters, np.concatenate([value for *_, value in parts])
 
 
 def _findings(made: Made, lines: Lines, controller: str) -> list[Finding]:

@@ -111,6 +111,8 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
         retract = [code for code, kind in table.items() if kind is codes.HOME]
         inside = (words.line[at] >= ends[0]) & (words.line[at] <= ends[1])
         keep = inside | ~np.isin(number, retract)
+        if letter == "G":
+            keep &= ~(np.isin(number, codes.SIDES) & np.isin(words.line[at], _without_radius(words)))
         at, number = at[keep], number[keep]
         for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
             line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
@@ -133,6 +135,11 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
                 )
                 found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
     return found
+
+
+def _without_radius(words: Words) -> Ints:
+    """The lines with D0: a compensation by nothing."""
+    return np.asarray(words.line[(words.letter == ord("D")) & (words.value == 0.0)])
 
 
 def _numbers(value: Floats, letter: str) -> Ints:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import re
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NoReturn
 
 import numpy as np
@@ -46,8 +46,8 @@ SYMBOLS = {
 KEYWORDS = tuple(b"GOTO WHILE CALL SUB RETURN REPEAT BREAK CONTINUE THEN IF ELSE DO END1 END2 END3".split())
 """These show that a line is macro language (Fanuc custom macro B, LinuxCNC O-codes)."""
 O_LINE = re.compile(rb" *O *[0-9]+ *[A-Z]{2}")
-CALLS = (b"M98", b"M97", b"G65")
-STATES = (b"M71", b"M72", b"M73")
+CALLS, MACRO_CALL = (97, 98), 65
+STATES = (71, 72, 73)
 """LinuxCNC's modes kept and restored, which Fanuc's and Haas' M codes are not."""
 FANUC = ("fanuc", "haas")
 """Whose variables and jumps are Fanuc's; all others' are LinuxCNC's."""
@@ -126,7 +126,16 @@ def read_words(text: bytes, language: str = "iso", controller: str = "", progres
     """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC where there is none)
     comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
     text, findings = _blanked(text, language)
-    text, source = _run(text, language, controller, findings, progress)
+    marks, fanuc = _marks(text, language), controller in FANUC
+    made = _run(text, marks, language, fanuc, findings, progress) if marks else (text, None)
+    words = _words_of(*made)
+    if not marks and language == "iso" and _calls(words, fanuc):
+        words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
+    return replace(words, findings=tuple(findings))
+
+
+def _words_of(text: bytes, source: Ints | None) -> Words:
+    """The words of a text that holds nothing else."""
     _check_characters(text, source)
     compact = text.translate(None, b" ") + b"\n"
     code = np.frombuffer(compact, np.uint8)
@@ -139,7 +148,7 @@ def read_words(text: bytes, language: str = "iso", controller: str = "", progres
     if not np.isfinite(value).all():
         _complain(text, compact, int(start[np.flatnonzero(~np.isfinite(value))[0]]), source)
     line = _lines(code, start)
-    return Words(code[start].astype(np.int8), value, line, tuple(findings), text, start, source)
+    return Words(code[start].astype(np.int8), value, line, (), text, start, source)
 
 
 def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
@@ -187,16 +196,26 @@ def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[by
     return bytes(buffer), [first for first, _ in spans]
 
 
-def _run(text: bytes, language: str, controller: str, findings: list[Finding], progress: Progress) -> tuple[bytes, Ints | None]:
-    """The text as the control comes to its lines, where it has variables, jumps or calls, and the lines of the file that these
-    are; where they are not understood, blanks for the lines that hold them, with a finding."""
+def _marks(text: bytes, language: str) -> list[bytes]:
+    """What shows that a text has variables, expressions or jumps."""
     known = KEYWORDS if language == "iso" and _has_adjacent_letters(text) else ()
-    marks = [mark for mark in (*SYMBOLS[language], *known) if mark in text]
-    calls = language == "iso" and any(mark in text for mark in (CALLS if controller in FANUC else CALLS + STATES))
-    if not (marks or calls):
-        return text, None
+    return [mark for mark in (*SYMBOLS[language], *known) if mark in text]
+
+
+def _calls(words: Words, fanuc: bool) -> bool:
+    """Whether a program of plain words calls subprograms, or keeps and restores modes."""
+    m_codes = words.value[words.letter == ord("M")]
+    called = np.isin(m_codes, CALLS if fanuc else CALLS + STATES).any()
+    return bool(called or (words.value[words.letter == ord("G")] == MACRO_CALL).any())
+
+
+def _run(
+    text: bytes, marks: list[bytes], language: str, fanuc: bool, findings: list[Finding], progress: Progress
+) -> tuple[bytes, Ints | None]:
+    """The text as the control comes to its lines, and the lines of the file that these are; where they are not understood, blanks
+    for the lines that hold one of the ``marks``, with a finding."""
     if language == "iso":
-        made = interpreter.written_out(text, controller in FANUC, progress)
+        made = interpreter.written_out(text, fanuc, progress)
         if isinstance(made, interpreter.Written):
             return made.text, made.source
         if not marks:
