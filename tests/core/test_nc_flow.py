@@ -89,6 +89,13 @@ def test_every_block_keeps_the_line_of_the_file_that_it_comes_from() -> None:
     assert [found.line for found in program.findings if found.code == "unknown-code"] == [11]
 
 
+def test_plots_run_along_the_blocks_where_lines_come_again() -> None:
+    from freecad_fiveaxis.core.report.plots import _abscissa
+
+    assert _abscissa(read(HEAD + "o1 repeat [2]\nG1 X1\nX2\no1 endrepeat\n")).tolist() == [0, 1, 2, 3, 4]
+    assert _abscissa(read(HEAD + "G81 X1 Z-1 R3\nG80\n")).tolist()[:3] == [2, 3, 3]
+
+
 @pytest.mark.parametrize(
     ("text", "line", "said"),
     [
