@@ -149,7 +149,7 @@ def test_vectors_stay_until_the_next_and_an_omitted_component_is_zero():
     ("line", "code", "name"),
     [
         ("CYCLE81(10,0,2,-5)", "cycle-not-interpreted", "CYCLE81"), ("MCALL CYCLE83(1)", "call-not-interpreted", "MCALL"), ("TRANS X10", "offset-not-interpreted", "TRANS"),
-        ("ROT RPL=30", "offset-not-interpreted", "ROT"), ("R1=5", "macro-not-interpreted", "R1=5"), ("IF R1>5 GOTOF ENDE", "macro-not-interpreted", "IF"),
+        ("ROT RPL=30", "offset-not-interpreted", "ROT"), ("R1=R7", "macro-not-interpreted", "R7"), ("IF R1>5 GOTOF ENDE", "macro-not-interpreted", "ENDE"),
         ("CIP X1 Y1 I1=2 J1=3", "arc-not-interpreted", "CIP"), ("BSPLINE", "spline-not-interpreted", "BSPLINE"), ("WHATEVER(3)", "unknown-code", "WHATEVER"),
         ("G1 A2=5 B2=7", "orientation-not-interpreted", "A2"), ("SUPA G0 Z500", "", ""), ("G1 A=ACN(5)", "rotary-direction", "A=ACN()"),
     ],

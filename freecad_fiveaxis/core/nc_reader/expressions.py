@@ -211,7 +211,8 @@ class Parser:
 def _named(name: str) -> tuple[Expression, Callable[[Variables, Value], None]]:
     def read(known: Variables) -> Value:
         if name not in known.named(name):
-            raise Unread(say("#<{name}> was never set", name=name.lower()))
+            shown = name if re.fullmatch("R[0-9]+", name) else f"#<{name.lower()}>"
+            raise Unread(say("{name} was never set", name=shown))
         return known.named(name)[name]
 
     def write(known: Variables, value: Value) -> None:

@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.sentences import say
 
 from .expressions import Unread, Value, Variables, number
 from .flow import Flow, flow_of
+from .siemens_run import said_again
 from .statements import ARGUMENTS, SPECIAL, Block, Macro, OWord, Statement, statement
 
 MOST = 2_000_000
@@ -59,17 +60,19 @@ class Frame:
     o_word: bool = False
 
 
-def written_out(text: bytes, fanuc: bool, progress: Progress = silent) -> Written | Refused:
+def written_out(text: bytes, fanuc: bool, progress: Progress = silent, siemens: bool = False) -> Written | Refused:
     """The text, in capitals and without comments, as the control runs it. ``fanuc``: as Fanuc and Haas mean it, else LinuxCNC.
+    ``siemens``: with R parameters and Siemens' jumps.
 
     Raises ProgramError for what does not end."""
     rows = text.split(b"\n")
     lines = [row.replace(b" ", b"").decode("latin-1") for row in rows]
     try:
+        lines, plain = said_again(lines) if siemens else (lines, [not SPECIAL.search(line) for line in lines])
         flow = flow_of(lines)
     except Unread as refused:
         return Refused(refused.at + 1, refused.reason)
-    run = Run(lines, flow, fanuc, progress)
+    run = Run(lines, plain, flow, fanuc, progress)
     try:
         run.run()
     except Unread as refused:
@@ -85,12 +88,11 @@ def written_out(text: bytes, fanuc: bool, progress: Progress = silent) -> Writte
 class Run:
     """One run: ``made`` (line, its text where that is another) so far, ``at`` the line that runs."""
 
-    def __init__(self, lines: list[str], flow: Flow, fanuc: bool, progress: Progress) -> None:
-        self.lines, self.flow, self.fanuc, self.progress = lines, flow, fanuc, progress
+    def __init__(self, lines: list[str], plain: list[bool], flow: Flow, fanuc: bool, progress: Progress) -> None:
+        self.lines, self.plain, self.flow, self.fanuc, self.progress = lines, plain, flow, fanuc, progress
         self.known, self.frames = Variables(fanuc), [Frame()]
         self.made: list[tuple[int, str | None]] = []
         self.parsed: list[Statement | None] = [None] * len(lines)
-        self.plain = [not SPECIAL.search(line) for line in lines]
         self.at, self.ended = 0, False
 
     def run(self) -> None:

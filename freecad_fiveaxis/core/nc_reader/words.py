@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.sentences import Template, say
 
-from . import codes, heidenhain, interpreter, siemens
+from . import codes, heidenhain, interpreter, siemens, siemens_run
 from .noted import Notes
 
 SOLID = re.compile(rb"[^ \n]")
@@ -125,9 +125,9 @@ def language_of(text: bytes, told: str) -> str:
 def read_words(text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent) -> Words:
     """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC where there is none)
     comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
-    text, findings = _blanked(text, language)
+    text, findings, source = _blanked(text, language, progress)
     marks, fanuc = _marks(text, language), controller in FANUC
-    made = _run(text, marks, language, fanuc, findings, progress) if marks else (text, None)
+    made = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
     words = _words_of(*made)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
@@ -151,8 +151,9 @@ def _words_of(text: bytes, source: Ints | None) -> Words:
     return Words(code[start].astype(np.int8), value, line, (), text, start, source)
 
 
-def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
-    """The text in capitals, lines ending in LF, with blanks for all that is no word; and what was passed over."""
+def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, list[Finding], Ints | None]:
+    """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over; and the lines of the
+    file, where the text was run."""
     text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     if control := text.translate(None, TEXT):
         at = text.index(control[:1])
@@ -171,20 +172,34 @@ def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
         text = re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text)
     findings: list[Finding] = []
     text = _between_marks(text.translate(CLEAN), findings)
+    source = None
+    if language == "siemens" and siemens_run.marked(text):
+        text = siemens.without_strings(text)
+        run = interpreter.written_out(text, False, progress, siemens=True)
+        if isinstance(run, interpreter.Written):
+            text, source = run.text, run.source
+        else:
+            findings.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=run.reason), line=run.line))
     if language != "iso":
         notes = Notes()
         read = (siemens if language == "siemens" else heidenhain).plain(text, notes)
-        findings += notes.findings(text)
+        findings += [_moved(found, source) for found in notes.findings(text)]
         text = read
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
     if b"/" in text:
         text, lines = _overwritten(text, SLASH, b" ")
         if lines:
-            findings.append(_finding(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0]))
+            found = _finding(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0])
+            findings.append(_moved(found, source))
     if b":" in text:
         text, _ = _overwritten(text, COLON, b"O")
-    return text, findings
+    return text, findings, source
+
+
+def _moved(found: Finding, source: Ints | None) -> Finding:
+    """A finding with the line of the file."""
+    return found if source is None or found.line is None else replace(found, line=int(source[found.line]))
 
 
 def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[bytes, list[int]]:
