@@ -8,7 +8,8 @@ guided       where the controller guides the tip (G43.4, G43.5, G234, M128, M428
 start        rapids of single axes from an unknown place, until all places are known: no blocks. Moves to machine positions before
              the first block and after the last lead nowhere that the program knows, and are passed over.
 
-What is not interpreted (cycles, macros, subprograms, splines, offsets, compensation) is never passed over in silence: each
+Drilling cycles are written out (:mod:`.canned_cycles`), variables, jumps and calls within the file are run (:mod:`.interpreter`).
+What is not interpreted (other cycles and calls, splines, offsets, compensation) is never passed over in silence: each
 kind is a finding with its name, its first line and its count.
 """
 
