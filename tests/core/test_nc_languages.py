@@ -149,7 +149,7 @@ def test_vectors_stay_until_the_next_and_an_omitted_component_is_zero():
     ("line", "code", "name"),
     [
         ("CYCLE81(10,0,2,-5)", "cycle-not-interpreted", "CYCLE81"), ("MCALL CYCLE83(1)", "call-not-interpreted", "MCALL"), ("TRANS X10", "offset-not-interpreted", "TRANS"),
-        ("ROT RPL=30", "offset-not-interpreted", "ROT"), ("R1=5", "macro-not-interpreted", "R1=5"), ("IF R1>5 GOTOF ENDE", "macro-not-interpreted", "IF"),
+        ("ROT RPL=30", "offset-not-interpreted", "ROT"), ("R1=R7", "macro-not-interpreted", "R7"), ("IF R1>5 GOTOF ENDE", "macro-not-interpreted", "ENDE"),
         ("CIP X1 Y1 I1=2 J1=3", "arc-not-interpreted", "CIP"), ("BSPLINE", "spline-not-interpreted", "BSPLINE"), ("WHATEVER(3)", "unknown-code", "WHATEVER"),
         ("G1 A2=5 B2=7", "orientation-not-interpreted", "A2"), ("SUPA G0 Z500", "", ""), ("G1 A=ACN(5)", "rotary-direction", "A=ACN()"),
     ],
@@ -333,7 +333,7 @@ def test_polar_words_are_said_to_be_missing() -> None:
 @pytest.mark.parametrize(
     ("text", "cause"),
     [
-        ("#1=5\nG1 X#1\n", "variables"), ("%\nO\nG21\nG0 X0\n%\n", "no number"), ("PART ONE\nG21\nG0 X0\n", "before the program"),
+        ("#1=5\nG1 X#5021\n", "variables"), ("%\nO\nG21\nG0 X0\n%\n", "no number"), ("PART ONE\nG21\nG0 X0\n", "before the program"),
     ],
 )  # fmt: skip
 def test_a_program_that_cannot_be_read_names_the_cause_and_the_remedy(text: str, cause: str) -> None:

@@ -140,10 +140,10 @@ def test_axes_that_the_first_block_does_not_name_are_said_to_be_taken_as_zero() 
         (b"G2 X1 I1 J0", "arc-without-centre", ERROR),
         (b"G03 X100 R5", "arc-without-centre", ERROR),
         (b"G2 X5 Y1", "arc-without-centre", ERROR),
-        (b"G81 X1 Z-1 R2", "cycle-not-interpreted", ERROR),
+        (b"G87 X1 Z-1 R2", "cycle-not-interpreted", ERROR),
         (b"G5.2 X1 P1 L3", "spline-not-interpreted", ERROR),
-        (b"#1=5", "macro-not-interpreted", ERROR),
-        (b"G1 X[1+2]", "macro-not-interpreted", ERROR),
+        (b"#1=#5221", "macro-not-interpreted", ERROR),
+        (b"G1 X[#5420+2]", "macro-not-interpreted", ERROR),
         (b"GOTO 10", "macro-not-interpreted", ERROR),
         (b"M98 P1000", "call-not-interpreted", ERROR),
         (b"G65 P9000 X1", "call-not-interpreted", ERROR),
@@ -172,8 +172,20 @@ def test_what_is_not_interpreted_is_a_finding_with_its_line(line: bytes, code: s
     assert program.words[-1, 0] == 7 or b"G91" in line
 
 
+@pytest.mark.parametrize(("word", "named"), [(b"D0", False), (b"D00", False), (b"D1", True), (b"", True), (b"\nD0", True)])
+def test_a_compensation_by_d0_is_none(word: bytes, named: bool) -> None:
+    program = read(HEAD + b"G41 G1 X3 " + word + b"\nG1 X7\nG40\n")
+    assert ("compensation-not-interpreted" in [found.code for found in program.findings]) is named
+
+
+def test_a_full_circle_needs_no_word_of_an_axis() -> None:
+    program = read(HEAD + b"G2 I1 J0\nG1 X5\n")
+    assert len(program.words) > 50 and program.words[1:-1, 0].max() == pytest.approx(2, abs=0.002)
+    assert program.words[-2, :2] == pytest.approx([0, 0], abs=1e-9) and program.findings == ()
+
+
 def test_an_arc_without_a_centre_is_taken_as_straight_and_a_cycle_left_out() -> None:
-    program = read(HEAD + b"G2 X1 I1 J0\nX2 I1\nG81 X5 Z-1 R2\nX6\nG80\nG1 X7\n")
+    program = read(HEAD + b"G2 X1 I1 J0\nX2 I1\nG87 X5 Z-1 R2\nX6\nG80\nG1 X7\n")
     assert program.words[:, 0].tolist() == [0, 1, 2, 7]
     assert not [found for found in program.findings if found.code == "word-not-interpreted" and "I" in found.text]
 

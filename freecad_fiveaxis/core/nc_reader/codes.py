@@ -40,10 +40,14 @@ HARMLESS = {
     *(MOTION.keys() - set(CYCLES) - set(SPLINES)), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51, 80, 90, 150, 400,
     430, 440, 490, 431, 432, 500, 610, 611, 640, 690, 960, 970, 980, 990, 1870, *OFFSETS, *GUIDE_ON, *GUIDE_OFF, 2550,
 }  # fmt: skip
+SIDES = (410, 411, 420, 421)
+"""Cutter compensation; with D0 in the same line it moves nothing."""
 WORDS_IGNORED = "NOSMTHDPQLFG"
 AXES = "XYZABCUVW"
 INCREMENTED = AXES + "IJKR"
 """Words that count the least increment where they have no decimal point, on the controllers that are set so."""
+
+PECK = "Q"
 
 STEP_OF = dict(zip("XYZABC", "xyzabc", strict=True))
 """An incremental word among absolute ones (Heidenhain's IX, Siemens' X=IC())."""
@@ -102,7 +106,7 @@ CODES: dict[int, Kind] = {
     **dict.fromkeys((650, 660, 661), CALL),
     **dict.fromkeys((280, 281, 300, 301, 530), HOME),
     **dict.fromkeys((100, 160, 501, 510, 520, 531, 544, 680, 682, 920, 921, 922, 923, 2540), SHIFT),
-    **dict.fromkeys((410, 411, 420, 421), RADIUS),
+    **dict.fromkeys(SIDES, RADIUS),
     950: PER_TURN_KIND,
 }
 

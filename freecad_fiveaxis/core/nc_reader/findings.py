@@ -68,6 +68,16 @@ def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...
     return replace(words, letter=words.letter[:keep], value=words.value[:keep], line=words.line[:keep], start=start), findings
 
 
+def in_file(words: Words, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
+    """The findings with the lines of the file for those of the words."""
+    if words.source is None:
+        return findings
+    lines = words.in_file(np.array([found.line or 0 for found in findings], np.int64))
+    return tuple(
+        found if found.line is None else replace(found, line=line) for found, line in zip(findings, lines.tolist(), strict=True)
+    )
+
+
 def language_finding(language: str, told: str) -> tuple[Finding, ...]:
     """Where the text shows another language than the controller's that was given."""
     if language == told:
@@ -101,6 +111,8 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
         retract = [code for code, kind in table.items() if kind is codes.HOME]
         inside = (words.line[at] >= ends[0]) & (words.line[at] <= ends[1])
         keep = inside | ~np.isin(number, retract)
+        if letter == "G":
+            keep &= ~(np.isin(number, codes.SIDES) & np.isin(words.line[at], _without_radius(words)))
         at, number = at[keep], number[keep]
         for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
             line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
@@ -123,6 +135,11 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
                 )
                 found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
     return found
+
+
+def _without_radius(words: Words) -> Ints:
+    """The lines with D0: a compensation by nothing."""
+    return np.asarray(words.line[(words.letter == ord("D")) & (words.value == 0.0)])
 
 
 def _numbers(value: Floats, letter: str) -> Ints:

@@ -107,7 +107,7 @@ def without_dwells(words: Words, grammar: Grammar) -> Words:
 def by_least_increment(words: Words, lines: Lines, grammar: Grammar) -> Words:
     """The words in which those of axes, centres and radii without a decimal point counted the least increment, IS-B (Fanuc
     B-63324EN, 3.4.3): 0.001 mm, 0.0001 inch, 0.001 deg."""
-    bare = words.bare() & np.isin(words.letter, [ord(letter) for letter in codes.INCREMENTED])
+    bare = words.bare() & np.isin(words.letter, [ord(letter) for letter in codes.INCREMENTED + codes.PECK])
     linear = ~np.isin(words.letter, [ord(letter) for letter in "ABC"])
     step = np.where(linear & lines.inch(grammar)[words.line], 1e-4, 1e-3)
     return replace(words, value=np.where(bare, np.round(words.value * step, 4), words.value))

@@ -8,7 +8,8 @@ guided       where the controller guides the tip (G43.4, G43.5, G234, M128, M428
 start        rapids of single axes from an unknown place, until all places are known: no blocks. Moves to machine positions before
              the first block and after the last lead nowhere that the program knows, and are passed over.
 
-What is not interpreted (cycles, macros, subprograms, splines, offsets, compensation) is never passed over in silence: each
+Drilling cycles are written out (:mod:`.canned_cycles`), variables, jumps and calls within the file are run (:mod:`.interpreter`).
+What is not interpreted (other cycles and calls, splines, offsets, compensation) is never passed over in silence: each
 kind is a finding with its name, its first line and its count.
 """
 
@@ -31,11 +32,13 @@ from freecad_fiveaxis.core.sentences import say
 
 from . import codes
 from .arcs import Arcs, Chords, chorded
+from .canned_cycles import written_out
 from .codes import GRAMMARS, Grammar
 from .feeds import feeds
 from .findings import (
     code_findings,
     guide_findings,
+    in_file,
     language_finding,
     point_findings,
     read_as_finding,
@@ -46,7 +49,7 @@ from .findings import (
 )
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
 from .positions import INCH, Moves, axis_words, begun, check_near, moves, tool_axes, where_axes_stand
-from .words import language_of, read_words
+from .words import Words, language_of, read_words
 
 
 def read_nc(
@@ -63,23 +66,18 @@ def read_nc(
     told = "iso" if dialect is None else dialect.language
     language = language_of(text, told)
     grammar = GRAMMARS[language]
-    words = read_words(text, language)
-    progress("reading NC", 0.5)
-    words, findings = up_to_end(words, grammar)
-    words = without_dwells(words, grammar)
-    findings += words.findings + language_finding(language, told)
-    lines = Lines(words, assumed)
-    if assumed.decimal == "least-increment":
-        lines = Lines(by_least_increment(words, lines, grammar), assumed)
-    elif dialect is not None and dialect.least_increment:
-        findings += point_findings(words)
+    words, lines, before = _words_and_lines(text, grammar, dialect, assumed, progress)
+    findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in links.letters]
     mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
     at = _motion_lines(lines, grammar, axes, mode, on)
-    if not len(at) and any(found.code == codes.MACRO[1] for found in findings):
+    lost = next((found for found in before if found.code == codes.MACRO[1]), None)
+    if not len(at) and lost is not None:
         raise ProgramError(
             say(
-                "all moves stand in variables, expressions or jumps, which are not interpreted; post straight moves with numbers"
+                "all moves stand in variables, expressions or jumps, which are not interpreted; line {line}: {text}",
+                line=lost.line or 0,
+                text=lost.text,
             ),
             links.letters,
         )
@@ -94,7 +92,28 @@ def read_nc(
     findings += tuple(start_findings(links.letters, told_moves, mode[at], lines, grammar))
     findings += tuple(wrap_findings(links.letters, wrap, meant, told_moves, mode[at] != codes.RAPID, dialect))
     program = _program(links, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect)
-    return replace(program, findings=findings + guide_findings(program, told_moves), wrap=wrap)
+    findings = before + in_file(words, findings + guide_findings(program, told_moves))
+    return replace(program, line=words.in_file(program.line), findings=findings, wrap=wrap)
+
+
+def _words_and_lines(
+    text: bytes, grammar: Grammar, dialect: Dialect | None, assumed: Assumed, progress: Progress
+) -> tuple[Words, Lines, tuple[Finding, ...]]:
+    """The words up to the program's end, loops and cycles written out; the same by lines; the findings."""
+    controller = "" if dialect is None else dialect.name
+    words = read_words(text, grammar.name, controller, progress)
+    progress("reading NC", 0.5)
+    words, findings = up_to_end(words, grammar)
+    words = without_dwells(words, grammar)
+    lines = Lines(words, assumed)
+    if assumed.decimal == "least-increment":
+        words = by_least_increment(words, lines, grammar)
+        lines = Lines(words, assumed)
+    elif dialect is not None and dialect.least_increment:
+        findings += point_findings(words)
+    made, found = written_out(words, lines, grammar, controller)
+    findings = words.findings + in_file(words, (*findings, *found))
+    return made, lines if made is words else Lines(made, assumed), findings
 
 
 def dialect_of_text(text: bytes, usual: Dialect) -> tuple[Dialect, tuple[Finding, ...]]:
@@ -133,6 +152,8 @@ def _motion_lines(lines: Lines, grammar: Grammar, axes: list[tuple[Floats, Bytes
     moving = np.logical_or.reduce([kind != 0 for _, kind in axes])
     if on.any():
         moving |= ~np.isnan(_told(lines, mode, on)).all(axis=1)
+    if (mode == codes.ARC).any():  # a full circle needs no word of an axis
+        moving |= (mode == codes.ARC) & np.logical_or.reduce([~np.isnan(lines.column(letter)) for letter in "IJK"])
     moving &= ~lines.any_of(grammar.no_move) & (mode != codes.CYCLE)
     moving[lines.m_line(grammar.machine_m)] = False
     if codes.MACHINE in lines.letters:

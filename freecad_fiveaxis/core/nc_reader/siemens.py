@@ -49,12 +49,15 @@ WAYS = {b"AC": str, b"IC": codes.STEP_OF, b"DC": codes.SHORTER_OF, b"ACP": codes
 
 def plain(text: bytes, notes: Notes) -> bytes:
     """The text, in capitals and without comments, as ISO words with the private letters; every line stays where it is."""
-    if b'"' in text:
-        text = STRING.sub(_blank, text)
-        text = TOOL.sub(_blank, text)
+    text = without_strings(text)
     if b"=" in text:
         text = _addresses(text, notes)
     return KEYWORD.sub(lambda found: _keyword(found, notes), LABEL.sub(_label, text) if b":" in text else text)
+
+
+def without_strings(text: bytes) -> bytes:
+    """The text without what stands in quotation marks."""
+    return TOOL.sub(_blank, STRING.sub(_blank, text)) if b'"' in text else text
 
 
 def _blank(found: re.Match[bytes]) -> bytes:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import re
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NoReturn
 
 import numpy as np
@@ -23,10 +23,11 @@ from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.errors import ProgramError
 from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.sentences import Template, say
 
-from . import codes, heidenhain, siemens
+from . import codes, heidenhain, interpreter, siemens, siemens_run
 from .noted import Notes
 
 SOLID = re.compile(rb"[^ \n]")
@@ -35,15 +36,21 @@ COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (SEMICOLON,), "heidenhain":
 SLASH = re.compile(rb"^ *(/[0-9]?)", re.MULTILINE)
 COLON = re.compile(rb"^ *(:)(?= *[0-9])", re.MULTILINE)
 EXPONENT = re.compile(rb"(?<=[0-9.])E[+-]?[0-9]")
-OF_MACHINE = re.compile(rb"\$ *[0-9]+|(?<=M66) *E *[0-9.]+")
+OF_MACHINE = re.compile(rb"\$ *-?[0-9]+|(?<=M66) *E *[0-9.]+")
 """LinuxCNC's number of a spindle, and of the input that M66 waits for."""
 SYMBOLS = {
     "iso": (b"@", b"^", b"#", b"[", b"]", b"=", b"<", b">"),
     "siemens": (b"=", b"[", b"]", b"<", b">", b"$", b"(", b")", b"#", b'"', b"{", b"}"),
     "heidenhain": (),
 }
-KEYWORDS = tuple(b"GOTO WHILE CALL SUB RETURN REPEAT THEN ELSE ENDIF DO1 DO2 DO3 END1 END2 END3".split())
+KEYWORDS = tuple(b"GOTO WHILE CALL SUB RETURN REPEAT BREAK CONTINUE THEN IF ELSE DO END1 END2 END3".split())
 """These show that a line is macro language (Fanuc custom macro B, LinuxCNC O-codes)."""
+O_LINE = re.compile(rb" *O *[0-9]+ *[A-Z]{2}")
+CALLS, MACRO_CALL = (97, 98), 65
+STATES = (71, 72, 73)
+"""LinuxCNC's modes kept and restored, which Fanuc's and Haas' M codes are not."""
+FANUC = ("fanuc", "haas")
+"""Whose variables and jumps are Fanuc's; all others' are LinuxCNC's."""
 TAPE = b"\t\v\f\x11\x12\x13\x14\x1a"
 """Control characters that old files hold between the words: tabs, reader control, end of file."""
 TEXT = bytes({*range(32, 256), *TAPE, *b"\n\r"})
@@ -55,6 +62,11 @@ MACROS = Template(
     "{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without "
     "them. The first: {shown}."
 )
+NOT_RUN = Template(
+    "The lines with variables, expressions or jumps are not interpreted, because of this one: {reason}. Their words are missing "
+    "here; post without them."
+)
+NOT_CALLED = Template("Subprograms are not interpreted, because of this line: {reason}. Post one program without them.")
 HEIDENHAIN_SIGN = re.compile(rb"^ *(?:0+ +)?BEGIN +PGM\b", re.MULTILINE | re.IGNORECASE)
 SIEMENS_SIGN = re.compile(rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE)
 PREFACE = 3
@@ -66,7 +78,8 @@ LOOKED_AT = 20_000
 @dataclass(frozen=True, eq=False)
 class Words:
     """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file; ``text``: what was left
-    of the file when they were read, ``start`` (w,) where they stand in it without its blanks."""
+    of the file when they were read, ``start`` (w,) where they stand in it without its blanks. ``source``: where lines of the file
+    were written out as several, ``line`` counts those; ``source`` (lines + 1,) are the lines of the file that they come from."""
 
     letter: Bytes
     value: Floats
@@ -74,15 +87,20 @@ class Words:
     findings: tuple[Finding, ...] = ()
     text: bytes = b""
     start: Ints | None = None
+    source: Ints | None = None
 
     def place(self, word: int) -> str:
         """Where a word stands, as "line 3, column 7"."""
         line = int(self.line[word])
-        if self.start is None:
-            return f"line {line}"
+        if self.start is None or self.source is not None:
+            return f"line {int(self.in_file(self.line[word]))}"
         compact = self.text.translate(None, b" ")
         begin = compact.rfind(b"\n", 0, int(self.start[word])) + 1
         return f"line {line}, column {_column(self.text, line, int(self.start[word]) - begin)}"
+
+    def in_file(self, line: Ints) -> Ints:
+        """The lines of the file for some of ``line``."""
+        return line if self.source is None else self.source[line]
 
     def bare(self) -> Bools:
         """Which words (w,) have no decimal point."""
@@ -104,26 +122,38 @@ def language_of(text: bytes, told: str) -> str:
     return "siemens" if told == "iso" and SIEMENS_SIGN.search(start) else told
 
 
-def read_words(text: bytes, language: str = "iso") -> Words:
-    """All words of an NC text up to the closing ``%``. Raises ProgramError, naming line and column, for what is no word."""
-    text, findings = _blanked(text, language)
-    _check_characters(text)
+def read_words(text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent) -> Words:
+    """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC where there is none)
+    comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
+    text, findings, source = _blanked(text, language, progress)
+    marks, fanuc = _marks(text, language), controller in FANUC
+    made = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
+    words = _words_of(*made)
+    if not marks and language == "iso" and _calls(words, fanuc):
+        words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
+    return replace(words, findings=tuple(findings))
+
+
+def _words_of(text: bytes, source: Ints | None) -> Words:
+    """The words of a text that holds nothing else."""
+    _check_characters(text, source)
     compact = text.translate(None, b" ") + b"\n"
     code = np.frombuffer(compact, np.uint8)
     is_letter = code >= ord("A")
     start = np.flatnonzero(is_letter)
     bad = _malformed(code, is_letter, start)
     if bad >= 0:
-        _complain(text, compact, bad)
+        _complain(text, compact, bad, source)
     value = _numbers(compact, len(start))
     if not np.isfinite(value).all():
-        _complain(text, compact, int(start[np.flatnonzero(~np.isfinite(value))[0]]))
+        _complain(text, compact, int(start[np.flatnonzero(~np.isfinite(value))[0]]), source)
     line = _lines(code, start)
-    return Words(code[start].astype(np.int8), value, line, tuple(findings), text, start)
+    return Words(code[start].astype(np.int8), value, line, (), text, start, source)
 
 
-def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
-    """The text in capitals, lines ending in LF, with blanks for all that is no word; and what was passed over."""
+def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, list[Finding], Ints | None]:
+    """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over; and the lines of the
+    file, where the text was run."""
     text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     if control := text.translate(None, TEXT):
         at = text.index(control[:1])
@@ -142,21 +172,34 @@ def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
         text = re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text)
     findings: list[Finding] = []
     text = _between_marks(text.translate(CLEAN), findings)
+    source = None
+    if language == "siemens" and siemens_run.marked(text):
+        text = siemens.without_strings(text)
+        run = interpreter.written_out(text, False, progress, siemens=True)
+        if isinstance(run, interpreter.Written):
+            text, source = run.text, run.source
+        else:
+            findings.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=run.reason), line=run.line))
     if language != "iso":
         notes = Notes()
         read = (siemens if language == "siemens" else heidenhain).plain(text, notes)
-        findings += notes.findings(text)
+        findings += [_moved(found, source) for found in notes.findings(text)]
         text = read
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
-    text = _without_macros(text, language, findings)
     if b"/" in text:
         text, lines = _overwritten(text, SLASH, b" ")
         if lines:
-            findings.append(_finding(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0]))
+            found = _finding(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0])
+            findings.append(_moved(found, source))
     if b":" in text:
         text, _ = _overwritten(text, COLON, b"O")
-    return text, findings
+    return text, findings, source
+
+
+def _moved(found: Finding, source: Ints | None) -> Finding:
+    """A finding with the line of the file."""
+    return found if source is None or found.line is None else replace(found, line=int(source[found.line]))
 
 
 def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[bytes, list[int]]:
@@ -168,19 +211,50 @@ def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[by
     return bytes(buffer), [first for first, _ in spans]
 
 
-def _without_macros(text: bytes, language: str, findings: list[Finding]) -> bytes:
-    """Blanks for the lines that hold macro language."""
+def _marks(text: bytes, language: str) -> list[bytes]:
+    """What shows that a text has variables, expressions or jumps."""
     known = KEYWORDS if language == "iso" and _has_adjacent_letters(text) else ()
-    marks = [mark for mark in (*SYMBOLS[language], *known) if mark in text]
-    if not marks:
-        return text
-    lines = text.split(b"\n")
-    hit = [k for k, line in enumerate(lines) if any(mark in line for mark in marks)]
-    shown = b" ".join(lines[hit[0]].split())[:40].decode("latin-1")
-    for k in hit:
-        lines[k] = b" " * len(lines[k])
+    return [mark for mark in (*SYMBOLS[language], *known) if mark in text]
+
+
+def _calls(words: Words, fanuc: bool) -> bool:
+    """Whether a program of plain words calls subprograms, or keeps and restores modes."""
+    m_codes = words.value[words.letter == ord("M")]
+    called = np.isin(m_codes, CALLS if fanuc else CALLS + STATES).any()
+    return bool(called or (words.value[words.letter == ord("G")] == MACRO_CALL).any())
+
+
+def _run(
+    text: bytes, marks: list[bytes], language: str, fanuc: bool, findings: list[Finding], progress: Progress
+) -> tuple[bytes, Ints | None]:
+    """The text as the control comes to its lines, and the lines of the file that these are; where they are not understood, blanks
+    for the lines that hold one of the ``marks``, with a finding."""
+    if language == "iso":
+        made = interpreter.written_out(text, fanuc, progress)
+        if isinstance(made, interpreter.Written):
+            return made.text, made.source
+        if not marks:
+            findings.append(Finding(Severity.ERROR, codes.CALL[1], NOT_CALLED.say(reason=made.reason), line=made.line))
+            return text, None
+        findings.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=made.reason), line=made.line))
+        return _blank_lines(text, _lines_with(text, marks)), None
+    hit = _lines_with(text, marks)
+    shown = b" ".join(text.split(b"\n")[hit[0]].split())[:40].decode("latin-1")
     said = MACROS.say(count=len(hit), shown=repr(shown))
     findings.append(Finding(Severity.ERROR, codes.MACRO[1], said, float(len(hit)), line=hit[0] + 1))
+    return _blank_lines(text, hit), None
+
+
+def _lines_with(text: bytes, marks: list[bytes]) -> list[int]:
+    """The lines, counted from 0, with one of the marks."""
+    lines = text.split(b"\n")
+    return [k for k, line in enumerate(lines) if any(mark in line for mark in marks) or O_LINE.match(line)]
+
+
+def _blank_lines(text: bytes, chosen: list[int]) -> bytes:
+    lines = text.split(b"\n")
+    for k in chosen:
+        lines[k] = b" " * len(lines[k])
     return b"\n".join(lines)
 
 
@@ -220,7 +294,7 @@ def _finding(severity: Severity, code: str, said: str, text: bytes, at: int) -> 
     return Finding(severity, code, said, line=text.count(b"\n", 0, at) + 1)
 
 
-def _check_characters(text: bytes) -> None:
+def _check_characters(text: bytes, source: Ints | None) -> None:
     if illegal := text.translate(None, LEGAL):
         shown = illegal[:1].decode("latin-1")
         partner = say("a bracket without its partner")
@@ -231,9 +305,10 @@ def _check_characters(text: bytes) -> None:
             say(
                 "character {shown} cannot be read ({hint})", shown=repr(shown), hint=hint.get(shown, say("not part of any word"))
             ),
+            source,
         )
     if b"E" in text and (found := EXPONENT.search(text)):
-        _fail(text, found.start(), say("a number with an exponent; write it out"))
+        _fail(text, found.start(), say("a number with an exponent; write it out"), source)
 
 
 def _malformed(code: NDArray[np.uint8], is_letter: Bools, start: Ints) -> int:
@@ -271,7 +346,7 @@ def _lines(code: NDArray[np.uint8], start: Ints) -> Ints:
     return np.repeat(np.arange(1, len(ends) + 1), np.diff(words_so_far, prepend=0))
 
 
-def _complain(text: bytes, compact: bytes, at: int) -> NoReturn:
+def _complain(text: bytes, compact: bytes, at: int, source: Ints | None) -> NoReturn:
     """Raise for the malformed word at ``at`` of the text without blanks."""
     line = compact.count(b"\n", 0, at)
     begin = _line_start(text, line + 1)
@@ -282,7 +357,7 @@ def _complain(text: bytes, compact: bytes, at: int) -> NoReturn:
         reason = say("the program has no number; write one after the O, as O1")
     elif line < PREFACE and b"G" not in text[:begin] and not re.search(rb"[0-9]", found):
         reason = say("this is no NC line; delete what stands before the program, or put it in brackets")
-    _fail(text, begin + column - 1, reason)
+    _fail(text, begin + column - 1, reason, source)
 
 
 def _line_start(text: bytes, line: int) -> int:
@@ -300,9 +375,10 @@ def _column(text: bytes, line: int, within: int) -> int:
     return places[within] - begin + 1 if within < len(places) else 1
 
 
-def _fail(text: bytes, at: int, reason: str) -> NoReturn:
+def _fail(text: bytes, at: int, reason: str, source: Ints | None) -> NoReturn:
     begin = text.rfind(b"\n", 0, at) + 1
     line = text.count(b"\n", 0, at) + 1
+    line = line if source is None else int(source[line])
     found = text[begin : begin + 200].split(b"\n")[0].decode("latin-1").strip()[:60]
     raise ProgramError(
         say("line {line}, column {at}: {reason}: {found}", line=line, at=at - begin + 1, reason=reason, found=repr(found)), found

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.program import Program
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Floats, Ints
 
@@ -79,8 +80,14 @@ def _shade(axes: Any, figures: Figures, x: Floats) -> None:
         axes.broken_barh(bars, (0, 1), transform=whole, color=ORANGE, alpha=0.3, lw=0, zorder=2.5, label="near the pole")
 
 
-def _lines(axes: Any, x: Floats) -> None:
-    axes.set_xlabel("NC line")
+def _abscissa(program: Program) -> Floats:
+    """The NC line of each block, or its row where loops and subprograms come back to lines."""
+    line = program.line.astype(float)
+    return line if (np.diff(line) >= 0.0).all() else np.arange(len(line), dtype=float)
+
+
+def _lines(axes: Any, program: Program, x: Floats) -> None:
+    axes.set_xlabel("NC line" if np.array_equal(x, program.line) else "block")
     axes.set_xlim(x[0] - 0.5, x[-1] + 0.5)
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.xaxis.set_major_formatter("{x:.0f}")
@@ -101,7 +108,7 @@ def _legend(axes: Any, columns: int = 6) -> None:
 
 
 def _along(figure: Any, figures: Figures) -> Told:
-    axes, deviation, x, rows = figure.subplots(), figures.deviation, figures.program.line.astype(float), figures.feeds
+    axes, deviation, x, rows = figure.subplots(), figures.deviation, _abscissa(figures.program), figures.feeds
     segment, bound = np.maximum(deviation.segment[rows], FLOOR), np.maximum(deviation.bound[rows], FLOOR)
     _shade(axes, figures, x)
     axes.fill_between(*_steps(x, rows, bound), FLOOR, step="pre", color=SKY, alpha=0.45, lw=0, label="proven bound")
@@ -116,7 +123,7 @@ def _along(figure: Any, figures: Figures) -> Told:
     axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_formatter("")
     axes.set_ylim(max(FLOOR, min(figures.tolerance, top) * 1e-3), top * 3.0)
-    _lines(axes, x)
+    _lines(axes, figures.program, x)
     _legend(axes)
     alt = f"Deviation of each feed block against the NC line, logarithmic; tolerance {figures.tolerance:g} mm."
     if len(figures.worst):  # none where the controller guides the tip in every block
@@ -130,7 +137,7 @@ def _along(figure: Any, figures: Figures) -> Told:
 
 
 def _angles(figure: Any, figures: Figures) -> Told | None:
-    program, x = figures.program, figures.program.line.astype(float)
+    program, x = figures.program, _abscissa(figures.program)
     turning = fitted_columns(program.letters)[3:]
     if not turning:
         return None
@@ -145,7 +152,7 @@ def _angles(figure: Any, figures: Figures) -> Told | None:
         _limits(axes, figures, column)
         axes.set_ylabel(f"{letter}, deg")
         said.append(f"{letter} runs from {words.min():.1f} to {words.max():.1f} deg")
-    _lines(panels[-1], x)
+    _lines(panels[-1], program, x)
     if panels[0].get_legend_handles_labels()[1]:
         _legend(panels[0])
     caption = (
@@ -165,7 +172,7 @@ def _limits(axes: Any, figures: Figures, column: int) -> None:
 
 
 def _rates(figure: Any, figures: Figures) -> Told | None:
-    program, x, rows = figures.program, figures.program.line.astype(float), figures.feeds
+    program, x, rows = figures.program, _abscissa(figures.program), figures.feeds
     limit = figures.links.rate * (1.0, 1.0, 1.0, *np.degrees([1.0, 1.0]))
     share = 100.0 * axis_rates(program)[rows] / limit
     if not share.any():
@@ -181,7 +188,7 @@ def _rates(figure: Any, figures: Figures) -> Told | None:
             said.append(f"{program.letters[column]} {peak:.0f} %")
     axes.axhline(100.0, color=RED, ls="--", lw=1.1)
     axes.set(ylabel="share of the axis's maximum rate, %", ylim=(0.0, max(108.0, 1.05 * float(share.max()))))
-    _lines(axes, x)
+    _lines(axes, figures.program, x)
     _legend(axes)
     caption = (
         "Largest share in each stretch. At 100 % an axis runs as fast as it can, and the tool goes slower over the part than "
