@@ -3068,6 +3068,18 @@
         <translation> {name} ist diese Maschine.</translation>
     </message>
     <message>
+        <source>#0 takes no value</source>
+        <translation>#0 nimmt keinen Wert an</translation>
+    </message>
+    <message>
+        <source>#{key} is known only at the machine</source>
+        <translation>#{key} kennt nur die Maschine</translation>
+    </message>
+    <message>
+        <source>#{key} sets the machine</source>
+        <translation>#{key} stellt die Maschine ein</translation>
+    </message>
+    <message>
         <source>1 block leads</source>
         <translation>1 NC-Satz führt</translation>
     </message>
@@ -3132,6 +3144,10 @@
         <translation>Ein Schritt oder FROM steht in einem Bohrzyklus (Zeile {line}): Dort wird nicht gebohrt. Vorher CYCLE/OFF angeben.</translation>
     </message>
     <message>
+        <source>AND beside OR without a line of its own</source>
+        <translation>AND neben OR ohne eigene Zeile</translation>
+    </message>
+    <message>
         <source>All {count} facets looked inward and were turned outward; check the export if only some of them should.</source>
         <translation>Alle {count} Facetten zeigten nach innen und wurden nach außen gewendet; den Export prüfen, wenn es nur für einige gelten sollte.</translation>
     </message>
@@ -3168,6 +3184,10 @@
         <translation>Achswörter stehen weder unter G0 noch G1; sie werden als G1 genommen. Einen Bewegungscode angeben.</translation>
     </message>
     <message>
+        <source>Between pecks the tool stays {back} off the depth reached here; on this control a setting says how far. No other place hangs on it.</source>
+        <translation>Zwischen den Zustellungen bleibt das Werkzeug hier {back} vor der erreichten Tiefe; an dieser Steuerung sagt das ein Parameter. Kein anderer Ort hängt davon ab.</translation>
+    </message>
+    <message>
         <source>CHECK</source>
         <translation>PRÜFEN</translation>
     </message>
@@ -3178,6 +3198,10 @@
     <message>
         <source>CL file: {finding}</source>
         <translation>CL-Datei: {finding}</translation>
+    </message>
+    <message>
+        <source>EXISTS of a variable without a name</source>
+        <translation>EXISTS einer Variablen ohne Namen</translation>
     </message>
     <message>
         <source>F says {speed}</source>
@@ -3202,6 +3226,10 @@
     <message>
         <source>FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.</source>
         <translation>FreeCADs Datei sagt nicht alles; angenommen: {lacking}. Unter fiveaxis berichtigen.</translation>
+    </message>
+    <message>
+        <source>G66 calls a program after each block</source>
+        <translation>G66 ruft nach jedem Satz ein Programm auf</translation>
     </message>
     <message>
         <source>GODLTA stands before the first GOTO: from where is not known</source>
@@ -3284,6 +3312,10 @@
         <translation>Die Grenzen{of} bleiben offen, und größte Geschwindigkeiten sind angenommen (10 m/min, 10 Umdrehungen je Minute): keine Zeile sagt sie. Nach dem Datenblatt der Maschine berichtigen.</translation>
     </message>
     <message>
+        <source>M70 to M73 keep and restore modes</source>
+        <translation>M70 bis M73 merken und stellen Zustände wieder her</translation>
+    </message>
+    <message>
         <source>MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system.</source>
         <translation>MSYS wechselt innerhalb der Datei das Koordinatensystem; ihre Punkte werden in einem genommen. Für jedes System eine eigene Datei ausgeben.</translation>
     </message>
@@ -3342,6 +3374,10 @@
     <message>
         <source>Nothing may stand above Z {z} of the work zero: remove the part, or give {mark} as high as part and clamps reach.</source>
         <translation>Über Z {z} vom Werkstücknullpunkt darf nichts stehen: das Werkstück entfernen oder {mark} so hoch angeben, wie Werkstück und Spannmittel reichen.</translation>
+    </message>
+    <message>
+        <source>N{number} stands in no line of this program</source>
+        <translation>N{number} steht in keiner Zeile dieses Programms</translation>
     </message>
     <message>
         <source>Of the file's tools ({told}) the moves of tool {tool} are taken: {count} of {all}.</source>
@@ -3428,6 +3464,10 @@
         <translation>Aufstellen: {place}. Größte Abweichung {deviation}.</translation>
     </message>
     <message>
+        <source>Subprograms are not interpreted, because of this line: {reason}. Post one program without them.</source>
+        <translation>Unterprogramme werden wegen dieser Zeile nicht ausgewertet: {reason}. Ein Programm ohne sie ausgeben.</translation>
+    </message>
+    <message>
         <source>The CL file does not say its unit; mm is taken, but line {line} says {statement}, as files in inches do. Give {option}, mm or inch.</source>
         <translation>Die CL-Datei nennt ihre Einheit nicht; mm wird angenommen, aber in Zeile {line} steht {statement}, wie in Dateien in Zoll. {option} angeben, mm oder inch.</translation>
     </message>
@@ -3462,6 +3502,10 @@
     <message>
         <source>The cutter goes {depth} too deep into the part at {at}.</source>
         <translation>Der Fräser dringt bei {at} {depth} zu tief ins Werkstück ein.</translation>
+    </message>
+    <message>
+        <source>The cycle G{code} is not written out, and its moves are missing: {reason}. Correct it, or post straight moves.</source>
+        <translation>Der Zyklus G{code} wird nicht ausgeschrieben, seine Bewegungen fehlen: {reason}. Ihn berichtigen oder gerade Bewegungen ausgeben.</translation>
     </message>
     <message>
         <source>The display shows {place}. The tool stands upright, the table level. Nothing is near the tool.</source>
@@ -3514,6 +3558,10 @@
     <message>
         <source>The lines after the end of the program in line {last} are not read.</source>
         <translation>Die Zeilen nach dem Programmende in Zeile {last} werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The lines with variables, expressions or jumps are not interpreted, because of this one: {reason}. Their words are missing here; post without them.</source>
+        <translation>Die Zeilen mit Variablen, Ausdrücken oder Sprüngen werden wegen dieser nicht ausgewertet: {reason}. Ihre Wörter fehlen hier; ohne sie ausgeben.</translation>
     </message>
     <message>
         <source>The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine.</source>
@@ -3748,8 +3796,16 @@
         <translation>Z dieser Maschine hebt das Werkzeug nicht: ihrer Datei ein anderes safe_start als clearance geben</translation>
     </message>
     <message>
+        <source>a G65 beside another G code</source>
+        <translation>ein G65 neben einem anderen G-Code</translation>
+    </message>
+    <message>
         <source>a bracket without its partner</source>
         <translation>eine Klammer ohne Gegenstück</translation>
+    </message>
+    <message>
+        <source>a call that does not say what by P alone</source>
+        <translation>ein Aufruf, der nicht allein mit P sagt, was</translation>
     </message>
     <message>
         <source>a coordinate of {farthest} mm or rad is beyond any machine; correct it</source>
@@ -3804,6 +3860,18 @@
         <translation>ein kleinerer Zeilensprung</translation>
     </message>
     <message>
+        <source>a value beyond all words</source>
+        <translation>ein Wert jenseits aller Wörter</translation>
+    </message>
+    <message>
+        <source>a value that is no number</source>
+        <translation>ein Wert, der keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>a variable of no whole number</source>
+        <translation>eine Variable ohne ganze Zahl</translation>
+    </message>
+    <message>
         <source>a whole run of facets stays uncut</source>
         <translation>eine ganze Reihe von Facetten bleibt ungefräst</translation>
     </message>
@@ -3828,8 +3896,8 @@
         <translation>über {bound} sein</translation>
     </message>
     <message>
-        <source>all moves stand in variables, expressions or jumps, which are not interpreted; post straight moves with numbers</source>
-        <translation>alle Bewegungen stehen in Variablen, Ausdrücken oder Sprüngen, die nicht ausgewertet werden; Bewegungen mit Zahlen ausgeben</translation>
+        <source>all moves stand in variables, expressions or jumps, which are not interpreted; line {line}: {text}</source>
+        <translation>alle Bewegungen stehen in Variablen, Ausdrücken oder Sprüngen, die nicht ausgewertet werden; Zeile {line}: {text}</translation>
     </message>
     <message>
         <source>and {count} more</source>
@@ -4140,8 +4208,36 @@
         <translation>ist kein JSON ({error})</translation>
     </message>
     <message>
+        <source>it has no Q above 0</source>
+        <translation>er hat kein Q über 0</translation>
+    </message>
+    <message>
+        <source>it has no R or no depth</source>
+        <translation>er hat kein R oder keine Tiefe</translation>
+    </message>
+    <message>
         <source>it must be {bounds}</source>
         <translation>es muss {bounds}</translation>
+    </message>
+    <message>
+        <source>its Q makes too many pecks</source>
+        <translation>sein Q ergibt zu viele Zustellungen</translation>
+    </message>
+    <message>
+        <source>its depth lies above R</source>
+        <translation>seine Tiefe liegt über R</translation>
+    </message>
+    <message>
+        <source>its feed is inverse time (G93)</source>
+        <translation>sein Vorschub ist zeitreziprok (G93)</translation>
+    </message>
+    <message>
+        <source>its pecks get smaller (I)</source>
+        <translation>seine Zustellungen werden kleiner (I)</translation>
+    </message>
+    <message>
+        <source>its repeats are no whole number from 0 on</source>
+        <translation>seine Wiederholungen sind keine ganze Zahl ab 0</translation>
     </message>
     <message>
         <source>its {edge} edge goes {way}, {size}</source>
@@ -4236,6 +4332,18 @@
         <translation>Zeile {line}, Spalte {column}: {reason}</translation>
     </message>
     <message>
+        <source>line {line}: calls are nested deeper than {most}; does a subprogram call itself? Post the moves themselves</source>
+        <translation>Zeile {line}: Aufrufe sind tiefer als {most} geschachtelt; ruft ein Unterprogramm sich selbst auf? Die Bewegungen selbst ausgeben</translation>
+    </message>
+    <message>
+        <source>line {line}: the cycles make more than {most} moves; divide the program</source>
+        <translation>Zeile {line}: die Zyklen ergeben mehr als {most} Bewegungen; das Programm teilen</translation>
+    </message>
+    <message>
+        <source>line {line}: the loop does not end: {most} lines were run; correct its condition, or post the moves themselves</source>
+        <translation>Zeile {line}: die Schleife endet nicht: {most} Zeilen wurden ausgeführt; ihre Bedingung berichtigen oder die Bewegungen selbst ausgeben</translation>
+    </message>
+    <message>
         <source>line {number}, column {column}: {reason}: {statement}</source>
         <translation>Zeile {number}, Spalte {column}: {reason}: {statement}</translation>
     </message>
@@ -4320,6 +4428,10 @@
         <translation>mehr als {most_planes} Ebenen; {what} vergrößern oder die Einheiten des Werkstücks prüfen</translation>
     </message>
     <message>
+        <source>more than {most} brackets in brackets</source>
+        <translation>mehr als {most} Klammern in Klammern</translation>
+    </message>
+    <message>
         <source>moves to machine positions unknown to the program; they are not audited</source>
         <translation>Bewegungen zu Maschinenpositionen, die das Programm nicht kennt; sie werden nicht geprüft</translation>
     </message>
@@ -4400,6 +4512,10 @@
         <translation>kein Werkzeug {number}</translation>
     </message>
     <message>
+        <source>no value: {rest}</source>
+        <translation>kein Wert: {rest}</translation>
+    </message>
+    <message>
         <source>none asked for</source>
         <translation>keine verlangt</translation>
     </message>
@@ -4462,6 +4578,10 @@
     <message>
         <source>plane offsets have shape {shape}: give one ascending row of numbers</source>
         <translation>die Ebenenabstände haben die Form {shape}: eine aufsteigende Reihe von Zahlen angeben</translation>
+    </message>
+    <message>
+        <source>program O{program} is not in this file</source>
+        <translation>Programm O{program} ist nicht in dieser Datei</translation>
     </message>
     <message>
         <source>program number is {program}; give 1 to 9999</source>
@@ -4578,6 +4698,10 @@
     <message>
         <source>stopped; nothing was changed</source>
         <translation>angehalten; nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>subprogram O{name} is not in this file</source>
+        <translation>Unterprogramm O{name} ist nicht in dieser Datei</translation>
     </message>
     <message>
         <source>table</source>
@@ -4858,6 +4982,10 @@
     <message>
         <source>this correction turns the tool axes over the part's facets; give it the STL, not a CL file</source>
         <translation>diese Korrektur dreht die Werkzeugachsen über den Facetten des Werkstücks; das STL angeben, keine CL-Datei</translation>
+    </message>
+    <message>
+        <source>this end has no begin of its name</source>
+        <translation>dieses Ende hat keinen Anfang seines Namens</translation>
     </message>
     <message>
         <source>this is no CL file: byte {control} (offset {offset}) stands in no text; give a text file</source>
@@ -5412,6 +5540,10 @@
         <translation>{label} zeigt das Ergebnis anderer Einstellungen oder einer anderen Version: das Dokument neu berechnen</translation>
     </message>
     <message>
+        <source>{label} stands in no line of this program</source>
+        <translation>{label} steht in keiner Zeile dieses Programms</translation>
+    </message>
+    <message>
         <source>{label} was changed: recompute the document</source>
         <translation>{label} wurde geändert: das Dokument neu berechnen</translation>
     </message>
@@ -5512,6 +5644,10 @@
         <translation>{max_tilt} {tilt} liegt außerhalb; {least} bis {most} angeben oder {facet_mean} wählen</translation>
     </message>
     <message>
+        <source>{missing} is missing before {rest}</source>
+        <translation>{missing} fehlt vor {rest}</translation>
+    </message>
+    <message>
         <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
         <translation>{name} = {value} ist nur auf {certainty} sicher; Zeilen mit größeren Drehungen angeben.</translation>
     </message>
@@ -5610,6 +5746,10 @@
     <message>
         <source>{name} stands in {count} lines: {text}.</source>
         <translation>{name} steht in {count} Zeilen: {text}.</translation>
+    </message>
+    <message>
+        <source>{name} was never set</source>
+        <translation>{name} wurde nie gesetzt</translation>
     </message>
     <message>
         <source>{name} {given} holds a character that no name can have; give another</source>
@@ -5784,6 +5924,10 @@
         <translation>{place}: {letter}{value} liegt jenseits von {farthest}; fehlt ein Dezimalpunkt?</translation>
     </message>
     <message>
+        <source>{rest} is not known here</source>
+        <translation>{rest} ist hier nicht bekannt</translation>
+    </message>
+    <message>
         <source>{rivals} both stand on {carrier}; say by "parent" which carries which</source>
         <translation>{rivals} stehen beide auf {carrier}; mit „parent“ sagen, welche welche trägt</translation>
     </message>
@@ -5878,6 +6022,10 @@
     <message>
         <source>{value} are too steep for the largest axis angle and left out</source>
         <translation>{value} sind zu steil für den größten Achswinkel und ausgelassen</translation>
+    </message>
+    <message>
+        <source>{value} is no whole number from 0 on</source>
+        <translation>{value} ist keine ganze Zahl ab 0</translation>
     </message>
     <message>
         <source>{value} is none of {known}</source>
@@ -6008,8 +6156,24 @@
         <translation>{words} weitere Wörter ({count} Anweisungen) werden nicht ausgewertet; ist das eine CL-Datei?</translation>
     </message>
     <message>
+        <source>{word} has no condition in brackets</source>
+        <translation>{word} hat keine Bedingung in Klammern</translation>
+    </message>
+    <message>
+        <source>{word} has no end</source>
+        <translation>{word} hat kein Ende</translation>
+    </message>
+    <message>
         <source>{word} has {count} numbers; give 3 or 6</source>
         <translation>{word} hat {count} Zahlen; 3 oder 6 angeben</translation>
+    </message>
+    <message>
+        <source>{word} stands in no loop of its name</source>
+        <translation>{word} steht in keiner Schleife seines Namens</translation>
+    </message>
+    <message>
+        <source>{word} stands outside of a subprogram</source>
+        <translation>{word} steht außerhalb eines Unterprogramms</translation>
     </message>
 </context>
 <context>
