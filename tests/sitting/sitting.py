@@ -171,17 +171,18 @@ class Sitting:
 
     def in_tree(self, label: str, seconds: float = 10) -> Thing:
         """The row of the model tree."""
-        return self.until(lambda: self._row(label), seconds, f"{label} in the tree")
+        return self.until(lambda: self.row(label), seconds, f"{label} in the tree")
 
     def not_in_tree(self, label: str) -> None:
         """Wait until the tree is shown without that row."""
-        self.until(lambda: self._model() and not self._row(label), 20, f"{label} gone from the tree")
+        self.until(lambda: self._model() and not self.row(label), 20, f"{label} gone from the tree")
 
     def _model(self) -> list[Thing]:
         """The model tree, and what else FreeCAD draws as a tree but the lists of properties."""
         return [tree for tree in self.eyes.all("tree") if not self.eyes.see("column header", "Property", tree)]
 
-    def _row(self, label: str) -> Thing | None:
+    def row(self, label: str) -> Thing | None:
+        """The row of that label in the model tree, if it is seen."""
         return next((row for tree in self._model() if (row := self.eyes.see("table cell", label, tree))), None)
 
     def collect(self) -> None:
