@@ -290,7 +290,7 @@ def step_file(user: Sitting) -> None:
     time.sleep(0.5)
     user.hands.write(user.part.replace("FCStd", "step"))
     user.hands.press("Return")
-    asked = user.until(lambda: user.row("Imported") or user.eyes.see("dialog", "STEP"), 30, "the part, or how to import it")
+    asked = user.until(lambda: user.row("Imported") or user.eyes.see("dialog", "STEP.*"), 30, "the part, or how to import it")
     if asked.role == "dialog":  # from FreeCAD 1.0 on
         user.hands.press("Return")
     user.hands.click(user.in_tree("Imported", 30))
