@@ -324,7 +324,7 @@ def compare(user: Sitting) -> None:
     user.press_tool("Compare.*")
     user.press("Compare")
     escape(user, "Compare.*")
-    user.hands.press("Escape")
+    user.hands.click(user.eyes.find("push button", "Close"))
     user.eyes.gone("push button", "Compare")
 
 
