@@ -141,7 +141,10 @@ def _blanked(text: bytes, language: str) -> tuple[bytes, list[Finding]]:
     if forms:
         text = re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text)
     findings: list[Finding] = []
-    text = _between_marks(text.translate(CLEAN), findings)
+    whole = text.translate(CLEAN)
+    text = _between_marks(whole, findings)
+    if language == "heidenhain":
+        text = heidenhain.with_unit(whole, text)
     if language != "iso":
         notes = Notes()
         read = (siemens if language == "siemens" else heidenhain).plain(text, notes)
