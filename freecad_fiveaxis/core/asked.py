@@ -40,9 +40,14 @@ def dialect_for(controller: str | None, machine: Machine | None) -> Dialect:
 
 def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
     """The machine, where the part stands on it, and its dialect."""
-    given = settings.machine
-    machine = load_machine(given.machine)
+    machine = load_machine(settings.machine.machine)
     refuse_what_needs_more_axes(settings, machine)
+    return stood(settings, machine)
+
+
+def stood(settings: Settings, machine: Machine) -> tuple[Machine, Setup, Dialect]:
+    """The same for a machine that is known, whatever is asked of its axes. Raises SettingsError without a head's tool length."""
+    given = settings.machine
     dialect = dialect_for(given.controller, machine)
     if given.tool_length is None and machine.has_head:
         raise SettingsError(

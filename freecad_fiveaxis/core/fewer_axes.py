@@ -18,11 +18,17 @@ FIXED = "fixed"
 
 def refuse_what_needs_more_axes(settings: Settings, machine: Machine) -> None:
     """Raises SettingsError for the first thing asked for that a machine of so few rotary axes cannot do."""
+    refused = what_needs_more_axes(settings, machine)
+    if refused is not None:
+        raise refused
+
+
+def what_needs_more_axes(settings: Settings, machine: Machine) -> SettingsError | None:
+    """Why a machine of so few rotary axes cannot do what is asked for: the first reason, or None."""
     if machine.rotaries == 2:
-        return
+        return None
     refused = (_task(settings, machine), _cures(settings, machine), _leaning(settings, machine), _guided(settings, machine))
-    for text, value in filter(None, refused):
-        raise SettingsError(text, value)
+    return next((SettingsError(*one) for one in refused if one), None)
 
 
 def keeps_its_axis(settings: Settings, machine: Machine) -> bool:

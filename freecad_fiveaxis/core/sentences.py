@@ -229,7 +229,7 @@ def one_line(text: str) -> str:
 
 
 CLAUSE = re.compile(r"[.:;] ")
-"""What ends a clause; a point within a number does not."""
+"""What ends a clause, where it is in no parentheses; a point within a number does not."""
 
 
 @dataclass(frozen=True)
@@ -239,12 +239,19 @@ class Clause:
     text: str
 
     def __str__(self) -> str:
-        said = CLAUSE.split(str(self.text), maxsplit=1)[0].rstrip(".")
+        text = str(self.text)
+        ends = (
+            end.start() for end in CLAUSE.finditer(text) if text.count("(", 0, end.start()) == text.count(")", 0, end.start())
+        )
+        said = text[: next(ends, len(text))].rstrip(".")
         return said[:1].lower() + said[1:] if said[1:2].islower() else said
 
 
 def first_clause(text: str) -> Sentence:
-    """The first clause of a finding's text, in small letters, as a sentence of its own."""
+    """The first clause of a finding's text, in small letters, as a sentence of its own; what another file's finding is led in
+    with ("CL file, line 3: ...") is left out."""
+    if isinstance(text, Sentence):
+        text = text.values.get("finding", text)
     return Sentence("{clause}", {"clause": Clause(text)}, translated=False)
 
 

@@ -14,14 +14,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from freecad_fiveaxis.core.compare import Row, compare, compare_html, compare_json, compare_text, station
-from freecad_fiveaxis.core.machine import Vector
+from freecad_fiveaxis.core.machine import Vector, load_machine
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.sentences import Choice, Length, Option, joined, say
 from freecad_fiveaxis.core.setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
 
-from .asked import clamped, title_of
+from .asked import clamped, stood, title_of
 from .cures import cures, known_cures
-from .errors import SettingsError
+from .errors import FiveAxisError, ReachError, SettingsError
+from .fewer_axes import what_needs_more_axes
 from .files import write_all
 from .findings import Finding, Severity
 from .job import Milled, Posted, make
@@ -89,22 +90,43 @@ def try_setups(
 def try_machines(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
 ) -> Comparison:
-    """The same path on every machine that the settings name, with each cure. The path is made for the first of them.
+    """The same path on every machine that the settings name, with each cure. The path is made for the first of them that can
+    cut it; those that cannot are rows that say why.
 
-    Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long work.
+    Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long work; and what the
+    first machine says where none can cut the path.
     """
     names, wanted = settings.compare.machines, known_cures(settings.compare.cures)
     if not names:
         raise SettingsError(say("there are no machines to compare; name at least one"), names)
     streets = [_street(settings, name) for name in names]
-    stands = [clamped(street) for street in streets]
-    made = _posted(streets[0], progress, mesh, faces)
+    machines = [load_machine(name) for name in names]
+    stands = [stood(street, machine) for street, machine in zip(streets, machines, strict=True)]
+    refused = [what_needs_more_axes(street, machine) for street, machine in zip(streets, machines, strict=True)]
+    made = _made_for_first(streets, refused, progress, mesh, faces)
     stations = [
-        station(machine, setup, _posting(settings, made, dialect), name)
-        for name, (machine, setup, dialect) in zip(names, stands, strict=True)
+        station(machine, setup, _posting(settings, made, dialect), name, "" if why is None else why.text)
+        for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
     ]
     rows = compare(made.path, stations, cures(made, wanted), progress=progress)
     return Comparison(settings, made, rows, tuple(_row_findings(rows)))
+
+
+def _made_for_first(
+    streets: Sequence[Settings], refused: Sequence[SettingsError | None], progress: Progress, mesh: Mesh | None,
+    faces: Bools | None,
+) -> Posted:  # fmt: skip
+    """The path and its program on the first machine that can take up all of its axes. Raises what the first machine says where
+    there is none."""
+    problems: list[FiveAxisError] = []
+    for street, why in zip(streets, refused, strict=True):
+        try:
+            if why is None:
+                return _posted(street, progress, mesh, faces)
+            problems.append(why)
+        except ReachError as error:
+            problems.append(error)
+    raise problems[0]
 
 
 def _street(settings: Settings, machine: str = "") -> Settings:

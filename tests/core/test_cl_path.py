@@ -8,6 +8,7 @@ import pytest
 from offset_examples import ball, field, hull, joined, prism
 
 from freecad_fiveaxis.core.cl_path import LinkOptions, Motion, link_passes
+from freecad_fiveaxis.core.cl_path.linking import keepout, way_out
 from freecad_fiveaxis.core.coedge import close_gaps
 from freecad_fiveaxis.core.cutter import Cutter
 from freecad_fiveaxis.core.errors import SettingsError
@@ -253,3 +254,11 @@ def test_no_passes_is_said():
 def test_options_out_of_range_are_refused_by_name(options):
     with pytest.raises(SettingsError, match=next(iter(options))):
         LinkOptions(**options)
+
+
+def test_an_axis_that_leans_by_less_than_any_number_tells_leaves_the_part_as_an_upright_one_does():
+    keep = keepout((0.0, 0.0, -5.0), (10.0, 10.0, 0.0), 3.0, 5.0)
+    centre = np.array([[5.0, 5.0, 1.5], [5.0, 5.0, 1.5]])
+    axis = np.array([[0.0, 0.0, 1.0], [1e-320, -1e-320, 1.0]])
+    upright, leaning = way_out(centre, axis, keep).station
+    np.testing.assert_array_equal(leaning, upright)

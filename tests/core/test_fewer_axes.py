@@ -11,17 +11,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from mesh_shapes import field
 
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.errors import FiveAxisError, MachineError, ReachError, SettingsError
 from freecad_fiveaxis.core.kinematics import Setup, chain, forward, inverse, words_to_q
 from freecad_fiveaxis.core.machine import Axis, Machine, SafeStart, fitted_columns, load_machine, save_machine
 from freecad_fiveaxis.core.machine_sketch import ToolRoom, sketch
+from freecad_fiveaxis.core.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.nc_reader import read_nc
 from freecad_fiveaxis.core.outputs import write_outputs
 from freecad_fiveaxis.core.playback import Playback
 from freecad_fiveaxis.core.settings import build_settings
-from freecad_fiveaxis.core.trials import try_setups
+from freecad_fiveaxis.core.trials import try_machines, try_setups
 from freecad_fiveaxis.core.workshop import prove as prove_signs
 
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
@@ -177,10 +179,31 @@ def test_what_is_posted_is_read_again_by_every_controller(files, name, path, con
 
 
 def test_an_axis_out_of_reach_is_named(files):
-    with pytest.raises(ReachError, match=r"rotary limits of A do not allow.*\(0.5, 0, 0.866025\)"):
+    with pytest.raises(ReachError, match=r"A alone does not reach within its limits.*\(0.5, 0, 0.866025\)"):
         posted(files, "table_a", "aside")
     with pytest.raises(ReachError, match=r"leaning tool.*\(0, 0.5, 0.866025\).*no rotary axis.*fixed"):
         posted(files, "three", "leaning")
+
+
+def test_machines_that_cannot_cut_a_path_are_rows_of_the_comparison_that_say_why(files, tmp_path):
+    part = tmp_path / "part.stl"
+    write_stl(from_triangles(field(2, lambda x, y: -0.02 * (x * x + x * y + y * y), spacing=10.0)), part)
+    names = tuple(str(files / f"{name}.fcm") for name in ("three", "table_a")) + ("trunnion_ac",)
+    given = {"machines": names, "cures": ("none",), "stepover": 10, "cutter": "ball:6"}
+    rows = try_machines(build_settings("compare", str(part), given)).rows
+    assert [(row.machine, bool(row.problem), math.isnan(row.deviation)) for row in rows[::2]] == [
+        (names[0], True, True), (names[1], True, True), (names[2], False, False)
+    ]  # fmt: skip
+    assert "three has no rotary axis" in rows[0].problem and "A alone does not reach" in rows[2].problem
+    with pytest.raises(SettingsError, match="three has no rotary axis"):
+        try_machines(build_settings("compare", str(part), given | {"machines": names[:1]}))
+
+
+def test_a_comparison_takes_a_cl_path_that_the_first_machine_cannot_drive(files):
+    names = tuple(str(files / f"{name}.fcm") for name in ("three", "table_a"))
+    given = {"machines": names, "cures": ("none",)}
+    rows = try_machines(build_settings("compare", str(files / "leaning.apt"), given)).rows
+    assert ["no rotary axis" in row.problem for row in rows] == [True, True, False, False]
 
 
 def test_tool_axes_printed_with_four_decimals_are_within_reach(files):

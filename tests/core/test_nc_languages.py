@@ -319,6 +319,17 @@ def test_the_last_line_of_a_heidenhain_iso_program_is_its_name_once_more() -> No
     assert read(text, "heidenhain").words[:, 0].tolist() == [0, 5]
 
 
+@pytest.mark.parametrize(
+    ("first", "scale", "said"),
+    [("%123 G71 *", 1.0, True), ("% part1 G70*", 25.4, True), ("\n%G70 G70 *", 25.4, True), ("%G70 *", 1.0, False)],
+)
+def test_the_first_line_of_a_heidenhain_iso_program_says_its_unit(first: str, scale: float, said: bool) -> None:
+    """A name may look like the unit's word where it begins right after the %."""
+    program = read(f"{first}\nN10 G00 G90 X+0 Y+0 Z+0 A+0 C+0*\nN20 G01 X+5 A+3 F100*\nN9999 {first.strip()}\n", "heidenhain")
+    np.testing.assert_allclose(program.words[1, [0, 3, 4]], [5 * scale, 0, 3])
+    assert ("units-not-said" in codes_of(program)) is not said
+
+
 @pytest.mark.parametrize("line", ["M66E0L0", "M66 P0 L0", "M3 $0 S1", "(a (nested (twice)) comment X9)"])
 def test_lines_of_linuxcnc_that_are_no_moves_are_read_without_a_word(line: str) -> None:
     program = read(f"G21 G90 G94 F100\nG0 X0 Y0 Z0 A0 C0\n{line}\nG1 X5\n", "linuxcnc")

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 
+import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, step
 
@@ -15,7 +16,9 @@ MILL = [sys.executable, "-W", "error", "-m", "freecad_fiveaxis", "mill"]
 
 
 @pytest.mark.parametrize(
-    "given", ["--clearance 1e-320", "--coedge-tolerance 1e-320", "--scallop 1e-9", "--stepover 1e-4", "--scallop 1e-320"]
+    "given",
+    ["--clearance 1e-320", "--coedge-tolerance 1e-320", "--scallop 1e-9", "--stepover 1e-4", "--scallop 1e-320"]
+    + ["--tolerance 1e-320", "--tolerance 1e-30", "--least-interval 1e-45"],
 )
 def test_an_option_that_is_too_small_is_refused_in_one_line(given, tmp_path):
     part, out = tmp_path / "part.stl", tmp_path / "part.ngc"
@@ -25,6 +28,22 @@ def test_an_option_that_is_too_small_is_refused_in_one_line(given, tmp_path):
     done = subprocess.run(words, capture_output=True, text=True, timeout=30)
     assert done.returncode == 2 and len(done.stderr.splitlines()) == 1 and not out.exists(), done.stderr
     assert "give a larger" in done.stderr or "at least" in done.stderr, done.stderr
+
+
+@pytest.mark.parametrize("size", [1e-40, 1e-20, 1e-8])
+def test_a_part_that_is_smaller_than_any_is_refused_with_its_size(size, tmp_path):
+    """Its facets' areas are no numbers any more; a pass of them would be divided without end."""
+    part, out = tmp_path / "part.stl", tmp_path / "part.ngc"
+    corners = size * np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0.5]], [[1, 0, 0], [1, 1, 0], [0, 1, 0.5]]])
+    lines = [
+        f"facet normal 0 0 0\nouter loop\n{''.join(f'vertex {x} {y} {z}' + chr(10) for x, y, z in facet)}endloop\nendfacet"
+        for facet in corners
+    ]
+    part.write_text("\n".join(["solid part", *lines, "endsolid part"]))
+    words = [*MILL, part, "--machine", "trunnion_ac", "--scallop", "1e-6", "--least-interval", "1e-6", "-o", out, "--quiet"]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=30)
+    assert done.returncode == 2 and len(done.stderr.splitlines()) == 1 and not out.exists(), done.stderr
+    assert f"the whole part is {size:.4g} mm long" in done.stderr and "check the units" in done.stderr
 
 
 @pytest.mark.slow

@@ -12,11 +12,13 @@ from uncured import UNCURED
 
 from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.apt import write_apt
+from freecad_fiveaxis.core.apt.head import of_cl_file
 from freecad_fiveaxis.core.coedge import trimming
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.gouge import Entries, GougeCheck, body_of, program_course
 from freecad_fiveaxis.core.mesh import from_faces
 from freecad_fiveaxis.core.report import Light, as_html, as_json, as_text, html_page, summary, verdict
+from freecad_fiveaxis.core.sentences import say
 from freecad_fiveaxis.core.settings import build_settings
 
 MACHINE = {"machine": "trunnion_ac", "stepover": 3}
@@ -138,6 +140,14 @@ def test_what_is_open_is_amber_and_what_is_wrong_is_red_whatever_else_is_said():
     assert told(table2()).text == "NOT SAFE: 1 of 1 feed blocks leaves the path by up to 2.13 mm, 0.01 mm allowed (NC line 4)."
     assert told(by_hand(0.0301)).light is Light.AMBER and "not proven in 1 of 5" in told(by_hand(0.0301)).text
     assert "nothing is proven" in told(empty()).text
+
+
+def test_what_stands_in_parentheses_or_after_the_name_of_another_file_ends_no_clause():
+    arc = found(Severity.ERROR, "arc", "An arc does not fit (line 5: off by 50 mm, radius 50 mm); the path goes straight there.")
+    assert told(calm(findings=(arc,))).text == "NOT SAFE: an arc does not fit (line 5: off by 50 mm, radius 50 mm)."
+    of_cl = of_cl_file(found(Severity.ERROR, "several-tools", say("The file changes tools: choose one."), line=11))
+    assert of_cl.text == "CL file, line 11: The file changes tools: choose one."
+    assert told(calm(findings=(of_cl,))).text == "NOT SAFE: the file changes tools."
 
 
 def test_errors_are_named_by_what_they_do_to_the_part_and_counted_beyond_three():

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import io
 import json
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -115,11 +116,15 @@ def _ini(path: Path) -> object:
 
 def _command(path: Path) -> object:
     words = path.read_bytes().decode("utf-8", "surrogateescape").split("\n")
+    here = Path.cwd()
+    os.chdir(path.parent)  # for a spoilt name of an output has no folder of its own
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said:
         try:
             code = main([str(path.parent / word) if "." in word and not word.startswith("-") else word for word in words])
         except SystemExit as left:  # argparse
             code = left.code
+        finally:
+            os.chdir(here)
     if code not in (0, 1, 2):
         raise AssertionError(f"exit code {code}: {said.getvalue()}")
     return code

@@ -124,7 +124,10 @@ def test_a_value_that_cannot_be_used_says_why_in_place(panel, doc, panel_button,
     panel.options.fields["tolerance"].edited.emit()
     pump(100)
     error = shown("tolerance_error")
-    assert error.isVisible() and error.text() == "Tolerance 0 mm is out of range; it must be above 0 mm and at most 1000000 mm"
+    assert (
+        error.isVisible()
+        and error.text() == "Tolerance 0 mm is out of range; it must be at least 1e-06 mm and at most 1000000 mm"
+    )
     assert "#d0342c" in error.styleSheet()
     screenshot("panel_error")
     panel_button("OK")

@@ -65,7 +65,7 @@ def way_out(centre: Floats, axis: Floats, keep: Keepout) -> WayOut:
 
 def _reach_out(centre: Floats, axis: Floats, keep: Keepout) -> Floats:
     """How far along the axis the last point inside the keep-out lies, mm (0 where the ray is outside already): slab test."""
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # an axis may lean by less than any number tells
         near, far = (keep.low - centre) / axis, (keep.high - centre) / axis
     level = axis == 0.0
     inside = (centre > keep.low) & (centre < keep.high)

@@ -36,12 +36,14 @@ NO_RATES = (math.nan,) * 5
 
 @dataclass(frozen=True, eq=False)
 class Station:
-    """``links``: the machine in its setup. ``name`` as it stands in the table."""
+    """``links``: the machine in its setup. ``name`` as it stands in the table. ``refused``: why the machine cannot do what is
+    asked for at all, or empty."""
 
     name: str
     machine: Machine
     links: Chain
     posting: Posting
+    refused: str = ""
 
 
 Cure = Callable[[CLPath, Station, Progress], JointPath]
@@ -71,9 +73,9 @@ class Row:
     problem: str = ""
 
 
-def station(machine: Machine, setup: Setup, posting: Posting, name: str = "") -> Station:
+def station(machine: Machine, setup: Setup, posting: Posting, name: str = "", refused: str = "") -> Station:
     """A machine with the part clamped in ``setup``. Raises MachineError for a chain without a solution."""
-    return Station(name or machine.name, machine, chain(machine, setup), posting)
+    return Station(name or machine.name, machine, chain(machine, setup), posting, refused)
 
 
 def solved(path: CLPath, where: Station, progress: Progress = silent) -> JointPath:
@@ -127,6 +129,8 @@ class Share:
 
 def _rows(path: CLPath, where: Station, name: str, cure: Cure, guided: Sequence[bool], progress: Progress) -> list[Row]:
     letters = where.links.letters
+    if where.refused:
+        return [Row(where.name, name, one, letters, problem=where.refused) for one in guided]
     try:
         joints = cure(path, where, progress)
         program = build_program(joints, where.links, where.posting.dialect, where.posting.inverse_time)

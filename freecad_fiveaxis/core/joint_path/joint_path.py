@@ -171,17 +171,17 @@ def _reachable(links: Chain, path: CLPath, angles: Floats, pole: Bools) -> Bools
         lost = lost[~pole[lost]] if not pole[lost].all() else lost  # a pole row only shares the fate of its neighbour
         x, y, z = path.tip[lost[0]]
         i, j, k = path.axis[lost[0]]
-        if not fitted_columns(links.letters)[3:]:
-            raise ReachError(
-                _no_rotary_axis(len(lost), len(path.tip), path.tip[lost[0]], path.axis[lost[0]]), (float(i), float(j), float(k))
-            )
+        letters = "".join(links.letters[column] for column in fitted_columns(links.letters)[3:])
+        if len(letters) < 2:
+            text = _too_few_axes(letters, len(lost), len(path.tip), path.tip[lost[0]], path.axis[lost[0]])
+            raise ReachError(text, (float(i), float(j), float(k)))
         raise ReachError(
             say(
                 "{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, the "
                 "first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another machine",
                 count=len(lost),
                 all=len(path.tip),
-                letters="".join(links.letters[column] for column in fitted_columns(links.letters)[3:]),
+                letters=letters,
                 axis=f"({i:.6g}, {j:.6g}, {k:.6g})",
                 place=Point((x, y, z), ".6g", bare=True),
                 max_axis_angle=Option("max_axis_angle"),
@@ -191,16 +191,21 @@ def _reachable(links: Chain, path: CLPath, angles: Floats, pole: Bools) -> Bools
     return fits
 
 
-def _no_rotary_axis(count: int, all_rows: int, tip: Floats, axis: Floats) -> str:
+def _too_few_axes(letter: str, count: int, all_rows: int, tip: Floats, axis: Floats) -> str:
     i, j, k = axis.tolist()
+    given = {"count": count, "all": all_rows, "axis": f"({i:.6g}, {j:.6g}, {k:.6g})", "fixed": Choice("tool_axis", ("fixed",))}
+    given["place"] = Point(tuple(tip.tolist()), ".6g", bare=True)
+    if letter:
+        return say(
+            "{count} of {all} points need a tool axis that {letter} alone does not reach within its limits, the first is {axis} "
+            "at {place}: keep the tool axis along Z ({fixed}), widen the limits or take a machine with two rotary axes",
+            letter=letter,
+            **given,
+        )
     return say(
         "{count} of {all} points need a leaning tool, the first is {axis} at {place}, and this machine has no rotary axis: keep "
         "the tool axis along Z ({fixed}) or take another machine",
-        count=count,
-        all=all_rows,
-        axis=f"({i:.6g}, {j:.6g}, {k:.6g})",
-        fixed=Choice("tool_axis", ("fixed",)),
-        place=Point(tuple(tip.tolist()), ".6g", bare=True),
+        **given,
     )
 
 

@@ -33,6 +33,7 @@ from .words import T, Words
 S = TypeVar("S", np.float64, np.int64)
 
 LARGEST = 1e6  # mm; no machine reaches a kilometre, so the units are wrong
+LEAST = 1e-6  # mm; a part that is smaller is a slip of the units too, and squares of its sides would be no numbers
 FLAT = 2.0**-50  # height of a facet over the part's largest coordinate where the coordinates' own rounding (2**-53) makes it up
 HOLLOW = 1e-12  # volume over that of the box around the part where its sign is rounding
 
@@ -67,7 +68,7 @@ def from_triangles(corners: ArrayLike) -> Mesh:
     """Weld loose triangles into a mesh.
 
     ``corners`` (f, 3, 3) mm: facet, corner, x y z; float32 or float64. Raises MeshError for zero facets, coordinates
-    that are not finite or beyond ``LARGEST``, and where no facet has an area.
+    that are not finite or beyond ``LARGEST``, all of them within ``LEAST``, and where no facet has an area.
     """
     array = _numbers(corners, say("triangle corners"), (3, 3))
     column = np.empty((3, 3, len(array)), dtype=np.float32 if array.dtype == np.float32 else np.float64)
@@ -142,10 +143,12 @@ def _numbers(given: ArrayLike, what: str, row: tuple[int, ...]) -> NDArray[Any]:
 
 
 def _range(column: Reals, rows: int, what: str) -> tuple[Reals, Reals]:
-    """Least and largest of each of the three columns, or MeshError where one holds a coordinate that no part can have."""
+    """Least and largest of each of the three columns, or MeshError where one holds a coordinate that no part can have, or all
+    of them together a size that none has."""
     with np.errstate(invalid="ignore"):
         low, high = column.min(axis=1), column.max(axis=1)
         if np.maximum(-low, high).max() <= LARGEST:  # no NaN: it would come out of all three
+            _check_size(float((high - low).max()))
             return low, high
         axis, entry = (int(i[0]) for i in np.nonzero(~(np.abs(column) <= LARGEST)))
     value = float(column[axis, entry])
@@ -168,6 +171,19 @@ def _range(column: Reals, rows: int, what: str) -> tuple[Reals, Reals]:
         ),
         value,
     )
+
+
+def _check_size(size: float) -> None:
+    """Raise MeshError for a part that is ``size`` mm long, less than any; where it is but a point, no facet has an area."""
+    if 0.0 < size < LEAST:
+        raise MeshError(
+            say(
+                "the whole part is {size} long, and none is less than {least}: check the units of the export",
+                size=Length(size, ".4g"),
+                least=Length(LEAST),
+            ),
+            size,
+        )
 
 
 # ------------------------------------------------------------------------------------------------ facets

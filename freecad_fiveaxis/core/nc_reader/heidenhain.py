@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Heidenhain conversational text (klartext) to plain words (User's manual Klartext programming).
 
+% NAME G71   begin and end of a program in DIN/ISO, with its unit.
 12 L X+1 IY-2 A+3 R0 F500 M3   a block number, the function L, words, I for an incremental one, radius compensation, F, M.
 FMAX   rapid, in its block alone.      LN ... TX TY TZ   with the tool's direction.      CC, C, CR   centre, arc, arc by radius.
 TOOL CALL, CYCL DEF, FUNCTION ...      lines of words: known and harmless, known and not interpreted, or unknown.
@@ -27,6 +28,8 @@ CENTRE = re.compile(rb"^( *)CC\b([^\n]*)$", re.MULTILINE)
 SENSE = re.compile(rb"DR *([-+])")
 NO_RADIUS = re.compile(rb"(?<![A-Z0-9.])R0(?![0-9.])")
 SIDE = re.compile(rb"(?<![A-Z])R([LR])(?![A-Z])")
+FIRST_LINE = re.compile(rb"\s*%[^\n]*?\s+G7([01])(?![0-9.])")
+"""The begin of a DIN/ISO program: its name, and its unit: G70 is inch, G71 mm (User's manual DIN/ISO programming)."""
 LAST_LINE = re.compile(rb"^ *N[0-9]+ *%[^\n]*", re.MULTILINE)
 """The end of a DIN/ISO program: its name once more."""
 RETRACT = re.compile(rb"M140 *MB *(?:MAX|[-+]?[0-9.]+)(?: +F *(?:MAX|[0-9.]+))?")
@@ -74,6 +77,15 @@ def plain(text: bytes, notes: Notes) -> bytes:
         text = PARAMETER.sub(lambda found: _noted(found, codes.MACRO, notes), text)
     text = _words(text, notes).replace(b" L ", b" G1").replace(b" LN ", b" G1 ")
     return LINE.sub(rb"\1G1", text) if b"L" in text else text
+
+
+def with_unit(whole: bytes, text: bytes) -> bytes:
+    """``text``, of which the first line of ``whole`` has been blanked, with the unit that this line says."""
+    found = FIRST_LINE.match(whole)
+    if found is None:
+        return text
+    at = found.start(1) - 2
+    return text[:at] + (b"G20" if found[1] == b"0" else b"G21") + text[at + 3 :]
 
 
 def _words(text: bytes, notes: Notes) -> bytes:

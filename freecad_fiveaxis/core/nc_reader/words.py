@@ -171,7 +171,10 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
     if forms:
         text = re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text)
     findings: list[Finding] = []
-    text = _between_marks(text.translate(CLEAN), findings)
+    whole = text.translate(CLEAN)
+    text = _between_marks(whole, findings)
+    if language == "heidenhain":
+        text = heidenhain.with_unit(whole, text)
     source = None
     if language == "siemens" and siemens_run.marked(text):
         text = siemens.without_strings(text)

@@ -32,7 +32,7 @@ ONE_PROGRAM = (MILL, POST, AUDIT)
 LONGEST = 1e6
 """mm; a length, a coordinate or a number of a vector beyond this is a slip of the pen."""
 SMALLEST = 1e-6
-"""mm; a tolerance below this is less than any rounding of words, and would divide without end."""
+"""mm; a tolerance or an interval below this is less than any rounding of words, and would divide without end."""
 NEAREST = 1e-3
 """mm; no clearance is less than the step of a machine."""
 FARTHEST = 1e4
@@ -67,12 +67,14 @@ class PassSettings:
 
     direction: float = option(0.0, "angle", "travel direction of the passes, counter-clockwise from X")
     scallop: float | None = option(
-        None, "length", "largest scallop left between passes [0.01 where no stepover is given]", above=0, most=LONGEST
+        None, "length", "largest scallop left between passes [0.01 where no stepover is given]", least=SMALLEST, most=LONGEST
     )
     stepover: float | None = option(
-        None, "length", "constant distance of the planes, instead of a scallop", above=0, most=LONGEST
+        None, "length", "constant distance of the planes, instead of a scallop", least=SMALLEST, most=LONGEST
     )
-    least_interval: float = option(0.05, "length", "planes never come closer than this (steep walls)", above=0, most=LONGEST)
+    least_interval: float = option(
+        0.05, "length", "planes never come closer than this (steep walls)", least=SMALLEST, most=LONGEST
+    )
     max_axis_angle: float = option(
         math.pi / 2, "angle", "facets steeper than this are left out", above=0, most=math.pi / 2 + 1e-9
     )
@@ -237,8 +239,9 @@ class ProofSettings:
     """What is proven of every block."""
 
     tolerance: float = option(
-        0.01, "length", "largest deviation of the tip from the commanded segment", (*FROM_PATH, AUDIT), above=0, most=LONGEST
-    )
+        0.01, "length", "largest deviation of the tip from the commanded segment", (*FROM_PATH, AUDIT),
+        least=SMALLEST, most=LONGEST,
+    )  # fmt: skip
     method: Literal["exact", "so2008", "so2008-printed"] = option(
         "exact", "choice", "line deviation: exact, or the model of So et al. 2008", ONE_PROGRAM,
         choices=("exact", "so2008", "so2008-printed"),
