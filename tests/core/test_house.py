@@ -15,7 +15,7 @@ CORE = ROOT / "freecad_fiveaxis" / "core"
 FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySide2", "PySide6", "pivy", "Path")
 MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
 STREET = [  # rooms and single modules of the core; imports only point up this list
-    "sentences", "errors", "findings", "portions", "records", "progress", "quantity", "signals", "memory", "files", "number_text", "machine",
+    "sentences", "errors", "findings", "portions", "records", "progress", "quantity", "ranges", "signals", "memory", "files", "number_text", "machine",
     "kinematics", "mesh",
     "passes", "cutter", "coedge", "tool_axis", "feasible", "seating", "cl_path", "apt", "trajectory", "deviation",
     "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces", "part_size",
