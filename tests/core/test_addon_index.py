@@ -20,7 +20,9 @@ WIDEST = 1024
 """Pixels: the Addon Manager's page is 400 to 600 wide, and wider pictures scroll sideways."""
 KNOWN_TO_ALL = {"part", "mesh", "draft", "fem", "partdesign", "sketcher", "spreadsheet", "techdraw"}
 """FreeCAD's own workbenches that the Addon Managers of 0.20 to 1.1 know; 0.20 takes any other name for a Python package."""
-PAGES = [ROOT / name for name in ("README.md", "Overview.md")] + sorted((ROOT / "docs").rglob("*.md"))
+PAGES = [ROOT / name for name in ("README.md", "Overview.md", "CONTRIBUTING.md", "SECURITY.md")] + sorted(
+    (ROOT / "docs").rglob("*.md")
+)
 PICTURE, LINK = re.compile(r"!\[[^\]]*\]\(([^)\s]+)\)"), re.compile(r"(?<!!)\[[^\]]*\]\(([^)\s]+)\)")
 
 
@@ -109,3 +111,19 @@ def test_pictures_fit_the_page(picture):
     assert head[:8] == b"\x89PNG\r\n\x1a\n", "PNG is sharp, and FreeCAD's Qt can always read it"
     assert struct.unpack(">I", head[16:20])[0] <= WIDEST
     assert picture.name == picture.name.lower() and "_" not in picture.name
+
+
+def test_what_is_tested_elsewhere_is_what_the_package_promises():
+    """Every Python of the classifiers on three systems, and the oldest numpy and scipy."""
+    promised, tried = ((ROOT / name).read_text(encoding="utf-8") for name in ("pyproject.toml", ".github/workflows/core.yml"))
+    pythons = re.findall(r"Python :: (3\.\d+)", promised)
+    assert re.findall(r'"(3\.\d+)"', re.search(r"^ +python: \[(.+)\]$", tried, re.MULTILINE)[1]) == pythons
+    assert re.search(r"^ +os: \[(.+)\]$", tried, re.MULTILINE)[1] == "ubuntu-latest, windows-latest, macos-latest"
+    oldest = [f"{name}=={version}.*" for name, version in re.findall(r'"(numpy|scipy)>=([\d.]+)"', promised)]
+    assert len(oldest) == 2 and tried.count(" ".join(oldest)) == 3
+
+
+def test_no_system_changes_the_line_ends():
+    assert "* -text" in (ROOT / ".gitattributes").read_text().splitlines()
+    scripts = [path for folder in ("scripts", ".ci") for path in (ROOT / folder).iterdir() if path.is_file()]
+    assert len(scripts) > 4 and not [path for path in scripts if b"\r" in path.read_bytes()]

@@ -40,7 +40,7 @@ def test_the_block_would_be_noticed():
 
 def imports_of(path):
     """The files of the core that a file imports, relative or not."""
-    for node in ast.walk(ast.parse(path.read_text())):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
             if node.level:
                 base = path.parents[node.level - 1].joinpath(*(node.module or "").split("."))
@@ -96,7 +96,9 @@ def test_every_file_names_its_licence():
         if not {".venv", ".cache", "out", "build"} & set(path.parts)
     ]
     assert len(files) > 40
-    assert not [str(path) for path in files if "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text()[:200]]
+    assert not [
+        str(path) for path in files if "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text(encoding="utf-8")[:200]
+    ]
 
 
 @pytest.mark.parametrize("tag", ["name", "version", "date", "description", "maintainer", "license", "icon", "content", "depend"])
@@ -118,7 +120,7 @@ def test_the_version_is_the_same_wherever_it_stands():
 
 def told_versions():
     """The versions that the changelog tells of, and the next ones where something unreleased stands above them."""
-    heads = re.findall(r"^## \[(.+?)\]", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+    heads = re.findall(r"^## \[(.+?)\]", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
     if heads[0] != "Unreleased":
         return heads[:1]
     major, minor, patch = (int(part) for part in heads[1].split("."))

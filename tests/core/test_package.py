@@ -125,7 +125,7 @@ def test_every_module_of_the_core_is_imported_from_the_wheel(scripts, tmp_path):
     names = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in (PACKAGE / "core").rglob("*.py")]
     modules = "".join(f"import {name.removesuffix('.__init__')}\n" for name in names)
     done = run(scripts / "python", "-c", f"{modules}import freecad_fiveaxis\nprint(freecad_fiveaxis.__file__)", cwd=tmp_path)
-    assert Path(done.stdout.strip()).is_relative_to(scripts.parent)
+    assert Path(done.stdout.strip()).resolve().is_relative_to(scripts.parent.resolve())
 
 
 @builds
