@@ -70,4 +70,4 @@ bench:
 	$(PYTHON) benchmarks/run.py
 
 clean:
-	rm -rf out build .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf out build dist *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis
