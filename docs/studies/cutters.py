@@ -72,7 +72,7 @@ def main() -> None:
     stand(axes[1, 2], "flat:10:16", 15.0, "flat, lead 15 deg")
     stand(axes[1, 3], "flat:10:16", -15.0, "flat, lead -15 deg: touches behind")
     stand(axes[1, 4], "taperball:6:8deg:16", 30.0, "taper ball, lead 30 deg")
-    figure.savefig(PICTURE, dpi=110, metadata={"Software": None})
+    figure.savefig(PICTURE, dpi=85, metadata={"Software": None})
 
 
 if __name__ == "__main__":

@@ -91,7 +91,7 @@ def main() -> None:
             },
         )
     legend(panels["legend"], scale)
-    figure.savefig(PICTURE, dpi=110)
+    figure.savefig(PICTURE, dpi=97)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.coedge import ROW_COLUMNS, OffsetPath
-from freecad_fiveaxis.core.cutter import Cutter, ring_direction
+from freecad_fiveaxis.core.cutter import Cutter
+from freecad_fiveaxis.core.cutter.contact import ring_direction
 from freecad_fiveaxis.core.mesh import Mesh
 from freecad_fiveaxis.core.passes import CREASE, facet_curvature, turned_along
 from freecad_fiveaxis.core.sentences import Length, say

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 from collections.abc import Iterator
@@ -13,6 +14,9 @@ from freecad_fiveaxis.core.sentences import say
 
 from .errors import FileError
 from .progress import Progress, silent
+
+GONE = (errno.EPIPE, errno.EINVAL) if sys.platform == "win32" else (errno.EPIPE,)
+"""How a system says that the reader of a pipe has gone away; Windows takes it for an invalid argument."""
 
 
 def show(text: str, stream: TextIO | None) -> None:
@@ -25,10 +29,10 @@ def show(text: str, stream: TextIO | None) -> None:
     encoding = getattr(stream, "encoding", None) or "utf-8"
     try:
         print(text.encode(encoding, "backslashreplace").decode(encoding), file=stream, flush=True)
-    except BrokenPipeError:
-        _silence(stream)
     except OSError as error:
         _silence(stream)
+        if isinstance(error, BrokenPipeError) or error.errno in GONE:
+            return
         raise FileError(say("the text cannot be shown: {strerror}", strerror=error.strerror or error), text) from error
 
 

@@ -2,6 +2,8 @@
 """The public face: exit codes, messages, files. Small parts; the numbers are proven in the modules' own tests."""
 
 import csv
+import errno
+import io
 import json
 import os
 import struct
@@ -11,8 +13,8 @@ import sys
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import cli, job
-from freecad_fiveaxis.core.errors import Cancelled
+from freecad_fiveaxis.core import cli, job, terminal
+from freecad_fiveaxis.core.errors import Cancelled, FileError
 from freecad_fiveaxis.core.machine import shipped_machines
 from freecad_fiveaxis.core.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.settings import build_settings
@@ -284,6 +286,17 @@ def test_a_reader_that_goes_away_does_not_change_the_exit_code(tmp_path):
     with os.fdopen(writer, "w") as gone:
         done = program("audit", tmp_path / "t2.ngc", "--machine", "mikron_ucp710", stdout=gone)
     assert (done.returncode, done.stderr) == (cli.DONE_WITH_ERRORS, b"")
+
+
+def test_a_reader_that_goes_away_on_windows_is_an_invalid_argument(monkeypatch):
+    class Gone(io.StringIO):
+        def write(self, text):
+            raise OSError(errno.EINVAL, "Invalid argument")
+
+    with pytest.raises(FileError, match="cannot be shown"):
+        terminal.show("text", Gone())
+    monkeypatch.setattr(terminal, "GONE", (errno.EPIPE, errno.EINVAL))
+    terminal.show("text", Gone())
 
 
 STOP_AT = """

@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 from cutter_body import body, meridian, placed, support
 
-from freecad_fiveaxis.core.cutter import Cutter, cutter_name, cutter_text, parse_cutter, ring_direction, width_at
+from freecad_fiveaxis.core.cutter import Cutter, cutter_name, cutter_text, parse_cutter
+from freecad_fiveaxis.core.cutter.contact import ring_direction
+from freecad_fiveaxis.core.cutter.shadow import width_at
 from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.tool_axis import leaned
 

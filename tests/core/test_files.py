@@ -15,6 +15,7 @@ def test_a_file_is_written_whole_and_nothing_stays_beside_it(tmp_path):
     assert os.listdir(tmp_path) == ["part.ngc"]
 
 
+@pytest.mark.skipif(os.name != "posix", reason="modes of POSIX")
 def test_a_new_file_may_be_read_by_others_as_the_umask_says(tmp_path):
     old = os.umask(0o022)
     try:

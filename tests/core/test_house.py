@@ -2,6 +2,7 @@
 """The house rules that a tool can check: what the core may import, in which order, and that every file names its licence."""
 
 import ast
+import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
@@ -14,7 +15,7 @@ CORE = ROOT / "freecad_fiveaxis" / "core"
 FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySide2", "PySide6", "pivy", "Path")
 MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
 STREET = [  # rooms and single modules of the core; imports only point up this list
-    "sentences", "errors", "findings", "portions", "records", "progress", "quantity", "signals", "memory", "files", "number_text", "machine",
+    "sentences", "errors", "findings", "portions", "records", "progress", "quantity", "ranges", "signals", "memory", "files", "number_text", "machine",
     "kinematics", "mesh",
     "passes", "cutter", "coedge", "tool_axis", "feasible", "seating", "cl_path", "apt", "trajectory", "deviation",
     "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces", "part_size",
@@ -39,7 +40,7 @@ def test_the_block_would_be_noticed():
 
 def imports_of(path):
     """The files of the core that a file imports, relative or not."""
-    for node in ast.walk(ast.parse(path.read_text())):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
             if node.level:
                 base = path.parents[node.level - 1].joinpath(*(node.module or "").split("."))
@@ -95,7 +96,9 @@ def test_every_file_names_its_licence():
         if not {".venv", ".cache", "out", "build"} & set(path.parts)
     ]
     assert len(files) > 40
-    assert not [str(path) for path in files if "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text()[:200]]
+    assert not [
+        str(path) for path in files if "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text(encoding="utf-8")[:200]
+    ]
 
 
 @pytest.mark.parametrize("tag", ["name", "version", "date", "description", "maintainer", "license", "icon", "content", "depend"])
@@ -112,4 +115,13 @@ def test_the_version_is_the_same_wherever_it_stands():
     space = "{https://wiki.freecad.org/Package_Metadata}"
     assert ET.parse(ROOT / "package.xml").getroot().findtext(space + "version") == __version__
     assert f'version = "{__version__}"' in (ROOT / "pyproject.toml").read_text()
-    assert f"## [{__version__}]" in (ROOT / "CHANGELOG.md").read_text()
+    assert __version__ in told_versions()
+
+
+def told_versions():
+    """The versions that the changelog tells of, and the next ones where something unreleased stands above them."""
+    heads = re.findall(r"^## \[(.+?)\]", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
+    if heads[0] != "Unreleased":
+        return heads[:1]
+    major, minor, patch = (int(part) for part in heads[1].split("."))
+    return [heads[1], f"{major}.{minor}.{patch + 1}", f"{major}.{minor + 1}.0", f"{major + 1}.0.0"]

@@ -13,6 +13,8 @@ from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.mesh import from_faces, read_stl
 from freecad_fiveaxis.core.passes import slice_mesh, slicing
 
+linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits and page faults as Linux tells them")
+
 FAULTS = """
 import resource, sys
 import numpy as np
@@ -35,6 +37,7 @@ def new_pages(mode: str) -> int:
     return int(done.stdout)
 
 
+@linux
 def test_a_freed_column_is_used_again() -> None:
     assert new_pages("keep") < new_pages("leave") / 10
 
@@ -47,6 +50,7 @@ sys.exit(main(["mill", sys.argv[1], "--machine", "trunnion_ac", "-o", sys.argv[2
 """
 
 
+@linux
 def test_ten_million_facets_under_two_gigabytes_are_refused_before_they_are_read(tmp_path) -> None:
     part, out = tmp_path / "part.stl", tmp_path / "part.ngc"
     with open(part, "wb") as file:
@@ -58,6 +62,7 @@ def test_ten_million_facets_under_two_gigabytes_are_refused_before_they_are_read
     assert "coarser" in done.stderr and len(done.stderr.splitlines()) == 1 and not out.exists()
 
 
+@linux
 def test_free_memory_is_what_the_limit_of_the_process_leaves() -> None:
     code = (
         "import resource\nfrom freecad_fiveaxis.core.memory import free_memory\nbefore = free_memory()\n"

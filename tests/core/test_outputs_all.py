@@ -140,6 +140,7 @@ def test_what_may_not_be_replaced_is_refused_by_name(tmp_path, act):
     assert read_only.read_bytes() == b"old" and len(os.listdir(tmp_path)) == 5
 
 
+@pytest.mark.skipif(os.name == "nt", reason="a whole path may be no longer there")
 def test_a_name_as_long_as_a_name_can_be_is_written(tmp_path):
     target = tmp_path / ("n" * 251 + ".ngc")
     check_writable(target)

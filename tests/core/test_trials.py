@@ -66,7 +66,7 @@ def test_every_report_is_written_and_its_inputs_are_a_job_file(task, part, tmp_p
     words = ("--machine", "trunnion_ac", *QUICK, *(SMALL if task == "setup" else ()), "--quiet")
     assert run(task, part, *words, *(word for name in names for word in ("--report", name))) == cli.DONE
     record = json.loads(names[0].read_text())
-    assert record["inputs"]["task"] == task and names[1].read_text().startswith("<!DOCTYPE html>")
+    assert record["inputs"]["task"] == task and names[1].read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
     again = tmp_path / "again.json"
     (tmp_path / "job.json").write_text(json.dumps(record["inputs"] | {"report": str(again)}))
     assert run("run", tmp_path / "job.json", "--quiet") == cli.DONE

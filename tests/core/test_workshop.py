@@ -41,7 +41,7 @@ def test_a_posted_path_gives_the_machine_back(files, tmp_path, capsys):
     record = json.loads(report.read_text())
     assert record["layout"]["kind"] == "head-table" and len(record["parameters"]) == 9 and not record["others"]
     assert record["points"]["B"] == pytest.approx([0, 0, 120], abs=1e-4)
-    assert "certain within" in (tmp_path / "r.html").read_text()
+    assert "certain within" in (tmp_path / "r.html").read_text(encoding="utf-8")
     assert found.name == "m" and "cap.apt and cap.ngc" in found.description
 
 
@@ -88,7 +88,7 @@ def test_prove_signs_writes_a_program_and_a_sheet(controller, tmp_path, capsys):
     nc, sheet = tmp_path / "p.ngc", tmp_path / "sheet.html"
     words = ("--machine", "trunnion_bc", "--controller", controller, "--origin", "0,0,20", "--mark", "40,25,10", "--tool", "7")
     assert run("prove-signs", *words, "-o", nc, "--report", sheet, "--report", tmp_path / "s.json") == cli.DONE
-    assert "stop 8" in capsys.readouterr().out and "Proving the signs" in sheet.read_text()
+    assert "stop 8" in capsys.readouterr().out and "Proving the signs" in sheet.read_text(encoding="utf-8")
     record = json.loads((tmp_path / "s.json").read_text())
     links = milled("trunnion_bc", stepover=12.0, rings=8).links
     program = read_nc(nc.read_bytes(), links)

@@ -4,6 +4,7 @@
 import os
 import sys
 import time
+import unittest
 
 import FreeCAD
 import pytest
@@ -26,6 +27,17 @@ def test_starting_up_imported_neither_the_core_nor_numpy():
     assert loaded
     heavy = ("numpy", "scipy", "freecad_fiveaxis.core", "freecad_fiveaxis.app.results")
     assert not [name for name in sorted(loaded) if name.startswith(heavy)]
+
+
+def test_freecads_test_workbench_knows_our_tests_and_loads_them_late():
+    name = "freecad_fiveaxis.app.self_test"
+    assert FreeCAD.__unit_test__.count(name) == 1
+    assert name not in FreeCAD.fiveaxis_modules_at_start
+    outcome = unittest.TestResult()
+    unittest.defaultTestLoader.loadTestsFromName(f"{name}.SelfTest").run(outcome)
+    assert outcome.testsRun >= 2 and outcome.wasSuccessful(), outcome.failures + outcome.errors
+    every = unittest.defaultTestLoader.loadTestsFromName(name)
+    assert every.countTestCases() >= outcome.testsRun + 20, "one case for each file in tests/app"
 
 
 @in_window

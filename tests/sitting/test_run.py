@@ -60,7 +60,7 @@ def test_a_broken_add_on_fails_where_a_user_would_meet_it(kind, tmp_path):
     at = text.index(after) + after.index('"""\n') + 4
     path.write_text(text[:at] + line + text[at:])
     done = subprocess.run(
-        [tmp_path / "copy/tests/sitting/run", "short"], capture_output=True, text=True, timeout=200, check=False
+        ["bash", tmp_path / "copy/tests/sitting/run", "short"], capture_output=True, text=True, timeout=200, check=False
     )  # fmt: skip
     assert done.returncode == 1, done.stdout
     steps = re.findall(r"^sitting: (.*?) +\d+ clicks", done.stdout, re.MULTILINE)
@@ -71,7 +71,9 @@ def test_a_broken_add_on_fails_where_a_user_would_meet_it(kind, tmp_path):
 def test_without_freecad_it_says_that_it_skipped(tmp_path):
     for tool in ("bash", "dirname", "pwd"):
         (tmp_path / tool).symlink_to(shutil.which(tool))
-    done = subprocess.run([HERE / "run"], env={"PATH": str(tmp_path)}, capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(
+        ["bash", HERE / "run"], env={"PATH": str(tmp_path)}, capture_output=True, text=True, timeout=60, check=False
+    )
     assert done.returncode == 0, done.stderr
     assert "SKIPPED" in done.stdout
 

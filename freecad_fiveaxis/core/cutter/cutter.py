@@ -17,16 +17,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
-
-import numpy as np
+from typing import TYPE_CHECKING, NamedTuple
 
 from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.sentences import Angle, Length, say
 
-from .contact import ring_direction
-from .shadow import effective_radius, width_at
+if TYPE_CHECKING:
+    from freecad_fiveaxis.core.records import Floats
 
 LEAST, MOST = 1e-3, 1e4
 """mm; a cutter below a micrometre or above ten metres is a slip of the pen."""
@@ -117,6 +114,10 @@ class Cutter:
         the plane touches it (:func:`~.contact.ring_direction`). Where the axis leans further than the flank allows, which is
         no place to cut, the cutter touches with its rim.
         """
+        import numpy as np
+
+        from .contact import ring_direction
+
         out = ring_direction(normal, axis, feed, self.ring)
         tip = point + self.corner * normal + self.ring * out - self.corner * axis
         beyond = np.flatnonzero(np.einsum("ij,ij->i", normal, axis) < math.sin(self.taper) - LEAN)
@@ -129,6 +130,8 @@ class Cutter:
         """Radius (n,) mm of what the cutter sweeps, across its way at the contact: infinite where a level bottom lies there.
 
         ``normal``, ``axis`` (n, 3) unit; ``direction`` (n, 3): across the way, any length, not along the normal."""
+        from .shadow import effective_radius
+
         return effective_radius(normal, axis, direction, self.ring, self.corner)
 
     def equivalent_radius(self, normal: Floats, axis: Floats, direction: Floats, height: float, bend: float = 0.0) -> Floats:
@@ -137,15 +140,23 @@ class Cutter:
         Up to there that ball lies within the sweep, so the ball's scallop is never below the cutter's. Other arguments as for the
         effective radius; a ``height`` above 0; ``bend`` 1/mm as in :func:`~.shadow.width_at`.
         """
+        import numpy as np
+
+        from .shadow import width_at
+
         width = width_at(normal, axis, direction, height, self.hub_discs(), bend)
         return np.asarray((0.25 * width * width + height * height) / (2.0 * height))
 
     def hub_discs(self) -> Floats:
         """The discs (2, 3) whose hull is the cutter: rows of radius, rounding, and height over the hub, mm."""
+        import numpy as np
+
         return np.array([(self.ring, self.corner, 0.0), (self.top_radius, 0.0, max(self.length, self.corner) - self.corner)])
 
     def profile(self) -> Profile:
         """The body in pieces, for whoever asks whether it enters the part."""
+        import numpy as np
+
         low = self.corner * (1.0 - math.sin(self.taper))
         flank = [(low, self.ring + self.corner * math.cos(self.taper), self.length, self.top_radius)]
         return Profile(

@@ -2,7 +2,7 @@
 """Leads the tool axis through or around the pole, so that the first rotary axis turns little and evenly."""
 
 from .choice import Led, led_axes
-from .deform import LARGEST_CHANGE, LEAST_CHANGE, deform_axes
+from .deform import deform_axes
 from .trade import Trade, trade_findings, trade_off
 
-__all__ = ["LARGEST_CHANGE", "LEAST_CHANGE", "Led", "Trade", "deform_axes", "led_axes", "trade_findings", "trade_off"]
+__all__ = ["Led", "Trade", "deform_axes", "led_axes", "trade_findings", "trade_off"]

@@ -22,17 +22,14 @@ from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain
 from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.ranges import LARGEST_CHANGE, LEAST_CHANGE
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.sentences import Angle, Turn, say
 
 from .choice import Led, led_axes, near_polylines
 from .drive import starts
-from .meridian import LEAST_TILT, Globe, angle_between
+from .meridian import Globe, angle_between
 
-LARGEST_CHANGE = math.radians(30.0)
-"""rad; an axis that is led further than this has little to do with the strategy that was chosen."""
-LEAST_CHANGE = 10.0 * LEAST_TILT
-"""rad; below this there is no room to lead in."""
 STEADY = math.radians(0.1)
 """rad/mm; a first word that turns no faster needs no leading, and no finding where there was none."""
 

@@ -15,11 +15,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.ranges import OFF_POLE
 from freecad_fiveaxis.core.records import Bools, Floats
 
 from .drive import SHORT
 from .even_word import course, evened, laziest, leash_of, least_rates
-from .meridian import LEAST_TILT, TURN, Globe, angle_between, runs
+from .meridian import TURN, Globe, angle_between, runs
 
 ZONE = 12.0
 """Half length of the way over which the axis is led, in allowed changes d. An axis that passes the pole at d, along a straight
@@ -72,7 +73,7 @@ def lead(globe: Globe, line: Given, change: float) -> Iterator[Way]:
     """The ways to lead a polyline past the pole within ``change`` rad, those that are possible and change anything: through
     the pole before around it, and of either the way that keeps to the given axes away from the pole before the one that turns
     least all along. Each is made when it is asked for."""
-    allowed = change - LEAST_TILT
+    allowed = change - OFF_POLE
     for through in (True, False):
         word, side = _met(globe, line, allowed, through)
         below, above = globe.room(line.axis, side, allowed)

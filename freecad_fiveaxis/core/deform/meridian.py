@@ -24,14 +24,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.kinematics import Chain
+from freecad_fiveaxis.core.ranges import OFF_POLE
 from freecad_fiveaxis.core.records import Bools, Floats
 
 TINY = 1e-300
 """Stands for a sine of zero in a division: the quotient is then beyond every cosine."""
 BLURRED = 1e-12
 """Sine of the angle from the pole below which an axis has no azimuth that rounding does not make."""
-LEAST_TILT = math.radians(1e-3)
-"""An axis that was led is kept that far (rad) off the pole, so that it still says which first rotary word is meant."""
 STRAIGHT = 1e-9
 """Cosine below which two directions are perpendicular."""
 TURN = 2.0 * math.pi
@@ -110,20 +109,20 @@ class Globe:
         return np.where(free, np.inf, below), np.where(free, np.inf, above)
 
     def nearest(self, axis: Floats, word: Floats) -> Floats:
-        """The axis (n, 3) on the meridian of each word (n,) that is nearest to ``axis``, LEAST_TILT off the pole at least."""
+        """The axis (n, 3) on the meridian of each word (n,) that is nearest to ``axis``, OFF_POLE off the pole at least."""
         centre = self.centre(word)
         rest = axis - (axis * centre).sum(1)[:, None] * centre
         led = math.cos(self.circle) * centre + math.sin(self.circle) * rest / np.linalg.norm(rest, axis=1)[:, None]
         return self._off_pole(led, centre)
 
     def _off_pole(self, led: Floats, centre: Floats) -> Floats:
-        near = np.flatnonzero(np.linalg.norm(self.across(led), axis=1) < LEAST_TILT)
+        near = np.flatnonzero(np.linalg.norm(self.across(led), axis=1) < OFF_POLE)
         if len(near):
             along = np.cross(self.pole, centre[near])
             along /= np.linalg.norm(along, axis=1)[:, None]
             away = np.where((led[near] * along).sum(1) < 0.0, -1.0, 1.0)
             pole = np.copysign(1.0, led[near] @ self.pole)
-            led[near] = math.cos(LEAST_TILT) * pole[:, None] * self.pole + (math.sin(LEAST_TILT) * away)[:, None] * along
+            led[near] = math.cos(OFF_POLE) * pole[:, None] * self.pole + (math.sin(OFF_POLE) * away)[:, None] * along
         return np.asarray(led / np.linalg.norm(led, axis=1)[:, None])
 
 

@@ -19,12 +19,13 @@ from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.findings import Finding, Severity
 from freecad_fiveaxis.core.kinematics import Chain, joint_words, q_to_words
 from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.ranges import LARGEST_CHANGE, LEAST_CHANGE
 from freecad_fiveaxis.core.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.seating import hubs
 from freecad_fiveaxis.core.sentences import Angle, Length, Sentence, Turn, joined, say
 
 from .choice import NEAR, led_axes, near_polylines
-from .deform import LARGEST_CHANGE, LEAST_CHANGE, check_change
+from .deform import check_change
 from .drive import drive, figures, starts
 from .meridian import Globe, angle_between
 

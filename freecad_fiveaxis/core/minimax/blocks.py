@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.cutter import ring_direction
+from freecad_fiveaxis.core.cutter.contact import ring_direction
 from freecad_fiveaxis.core.kinematics import Chain, forward, joint_words
 from freecad_fiveaxis.core.records import Floats, Ints
 from freecad_fiveaxis.core.trajectory import Columns, Frames, Pose, combine, dot, frames, tip

@@ -26,6 +26,7 @@ from freecad_fiveaxis.core.errors import SettingsError
 from freecad_fiveaxis.core.joint_path import solve
 from freecad_fiveaxis.core.kinematics import Chain, q_to_words
 from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.ranges import LEAST_TILT, MOST_TILT
 from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.seating import hubs, seat_normal
 from freecad_fiveaxis.core.sentences import Angle, Choice, Option, say
@@ -37,8 +38,6 @@ from .pole import other_way
 from .rows import Rows, find_rows, run_begins
 from .steps import Task, axes_of, hastes, levels
 
-LEAST_TILT, MOST_TILT = math.radians(1e-3), math.radians(30.0)
-"""Less is hardly more than the words' last digit; with more an axis has little to do with its surface."""
 GAIN = 0.99
 """A run's new axes are kept where its largest deviation is below this share of the old one: rounded words then agree."""
 AGAIN, OTHER, HASTE = 3, 1.1, 1.01

@@ -16,12 +16,13 @@ import re
 import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.records import Floats
 from freecad_fiveaxis.core.sentences import Choice, Option, Sentence, say
+
+if TYPE_CHECKING:
+    from freecad_fiveaxis.core.records import Floats
 
 ANGLES, VECTORS = "angles", "vectors"
 
@@ -211,6 +212,8 @@ def feed_distance(dialect: Dialect | None, change: Floats) -> Floats:
 
     Without a dialect: over X Y Z alone. NIST RS274NGC 3, 2.1.2.5, and LinuxCNC; Fanuc B-63324EN, 4.3 (see ``rotary_in_feed``).
     """
+    import numpy as np
+
     square: Floats = change[:, 0] * change[:, 0]
     for k in (1, 2):
         square += change[:, k] * change[:, k]

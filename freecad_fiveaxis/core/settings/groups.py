@@ -17,9 +17,8 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.deform import LARGEST_CHANGE, LEAST_CHANGE
 from freecad_fiveaxis.core.machine import Vector
-from freecad_fiveaxis.core.minimax import LEAST_TILT, MOST_TILT
+from freecad_fiveaxis.core.ranges import LARGEST_CHANGE, LEAST_CHANGE, LEAST_TILT, MOST_TILT
 
 MILL, POST, AUDIT, SETUP, COMPARE = "mill", "post", "audit", "setup", "compare"
 RECOVER, PROVE = "recover", "prove-signs"
