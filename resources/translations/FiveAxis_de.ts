@@ -4928,6 +4928,10 @@
         <translation>der ganze Fräser ist im Werkstück</translation>
     </message>
     <message>
+        <source>the whole part is {size} long, and none is less than {least}: check the units of the export</source>
+        <translation>das ganze Teil ist {size} lang, und keines ist kleiner als {least}: die Einheiten des Exports prüfen</translation>
+    </message>
+    <message>
         <source>the work offset</source>
         <translation>die Nullpunktverschiebung</translation>
     </message>
@@ -5334,6 +5338,10 @@
     <message>
         <source>{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, the first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another machine</source>
         <translation>{count} von {all} Punkten brauchen eine Werkzeugachse, die die Grenzen der Rundachsen {letters} nicht erlauben, zuerst {axis} bei {place}: die Grenzen erweitern, {max_axis_angle} verringern oder eine andere Maschine nehmen</translation>
+    </message>
+    <message>
+        <source>{count} of {all} points need a tool axis that {letter} alone does not reach within its limits, the first is {axis} at {place}: keep the tool axis along Z ({fixed}), widen the limits or take a machine with two rotary axes</source>
+        <translation>{count} von {all} Punkten brauchen eine Werkzeugachse, die {letter} allein in seinen Grenzen nicht erreicht, der erste {axis} bei {place}: die Werkzeugachse entlang Z halten ({fixed}), die Grenzen erweitern oder eine Maschine mit zwei Drehachsen nehmen</translation>
     </message>
     <message>
         <source>{count} of {all} rows do not fit and are left out (NC lines {lines}); their tips would be off by up to {miss}. Look at them: they are wrong in the CL path or in the program.</source>
