@@ -72,7 +72,7 @@ class Segments:
     @cached_property
     def line(self) -> Ints:
         """The polyline (m,) of each position, counted from 0."""
-        return np.repeat(np.arange(len(self.first)), np.diff(self.first, append=len(self.live)))
+        return np.repeat(np.arange(len(self.first), dtype=np.int64), np.diff(self.first, append=len(self.live)))
 
 
 @dataclass(frozen=True, eq=False)

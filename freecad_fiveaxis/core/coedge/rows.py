@@ -88,7 +88,7 @@ def _near(segments: Segments, tight: Bools | None, cut: Bools | None) -> Ints:
 def _easy(segments: Segments, junctions: Junctions, at: Ints, place: Ints, radius: float, more: int) -> _Numbered:
     """The rows of junctions at positions ``at`` (k,), and room for ``more`` after them; step -1 is the row where a polyline
     begins: its first contact, or the last row of its seam."""
-    last = np.full(len(segments.live), -1)
+    last = np.full(len(segments.live), -1, dtype=np.int64)
     last[segments.first] = segments.last
     low = place[at]
     count = place[at + 1] - low

@@ -113,7 +113,7 @@ def from_faces(vertex: ArrayLike, face: ArrayLike) -> Mesh:
     used = np.zeros(len(point), dtype=np.bool_)
     used[row] = True
     if not used.all():
-        row = np.asfortranarray((np.cumsum(used) - 1)[row])
+        row = np.asfortranarray((np.cumsum(used, dtype=np.int64) - 1)[row])
         point = np.asfortranarray(point[used])
 
     def corner(k: int, part: slice) -> Floats:
