@@ -2,7 +2,8 @@
 """NC text into words: a letter, a number and the line it stands in, as whole columns.
 
 word      a letter with its number (ISO 6983-1): X-12.5. Blanks may stand anywhere in it, capitals do not matter.
-comment   text in brackets, or from a semicolon to the end of the line (Siemens: only the latter; Heidenhain: or from a star).
+comment   text in brackets, or from a semicolon to the end of the line (Siemens: only the latter; Heidenhain: that, up to
+          the ~ that goes on with the next line, or a star at the start or the end of a line).
 block skip  a slash at the start of a line: the operator may switch such lines off.
 %         the first ends the leader of the tape, the next one ends the program.
 language  ISO; Siemens' and Heidenhain's text is brought to plain words first (:mod:`.siemens`, :mod:`.heidenhain`).
@@ -27,13 +28,18 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.sentences import Template, say
 
-from . import codes, heidenhain, interpreter, siemens, siemens_run
+from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
 from .noted import Notes
 from .plane_calls import Tilt
 
 SOLID = re.compile(rb"[^ \n]")
-BRACKETS, SEMICOLON, STAR = (b"(", rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"), (b";", rb";[^\n]*"), (b"*", rb"\*[^\n]*")
-COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (SEMICOLON,), "heidenhain": (SEMICOLON, STAR)}
+BRACKETS, SEMICOLON, STAR = (
+    (b"(", rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"),
+    (b";", rb";[^\n]*"),
+    (b"*", rb"(?m:^) *(?:[0-9]+ +)?\*[^\n]*|\* *(?m:$)"),
+)
+NOTE = (b";", rb";(?:[^\n~]|~(?! *(?:\n|$)))*")
+COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (SEMICOLON,), "heidenhain": (NOTE, STAR)}
 SLASH = re.compile(rb"^ *(/[0-9]?)", re.MULTILINE)
 COLON = re.compile(rb"^ *(:)(?= *[0-9])", re.MULTILINE)
 EXPONENT = re.compile(rb"(?<=[0-9.])E[+-]?[0-9]")
@@ -185,9 +191,16 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
             text, source = run.text, run.source
         else:
             findings.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=run.reason), line=run.line))
+    last: list[Finding] = []
+    if language == "heidenhain" and heidenhain_run.marked(text):
+        run = heidenhain_run.written_out(text, progress)
+        if isinstance(run, interpreter.Written):
+            text, source = run.text, run.source
+        else:
+            last.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=run.reason), line=run.line))
     if language != "iso":
         read = (siemens if language == "siemens" else heidenhain).plain(text, notes)
-        findings += [_moved(found, source) for found in notes.findings(text)]
+        findings += [*(_moved(found, source) for found in notes.findings(text)), *last]
         text = read
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
