@@ -164,9 +164,9 @@ def test_what_siemens_text_is_not_interpreted_is_named_with_its_line(line, code,
 @pytest.mark.parametrize(
     ("line", "code", "name"),
     [
-        ("5 CYCL DEF 200 DRILLING ~\n Q200=+2 ;SET-UP ~\n Q201=-20 ;DEPTH", "cycle-not-interpreted", "CYCL DEF 200"), ("5 CYCL CALL", "cycle-not-interpreted", "CYCL CALL"),
+        ("5 CYCL DEF 208 BORE MILLING ~\n Q200=+2 ;SET-UP ~\n Q201=-20 ;DEPTH", "cycle-not-interpreted", "CYCL DEF 208"), ("5 CYCL CALL", "cycle-not-interpreted", "CYCL CALL"),
         ("5 CALL LBL 1 REP 3", "call-not-interpreted", "CALL LBL 1"), ("5 PLANE SPATIAL SPA+10 SPB+0 SPC+0", "offset-not-interpreted", "PLANE SPATIAL"),
-        ("5 CYCL DEF 7.1 X+10", "offset-not-interpreted", "CYCL DEF 7.1"), ("5 Q1 = +5", "macro-not-interpreted", "Q1 = +5"), ("5 FN 0: Q1 = +5", "macro-not-interpreted", "FN 0:"),
+        ("5 CYCL DEF 7.1 X+10", "offset-not-interpreted", "CYCL DEF 7.1"), ("5 Q1 = +Q5", "macro-not-interpreted", "Q1 = +Q5"), ("5 FN 18: SYSREAD Q1 = ID10", "macro-not-interpreted", "FN 18:"),
         ("5 L X+Q1 F100", "macro-not-interpreted", "X+Q1"), ("5 RND R5", "arc-not-interpreted", "RND R5"), ("5 FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS", "orientation", "FUNCTION TCPM"),
         ("5 L X+3 RL F100", "compensation-not-interpreted", "RL"), ("5 L X+3 FQ11", "feed-by-parameter", "FQ11"), ("5 L Z+500 R0 FMAX M91", "machine-position", "M91"),
         ("5 L X+3 M99", "cycle-not-interpreted", "M99"), ("5 WHATEVER 3", "unknown-code", "WHATEVER 3"),

@@ -158,7 +158,7 @@ def test_whitened_residuals_of_rounded_numbers_have_unit_covariance(coarse):
     tip, axis = (np.round(column / step) * step for column, step in ((tip, steps.tip), (axis, steps.axis)))
     linear, rotary = (np.round(column / step) * step for column, step in ((q[:, :3], steps.linear), (q[:, 3:], steps.rotary)))
     order = [links.letters[3:].index(letter) for letter in sorted(links.letters[3:])]
-    pairs = Pairs("AC", tip, axis, linear, rotary[:, order], np.arange(2000), np.arange(2000), steps)
+    pairs = Pairs("AC", tip, axis, linear, rotary[:, order], np.arange(2000), np.arange(2000), steps, np.arange(2000))
     rows = rows_of(layout, pairs, np.array([links.point1, links.point2]), np.zeros(UNKNOWNS))
     white = np.einsum("nij,nj->ni", rows.whitener, rows.residual)
     assert white.T @ white / 2000 == pytest.approx(np.eye(6), abs=0.15)
@@ -331,6 +331,16 @@ def test_blocks_of_the_post_s_own_and_rows_left_out_do_not_disturb_the_pairing()
     right = truth[found.pairs.line - 10] == found.pairs.row
     assert right[found.fit.good].all() and found.fit.good.sum() > 100
     assert "blocks-without-row" in codes(found)
+
+
+def test_a_program_that_comes_back_to_its_lines_counts_the_blocks_without_a_row():
+    path, made, _ = posted("trunnion_bc", 120, 4)
+    extra = np.arange(5, 100, 10)
+    words = np.insert(made.words, extra, np.round(np.random.default_rng(9).uniform(-90, 90, (10, 5)), 4), axis=0)
+    straight = program(made.letters, words)
+    looped = replace(straight, line=10 + np.arange(130) % 13)
+    skipped = [recover(path, one, setup=SETUP).skipped for one in (straight, looped)]
+    assert skipped == [10, 10]
 
 
 def test_rows_that_do_not_move_are_passed_over_as_posts_do():

@@ -22,9 +22,9 @@ from freecad_fiveaxis.core.sentences import Length, say
 
 from . import codes
 from .arcs import AXES
-from .codes import Grammar
+from .codes import INCH, Grammar
 from .lines import Lines, tenfold
-from .positions import ABSOLUTE, INCH, STEP, axis_words
+from .positions import ABSOLUTE, STEP, axis_words
 from .words import Words
 
 READ = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)

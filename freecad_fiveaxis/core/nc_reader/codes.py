@@ -29,8 +29,11 @@ CENTRES = {911: 0, 901: 1}
 PLANES = {170: 0, 180: 1, 190: 2}
 PER_MINUTE, INVERSE, PER_TURN = 0, 1, 2
 FEED_MODE = {940: PER_MINUTE, 930: INVERSE, 950: PER_TURN}
+INCH = 25.4
 DWELL = 40
-NO_MOVE = (100, 280, 281, 300, 301, 520, 530, 650, 660, 661, 920, 921, 922, 923)
+TILT, LEVEL = (682, 531), 690
+"""G68.2 and G53.1: a tilted plane, and the axes turned to it; G69 ends it."""
+NO_MOVE = (100, 280, 281, 300, 301, 520, 530, 531, 650, 660, 661, 682, 920, 921, 922, 923)
 """Codes (ten times the G number) whose axis words are no move of a block."""
 OFFSETS = tuple(range(540, 600))
 GUIDE_ON, GUIDE_OFF = (434, 435, 2340), (430, 490, 2341)
@@ -38,7 +41,7 @@ VECTORS_ON = (435,)
 """I J K of straight blocks are the tool's direction."""
 HARMLESS = {
     *(MOTION.keys() - set(CYCLES) - set(SPLINES)), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51, 80, 90, 150, 400,
-    430, 440, 490, 431, 432, 500, 610, 611, 640, 690, 960, 970, 980, 990, 1870, *OFFSETS, *GUIDE_ON, *GUIDE_OFF, 2550,
+    430, 440, 490, 431, 432, 500, 610, 611, 640, 690, 960, 970, 980, 990, 1870, *OFFSETS, *GUIDE_ON, *GUIDE_OFF, *TILT, 2550,
 }  # fmt: skip
 SIDES = (410, 411, 420, 421)
 """Cutter compensation; with D0 in the same line it moves nothing."""
@@ -59,6 +62,8 @@ CENTRE = "pqr"
 SWITCH = "t"
 """t1: the controller guides the tip; t0: no longer."""
 NORMAL = "n"
+PLANE = "w"
+"""w3: the fourth of the tilted planes of the program (Heidenhain's PLANE, Siemens' CYCLE800)."""
 MACHINE = "v"
 """v1: the words of this line are machine positions (Heidenhain's M91, M92, Siemens' SUPA)."""
 
@@ -105,7 +110,7 @@ CODES: dict[int, Kind] = {
     **dict.fromkeys(SPLINES, SPLINE),
     **dict.fromkeys((650, 660, 661), CALL),
     **dict.fromkeys((280, 281, 300, 301, 530), HOME),
-    **dict.fromkeys((100, 160, 501, 510, 520, 531, 544, 680, 682, 920, 921, 922, 923, 2540), SHIFT),
+    **dict.fromkeys((100, 160, 501, 510, 520, 544, 680, 683, 684, 2530, 2540, 2680, 2690, 920, 921, 922, 923), SHIFT),
     **dict.fromkeys(SIDES, RADIUS),
     950: PER_TURN_KIND,
 }
@@ -145,7 +150,7 @@ SIEMENS = Grammar(
     "siemens",
     {700: 1, 7000: 1, 710: 0, 7100: 0},
     say("neither G70 nor G71 (G700, G710)"),
-    frozenset({*HARMLESS, *_SIEMENS_OWN, *_SIEMENS_OFFSETS} - {490, 434, 435, 2340, 2341}),
+    frozenset({*HARMLESS, *_SIEMENS_OWN, *_SIEMENS_OFFSETS} - {490, 434, 435, 2340, 2341, *TILT}),
     {
         **dict.fromkeys((330, 331, 332, 340, 350, 630), CYCLE_KIND),
         **dict.fromkeys((530, 740, 750, 1530), HOME),

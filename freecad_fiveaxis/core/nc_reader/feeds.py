@@ -10,9 +10,8 @@ from freecad_fiveaxis.core.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.sentences import Template
 
 from . import codes
-from .codes import Grammar
+from .codes import INCH, Grammar
 from .lines import Lines, last_of
-from .positions import INCH
 
 NO_FEED = Template("{count} blocks have no F above 0 in force; most controllers stop there. Give F.")
 NO_INVERSE_FEED = Template("{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block.")

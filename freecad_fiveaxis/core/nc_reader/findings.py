@@ -152,6 +152,7 @@ def _numbers(value: Floats, letter: str) -> Ints:
 def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> list[Finding]:
     """The words that no axis of the machine and no function takes."""
     found, arcs = [], np.isin(lines.code, (codes.CLOCKWISE, codes.COUNTER)).any()
+    tilts = np.isin(lines.code, codes.TILT).any()
     vectors = guided and np.isin(lines.code, codes.VECTORS_ON).any()
     for value, first, count in zip(*np.unique(words.letter, return_index=True, return_counts=True), strict=True):
         letter, line = chr(value), int(words.line[first])
@@ -164,7 +165,7 @@ def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> lis
                 count=count,
             )
             found.append(Finding(Severity.ERROR, "unknown-axis", text, float(count), line=line))
-        elif not ((letter in "IJKR" and arcs) or (letter in "IJK" and vectors)):
+        elif not ((letter in "IJKR" and arcs) or (letter in "IJK" and (vectors or tilts))):
             text = say("The {count} words {letter} are not interpreted.", count=count, letter=letter)
             found.append(Finding(Severity.WARNING, "word-not-interpreted", text, float(count), line=line))
     return found

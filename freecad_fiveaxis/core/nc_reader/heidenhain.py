@@ -16,6 +16,7 @@ from freecad_fiveaxis.core.sentences import say
 
 from . import codes
 from .noted import Notes
+from .plane_calls import heidenhain as plane
 
 CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
 NUMBERED = re.compile(rb"^( *(?:/ *)?)([0-9]+)(?= *(?:[A-Z/]|$))", re.MULTILINE)
@@ -43,7 +44,7 @@ PARAMETER = re.compile(rb"^[^\n]*(?:Q[LRS]?[0-9]+|[=#])[^\n]*$", re.MULTILINE)
 PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"), (b"NX", "n"), (b"NY", "n"), (b"NZ", "n"))
 UNKNOWN_FEED = (codes.PER_TURN_KIND[0], "feed-by-parameter", say("feeds told by a parameter or the tool; F is not known there"))
 HARMLESS = (
-    b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"PLANE RESET", b"CYCL DEF 32", b"CYCL DEF 9.",
+    b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32", b"CYCL DEF 9.",
     b"CYCL DEF 13", b"CYCL DEF 247", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING",
 )  # fmt: skip
 KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
@@ -131,6 +132,8 @@ def _function(found: re.Match[bytes], notes: Notes) -> bytes:
     before = found[0][: found.start(1) - found.start()]
     if OWN.match(line):
         return found[0]
+    if line.startswith(b"PLANE "):
+        return before + notes.tilt(plane(line.decode("latin-1"))).ljust(len(found[1]))
     word = _word_of(line)
     if word is None:
         _note_function(line, found.start(1), notes)

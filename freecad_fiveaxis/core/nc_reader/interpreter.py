@@ -9,6 +9,7 @@ refusal   one thing that is not understood makes the whole program one that is n
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NoReturn
 
 import numpy as np
 
@@ -85,6 +86,31 @@ def written_out(text: bytes, fanuc: bool, progress: Progress = silent, siemens: 
     return Written(b"\n".join(made), np.array([0, *(at + 1 for at, _ in run.made)], np.int64))
 
 
+def endless(at: int, most: int) -> NoReturn:
+    """Raise for a program that has run ``most`` lines, and is in that of index ``at``."""
+    raise ProgramError(
+        say(
+            "line {line}: the loop does not end: {most} lines were run; correct its condition, or post the moves themselves",
+            line=at + 1,
+            most=most,
+        ),
+        most,
+    )
+
+
+def deeper(calls: int, at: int) -> None:
+    """Raises ProgramError where ``calls`` that have not ended are as many as may be, and one more stands in line ``at``."""
+    if calls >= DEEPEST:
+        raise ProgramError(
+            say(
+                "line {line}: calls are nested deeper than {most}; does a subprogram call itself? Post the moves themselves",
+                line=at + 1,
+                most=DEEPEST,
+            ),
+            DEEPEST,
+        )
+
+
 class Run:
     """One run: ``made`` (line, its text where that is another) so far, ``at`` the line that runs."""
 
@@ -103,22 +129,12 @@ class Run:
             if not count % BETWEEN:
                 self.progress("reading NC", 0.0)
                 if count > most:
-                    self._endless(most)
+                    endless(self.at, most)
             if plain[self.at]:
                 made.append((self.at, None))
                 self.at += 1
             else:
                 self.at = self._step(self._statement(self.at))
-
-    def _endless(self, most: int) -> None:
-        raise ProgramError(
-            say(
-                "line {line}: the loop does not end: {most} lines were run; correct its condition, or post the moves themselves",
-                line=self.at + 1,
-                most=most,
-            ),
-            most,
-        )
 
     def _statement(self, at: int) -> Statement:
         known = self.parsed[at]
@@ -202,15 +218,7 @@ class Run:
         return self._push(frame)
 
     def _push(self, frame: Frame) -> int:
-        if len(self.frames) > DEEPEST:
-            raise ProgramError(
-                say(
-                    "line {line}: calls are nested deeper than {most}; does a subprogram call itself? Post the moves themselves",
-                    line=self.at + 1,
-                    most=DEEPEST,
-                ),
-                DEEPEST,
-            )
+        deeper(len(self.frames) - 1, self.at)
         self.frames.append(frame)
         return frame.head
 

@@ -33,7 +33,7 @@ from freecad_fiveaxis.core.sentences import say
 from . import codes
 from .arcs import Arcs, Chords, chorded
 from .canned_cycles import written_out
-from .codes import GRAMMARS, Grammar
+from .codes import GRAMMARS, INCH, Grammar
 from .feeds import feeds
 from .findings import (
     code_findings,
@@ -48,7 +48,9 @@ from .findings import (
     wrap_findings,
 )
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
-from .positions import INCH, Moves, axis_words, begun, check_near, moves, tool_axes, where_axes_stand
+from .planes import IN_PLANE, Planes, planes_of
+from .positions import Moves, axis_words, begun, check_near, in_work, moves, tool_axes, where_axes_stand
+from .turning import off_normal, turned, vector_findings
 from .words import Words, language_of, read_words
 
 
@@ -70,7 +72,10 @@ def read_nc(
     findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in links.letters]
     mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
-    at = _motion_lines(lines, grammar, axes, mode, on)
+    planes = planes_of(lines, grammar)
+    if planes is not None:
+        mode, on = planes.modes(mode, on)
+    at = _motion_lines(lines, grammar, axes, mode, on, planes)
     lost = next((found for found in before if found.code == codes.MACRO[1]), None)
     if not len(at) and lost is not None:
         raise ProgramError(
@@ -85,13 +90,20 @@ def read_nc(
         raise ProgramError(say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), links.letters)
     first, second = (axis.wrap for axis in links.axes[3:])
     wrap, meant = (first, second), _meant(lines, axes, at, grammar)
-    at, told_moves = _moves(lines, at, meant, mode, on, links, wrap)
+    meaning = on[at].astype(np.int64)
+    if planes is not None:
+        solved = turned(links, meant, at, planes, wrap)
+        meant, findings = solved.words, (*findings, *planes.findings, *solved.findings)
+        meaning = planes.of_blocks(at, on[at], meant)
+    at, told_moves = _moves(lines, at, meant, mode, on, links, wrap, meaning, planes)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
     chords, bad = _chords(lines, told_moves, mode[at], grammar)
     findings += (*code_findings(words, grammar, at), *word_findings(words, lines, links.letters, bool(on.any())), *more, *bad)
     findings += tuple(start_findings(links.letters, told_moves, mode[at], lines, grammar))
     findings += tuple(wrap_findings(links.letters, wrap, meant, told_moves, mode[at] != codes.RAPID, dialect))
-    program = _program(links, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect)
+    program = _program(links, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect, planes)
+    if planes is not None:
+        findings += (*vector_findings(told_moves), *off_normal(planes, told_moves, chords, tool_axes(links, program.words)))
     findings = before + in_file(words, findings + guide_findings(program, told_moves))
     return replace(program, line=words.in_file(program.line), findings=findings, wrap=wrap)
 
@@ -147,7 +159,9 @@ def _switched(events: list[tuple[Ints, bool]], count: int) -> Bools:
     return on[last_of(np.flatnonzero(said), count)]
 
 
-def _motion_lines(lines: Lines, grammar: Grammar, axes: list[tuple[Floats, Bytes]], mode: Ints, on: Bools) -> Ints:
+def _motion_lines(
+    lines: Lines, grammar: Grammar, axes: list[tuple[Floats, Bytes]], mode: Ints, on: Bools, planes: Planes | None
+) -> Ints:
     """The lines that are blocks."""
     moving = np.logical_or.reduce([kind != 0 for _, kind in axes])
     if on.any():
@@ -158,18 +172,21 @@ def _motion_lines(lines: Lines, grammar: Grammar, axes: list[tuple[Floats, Bytes
     moving[lines.m_line(grammar.machine_m)] = False
     if codes.MACHINE in lines.letters:
         moving &= np.isnan(lines.column(codes.MACHINE))
+    if planes is not None:
+        moving[list(planes.turning)] = True
     return np.flatnonzero(moving)
 
 
 def _moves(
-    lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, on: Bools, links: Chain, wrap: tuple[str, str]
-) -> tuple[Ints, Moves]:
+    lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, on: Bools, links: Chain, wrap: tuple[str, str],
+    meaning: Ints, planes: Planes | None,
+) -> tuple[Ints, Moves]:  # fmt: skip
     """The lines of the blocks, those of a safe start left out, and where they lead."""
     vector = _vectors(lines, at, mode, on)
-    start = begun(words, on[at], mode[at] == codes.RAPID, vector)
+    start = begun(words, meaning, mode[at] == codes.RAPID, vector)
     kept = [(value[start.row :], kind[start.row :]) for value, kind in words]
-    at, vector = at[start.row :], vector[start.row :]
-    return at, moves(at, kept, on[at], vector, links, wrap, start.said)
+    at, vector, meaning = at[start.row :], vector[start.row :], meaning[start.row :]
+    return at, moves(at, kept, on[at], vector, links, wrap, start.said, meaning, planes)
 
 
 def _told(lines: Lines, mode: Ints, on: Bools) -> Floats:
@@ -233,18 +250,20 @@ def _last_told(column: Floats) -> Floats:
 
 def _program(
     links: Chain, told: Moves, chords: Chords | None, mode: Ints, feed: Floats, inverse: Bools, feed_mode: Ints,
-    dialect: Dialect | None,
+    dialect: Dialect | None, planes: Planes | None,
 ) -> Program:  # fmt: skip
-    before, said, on, line, vector = told.before, told.said, told.on, told.at, told.told
+    before, said, on, line, vector, meaning = told.before, told.said, told.on, told.at, told.told, told.meaning
     if chords is not None:
         row, before, said = chords.row, chords.before, chords.said
         feed = np.where(inverse, feed * chords.count, feed)
         mode, feed_mode, line = mode[row], feed_mode[row], line[row]
-        feed, inverse, on, vector = feed[row], inverse[row], on[row], vector[row]
+        feed, inverse, on, vector, meaning = feed[row], inverse[row], on[row], vector[row], meaning[row]
     motion = np.where(mode == codes.RAPID, Motion.RAPID, Motion.CUT).astype(np.int8)
-    words = where_axes_stand(links, said, on)
+    change = said - before
+    said = in_work(said, meaning, planes)
+    words = where_axes_stand(links, said, on if planes is None else on | (meaning >= IN_PLANE))
     guided = _guided(links, words, said, on, vector) if on.any() else None
-    seconds = _seconds(words, said - before, motion, feed, inverse, feed_mode == codes.PER_TURN, on, links, dialect)
+    seconds = _seconds(words, change, motion, feed, inverse, feed_mode == codes.PER_TURN, on, links, dialect)
     return Program(links.letters, words, feed, inverse, motion, seconds, np.full(len(line), -1), line, (), guided)
 
 

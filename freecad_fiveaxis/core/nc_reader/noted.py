@@ -10,14 +10,22 @@ import numpy as np
 from freecad_fiveaxis.core.findings import Finding
 from freecad_fiveaxis.core.sentences import say
 
-from .codes import Kind
+from .codes import PLANE, Kind
+from .plane_calls import Tilt
 
 
 @dataclass
 class Notes:
-    """``met``: by kind and name, the offsets in the text where it stands."""
+    """``met``: by kind and name, the offsets in the text where it stands; ``tilts``: the lines that begin or end a tilted plane,
+    in their order."""
 
     met: dict[tuple[Kind, str], list[int]] = field(default_factory=dict)
+    tilts: list[Tilt] = field(default_factory=list)
+
+    def tilt(self, tilt: Tilt) -> bytes:
+        """The private word for such a line."""
+        self.tilts.append(tilt)
+        return b"%c%d" % (ord(PLANE), len(self.tilts) - 1)
 
     def note(self, kind: Kind, name: str, at: int) -> None:
         """``name`` stands at offset ``at`` of the text, whose lines end in LF."""

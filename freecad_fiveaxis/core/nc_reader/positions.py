@@ -2,8 +2,9 @@
 """Where the words of each motion line lead, from the words and the modes.
 
 said      the words at the end of a motion line as the NC file means them: X Y Z (mm), first and second rotary word (deg, turns
-          unfolded). Where the controller guides the tip, X Y Z are its place in the work; else where the axes stand.
-stretch   motion lines in a row that are all guided, or all not. Where one ends, the same pose begins the next.
+          unfolded). Where the controller guides the tip, X Y Z are its place in the work; in a tilted plane its place there; else
+          where the axes stand.
+stretch   motion lines in a row whose X Y Z mean the same. Where one ends, the same pose begins the next.
 """
 
 from __future__ import annotations
@@ -22,8 +23,8 @@ from freecad_fiveaxis.core.sentences import Number, say
 
 from . import codes
 from .lines import Lines, last_of
+from .planes import IN_PLANE, JOINTS, Planes
 
-INCH = 25.4
 FARTHEST = 1e7
 """mm, deg; a word beyond this is no place of any machine."""
 NOTHING, ABSOLUTE, STEP, SHORTER = 0, 1, 2, 3
@@ -39,17 +40,17 @@ class Start:
     said: Floats
 
 
-def begun(words: list[tuple[Floats, Bytes]], on: Bools, rapid: Bools, vector: Floats) -> Start:
+def begun(words: list[tuple[Floats, Bytes]], meaning: Ints, rapid: Bools, vector: Floats) -> Start:
     """How the motion lines (m,) begin, given as in :func:`moves`; ``rapid`` (m,).
 
     A safe start drives Z, the rotary axes, then X and Y, one after the other from an unknown place: these rapids are no blocks.
     Where other lines than absolute rapids stand before the places of all axes are known, row 0 begins.
     """
     rapids = slice(0, len(rapid) if rapid.all() else int(np.argmin(rapid)) + 1)
-    kind, on, vector = np.column_stack([kind[rapids] for _, kind in words]), on[rapids], vector[rapids]
+    kind, meaning, vector = np.column_stack([kind[rapids] for _, kind in words]), meaning[rapids], vector[rapids]
     row = np.arange(len(kind))[:, None]
     last = np.maximum.accumulate(np.where((kind == ABSOLUTE) | (kind == SHORTER), row, -1), axis=0)
-    stretch = last_of(np.flatnonzero(np.diff(on, prepend=on[:1])), len(on))
+    stretch = last_of(np.flatnonzero(np.diff(meaning, prepend=meaning[:1])), len(meaning))
     by_vector = np.asarray(~np.isnan(vector).all(axis=1))[:, None]
     known: Bools = np.column_stack([last[:, :3] >= stretch[:, None], (last[:, 3:] >= 0) | by_vector])
     whole = np.flatnonzero(known.all(axis=1))
@@ -63,7 +64,7 @@ def begun(words: list[tuple[Floats, Bytes]], on: Bools, rapid: Bools, vector: Fl
 class Moves:
     """One row a motion line, (m,): ``at`` its line; ``before``, ``said`` (m, 5) the words at its start and end; ``on`` whether
     the controller guides the tip; ``told`` (m, 3) the tool axis where a vector told it, else NaN; ``lost``: rows whose vector no
-    rotary words take up; ``named`` (m, 5) whether the line has that word as an absolute one."""
+    rotary words take up; ``named`` (m, 5) whether the line has that word as an absolute one; ``meaning`` of X Y Z."""
 
     at: Ints
     before: Floats
@@ -72,6 +73,7 @@ class Moves:
     told: Floats
     lost: Ints
     named: Bools
+    meaning: Ints
 
 
 def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
@@ -113,24 +115,28 @@ def moves(
     links: Chain,
     wrap: tuple[str, str],
     told_before: Floats,
+    meaning: Ints,
+    planes: Planes | None = None,
 ) -> Moves:
     """The motion lines ``at`` (m,) with their words (as of :func:`axis_words`, each (m,)), whether they are guided ``on`` (m,),
-    and the vectors ``vector`` (m, 3) that they tell, NaN where none; ``told_before`` (5,): as ``Start.said``."""
+    and the vectors ``vector`` (m, 3) that they tell, NaN where none; ``told_before`` (5,): as ``Start.said``; ``meaning`` (m,)
+    of X Y Z, as of
+    :meth:`.planes.Planes.of_blocks`."""
     count = len(at)
     told = Moves(
         at, np.empty((5, count)).T, np.empty((5, count)).T, on, vector, np.empty(0, np.int64),
-        np.column_stack([(kind == ABSOLUTE) | (kind == SHORTER) for _, kind in words]),
+        np.column_stack([(kind == ABSOLUTE) | (kind == SHORTER) for _, kind in words]), meaning,
     )  # fmt: skip
     start, lost = np.nan_to_num(told_before), []
     told.named[0] |= ~np.isnan(told_before)
-    cuts = np.flatnonzero(on[1:] != on[:-1]) + 1
+    cuts = np.flatnonzero((on[1:] != on[:-1]) | (meaning[1:] != meaning[:-1])) + 1
     for first, last in zip([0, *cuts.tolist()], [*cuts.tolist(), count], strict=True):
         rows = slice(first, last)
         if first:
-            start = _pose(links, told.said[first - 1], bool(on[first - 1]), bool(on[first]))
+            start = _pose(links, told.said[first - 1], int(meaning[first - 1]), int(meaning[first]), planes)
         for k, (value, kind) in enumerate(words):
             modulo = k >= 3 and wrap[k - 3] == "modulo"
-            told.said[rows, k] = _track(value[rows], kind[rows], start[k], first > 0, modulo)
+            told.said[rows, k] = track(value[rows], kind[rows], start[k], first > 0, modulo)
         if on[first] and not np.isnan(vector[rows]).all():
             lost.append(first + _turn(links, told, rows, [kind[rows] for _, kind in words[3:]], start[3:]))
         told.before[rows] = np.concatenate([start[None], told.said[first : last - 1]])
@@ -139,17 +145,30 @@ def moves(
     return told
 
 
-def _pose(links: Chain, said: Floats, was_on: bool, is_on: bool) -> Floats:
-    """The same pose as the next stretch says it."""
+def _pose(links: Chain, said: Floats, was: int, now: int, planes: Planes | None) -> Floats:
+    """The same pose as the next stretch says it; what X Y Z mean there, and meant before."""
     words = said[None]
-    if was_on:
-        words = standing(links, words[:, :3], words[:, 3:])
-    if is_on:
+    if was == now:
+        return said
+    if was != JOINTS:
+        words = standing(links, in_work(words, np.array([was]), planes)[:, :3], words[:, 3:])
+    if now != JOINTS:
         words = np.concatenate([forward(links, words_to_q(words))[0], words[:, 3:]], axis=1)
+    if planes is not None and now >= IN_PLANE:
+        words[0, :3] = planes.in_plane(words[0, :3], now)
     return np.asarray(words[0])
 
 
-def _track(value: Floats, kind: Bytes, start: float, known: bool, modulo: bool) -> Floats:
+def in_work(said: Floats, meaning: Ints, planes: Planes | None) -> Floats:
+    """What is said (m, 5), with the tip's place in the work where X Y Z stand in a tilted plane."""
+    if planes is None:
+        return said
+    place = said.copy(order="K")
+    place[:, :3] = planes.in_work(said[:, :3], meaning)
+    return place
+
+
+def track(value: Floats, kind: Bytes, start: float, known: bool, modulo: bool) -> Floats:
     """Places (n,) of one axis from its words (n,) and where it was before, if that is ``known``."""
     count, absolute = len(value), (kind == ABSOLUTE) | (kind == SHORTER)
     anchor = last_of(np.flatnonzero(absolute) + 1, count + 1)[1:]
@@ -211,9 +230,10 @@ def _angles(links: Chain, axis: Floats, start: Floats) -> tuple[Floats, Bools]:
     return found, reached
 
 
-def where_axes_stand(links: Chain, said: Floats, on: Bools) -> Floats:
-    """Words (m, 5) mm and degrees of the axes, from what the lines say."""
-    rows = np.flatnonzero(on)
+def where_axes_stand(links: Chain, said: Floats, by_tip: Bools) -> Floats:
+    """Words (m, 5) mm and degrees of the axes, from what the lines say; ``by_tip`` (m,): X Y Z are
+    the tip's place in the work."""
+    rows = np.flatnonzero(by_tip)
     if not len(rows):
         return said
     words = said.copy(order="K")

@@ -12,6 +12,7 @@ import re
 
 from . import codes
 from .noted import Notes
+from .plane_calls import cycle800
 
 STRING = re.compile(rb'"[^"\n]*"')
 NUMBER = rb" *([-+]?[0-9.][0-9. ]*)"
@@ -22,6 +23,8 @@ ADDRESS = re.compile(rb"(?<![A-Z_$])([XYZABCUVWFIJKSDT]) *=(?= *[-+.0-9])")
 SIDE = re.compile(
     rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) *=" + NUMBER
 )
+SWIVEL = b"CYCLE800"
+CYCLE800 = re.compile(rb"\bCYCLE800 *\(([^()\n]*)\)")
 TOOL = re.compile(rb"(?<![A-Z0-9_$])T *= *$", re.MULTILINE)
 ORIENTATION = re.compile(rb"(?<![A-Z0-9_$])(?:[ABC][2-9]|LEAD|TILT|THETA|PHI|PSI) *=" + NUMBER)
 KEYWORD = re.compile(rb"[A-Z_$][A-Z_$][A-Z0-9_$]*( *\([^()\n]*\)| *=[^\n]*)?")
@@ -53,6 +56,11 @@ def plain(text: bytes, notes: Notes) -> bytes:
     if b"=" in text:
         text = _addresses(text, notes)
     return KEYWORD.sub(lambda found: _keyword(found, notes), LABEL.sub(_label, text) if b":" in text else text)
+
+
+def swivels(text: bytes, notes: Notes) -> bytes:
+    """The text with the private word of a tilted plane for each CYCLE800, whose tool carrier stands in quotation marks."""
+    return CYCLE800.sub(lambda found: notes.tilt(cycle800(found[1].decode("latin-1"))).ljust(len(found[0])), text)
 
 
 def without_strings(text: bytes) -> bytes:

@@ -2,7 +2,8 @@
 """NC text into words: a letter, a number and the line it stands in, as whole columns.
 
 word      a letter with its number (ISO 6983-1): X-12.5. Blanks may stand anywhere in it, capitals do not matter.
-comment   text in brackets, or from a semicolon to the end of the line (Siemens: only the latter; Heidenhain: or from a star).
+comment   text in brackets, or from a semicolon to the end of the line (Siemens: only the latter; Heidenhain: that, up to
+          the ~ that goes on with the next line, or a star at the start or the end of a line).
 block skip  a slash at the start of a line: the operator may switch such lines off.
 %         the first ends the leader of the tape, the next one ends the program.
 language  ISO; Siemens' and Heidenhain's text is brought to plain words first (:mod:`.siemens`, :mod:`.heidenhain`).
@@ -27,12 +28,18 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.sentences import Template, say
 
-from . import codes, heidenhain, interpreter, siemens, siemens_run
+from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
 from .noted import Notes
+from .plane_calls import Tilt
 
 SOLID = re.compile(rb"[^ \n]")
-BRACKETS, SEMICOLON, STAR = (b"(", rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"), (b";", rb";[^\n]*"), (b"*", rb"\*[^\n]*")
-COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (SEMICOLON,), "heidenhain": (SEMICOLON, STAR)}
+BRACKETS, SEMICOLON, STAR = (
+    (b"(", rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"),
+    (b";", rb";[^\n]*"),
+    (b"*", rb"(?m:^) *(?:[0-9]+ +)?\*[^\n]*|\* *(?m:$)"),
+)
+NOTE = (b";", rb";(?:[^\n~]|~(?! *(?:\n|$)))*")
+COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (SEMICOLON,), "heidenhain": (NOTE, STAR)}
 SLASH = re.compile(rb"^ *(/[0-9]?)", re.MULTILINE)
 COLON = re.compile(rb"^ *(:)(?= *[0-9])", re.MULTILINE)
 EXPONENT = re.compile(rb"(?<=[0-9.])E[+-]?[0-9]")
@@ -79,7 +86,8 @@ LOOKED_AT = 20_000
 class Words:
     """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file; ``text``: what was left
     of the file when they were read, ``start`` (w,) where they stand in it without its blanks. ``source``: where lines of the file
-    were written out as several, ``line`` counts those; ``source`` (lines + 1,) are the lines of the file that they come from."""
+    were written out as several, ``line`` counts those; ``source`` (lines + 1,) are the lines of the file that they come from.
+    ``tilts``: what the lines with the private word of a tilted plane say."""
 
     letter: Bytes
     value: Floats
@@ -88,6 +96,7 @@ class Words:
     text: bytes = b""
     start: Ints | None = None
     source: Ints | None = None
+    tilts: tuple[Tilt, ...] = ()
 
     def place(self, word: int) -> str:
         """Where a word stands, as "line 3, column 7"."""
@@ -125,13 +134,13 @@ def language_of(text: bytes, told: str) -> str:
 def read_words(text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent) -> Words:
     """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC where there is none)
     comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
-    text, findings, source = _blanked(text, language, progress)
+    text, findings, source, tilts = _blanked(text, language, progress)
     marks, fanuc = _marks(text, language), controller in FANUC
     made = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
     words = _words_of(*made)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
-    return replace(words, findings=tuple(findings))
+    return replace(words, findings=tuple(findings), tilts=tilts)
 
 
 def _words_of(text: bytes, source: Ints | None) -> Words:
@@ -151,9 +160,9 @@ def _words_of(text: bytes, source: Ints | None) -> Words:
     return Words(code[start].astype(np.int8), value, line, (), text, start, source)
 
 
-def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, list[Finding], Ints | None]:
-    """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over; and the lines of the
-    file, where the text was run."""
+def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, list[Finding], Ints | None, tuple[Tilt, ...]]:
+    """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over; the lines of the file,
+    where the text was run; and the lines that begin or end a tilted plane."""
     text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     if control := text.translate(None, TEXT):
         at = text.index(control[:1])
@@ -175,7 +184,9 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
     text = _between_marks(whole, findings)
     if language == "heidenhain":
         text = heidenhain.with_unit(whole, text)
-    source = None
+    source, notes = None, Notes()
+    if language == "siemens" and siemens.SWIVEL in text:
+        text = siemens.swivels(text, notes)
     if language == "siemens" and siemens_run.marked(text):
         text = siemens.without_strings(text)
         run = interpreter.written_out(text, False, progress, siemens=True)
@@ -183,10 +194,16 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
             text, source = run.text, run.source
         else:
             findings.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=run.reason), line=run.line))
+    last: list[Finding] = []
+    if language == "heidenhain" and heidenhain_run.marked(text):
+        run = heidenhain_run.written_out(text, progress)
+        if isinstance(run, interpreter.Written):
+            text, source = run.text, run.source
+        else:
+            last.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=run.reason), line=run.line))
     if language != "iso":
-        notes = Notes()
         read = (siemens if language == "siemens" else heidenhain).plain(text, notes)
-        findings += [_moved(found, source) for found in notes.findings(text)]
+        findings += [*(_moved(found, source) for found in notes.findings(text)), *last]
         text = read
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
@@ -197,7 +214,7 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
             findings.append(_moved(found, source))
     if b":" in text:
         text, _ = _overwritten(text, COLON, b"O")
-    return text, findings, source
+    return text, findings, source, tuple(notes.tilts)
 
 
 def _moved(found: Finding, source: Ints | None) -> Finding:

@@ -65,7 +65,7 @@ class Sequences:
             )
             raise ProgramError(text, len(rows))
         columns = self.tip[rows], self.axis[rows], self.linear[blocks], self.rotary[blocks], self.row[rows], self.line[blocks]
-        return Pairs(self.letters, *columns, self.steps)
+        return Pairs(self.letters, *columns, self.steps, blocks)
 
 
 def sequences(path: CLPath, program: Program, axis_step: float) -> Sequences:
@@ -141,7 +141,7 @@ def _head(given: Sequences, rows: int, blocks: int) -> Sequences:
 
 def _reached(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -> tuple[Floats, Floats]:
     nothing = np.zeros((len(given.line), 3))
-    words = Pairs(given.letters, nothing, nothing, given.linear, given.rotary, given.line, given.line, given.steps)
+    words = Pairs(given.letters, nothing, nothing, given.linear, given.rotary, given.line, given.line, given.steps, given.line)
     reached = -rows_of(layout, words, base, unknown).residual
     return reached[:, :3], reached[:, 3:]
 

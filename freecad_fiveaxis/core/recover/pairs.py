@@ -44,7 +44,8 @@ class Steps:
 @dataclass(frozen=True, eq=False)
 class Pairs:
     """``letters`` of the two rotary words, in the alphabet's order; ``tip`` (n, 3) mm, ``axis`` (n, 3) unit, ``linear`` (n, 3)
-    mm for X Y Z, ``rotary`` (n, 2) **rad** by ``letters``; ``row`` (n,) of the CL path, ``line`` (n,) of the NC file."""
+    mm for X Y Z, ``rotary`` (n, 2) **rad** by ``letters``; ``row`` (n,) of the CL path, ``line`` (n,) of the NC file,
+    ``block`` (n,) of the program; lines come again where the program loops."""
 
     letters: str
     tip: Floats
@@ -54,14 +55,15 @@ class Pairs:
     row: Ints
     line: Ints
     steps: Steps
+    block: Ints
 
     def __post_init__(self) -> None:
-        freeze(self, None, tip="f3", axis="f3", linear="f3", rotary="f2", row="i", line="i")
+        freeze(self, None, tip="f3", axis="f3", linear="f3", rotary="f2", row="i", line="i", block="i")
 
     def chosen(self, rows: Ints) -> Pairs:
         """Some of the rows."""
         tip, axis, linear, rotary = self.tip[rows], self.axis[rows], self.linear[rows], self.rotary[rows]
-        return Pairs(self.letters, tip, axis, linear, rotary, self.row[rows], self.line[rows], self.steps)
+        return Pairs(self.letters, tip, axis, linear, rotary, self.row[rows], self.line[rows], self.steps, self.block[rows])
 
 
 def step_of(column: Floats, inch: bool = True) -> float:

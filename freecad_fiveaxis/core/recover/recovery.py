@@ -83,7 +83,7 @@ def recover(
     fit = refined(judged(rough.layout, rough.freedom, sample, base, rough.unknown), sample, base)
     machine = _machine(fit, base, start, setup, name)
     miss = _start_miss(sample.chosen(np.flatnonzero(fit.good)), start, setup)
-    return Recovery(machine, fit, sample, tuple(best[1:]), start, miss, setup, _skipped(given, pairs))
+    return Recovery(machine, fit, sample, tuple(best[1:]), start, miss, setup, _skipped(pairs))
 
 
 def _aligned(
@@ -99,9 +99,8 @@ def _aligned(
     return pairs, best
 
 
-def _skipped(given: Sequences, pairs: Pairs) -> int:
-    first, last = np.searchsorted(given.line, [pairs.line[0], pairs.line[-1]])
-    return int(last - first + 1) - len(pairs.line)
+def _skipped(pairs: Pairs) -> int:
+    return int(pairs.block[-1] - pairs.block[0] + 1) - len(pairs.block)
 
 
 def _rotary_zeros(fit: Fit) -> tuple[float, float]:
