@@ -3184,6 +3184,10 @@
         <translation>Achswörter stehen weder unter G0 noch G1; sie werden als G1 genommen. Einen Bewegungscode angeben.</translation>
     </message>
     <message>
+        <source>Before it tilts the plane the control draws the tool back by a setting of the machine; that move is missing here.</source>
+        <translation>Bevor die Steuerung die Ebene schwenkt, zieht sie das Werkzeug um einen Parameter der Maschine zurück; diese Bewegung fehlt hier.</translation>
+    </message>
+    <message>
         <source>Between pecks the tool stays {back} off the depth reached here; on this control a setting says how far. No other place hangs on it.</source>
         <translation>Zwischen den Zustellungen bleibt das Werkzeug hier {back} vor der erreichten Tiefe; an dieser Steuerung sagt das ein Parameter. Kein anderer Ort hängt davon ab.</translation>
     </message>
@@ -3268,6 +3272,10 @@
         <translation>In {count} NC-Sätzen müsste eine Achse schneller als möglich laufen; sie laufen langsamer als programmiert.</translation>
     </message>
     <message>
+        <source>In {count} blocks of a tilted plane the tool stands up to {lean} off its normal: nothing has turned it there, and where the control leads it then is not known. Turn the axes first (G53.1, TURN, MOVE, or their words).</source>
+        <translation>In {count} Sätzen einer geschwenkten Ebene steht das Werkzeug bis zu {lean} neben ihrer Normalen: Nichts hat es dorthin gedreht, und wohin die Steuerung es dann führt, ist nicht bekannt. Zuerst die Achsen drehen (G53.1, TURN, MOVE oder ihre Wörter).</translation>
+    </message>
+    <message>
         <source>In {count} blocks the controller guides the tip (RTCP): that it keeps to the segment is the controller's affair, and neither measured nor proven here. Limits and rates are those of the axes that this machine file needs for it.</source>
         <translation>In {count} NC-Sätzen führt die Steuerung die Werkzeugspitze (RTCP): Dass sie auf der Strecke bleibt, ist Sache der Steuerung und hier weder gemessen noch nachgewiesen. Grenzen und Geschwindigkeiten sind die der Achsen, die diese Maschinendatei dafür braucht.</translation>
     </message>
@@ -3294,6 +3302,10 @@
     <message>
         <source>Jog the tool high above the part, rotary axes at 0, before the first line.</source>
         <translation>Das Werkzeug vor der ersten Zeile von Hand hoch über das Werkstück fahren, Rundachsen auf 0.</translation>
+    </message>
+    <message>
+        <source>LBL {label} stands in no line of this program</source>
+        <translation>LBL {label} steht in keiner Zeile dieses Programms</translation>
     </message>
     <message>
         <source>Least deviation: {way}, {deviation} in {time}.</source>
@@ -3434,6 +3446,10 @@
     <message>
         <source>SAFE</source>
         <translation>SICHER</translation>
+    </message>
+    <message>
+        <source>SEQ asks for a way that lies beyond the limits</source>
+        <translation>SEQ verlangt eine Stellung jenseits der Grenzen</translation>
     </message>
     <message>
         <source>STL file {path} cannot be read: {strerror}</source>
@@ -3636,6 +3652,10 @@
         <translation>Die empfohlene Aufspannung liegt am Rand des Bereichs ({edges}); dahinter mag eine bessere liegen.</translation>
     </message>
     <message>
+        <source>The rotary axes cannot turn to the tilted plane: {reason}. Choose the program's own machine.</source>
+        <translation>Die Drehachsen können nicht zur geschwenkten Ebene drehen: {reason}. Die Maschine des Programms wählen.</translation>
+    </message>
+    <message>
         <source>The rows are off by up to {worst} and {lean} from the best machine, {scale} times what rounding explains. The program may come from another CL path, or its machine have directions or axes that are not tried here.</source>
         <translation>Die Zeilen liegen um bis zu {worst} und {lean} neben der besten Maschine, das {scale}-fache dessen, was Rundung erklärt. Das Programm kommt vielleicht von einem anderen CL-Weg, oder seine Maschine hat Richtungen oder Achsen, die hier nicht erprobt werden.</translation>
     </message>
@@ -3746,6 +3766,14 @@
     <message>
         <source>The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not {letter} (if it is {other}, the two letters are exchanged).</source>
         <translation>{what} dreht {wrong}, {opposite}: {letter} hat das falsche Vorzeichen. Eine andere Achse dreht: es ist nicht {letter} (ist es {other}, sind die beiden Buchstaben vertauscht).</translation>
+    </message>
+    <message>
+        <source>Tilted planes: of the ways to stand the one that {control} takes by its manual is taken, at first {first} {second}; a setting of the machine may choose another. Compare with the control.</source>
+        <translation>Geschwenkte Ebenen: Von den möglichen Stellungen wird die genommen, die {control} nach seinem Handbuch nimmt, zuerst {first} {second}; ein Parameter der Maschine kann eine andere wählen. Mit der Steuerung vergleichen.</translation>
+    </message>
+    <message>
+        <source>Tool vectors</source>
+        <translation>Werkzeugvektoren</translation>
     </message>
     <message>
         <source>Turn the part, or use another tool axis there.</source>
@@ -3908,6 +3936,10 @@
         <translation>Winkel; als 10 deg schreiben</translation>
     </message>
     <message>
+        <source>another plane is on; end it first</source>
+        <translation>eine andere Ebene ist aktiv; sie zuerst beenden</translation>
+    </message>
+    <message>
         <source>arcs of a form that is not known here, taken as straight to their end points; post straight moves</source>
         <translation>Kreisbögen einer hier unbekannten Form, als Geraden bis zum Endpunkt genommen; Geraden ausgeben</translation>
     </message>
@@ -4068,6 +4100,18 @@
         <translation>Fräser {text}: im Angebot sind nur {kinds}; schreiben wie {form}</translation>
     </message>
     <message>
+        <source>cycle {number} whose depth is not below 0, or whose infeed is not above it</source>
+        <translation>Zyklus {number}, dessen Tiefe nicht unter 0 oder dessen Zustellung nicht darüber liegt</translation>
+    </message>
+    <message>
+        <source>cycle {number} with {name} above 0</source>
+        <translation>Zyklus {number} mit {name} über 0</translation>
+    </message>
+    <message>
+        <source>cycle {number} without {name}</source>
+        <translation>Zyklus {number} ohne {name}</translation>
+    </message>
+    <message>
         <source>cycles, whose moves are missing here; post straight moves</source>
         <translation>Zyklen, deren Bewegungen hier fehlen; Geraden ausgeben</translation>
     </message>
@@ -4220,6 +4264,10 @@
         <translation>es muss {bounds}</translation>
     </message>
     <message>
+        <source>it says none of TURN, MOVE and STAY</source>
+        <translation>sie nennt weder TURN noch MOVE noch STAY</translation>
+    </message>
+    <message>
         <source>its Q makes too many pecks</source>
         <translation>sein Q ergibt zu viele Zustellungen</translation>
     </message>
@@ -4238,6 +4286,14 @@
     <message>
         <source>its repeats are no whole number from 0 on</source>
         <translation>seine Wiederholungen sind keine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>its values are no numbers</source>
+        <translation>ihre Werte sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>its vectors span no plane</source>
+        <translation>ihre Vektoren spannen keine Ebene auf</translation>
     </message>
     <message>
         <source>its {edge} edge goes {way}, {size}</source>
@@ -4504,6 +4560,10 @@
         <translation>kein Programm gegeben; die NC-Datei nennen, die aus dem CL-Weg ausgegeben wurde</translation>
     </message>
     <message>
+        <source>no tilted plane is on</source>
+        <translation>keine geschwenkte Ebene ist aktiv</translation>
+    </message>
+    <message>
         <source>no tool</source>
         <translation>kein Werkzeug</translation>
     </message>
@@ -4516,12 +4576,20 @@
         <translation>kein Wert: {rest}</translation>
     </message>
     <message>
+        <source>no way to stand lies within the limits of the rotary axes</source>
+        <translation>keine Stellung liegt in den Grenzen der Drehachsen</translation>
+    </message>
+    <message>
         <source>none asked for</source>
         <translation>keine verlangt</translation>
     </message>
     <message>
         <source>none of the {count} facets has an area: check the units and the export</source>
         <translation>keine der {count} Facetten hat eine Fläche: Einheiten und Export prüfen</translation>
+    </message>
+    <message>
+        <source>not all its values are given, or others</source>
+        <translation>nicht alle ihre Werte sind gegeben, oder andere</translation>
     </message>
     <message>
         <source>not checked against the part</source>
@@ -5004,6 +5072,10 @@
         <translation>das ist keine STL-Datei: ihre {size} Bytes beginnen weder mit „solid“, noch enthalten sie einen binären Kopf</translation>
     </message>
     <message>
+        <source>this machine cannot take up its normal</source>
+        <translation>diese Maschine kann ihre Normale nicht einnehmen</translation>
+    </message>
+    <message>
         <source>to the back</source>
         <translation>nach hinten</translation>
     </message>
@@ -5038,6 +5110,10 @@
     <message>
         <source>tolerance {tolerance} not proven in {count} of {all} feed blocks</source>
         <translation>Toleranz {tolerance} in {count} von {all} Vorschubsätzen nicht nachgewiesen</translation>
+    </message>
+    <message>
+        <source>tool axes are told by vectors in it</source>
+        <translation>in ihr stehen Werkzeugachsen als Vektoren</translation>
     </message>
     <message>
         <source>tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors</source>
@@ -5802,6 +5878,10 @@
     <message>
         <source>{name}: the post has {value} (within {certainty}), {machine} has {given}, {apart} apart.{effect}</source>
         <translation>{name}: der Postprozessor hat {value} (auf {certainty} genau), {machine} hat {given}, {apart} auseinander.{effect}</translation>
+    </message>
+    <message>
+        <source>{name}: this tilted plane is not interpreted, and the coordinates after it are taken as they were before: {reason}. Post it another way, or post without planes.</source>
+        <translation>{name}: Diese geschwenkte Ebene wird nicht ausgewertet, und die Koordinaten danach werden genommen wie davor: {reason}. Sie anders ausgeben oder ohne Ebenen ausgeben.</translation>
     </message>
     <message>
         <source>{name}: {key} {given} is no {what}</source>
