@@ -22,9 +22,10 @@ def tessellate(obj: Any, stl_path: Any = None, *, overwrite: bool = False, **set
     ``angular_deflection`` deg (15), ``faces`` as ("Face3",): what a toolpath of it will mill.
     Raises SelectionError, SettingsError, FileError, Cancelled; then neither an object nor a file is left behind.
     """
+    from . import arguments
     from .actions import tessellate as act
 
-    return act(obj, stl_path, overwrite, settings)
+    return act(obj, arguments.file_name_or_none(stl_path), overwrite, settings)
 
 
 def create_setup(doc: Any, job: Any = None, **settings: Any) -> Any:
@@ -34,9 +35,10 @@ def create_setup(doc: Any, job: Any = None, **settings: Any) -> Any:
     as "T3 ball:6:30 name", without them those of the CAM ``job``, or of the document's first one.
     ``create_toolpath(..., setup=obj)`` links a path to it. Raises FiveAxisError; then the document is as it was.
     """
+    from . import arguments
     from .job_setup import create as act
 
-    return act(doc, settings, job)
+    return act(arguments.document(doc), settings, arguments.cam_job(job))
 
 
 def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
@@ -49,9 +51,10 @@ def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
     in a document with just one Setup it takes that where it is given nothing of the kind; None: none.
     Raises FiveAxisError; then the document is as it was.
     """
+    from . import arguments
     from .actions import create_toolpath as act
 
-    return act(doc, base, settings)
+    return act(arguments.document(doc), arguments.base(base), settings)
 
 
 def post_process(toolpath: Any, nc_path: Any, overwrite: bool = False, also: Any = None) -> Any:
@@ -60,9 +63,10 @@ def post_process(toolpath: Any, nc_path: Any, overwrite: bool = False, also: Any
     A file that is there is replaced only where asked, where it is empty, or where it still is what was written last.
     Raises FileError and what the toolpath's computation raises; then the file is as it was.
     """
+    from . import arguments
     from .nc_output import post_process as act
 
-    return act(toolpath, nc_path, overwrite, also)
+    return act(toolpath, arguments.file_name(nc_path), overwrite, arguments.files(also))
 
 
 def annotate(toolpath: Any) -> Any:
@@ -91,9 +95,10 @@ def audit(doc: Any, nc_path: Any, machine: str, **settings: Any) -> Any:
     ``holder`` for the drawing.
     Raises FiveAxisError; then the document is as it was.
     """
+    from . import arguments
     from .actions import audit as act
 
-    return act(doc, nc_path, machine, settings)
+    return act(arguments.document(doc), arguments.file_name(nc_path), machine, settings)
 
 
 def setup_map(toolpath: Any, **settings: Any) -> Any:
@@ -110,9 +115,10 @@ def setup_map(toolpath: Any, **settings: Any) -> Any:
 
 def apply_setup(setup_map: Any) -> Any:
     """Give the toolpath of a SetupMap the recommended work zero and compute it; returns the toolpath. Raises FiveAxisError."""
+    from . import arguments
     from .setups import apply as act
 
-    return act(setup_map)
+    return act(arguments.setup_map(setup_map))
 
 
 def compare(toolpath: Any, machines: Any, cures: Any = (), tool_length: Any = None) -> Any:
@@ -121,9 +127,10 @@ def compare(toolpath: Any, machines: Any, cures: Any = (), tool_length: Any = No
     ``machines``: names or .fcm files; ``cures``: names, without any: all; ``tool_length`` mm, for machines with a rotary head.
     Each row is a :class:`freecad_fiveaxis.core.compare.Row`. Raises FiveAxisError. The document stays as it is.
     """
+    from . import arguments
     from .comparing import compare as act
 
-    return act(toolpath, machines, cures, tool_length).rows
+    return act(toolpath, arguments.names(machines), arguments.names(cures), tool_length).rows
 
 
 def recover(cl_file: Any, nc_file: Any, fcm_file: Any = None, **settings: Any) -> Any:
@@ -133,9 +140,10 @@ def recover(cl_file: Any, nc_file: Any, fcm_file: Any = None, **settings: Any) -
     with, ``controller``, ``origin``, ``tool_length`` mm, ``certainty`` mm. Returns the core's Recovered (``found``,
     ``findings``; ``settings.recover.machine_file`` is the file). Raises FiveAxisError; then nothing is written.
     """
-    from . import recovering
+    from . import arguments, recovering
 
-    done = recovering.recover(cl_file, nc_file, fcm_file, settings)
+    cl_file, nc_file = arguments.file_name(cl_file), arguments.file_name(nc_file)
+    done = recovering.recover(cl_file, nc_file, arguments.file_name_or_none(fcm_file), settings)
     recovering.write(done)
     return done
 
@@ -147,8 +155,9 @@ def prove_signs(nc_file: Any, machine: str, sheet: Any = None, overwrite: bool =
     ``travel`` mm, ``angle`` deg, ``slow_feed`` mm/min. Raises FiveAxisError, as FileError for a file that is there; then
     nothing is written.
     """
-    from . import signs
+    from . import arguments, signs
 
+    nc_file, sheet = arguments.file_name(nc_file), arguments.file_name_or_none(sheet)
     done = signs.prove(nc_file, {**settings, "machine": machine}, sheet)
     signs.write(done, overwrite)
     return done
@@ -159,6 +168,7 @@ def import_machine(source: Any, fcm_file: Any = None) -> str:
 
     ``fcm_file`` None: a new file in the user's folder of machines; no file is ever replaced. Raises FiveAxisError.
     """
-    from . import importing
+    from . import arguments, importing
 
+    source, fcm_file = arguments.file_name(source), arguments.file_name_or_none(fcm_file)
     return importing.write(importing.read(source), fcm_file)

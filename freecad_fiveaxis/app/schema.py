@@ -119,7 +119,7 @@ def migrate(obj: Any, properties: Sequence[Property]) -> None:
             f"{obj.Label} was saved by a later version of the five-axis workbench (schema {version}, here {SCHEMA}); "
             "properties that are not known here are kept but not used\n"
         )
-    for step in range(version, SCHEMA):
+    for step in range(max(version, 0), SCHEMA):  # no version is below 0, but a document may say so
         STEPS[step](obj)
     add_missing(obj, [*properties, VERSION])
     obj.SchemaVersion = max(version, SCHEMA)

@@ -213,3 +213,11 @@ def test_what_had_no_cure_at_all_gets_none(doc, ball, reopen):
     path.touch()
     path.Document.recompute()
     assert path.Blocks == blocks and path.Light == "red"
+
+
+def test_a_version_below_the_first_is_taken_for_it(doc, reopen):
+    path = toolpath.make(doc, None, {"machine": "trunnion_ac"}, {})
+    path.removeProperty("Clearance")
+    path.SchemaVersion = -5
+    again = reopen(doc).Toolpath
+    assert again.SchemaVersion == schema.SCHEMA and "Clearance" in again.PropertiesList

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What macros give, looked at before any work: a value of another type is refused by an error that says what is meant.
+
+Every function gives back what it was given, and raises SelectionError, or FileError for the name of a file.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from freecad_fiveaxis.core.errors import FileError
+from freecad_fiveaxis.core.sentences import say
+
+from .selection import SelectionError
+
+
+def document(given: Any) -> Any:
+    """A document."""
+    return _with(given, "addObject", say("a document, as FreeCAD.ActiveDocument"))
+
+
+def setup_map(given: Any) -> Any:
+    """A map of setups."""
+    return _with(given, "RecommendedTurn", say("a setup map"))
+
+
+def cam_job(given: Any) -> Any:
+    """A CAM job, or None."""
+    return given if given is None else _with(given, "Tools", say("a CAM job"))
+
+
+def file_name(given: Any) -> Any:
+    """The name of a file."""
+    if isinstance(given, str) or (isinstance(given, os.PathLike) and isinstance(os.fspath(given), str)):
+        return given
+    raise FileError(say("{value} is no name of a file: give a text or a path", value=_shown(given)), given)
+
+
+def file_name_or_none(given: Any) -> Any:
+    """The name of a file, or None."""
+    return given if given is None else file_name(given)
+
+
+def names(given: Any) -> tuple[str, ...]:
+    """Names; a single one may stand by itself."""
+    if isinstance(given, str):
+        return (given,)
+    if isinstance(given, (tuple, list)) and all(isinstance(one, str) for one in given):
+        return tuple(given)
+    raise _refused(given, say("a list of names"))
+
+
+def base(given: Any) -> Any:
+    """An object, by itself or with the names of its faces. What it is is looked at later."""
+    if isinstance(given, (tuple, list)) and len(given) == 2:
+        names(given[1])
+    return given
+
+
+def files(given: Any) -> Any:
+    """Contents of further files by their names, or None."""
+    if given is not None and not (isinstance(given, Mapping) and all(isinstance(data, bytes) for data in given.values())):
+        raise _refused(given, say("file names with their contents as bytes"))
+    for name in given or ():
+        file_name(name)
+    return given
+
+
+def _with(given: Any, name: str, wanted: str) -> Any:
+    try:
+        fits = hasattr(given, name)
+    except ReferenceError:  # a document that is closed, an object that is deleted
+        fits = False
+    if not fits:
+        raise _refused(given, wanted)
+    return given
+
+
+def _refused(given: Any, wanted: str) -> SelectionError:
+    return SelectionError(say("{value} is not what is meant: give {wanted}", value=_shown(given), wanted=wanted), given)
+
+
+def _shown(given: Any) -> str:
+    label = getattr(given, "Label", None)
+    return label if isinstance(label, str) else repr(given)[:60]
