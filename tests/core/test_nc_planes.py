@@ -248,6 +248,15 @@ def test_in_a_plane_steps_arcs_cycles_inches_and_unnamed_words_mean_the_plane() 
     )
 
 
+def test_a_cycle_that_begins_where_nobody_knows_is_named() -> None:
+    for points, bad in (("G81 X5 Y6 Z-3 R2\n", True), ("G0 Z9\nG81 X5 Z-3 R2\n", True), ("G0 Z9\nG81 X5 Y6 Z-3 R2\n", False)):
+        program = iso("G68.2 I0 J30 K0", points + "G80\n")
+        assert any("where it begins is not known" in found.text for found in program.findings) is bad
+        assert np.isfinite(program.words).all()
+    plain = read("G21 G90 G69 F300\nG0 X0 Y0 Z50 C0 A0\nG69\nG81 X5 Y6 Z-3 R2\n", "fanuc")
+    assert not errors(plain) and len(plain.line) == 5
+
+
 def test_after_the_plane_words_mean_the_axes_and_what_is_not_named_stands() -> None:
     program = read("G21 G90 F300\nG0 X0 Y0 Z50 C0 A0\nG68.2 I0 J30 K0\nG53.1\nG1 X1 Y2 Z3\nG69\nG0 Z80\nG0 X5\n", "fanuc")
     assert program.words[-2, :2].tolist() == program.words[-3, :2].tolist() and program.words[-2, 2] == 80
