@@ -218,6 +218,17 @@ def test_forms_of_siemens_that_are_not_known_are_named(call: str) -> None:
     assert [found.line for found in program.findings if found.code == "offset-not-interpreted"] == [3]
 
 
+def test_values_beyond_all_words_are_named() -> None:
+    far = "9" * 320
+    for program in (
+        klartext(f"PLANE SPATIAL SPA+{far} SPB+0 SPC+0 TURN FMAX"),
+        swivel(f'CYCLE800(0,"T",0,57,0,0,0,{far},0,0,0,0,0,1)'),
+        swivel(f'CYCLE800(0,"T",0,{far},0,0,0,1,0,0,0,0,0,1)'),
+        iso("G68.2 X0 I99999999 J0 K0"),
+    ):
+        assert any("beyond all words" in found.text for found in program.findings)
+
+
 def test_resets_turn_back_or_not_and_a_retract_by_setting_is_named() -> None:
     program = swivel('CYCLE800(1,"TC1",0,57,0,0,0,30,0,0,0,0,0,1)\nG1 X1\nCYCLE800(0,"TC1",0,57,0,0,0,0,0,0,0,0,0,1)')
     assert program.words[-1, 3:].tolist() == [0, 0] and [

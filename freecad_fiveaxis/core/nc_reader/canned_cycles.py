@@ -30,7 +30,7 @@ from .words import Words
 READ = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)
 """The cycles that are written out; the others stay as they are, and are named."""
 FINE = 760
-"""Fine boring on Fanuc and Haas: as G86, but the spindle stops oriented and the tool leaves the wall (I J or Q) before it rises."""
+"""Fine boring on Fanuc and Haas: as G86, but the spindle stops oriented and the tool leaves the wall before it rises."""
 PECKING = (730, 830)
 RETRACT = {980: 0, 990: 1}
 BACK = np.argsort(AXES, axis=1)
@@ -359,8 +359,8 @@ def _findings(made: Made, lines: Lines, controller: str) -> list[Finding]:
     fine = np.flatnonzero(lines.any_of((FINE,)))
     if controller in WAYS and len(fine) and made.moves:
         text = say(
-            "G76 is read without its shift: at the bottom the control leaves the wall by I J or Q before the tool rises, and comes "
-            "back above."
+            "G76 is read without its shift: at the bottom the control leaves the wall by I J or Q before the tool rises, "
+            "and comes back above."
         )
         found.append(Finding(Severity.NOTE, "boring-shift", text, line=int(fine[0])))
     return found
