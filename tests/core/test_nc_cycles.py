@@ -175,3 +175,15 @@ def some_cycles(seed: int) -> str:
 @pytest.mark.parametrize("seed", range(60))
 def test_cycles_move_as_linuxcnc_moves(seed: int, tmp_path: Path) -> None:
     agree(some_cycles(seed), tmp_path)
+
+
+@pytest.mark.parametrize("controller", ["fanuc", "haas"])
+def test_fine_boring_is_read_without_its_shift_and_said_so(controller: str) -> None:
+    program = read(HEAD + "G98 G76 X5 Y6 Z-3 R2 Q0.5 P100\nX7\nG80\n", controller)
+    assert path(program) == ["r 5 6 20", "r 5 6 2", "f 5 6 -3", "r 5 6 20", "r 7 6 20", "r 7 6 2", "f 7 6 -3", "r 7 6 20"]
+    assert [found.line for found in program.findings if found.code == "boring-shift"] == [3] and not errors(program)
+
+
+def test_threads_of_linuxcnc_and_back_boring_are_named() -> None:
+    assert errors(read(HEAD + "G76 P1 Z-3 I-1 J0.1 K0.5\nG80\nG0 X1\n"))
+    assert errors(read(HEAD + "G87 X5 Y6 Z-3 R2 Q0.5\nG80\nG0 X1\n", "fanuc")) == ["cycle-not-interpreted"]

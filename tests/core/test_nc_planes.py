@@ -218,6 +218,17 @@ def test_forms_of_siemens_that_are_not_known_are_named(call: str) -> None:
     assert [found.line for found in program.findings if found.code == "offset-not-interpreted"] == [3]
 
 
+def test_values_beyond_all_words_are_named() -> None:
+    far = "9" * 320
+    for program in (
+        klartext(f"PLANE SPATIAL SPA+{far} SPB+0 SPC+0 TURN FMAX"),
+        swivel(f'CYCLE800(0,"T",0,57,0,0,0,{far},0,0,0,0,0,1)'),
+        swivel(f'CYCLE800(0,"T",0,{far},0,0,0,1,0,0,0,0,0,1)'),
+        iso("G68.2 X0 I99999999 J0 K0"),
+    ):
+        assert any("beyond all words" in found.text for found in program.findings)
+
+
 def test_resets_turn_back_or_not_and_a_retract_by_setting_is_named() -> None:
     program = swivel('CYCLE800(1,"TC1",0,57,0,0,0,30,0,0,0,0,0,1)\nG1 X1\nCYCLE800(0,"TC1",0,57,0,0,0,0,0,0,0,0,0,1)')
     assert program.words[-1, 3:].tolist() == [0, 0] and [
@@ -246,6 +257,15 @@ def test_in_a_plane_steps_arcs_cycles_inches_and_unnamed_words_mean_the_plane() 
     np.testing.assert_allclose(
         poses(inch, TRUNNION)[0][-1] / 25.4, [2, np.cos(np.radians(40)), np.sin(np.radians(40))], atol=1e-9
     )
+
+
+def test_a_cycle_that_begins_where_nobody_knows_is_named() -> None:
+    for points, bad in (("G81 X5 Y6 Z-3 R2\n", True), ("G0 Z9\nG81 X5 Z-3 R2\n", True), ("G0 Z9\nG81 X5 Y6 Z-3 R2\n", False)):
+        program = iso("G68.2 I0 J30 K0", points + "G80\n")
+        assert any("where it begins is not known" in found.text for found in program.findings) is bad
+        assert np.isfinite(program.words).all()
+    plain = read("G21 G90 G69 F300\nG0 X0 Y0 Z50 C0 A0\nG69\nG81 X5 Y6 Z-3 R2\n", "fanuc")
+    assert not errors(plain) and len(plain.line) == 5
 
 
 def test_after_the_plane_words_mean_the_axes_and_what_is_not_named_stands() -> None:

@@ -29,6 +29,8 @@ from .words import Words
 
 READ = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)
 """The cycles that are written out; the others stay as they are, and are named."""
+FINE = 760
+"""Fine boring on Fanuc and Haas: as G86, but the spindle stops oriented and the tool leaves the wall before it rises."""
 PECKING = (730, 830)
 RETRACT = {980: 0, 990: 1}
 BACK = np.argsort(AXES, axis=1)
@@ -42,6 +44,7 @@ NOWHERE = -1
 MOST_NAMED = 20
 MOST = 2_000_000
 """Moves that the cycles of one program may become."""
+NOWHERE_YET = say("where it begins is not known: X, Y and Z are not all told since the tilted plane began or ended")
 Moves = list[tuple[bool, float, float, float]]
 
 
@@ -49,7 +52,8 @@ Moves = list[tuple[bool, float, float, float]]
 class Ways:
     """What controls do differently. ``to_r``: the level at first is R (G99), not the initial one; ``peck``: mm that a rapid keeps
     above the depth reached (Fanuc: parameters 5114, 5115; Haas: settings 22, 52); ``rises``: below R, LinuxCNC rises first;
-    ``feeds_out``: cycles that feed out to the level, not to R; ``stays``: G88 ends at the bottom; ``repeats``: their letter."""
+    ``feeds_out``: cycles that feed out to the level, not to R; ``stays``: G88 ends at the bottom; ``repeats``: their letter;
+    ``read``: the cycles that are written out."""
 
     to_r: bool = False
     peck: float = 1.0
@@ -57,10 +61,11 @@ class Ways:
     feeds_out: tuple[int, ...] = ()
     stays: bool = False
     repeats: str = "L"
+    read: tuple[int, ...] = READ
 
 
 LINUXCNC = Ways(True, 0.254, True, (740, 840, 890), True)
-WAYS = {"fanuc": Ways(repeats="K"), "haas": Ways()}
+WAYS = {"fanuc": Ways(repeats="K", read=(*READ, FINE)), "haas": Ways(read=(*READ, FINE))}
 
 
 @dataclass(eq=False)
@@ -88,9 +93,9 @@ class Made:
 def written_out(words: Words, lines: Lines, grammar: Grammar, controller: str) -> tuple[Words, list[Finding]]:
     """The words with the cycles as moves of G0 and G1 in absolute words; each line that becomes several keeps its number in
     ``Words.source``. Without any cycle, the same object. ``controller``: the dialect's name, of :data:`WAYS` or LinuxCNC's."""
-    if grammar.name != "iso" or not np.isin(lines.code, READ).any():
-        return words, []
     ways = WAYS.get(controller, LINUXCNC)
+    if grammar.name != "iso" or not np.isin(lines.code, ways.read).any():
+        return words, []
     table = _Table(lines, grammar, ways)
     made = _made(lines, table)
     return _with_moves(words, lines, made, table), _findings(made, lines, controller)
@@ -135,6 +140,8 @@ class _Table:
         moving = np.logical_or.reduce([(self.kind != 0).any(axis=1), ~np.isnan(self.r), *rotary])
         self.runs: Bools = moving & ~lines.any_of(grammar.no_move)
         self.told: Bools = self.runs | ~np.isnan(self.q)
+        tilted = np.isin(lines.code, codes.TILT).any()
+        self.anew = np.flatnonzero(lines.any_of((*codes.TILT, codes.LEVEL))) if tilted else np.empty(0, np.int64)
         self.words = lines.words
 
     def line(self, row: int) -> int:
@@ -144,6 +151,9 @@ class _Table:
     def end(self, place: Floats, first: int, last: int) -> Floats:
         """Where the lines from ``first`` to before ``last`` lead from ``place`` (3,) mm."""
         place = place.copy()
+        known = self.anew[np.searchsorted(self.anew, first) : np.searchsorted(self.anew, last)]
+        if len(known):
+            place[:], first = np.nan, int(known[-1])
         for k in range(3):
             value, kind = self.value[first:last, k], self.kind[first:last, k]
             told = np.flatnonzero((kind != 0) & (kind != STEP))
@@ -155,7 +165,7 @@ class _Table:
     def drilled(self, made: Made, hole: Hole, code: int, row: int, place: Floats) -> Floats:
         """Put the moves of one line into ``made``; returns where they end."""
         axes = AXES[self.plane[row]]
-        if code not in READ:
+        if code not in self.ways.read:
             hole.code = code
             return place
         if reason := self._take(hole, code, row, int(axes[2])):
@@ -166,6 +176,9 @@ class _Table:
             return place
         times = 1 if np.isnan(self.times[row]) else int(self.times[row])
         across, step = self._across(row, axes, place)
+        if np.isnan(across).any() or (self.ways.rises and np.isnan(place).any()):
+            made.refused[row] = code, NOWHERE_YET
+            return place
         moves = self._moves(hole, row, (place[axes[0]], place[axes[1]], place[axes[2]]), across, step, times)
         for _, *where in moves[-1:]:
             place = place.copy()
@@ -190,6 +203,8 @@ class _Table:
         times = self.times[row]
         if not self.runs[row]:
             return None
+        if np.isnan(hole.initial):
+            return NOWHERE_YET
         if np.isnan(hole.r) or np.isnan(hole.z):
             return say("it has no R or no depth")
         if hole.z > hole.r:
@@ -266,7 +281,7 @@ def _with_moves(words: Words, lines: Lines, made: Made, table: _Table) -> Words:
     more = np.zeros(lines.count, np.int64)
     more[rows] = np.maximum(count - 1, 0) + table.steps[rows]
     shift = np.cumsum(more) - more
-    keep = _kept(words, rows, made)
+    keep = _kept(words, rows, made, table.ways)
     letter = _stepwise(words.letter[keep], np.isin(words.line[keep], rows[table.steps[rows]]))
     start = np.full(len(letter), NOWHERE) if words.start is None else words.start[keep]
     at, letters, values = _new_words(made, rows, count, shift, table)
@@ -283,10 +298,10 @@ def _with_moves(words: Words, lines: Lines, made: Made, table: _Table) -> Words:
     )
 
 
-def _kept(words: Words, rows: Ints, made: Made) -> Bools:
+def _kept(words: Words, rows: Ints, made: Made, ways: Ways) -> Bools:
     """Which words stay: not those of the cycles that are written out, and no code of one where it stands alone."""
     own = np.isin(words.line, rows) & np.isin(words.letter, [ord(letter) for letter in WORDS])
-    code: Bools = (words.letter == ord("G")) & np.isin(tenfold(words.value), READ)
+    code: Bools = (words.letter == ord("G")) & np.isin(tenfold(words.value), ways.read)
     lone = np.isin(words.line, list(made.stored)) & np.isin(words.letter, [ord(letter) for letter in "RQ"])
     return ~(own | lone | (code & ~np.isin(words.line, list(made.refused))))
 
@@ -341,4 +356,11 @@ def _findings(made: Made, lines: Lines, controller: str) -> list[Finding]:
             back=Length(WAYS[controller].peck),
         )
         found.append(Finding(Severity.NOTE, "peck-clearance", text, line=int(pecks[0])))
+    fine = np.flatnonzero(lines.any_of((FINE,)))
+    if controller in WAYS and len(fine) and made.moves:
+        text = say(
+            "G76 is read without its shift: at the bottom the control leaves the wall by I J or Q before the tool rises, "
+            "and comes back above."
+        )
+        found.append(Finding(Severity.NOTE, "boring-shift", text, line=int(fine[0])))
     return found

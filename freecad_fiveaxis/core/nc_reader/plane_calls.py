@@ -37,6 +37,8 @@ FORMS = {
     "VECTOR": ("BX", "BY", "BZ", "NX", "NY", "NZ"),
 }
 MOST_ARGUMENTS = 16
+FARTHEST = 1e7
+"""mm, deg; a value beyond this is no place of any machine."""
 POLE_STATES = (0, 100_000, 200_000)
 """ST: a new plane; the hundred thousands say which way the axes take at the pole, where the plane is the same."""
 
@@ -59,6 +61,11 @@ class Tilt:
     away: bool = False
     refused: str = ""
     name: str = ""
+
+
+def beyond(values: Sequence[float]) -> str:
+    """Why values are none, where one of them is beyond :data:`FARTHEST`."""
+    return "" if all(abs(value) <= FARTHEST for value in values) else say("a value beyond all words")
 
 
 def about(axis: int, degrees: float) -> Floats:
@@ -122,6 +129,8 @@ def _heidenhain(form: str, rest: str) -> Tilt:
         return Tilt(HEIDENHAIN, refused=say("it says none of TURN, MOVE and STAY"))
     if set(told) != set(FORMS[form]):
         return Tilt(HEIDENHAIN, refused=say("not all its values are given, or others"))
+    if why := beyond([*told.values(), float(dist)]):
+        return Tilt(HEIDENHAIN, refused=why)
     turn = _turned(form, [told[name] for name in FORMS[form]])
     if turn is None:
         return Tilt(HEIDENHAIN, refused=say("its vectors span no plane"))
@@ -143,6 +152,8 @@ def cycle800(inside: str) -> Tilt:
     if len(parts) > MOST_ARGUMENTS or any(part and not re.fullmatch(NUMBER, part) for part in parts):
         return Tilt(SIEMENS, refused=say("its values are no numbers"))
     value = [float(part or 0.0) for part in parts] + [0.0] * (MOST_ARGUMENTS - len(parts))
+    if why := beyond(value):
+        return Tilt(SIEMENS, refused=why)
     state, mode, way = value[2], int(value[3]), int(value[13])
     order = [(mode >> bits & 3) - 1 for bits in (0, 2, 4)]
     if state not in POLE_STATES:

@@ -105,6 +105,8 @@ def _euler(told: dict[str, float]) -> Tilt:
         name = f"P{told['P']:g}" if "P" in told else "R"
         return Tilt(FANUC, refused=say("{rest} is not known here", rest=name))
     x, y, z, i, j, k = (told.get(letter, 0.0) for letter in "XYZIJK")
+    if why := plane_calls.beyond((x, y, z, i, j, k)):
+        return Tilt(FANUC, refused=why)
     return Tilt(FANUC, plane_calls.euler((i, j, k)), (x, y, z))
 
 

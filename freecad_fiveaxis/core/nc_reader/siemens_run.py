@@ -24,8 +24,8 @@ KEYWORD = re.compile(r"(ENDIF|ENDWHILE|ENDLOOP|ELSE|IF|WHILE|FOR(?=R[0-9])|ENDFO
 JUMP = re.compile(r"(.*)GOTO([FB]?)([A-Z0-9_]+)$")
 ADDRESS = re.compile(r"(?<![A-Z_$])(?=[A-QS-Z](?:=|[-+]?[0-9.]))")
 """Before each word of a block."""
-SIGNS, SIGN = (b"IF", b"OTO", b"WHILE", b"LOOP"), re.compile(rb"R *[0-9\[]")
-"""Without any of these, which are searched faster, a text has none of :data:`MARK`."""
+SIGN = re.compile(rb"R *[0-9\[]")
+"""What each text with R parameters has, searched faster than :data:`MARK`."""
 ENDS = re.compile(r"M(?:0*2|17|30)(?![0-9=])")
 RELATIONS = (("==", "EQ"), ("<>", "NE"), (">=", "GE"), ("<=", "LE"), (">", "GT"), ("<", "LT"))
 OPENS = {"IF": "IF", "WHILE": "WHILE", "LOOP": "WHILE", "REPEAT": "DO"}
@@ -36,11 +36,6 @@ CLOSES = {
     "UNTIL": ("REPEAT", "WHILE"),
 }
 UNKNOWN = re.compile(r"DIV|NOT|B_|TRUNC|ATAN2|POT|CR=|[ABC][0-9]=|[AID]C\[|R\[|\$|,")
-
-
-def marked(text: bytes) -> bool:
-    """Whether a text, in capitals, has R parameters or jumps."""
-    return bool((any(sign in text for sign in SIGNS) or SIGN.search(text)) and MARK.search(text))
 
 
 def said_again(lines: list[str]) -> tuple[list[str], list[bool]]:

@@ -28,8 +28,8 @@ from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.sentences import Template, say
 
-from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
-from .noted import Notes
+from . import codes, interpreter
+from .plain_words import moved, not_run, plain_words
 from .plane_calls import Tilt
 
 SOLID = re.compile(rb"[^ \n]")
@@ -68,10 +68,6 @@ SKIPPED = Template("{count} lines begin with a slash (block skip); they are read
 MACROS = Template(
     "{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without "
     "them. The first: {shown}."
-)
-NOT_RUN = Template(
-    "The lines with variables, expressions or jumps are not interpreted, because of this one: {reason}. Their words are missing "
-    "here; post without them."
 )
 NOT_CALLED = Template("Subprograms are not interpreted, because of this line: {reason}. Post one program without them.")
 HEIDENHAIN_SIGN = re.compile(rb"^ *(?:0+ +)?BEGIN +PGM\b", re.MULTILINE | re.IGNORECASE)
@@ -184,42 +180,21 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
     text = _between_marks(whole, findings)
     if language == "heidenhain":
         text = heidenhain.with_unit(whole, text)
-    source, notes = None, Notes()
-    if language == "siemens" and siemens.SWIVEL in text:
-        text = siemens.swivels(text, notes)
-    if language == "siemens" and siemens_run.marked(text):
-        text = siemens.without_strings(text)
-        run = interpreter.written_out(text, False, progress, siemens=True)
-        if isinstance(run, interpreter.Written):
-            text, source = run.text, run.source
-        else:
-            findings.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=run.reason), line=run.line))
-    last: list[Finding] = []
-    if language == "heidenhain" and heidenhain_run.marked(text):
-        run = heidenhain_run.written_out(text, progress)
-        if isinstance(run, interpreter.Written):
-            text, source = run.text, run.source
-        else:
-            last.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=run.reason), line=run.line))
+    source, tilts = None, tuple[Tilt, ...]()
     if language != "iso":
-        read = (siemens if language == "siemens" else heidenhain).plain(text, notes)
-        findings += [*(_moved(found, source) for found in notes.findings(text)), *last]
-        text = read
+        plain = plain_words(text, language, progress)
+        text, source, tilts = plain.text, plain.source, plain.tilts
+        findings += plain.findings
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
     if b"/" in text:
         text, lines = _overwritten(text, SLASH, b" ")
         if lines:
             found = _finding(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0])
-            findings.append(_moved(found, source))
+            findings.append(moved(found, source))
     if b":" in text:
         text, _ = _overwritten(text, COLON, b"O")
-    return text, findings, source, tuple(notes.tilts)
-
-
-def _moved(found: Finding, source: Ints | None) -> Finding:
-    """A finding with the line of the file."""
-    return found if source is None or found.line is None else replace(found, line=int(source[found.line]))
+    return text, findings, source, tilts
 
 
 def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[bytes, list[int]]:
@@ -256,7 +231,7 @@ def _run(
         if not marks:
             findings.append(Finding(Severity.ERROR, codes.CALL[1], NOT_CALLED.say(reason=made.reason), line=made.line))
             return text, None
-        findings.append(Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=made.reason), line=made.line))
+        findings.append(not_run(made))
         return _blank_lines(text, _lines_with(text, marks)), None
     hit = _lines_with(text, marks)
     shown = b" ".join(text.split(b"\n")[hit[0]].split())[:40].decode("latin-1")
