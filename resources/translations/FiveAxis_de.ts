@@ -3236,6 +3236,10 @@
         <translation>G66 ruft nach jedem Satz ein Programm auf</translation>
     </message>
     <message>
+        <source>G76 is read without its shift: at the bottom the control leaves the wall by I J or Q before the tool rises, and comes back above.</source>
+        <translation>G76 wird ohne seinen Versatz gelesen: Am Grund entfernt sich die Steuerung um I J oder Q von der Wand, bevor das Werkzeug steigt, und kommt oben zurück.</translation>
+    </message>
+    <message>
         <source>GODLTA stands before the first GOTO: from where is not known</source>
         <translation>GODLTA steht vor dem ersten GOTO: der Ausgangspunkt ist nicht bekannt</translation>
     </message>
@@ -3824,6 +3828,10 @@
         <translation>Z dieser Maschine hebt das Werkzeug nicht: ihrer Datei ein anderes safe_start als clearance geben</translation>
     </message>
     <message>
+        <source>a CAM job</source>
+        <translation>einen CAM-Auftrag</translation>
+    </message>
+    <message>
         <source>a G65 beside another G code</source>
         <translation>ein G65 neben einem anderen G-Code</translation>
     </message>
@@ -3844,12 +3852,20 @@
         <translation>eine Abweichung von {enough} kann nicht genug sein; 0 oder mehr angeben</translation>
     </message>
     <message>
+        <source>a document, as FreeCAD.ActiveDocument</source>
+        <translation>ein Dokument, etwa FreeCAD.ActiveDocument</translation>
+    </message>
+    <message>
         <source>a facet names vertex {wrong}, but the rows run from 0 to {count}: correct the facets</source>
         <translation>eine Facette nennt die Ecke {wrong}, aber die Zeilen gehen von 0 bis {count}: die Facetten berichtigen</translation>
     </message>
     <message>
         <source>a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute</source>
         <translation>ein Vorschub je Umdrehung braucht die Spindeldrehzahl; vorher SPINDL/ angeben oder Vorschub je Minute</translation>
+    </message>
+    <message>
+        <source>a list of names</source>
+        <translation>eine Liste von Namen</translation>
     </message>
     <message>
         <source>a number with an exponent; write it out</source>
@@ -3870,6 +3886,10 @@
     <message>
         <source>a plane offset is {wrong}: give finite numbers</source>
         <translation>ein Ebenenabstand ist {wrong}: endliche Zahlen angeben</translation>
+    </message>
+    <message>
+        <source>a setup map</source>
+        <translation>eine Aufspannkarte</translation>
     </message>
     <message>
         <source>a side is not machined ({area})</source>
@@ -4166,6 +4186,10 @@
     <message>
         <source>feeds told by a parameter or the tool; F is not known there</source>
         <translation>Vorschübe aus einem Parameter oder vom Werkzeug; F ist dort nicht bekannt</translation>
+    </message>
+    <message>
+        <source>file names with their contents as bytes</source>
+        <translation>Dateinamen mit ihrem Inhalt als Bytes</translation>
     </message>
     <message>
         <source>fixed tool axis {fixed} has no direction; give three numbers, as 0,0,1</source>
@@ -5192,6 +5216,10 @@
         <translation>Restmaterial ist nur von einem Werkzeugweg bekannt: einen Werkzeugweg auswählen</translation>
     </message>
     <message>
+        <source>where it begins is not known: X, Y and Z are not all told since the tilted plane began or ended</source>
+        <translation>wo er beginnt, ist nicht bekannt: X, Y und Z sind nicht alle genannt, seit die geschwenkte Ebene begann oder endete</translation>
+    </message>
+    <message>
         <source>with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?</source>
         <translation>mit {letter}{first} {other}{second} können die Linearachsen die Werkzeugspitze nicht setzen; ist es ein Programm dieser Maschine?</translation>
     </message>
@@ -6112,6 +6140,10 @@
         <translation>{value} sind zu steil für den größten Achswinkel und ausgelassen</translation>
     </message>
     <message>
+        <source>{value} is no name of a file: give a text or a path</source>
+        <translation>{value} ist kein Dateiname: einen Text oder Pfad angeben</translation>
+    </message>
+    <message>
         <source>{value} is no whole number from 0 on</source>
         <translation>{value} ist keine ganze Zahl ab 0</translation>
     </message>
@@ -6134,6 +6166,10 @@
     <message>
         <source>{value} is not an object; write {{ ... }}</source>
         <translation>{value} ist kein Objekt; {{ ... }} schreiben</translation>
+    </message>
+    <message>
+        <source>{value} is not what is meant: give {wanted}</source>
+        <translation>{value} ist nicht gemeint: {wanted} angeben</translation>
     </message>
     <message>
         <source>{value} of the passes are left out</source>

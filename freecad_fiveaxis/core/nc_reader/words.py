@@ -29,6 +29,7 @@ from freecad_fiveaxis.core.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.sentences import Template, say
 
 from . import codes, interpreter
+from .heidenhain import with_unit
 from .plain_words import moved, not_run, plain_words
 from .plane_calls import Tilt
 
@@ -179,7 +180,7 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
     whole = text.translate(CLEAN)
     text = _between_marks(whole, findings)
     if language == "heidenhain":
-        text = heidenhain.with_unit(whole, text)
+        text = with_unit(whole, text)
     source, tilts = None, tuple[Tilt, ...]()
     if language != "iso":
         plain = plain_words(text, language, progress)
