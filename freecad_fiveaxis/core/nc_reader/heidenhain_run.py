@@ -9,7 +9,8 @@ CYCL DEF 200, 203        with CYCL CALL or M99: down by Q202 at F Q206, between 
                          to Q200 over the depth reached, at last up to Q200 or Q204; 203 leaves the hole at Q208 (FMAX where 0).
 
 One that was never set only the control knows. Sources: Heidenhain TNC 620 and TNC 640, Klartext Programming, Q parameters,
-subprograms and program section repeats; Cycle Programming, cycles 200 and 203.
+subprograms and program section repeats. The moves of the cycles were written without their manual at hand: check them on the
+control.
 """
 
 from __future__ import annotations

@@ -10,6 +10,9 @@ CYCLE800             (FR, "TC", ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, DIR, 
                      turn, the first lowest (27 = Z Y X, 39, 45, 30, 54, 57 = X Y Z). All angles 0: back to the basic position
                      (Siemens 840D sl, 6FC5398-7CP41, 10.6).
 
+Not looked up in a manual: DIR 0 leaves the axes, all angles 0 drive them back, the meaning of ST, DIST of MOVE; and that Fanuc's
+angles are about Z, X, Z, as posts write them (FreeCAD CAM's too). Check them on the control.
+
 Other forms (three points, projection, relative and axis angles, SYM; ST that adds) are not known here, and named.
 """
 
