@@ -89,9 +89,20 @@ def test_faults_are_told_where_the_package_says():
 # ------------------------------------------------------------------------------------------------ signals
 
 
+HEARS = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+if hasattr(signal, "SIGHUP"):
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
+"""
+"""A process takes over what its parent ignores: SIGHUP under nohup, SIGINT behind an ampersand."""
+
+
 def start(*words, head=""):
     """The command line in a process of its own; ``head``: Python to run before."""
-    code = f"{head}\nimport sys, runpy\nsys.argv[0] = 'fiveaxis'\nrunpy.run_module('freecad_fiveaxis', run_name='__main__')"
+    code = (
+        f"{HEARS}\n{head}\nimport sys, runpy\nsys.argv[0] = 'fiveaxis'\nrunpy.run_module('freecad_fiveaxis', run_name='__main__')"
+    )
     command = [sys.executable, "-c", code, *(os.fspath(word) for word in words)]
     return subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
