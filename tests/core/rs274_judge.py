@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -36,6 +37,7 @@ def judged(file: Path, timeout: float = 60) -> Judged:
         text=True,
         errors="replace",
         cwd=file.parent,
+        env={**os.environ, "HOME": str(file.parent)},  # it keeps its tools there, and two at a time spoil each other's
         timeout=timeout,
         stdin=subprocess.DEVNULL,
     )

@@ -489,8 +489,8 @@ def test_cosine_and_sine_through_the_tangent_are_right_to_rounding_at_any_angle(
     quarters = np.arange(-9, 10) * 0.5 * np.pi
     angle = np.concatenate([np.random.default_rng(4).uniform(-50.0, 50.0, 20_000), quarters, quarters + 1e-9, quarters - 1e-9])
     cos, sin = cos_sin(angle)
-    np.testing.assert_allclose(cos, np.cos(angle), rtol=0, atol=8e-16)
-    np.testing.assert_allclose(sin, np.sin(angle), rtol=0, atol=8e-16)
+    np.testing.assert_allclose(cos, [math.cos(one) for one in angle], rtol=0, atol=5e-16)
+    np.testing.assert_allclose(sin, [math.sin(one) for one in angle], rtol=0, atol=5e-16)
     small = np.array([0.0, 1e-300, -1e-9, 1e-5])
     np.testing.assert_allclose(cos_sin(small)[1], small, rtol=1e-10)
 

@@ -75,7 +75,7 @@ def test_the_marks_of_the_scale_ascend_and_name_its_borders(left):
     scale = height_scale(left[2], 0.01, 0.03)
     level, height = np.array(scale_marks(scale)).T
     assert (np.diff(height) > 0.0).all() and (np.diff(level) >= 0.0).all()
-    assert {-0.01, 0.03} <= set(height.tolist()) and level[0] == -1.0 and level[-1] == pytest.approx(1.0, abs=1e-15)
+    assert {-0.01, 0.03} <= set(height.tolist()) and level[0] == -1.0 and level[-1] == 1.0
     assert height_levels(height, scale) == pytest.approx(level)
 
 

@@ -62,8 +62,8 @@ def _rounded_up(value: float) -> float:
 def height_levels(height: Floats, scale: HeightScale) -> Floats:
     """Where heights (k,) mm stand on the scale: -1 deepest, 0 neutral, 1 highest; NaN where there is none."""
     up, down = np.maximum(height, scale.allowed), np.maximum(-height, scale.tolerance)
-    above = np.log(up / scale.allowed) / math.log(scale.highest / scale.allowed)
-    below = np.log(down / scale.tolerance) / math.log(scale.deepest / scale.tolerance)
+    above = np.log(up / scale.allowed) / np.log(scale.highest / scale.allowed)
+    below = np.log(down / scale.tolerance) / np.log(scale.deepest / scale.tolerance)
     return np.asarray(np.clip(above - below, -1.0, 1.0) + 0.0 * height)
 
 

@@ -23,13 +23,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from freecad_fiveaxis.core.errors import FiveAxisError
 from freecad_fiveaxis.core.progress import Progress, silent
 from freecad_fiveaxis.core.sentences import say
 
 from .expressions import DEEPEST as DEEPEST_BRACKETS
 from .expressions import NUMBER, Unread
-from .interpreter import BETWEEN, MOST, Refused, Written, deeper, endless
+from .interpreter import BETWEEN, MOST, Refused, Written, deeper, endless, refusal_of
 
 MARK = re.compile(rb"\bFN *[0-9]+ *:|\bQ[LR]?[0-9]+ *=|\bCALL +LBL\b|[-+ ]Q[LR]?[0-9]|\bCYCL +CALL\b|M99")
 """What shows that a text has parameters, calls or cycles."""
@@ -83,14 +82,8 @@ def written_out(text: bytes, progress: Progress = silent) -> Written | Refused:
         text = CONTINUED.sub(_one_line, text)
     rows = text.decode("latin-1").split("\n")
     run = Run(rows, progress)
-    try:
-        run.run()
-    except Unread as refused:
-        return Refused(run.at + 1, refused.reason)
-    except FiveAxisError:
-        raise
-    except (ArithmeticError, ValueError):
-        return Refused(run.at + 1, say("a value that is no number"))
+    if refusal := refusal_of(run):
+        return refusal
     source = np.array([0, *(at + 1 for at, _ in run.made)], np.int64)
     return Written("\n".join(row for _, row in run.made).encode("latin-1"), source)
 

@@ -9,7 +9,7 @@ refusal   one thing that is not understood makes the whole program one that is n
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import NoReturn
+from typing import NoReturn, Protocol
 
 import numpy as np
 
@@ -74,6 +74,23 @@ def written_out(text: bytes, fanuc: bool, progress: Progress = silent, siemens: 
     except Unread as refused:
         return Refused(refused.at + 1, refused.reason)
     run = Run(lines, plain, flow, fanuc, progress)
+    if refusal := refusal_of(run):
+        return refusal
+    made = [rows[at] if row is None else row.encode("latin-1") for at, row in run.made]
+    return Written(b"\n".join(made), np.array([0, *(at + 1 for at, _ in run.made)], np.int64))
+
+
+class Running(Protocol):
+    """A run of a program: ``at`` is the line that runs."""
+
+    at: int
+
+    def run(self) -> None:
+        """Run to the end. Raises Unread, ProgramError."""
+
+
+def refusal_of(run: Running) -> Refused | None:
+    """Run to the end; what was not understood, if anything was not. Raises ProgramError for what does not end."""
     try:
         run.run()
     except Unread as refused:
@@ -82,8 +99,7 @@ def written_out(text: bytes, fanuc: bool, progress: Progress = silent, siemens: 
         raise
     except (ArithmeticError, ValueError):
         return Refused(run.at + 1, say("a value that is no number"))
-    made = [rows[at] if row is None else row.encode("latin-1") for at, row in run.made]
-    return Written(b"\n".join(made), np.array([0, *(at + 1 for at, _ in run.made)], np.int64))
+    return None
 
 
 def endless(at: int, most: int) -> NoReturn:
