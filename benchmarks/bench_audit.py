@@ -17,13 +17,13 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.timing import median_seconds, print_table
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, inverse
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.mesh import from_faces, write_stl
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, inverse
 from freecad_fiveaxis.core.report import as_html
-from freecad_fiveaxis.core.settings import build_settings
 
 LINES, BLADES, STEPS = 100_000, 9, 75
 MACHINE = "trunnion_ac"

@@ -15,10 +15,10 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.timing import print_table, run_seconds
-from freecad_fiveaxis.core.deviation import measure, quick_bound
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, linear_words, words_to_q
+from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, linear_words, words_to_q
+from freecad_fiveaxis.core.motion.deviation import measure, quick_bound
 
 BLOCKS = 200_000
 SAMPLED = 20_000  # blocks that numpy samples: its time grows with their number

@@ -21,15 +21,16 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.parts import bumpy
 from benchmarks.timing import print_table
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.gouge import body_of, facet_tree, find_entries, real_course, straight_course
-from freecad_fiveaxis.core.gouge.course import still_course
-from freecad_fiveaxis.core.gouge.deepest import nearest_on_facet
-from freecad_fiveaxis.core.gouge.facet_tree import planted
-from freecad_fiveaxis.core.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.records import Floats
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.collision import find_entries, real_course, straight_course
+from freecad_fiveaxis.core.collision.deepest import nearest_on_facet
+from freecad_fiveaxis.core.collision.swept_motion import still_course
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree, planted
+from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.body import body_of
 
 FACETS = (10_000, 100_000, 1_000_000)
 DIAMETER = 6.0

@@ -15,9 +15,9 @@ from scipy.spatial.transform import Rotation
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.timing import median_seconds, print_table
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, inverse, inverse_axis, linear_words
+from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, inverse, inverse_axis, linear_words
 
 POINTS = 500_000
 

@@ -25,11 +25,20 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "core"
 from five_kinds import interleaved, links_of, random_blocks
 
 from benchmarks.timing import print_table
-from freecad_fiveaxis.core.deviation import measure
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, inverse_axis, joint_words, q_to_words, words_to_q
-from freecad_fiveaxis.core.linearize import linearize_words
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.corrections.linearize import linearize_words
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.machine.kinematics import (
+    Chain,
+    Setup,
+    chain,
+    forward,
+    inverse_axis,
+    joint_words,
+    q_to_words,
+    words_to_q,
+)
+from freecad_fiveaxis.core.motion.deviation import measure
 
 BLOCKS = 10_000
 DECIMALS = 4

@@ -20,8 +20,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.parts import bumpy
 from benchmarks.timing import print_table, run_seconds
-from freecad_fiveaxis.core.memory import keep_freed_memory
-from freecad_fiveaxis.core.mesh import read_stl, write_stl
+from freecad_fiveaxis.core.base.memory import keep_freed_memory
+from freecad_fiveaxis.core.geometry.mesh import read_stl, write_stl
 
 COMPARED = (200_000, 1_000_000)  # facets
 ROUNDS = 9

@@ -12,8 +12,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from freecad_fiveaxis.core.number_text import Column, table
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.base.number_text import Column, table
+from freecad_fiveaxis.core.base.records import Floats
 
 LETTERS, FORM = (b"X", b" Y", b" Z", b" A", b" C"), "X%.4f Y%.4f Z%.4f A%.4f C%.4f\n"
 TARGET = 12.0

@@ -19,10 +19,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.parts import SIDE, bumpy
 from benchmarks.timing import median_seconds, print_table
-from freecad_fiveaxis.core.memory import keep_freed_memory
-from freecad_fiveaxis.core.mesh import Mesh
+from freecad_fiveaxis.core.base.memory import keep_freed_memory
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes import slice_mesh
-from freecad_fiveaxis.core.records import Floats
 
 ANGLE = 0.3  # rad; planes along x or y would lie on grid lines of the part
 GROWING = (20_000, 60_000, 200_000, 600_000, 2_000_000)  # facets

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.mesh import Mesh, from_faces
-from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces
 
 SIDE = 200.0  # mm
 

@@ -65,7 +65,7 @@ class Row:
 
 def main(words, environment, say):
     """Do all parts and return the exit code."""
-    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.core.base.errors import FiveAxisError
 
     try:
         order = read_order(words, environment, say)
@@ -91,8 +91,8 @@ def main(words, environment, say):
 
 def read_order(words, environment, say):
     """The order from the environment and the words after ``--``. Raises SettingsError that names what is wrong."""
-    from freecad_fiveaxis.core.errors import SettingsError
-    from freecad_fiveaxis.core.settings import build_settings, option_fields
+    from freecad_fiveaxis.core.base.errors import SettingsError
+    from freecad_fiveaxis.core.jobs.settings import build_settings, option_fields
 
     known = {leaf.name for _, leaf in option_fields("mill")}.difference(NOT_OURS).union(OWN, TESSELLATION)
     given = from_environment(environment, known, say) | from_words(words)
@@ -121,7 +121,7 @@ def from_environment(environment, known, say):
 
 def from_words(words):
     """PARTS, OUT and name=value. Raises SettingsError for a word too many."""
-    from freecad_fiveaxis.core.errors import SettingsError
+    from freecad_fiveaxis.core.base.errors import SettingsError
 
     folders = [word for word in words if "=" not in word]
     if len(folders) > 2:
@@ -132,14 +132,14 @@ def from_words(words):
 
 def read_point(text):
     """X,Y,Z in mm."""
-    from freecad_fiveaxis.core.quantity import LENGTHS, parse_triple
+    from freecad_fiveaxis.core.base.quantity import LENGTHS, parse_triple
 
     return parse_triple(text, LENGTHS, "work_zero")
 
 
 def part_files(parts):
     """The files of the parts, in the order of their names. Raises FileError where there is none."""
-    from freecad_fiveaxis.core.errors import FileError
+    from freecad_fiveaxis.core.base.errors import FileError
 
     found = [parts] if parts.is_file() else sorted(parts.iterdir()) if parts.is_dir() else []
     files = [file for file in found if file.suffix.lower() in STEP + FCSTD and file.is_file()]
@@ -177,7 +177,7 @@ def opened(file):
     import FreeCAD
     import Part
 
-    from freecad_fiveaxis.core.errors import FileError
+    from freecad_fiveaxis.core.base.errors import FileError
 
     if file.suffix.lower() in FCSTD:
         return FreeCAD.openDocument(str(file))
@@ -259,7 +259,7 @@ def mill(name, base, settings, order):
     from freecad_fiveaxis.app.controllers import suffix_of, suffix_of_path
     from freecad_fiveaxis.app.nc_output import check_replaceable
     from freecad_fiveaxis.app.results import figures_of
-    from freecad_fiveaxis.core.files import write_whole
+    from freecad_fiveaxis.core.base.files import write_whole
     from freecad_fiveaxis.core.report import as_html, as_json
 
     doc, target = base.Document, {kind: order.out / f"{name}.{kind}" for kind in ("html", "json")}
@@ -298,7 +298,7 @@ def failed(name, error, say):
 
 def one_line(error):
     """The error in one line; one that is not ours with its kind, because its text alone may say little."""
-    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.core.base.errors import FiveAxisError
 
     said = error.args[0] if error.args else ""
     said = said.get("sErrMsg", said) if isinstance(said, dict) else error  # FreeCAD's own errors carry a dictionary

@@ -4,7 +4,7 @@
 import sys
 
 if __name__ == "__main__":
-    from freecad_fiveaxis.core import signals
+    from freecad_fiveaxis.core.base import signals
 
     try:
         signals.watch()

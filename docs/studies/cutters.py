@@ -12,8 +12,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from freecad_fiveaxis.core.cutter import Cutter, cutter_name, parse_cutter
-from freecad_fiveaxis.core.tool_axis import leaned
+from freecad_fiveaxis.core.cl.tool_axis import leaned
+from freecad_fiveaxis.core.tool import Cutter, cutter_name, parse_cutter
 
 PICTURE = Path(__file__).resolve().parents[1] / "images" / "cutters.png"
 SHAPES = ("ball:10:16", "flat:10:16", "bull:10:2:16", "taperball:6:8deg:16", "taperbull:8:1.5:8deg:16")

@@ -14,8 +14,12 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.gouge import (
+from freecad_fiveaxis.core.geometry.mesh import from_faces
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.report import Figures, summary
+from freecad_fiveaxis.core.report.raster import owners, view_from
+from freecad_fiveaxis.core.report.rest_material_map import (
     HeightScale,
     height_colours,
     height_scale,
@@ -23,10 +27,6 @@ from freecad_fiveaxis.core.gouge import (
     level_colours,
     scale_marks,
 )
-from freecad_fiveaxis.core.mesh import from_faces
-from freecad_fiveaxis.core.report import Figures, summary
-from freecad_fiveaxis.core.report.raster import owners, view_from
-from freecad_fiveaxis.core.settings import build_settings
 
 HERE = Path(__file__).resolve().parents[1]
 PICTURE = HERE / "images" / "gouge-left.png"

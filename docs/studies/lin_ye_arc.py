@@ -17,11 +17,11 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from freecad_fiveaxis.core.deviation import lin_ye_deviation, measure
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, linear_words, q_to_words
+from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.records import Floats
-from freecad_fiveaxis.core.trajectory import tip_at
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, linear_words, q_to_words
+from freecad_fiveaxis.core.motion.deviation import lin_ye_deviation, measure
+from freecad_fiveaxis.core.motion.trajectory import tip_at
 
 PAPER_R0 = 177.73
 """mm: with this the paper's example gives its 2.7 mm; the paper does not print its own."""

@@ -8,9 +8,9 @@ from collections.abc import Callable
 import numpy as np
 from scipy.spatial import ConvexHull
 
-from freecad_fiveaxis.core.mesh import Mesh, from_faces
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces
 from freecad_fiveaxis.core.passes import facet_curvature, pass_curvature, slice_mesh, turned_along
-from freecad_fiveaxis.core.records import Floats, Ints
 
 RADIUS, TUBE, HEIGHT = 60.0, 20.0, 40.0
 STEPOVER, ANGLE = 1.7, 0.3

@@ -12,9 +12,9 @@ import lin_ye_profiles as profiles
 import matplotlib
 import numpy as np
 
-from freecad_fiveaxis.core.deviation import lin_ye_deviation
+from freecad_fiveaxis.core.motion.deviation import lin_ye_deviation
+from freecad_fiveaxis.core.motion.trajectory import tip_at
 from freecad_fiveaxis.core.report.plot_style import BLUE, GREEN, GREY, ORANGE, RED, STYLE, WIDE
-from freecad_fiveaxis.core.trajectory import tip_at
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt

@@ -16,12 +16,12 @@ import lin_ye_parts as parts
 import lin_ye_profiles as profiles
 import numpy as np
 
-from freecad_fiveaxis.core.coedge import OffsetPath
-from freecad_fiveaxis.core.deviation import measure
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, linear_words, q_to_words
-from freecad_fiveaxis.core.minimax import minimax_axes
-from freecad_fiveaxis.core.records import Floats
-from freecad_fiveaxis.core.tool_axis import AxisOptions, tool_axes
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.cl.coedge import OffsetPath
+from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, tool_axes
+from freecad_fiveaxis.core.corrections.minimax import minimax_axes
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, linear_words, q_to_words
+from freecad_fiveaxis.core.motion.deviation import measure
 
 TILT = 5.0
 """deg, the default of ``--max-tilt``."""

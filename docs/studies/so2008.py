@@ -9,12 +9,12 @@ from __future__ import annotations
 import numpy as np
 from trials import DOCS, PLACE, heading, row
 
-from freecad_fiveaxis.core.deviation import measure
-from freecad_fiveaxis.core.deviation.so2008 import model_tip
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, linear_words, words_to_q
+from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.records import Floats
-from freecad_fiveaxis.core.trajectory import tip_at
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, linear_words, words_to_q
+from freecad_fiveaxis.core.motion.deviation import measure
+from freecad_fiveaxis.core.motion.deviation.so2008 import model_tip
+from freecad_fiveaxis.core.motion.trajectory import tip_at
 
 CHAINS = {
     "table-table": "trunnion_ac",

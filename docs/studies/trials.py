@@ -13,11 +13,11 @@ from pathlib import Path
 
 import numpy as np
 
-from freecad_fiveaxis.core.mesh import Mesh, from_faces
+from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.report.text import duration
-from freecad_fiveaxis.core.settings import build_settings
-from freecad_fiveaxis.core.setup_map import pictures
-from freecad_fiveaxis.core.trials import SetupTrial, try_machines, try_setups
+from freecad_fiveaxis.core.studies.setup_map import pictures
+from freecad_fiveaxis.core.studies.study import SetupTrial, try_machines, try_setups
 
 DOCS = Path(__file__).resolve().parents[1]
 PLACE = re.compile(r"(<!-- table: ([a-z-]+) -->\n)(.*?)(<!-- end -->)", re.DOTALL)

@@ -125,7 +125,7 @@ def compare(toolpath: Any, machines: Any, cures: Any = (), tool_length: Any = No
     """The path of a toolpath on several machines, with each cure, with and without tool-centre control; returns the rows.
 
     ``machines``: names or .fcm files; ``cures``: names, without any: all; ``tool_length`` mm, for machines with a rotary head.
-    Each row is a :class:`freecad_fiveaxis.core.compare.Row`. Raises FiveAxisError. The document stays as it is.
+    Each row is a :class:`freecad_fiveaxis.core.studies.compare.Row`. Raises FiveAxisError. The document stays as it is.
     """
     from . import arguments
     from .comparing import compare as act

@@ -8,11 +8,11 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from freecad_fiveaxis.core.errors import FileError, SettingsError
-from freecad_fiveaxis.core.files import check_writable, write_whole
-from freecad_fiveaxis.core.quantity import ANGLES, LENGTHS, parse, parse_length, parse_stack, parse_triple, stack_text
-from freecad_fiveaxis.core.sentences import Number, say
-from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
+from freecad_fiveaxis.core.base.errors import FileError, SettingsError
+from freecad_fiveaxis.core.base.files import check_writable, write_whole
+from freecad_fiveaxis.core.base.quantity import ANGLES, LENGTHS, parse, parse_length, parse_stack, parse_triple, stack_text
+from freecad_fiveaxis.core.base.sentences import Number, say
+from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
 
 from . import auditing, job_setup, markers, selection, tessellation, toolpath
 from .convert import stl_bytes

@@ -10,8 +10,8 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from freecad_fiveaxis.core.errors import FileError
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.base.errors import FileError
+from freecad_fiveaxis.core.base.sentences import say
 
 from .selection import SelectionError
 

@@ -8,12 +8,12 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.errors import FileError
-from freecad_fiveaxis.core.files import check_readable, read_bytes
-from freecad_fiveaxis.core.progress import Progress
-from freecad_fiveaxis.core.sentences import say
-from freecad_fiveaxis.core.settings import AUDIT, build_settings, is_part
+from freecad_fiveaxis.core.base.errors import FileError
+from freecad_fiveaxis.core.base.files import check_readable, read_bytes
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import AUDIT, build_settings, is_part
 
 from . import convert, results
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, drawn_tool, setting_properties

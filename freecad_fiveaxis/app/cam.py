@@ -16,10 +16,10 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.cutter import kind_of
+from freecad_fiveaxis.core.base.sentences import joined, say
+from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.report import Figures
-from freecad_fiveaxis.core.sentences import joined, say
+from freecad_fiveaxis.core.tool import kind_of
 
 from . import results
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property

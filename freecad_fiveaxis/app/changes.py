@@ -9,9 +9,9 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.core.cutter import cutter_text
-from freecad_fiveaxis.core.quantity import LENGTHS, parse_triple
-from freecad_fiveaxis.core.settings import AUDIT, MILL, build_settings
+from freecad_fiveaxis.core.base.quantity import LENGTHS, parse_triple
+from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
+from freecad_fiveaxis.core.tool import cutter_text
 
 from . import convert, properties, toolpath
 from .auditing import asked

@@ -12,11 +12,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from freecad_fiveaxis.core import trials
-from freecad_fiveaxis.core.cures import CURES
-from freecad_fiveaxis.core.progress import Progress
-from freecad_fiveaxis.core.sentences import say
-from freecad_fiveaxis.core.settings import COMPARE, CureSettings, Settings, build_settings
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.jobs.settings import COMPARE, CureSettings, Settings, build_settings
+from freecad_fiveaxis.core.studies import study as trials
+from freecad_fiveaxis.core.studies.corrections import CURES
 
 from . import convert
 from .long_work import run

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from freecad_fiveaxis.core.asked import dialect_for
-from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.base.errors import FiveAxisError
+from freecad_fiveaxis.core.controllers import Dialect
+from freecad_fiveaxis.core.jobs.options import dialect_for
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.post import Dialect
 
 from .properties import MACHINES_OWN
 

@@ -17,17 +17,17 @@ from typing import Any, NamedTuple
 import FreeCAD
 import numpy as np
 
-from freecad_fiveaxis.core.cutter import Cutter, parse_cutter, sizes_text
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.gouge import Body, body_of
-from freecad_fiveaxis.core.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.option_values import read_option
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.quantity import parse_stack
-from freecad_fiveaxis.core.records import Bools
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.quantity import parse_stack
+from freecad_fiveaxis.core.base.records import Bools
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.jobs.option_values import read_option
+from freecad_fiveaxis.core.jobs.settings import Settings, build_settings
 from freecad_fiveaxis.core.report import Figures, summary, verdict
-from freecad_fiveaxis.core.sentences import say
-from freecad_fiveaxis.core.settings import Settings, build_settings
+from freecad_fiveaxis.core.tool import Cutter, parse_cutter, sizes_text
+from freecad_fiveaxis.core.tool.body import Body, body_of
 
 from . import wording
 from .facets import STL, Facets, kernel_of

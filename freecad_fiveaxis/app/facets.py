@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats, Ints
 
 STL = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
 _TITLE = (b"MESH-" * 16)[:79] + b"\n"

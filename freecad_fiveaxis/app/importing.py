@@ -7,11 +7,11 @@ import os
 from pathlib import Path
 from typing import Any
 
-from freecad_fiveaxis.core.errors import FileError, SettingsError
-from freecad_fiveaxis.core.files import check_readable, check_writable
+from freecad_fiveaxis.core.base.errors import FileError, SettingsError
+from freecad_fiveaxis.core.base.files import check_readable, check_writable
+from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import save_machine
-from freecad_fiveaxis.core.machine_import import Imported, import_machine
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.machine.importing import Imported, import_machine
 
 from . import machines
 

@@ -12,11 +12,11 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.core.cutter import cutter_text, parse_cutter
-from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.sentences import say
-from freecad_fiveaxis.core.settings import MILL, build_settings
+from freecad_fiveaxis.core.tool import cutter_text, parse_cutter
 
 from . import cam, convert, tool_bit, wording
 from .properties import QT_TRANSLATE_NOOP, WORK_ZERO, Property, property_name, setting_properties

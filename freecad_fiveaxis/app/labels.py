@@ -7,7 +7,7 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.core.sentences import Choice, Option, Task
+from freecad_fiveaxis.core.base.sentences import Choice, Option, Task
 
 from .option_texts import text_of
 

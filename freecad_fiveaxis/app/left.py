@@ -14,13 +14,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.gouge import Remainder
-from freecad_fiveaxis.core.gouge_free import allowed
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.sentences import Area, Length, joined, say
+from freecad_fiveaxis.core.collision import Remainder
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.collision_avoidance import allowed
 from freecad_fiveaxis.core.report import Figures
-from freecad_fiveaxis.core.sentences import Area, Length, joined, say
 
 from . import results, wording
 from .long_work import listening, run, take_back

@@ -22,9 +22,9 @@ from typing import Any, Generic, TypeVar
 
 import FreeCAD
 
-from freecad_fiveaxis.core.errors import Cancelled
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.base.errors import Cancelled
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.sentences import say
 
 from .shown_in import windows
 

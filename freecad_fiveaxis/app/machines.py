@@ -14,9 +14,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from freecad_fiveaxis.core.errors import FileError, FiveAxisError
+from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError
+from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
-from freecad_fiveaxis.core.sentences import say
 
 from . import preferences, wording
 

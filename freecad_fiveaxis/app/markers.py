@@ -9,8 +9,8 @@ from typing import Any
 import FreeCAD
 
 from freecad_fiveaxis.core import report
-from freecad_fiveaxis.core.gouge import GOUGES
-from freecad_fiveaxis.core.sentences import Area, say
+from freecad_fiveaxis.core.base.sentences import Area, say
+from freecad_fiveaxis.core.collision import GOUGES
 
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property
 from .results import figures_of

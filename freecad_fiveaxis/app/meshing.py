@@ -23,7 +23,7 @@ from typing import Any
 import FreeCAD
 import Mesh
 
-from freecad_fiveaxis.core.progress import Progress
+from freecad_fiveaxis.core.base.progress import Progress
 
 from . import mesher
 from .long_work import run

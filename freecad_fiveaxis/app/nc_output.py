@@ -16,9 +16,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from freecad_fiveaxis.core.errors import FileError, FiveAxisError
-from freecad_fiveaxis.core.files import check_writable, read_bytes, write_all
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError
+from freecad_fiveaxis.core.base.files import check_writable, read_bytes, write_all
+from freecad_fiveaxis.core.base.sentences import say
 
 from . import results, wording
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property

@@ -106,7 +106,7 @@ def output_folder() -> Path | None:
 
 def cutter() -> str:
     """A new path's cutter as an option; whether there can be such a one is the core's to say."""
-    from freecad_fiveaxis.core.cutter import KINDS, sizes_text  # numpy has no business when the window starts
+    from freecad_fiveaxis.core.tool import KINDS, sizes_text  # numpy has no business when the window starts
 
     kind = read("CutterKind").strip()
     kind = kind if kind in KINDS else str(DEFAULTS["CutterKind"])

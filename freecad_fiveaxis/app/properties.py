@@ -22,12 +22,12 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.core.cutter import KINDS as CUTTER_KINDS
-from freecad_fiveaxis.core.cutter import Cutter, kind_of
-from freecad_fiveaxis.core.post import DIALECTS
-from freecad_fiveaxis.core.quantity import stack_text
-from freecad_fiveaxis.core.settings import MILL, FacesSettings, OutputSettings, option_fields
-from freecad_fiveaxis.core.tool_axis import STRATEGIES
+from freecad_fiveaxis.core.base.quantity import stack_text
+from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES
+from freecad_fiveaxis.core.controllers import DIALECTS
+from freecad_fiveaxis.core.jobs.settings import MILL, FacesSettings, OutputSettings, option_fields
+from freecad_fiveaxis.core.tool import KINDS as CUTTER_KINDS
+from freecad_fiveaxis.core.tool import Cutter, kind_of
 
 from .feed_per_minute import PER_MINUTE
 from .option_texts import text_of

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.base.errors import FiveAxisError
 
 from . import results, tessellation
 from .tessellation import Tessellation

@@ -13,14 +13,14 @@ from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from freecad_fiveaxis import __version__
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.errors import Cancelled, FileError, FiveAxisError
-from freecad_fiveaxis.core.files import read_bytes
+from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError
+from freecad_fiveaxis.core.base.files import read_bytes
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import Settings
 from freecad_fiveaxis.core.machine import Machine, load_machine
-from freecad_fiveaxis.core.progress import Progress
 from freecad_fiveaxis.core.report import Figures
-from freecad_fiveaxis.core.sentences import say
-from freecad_fiveaxis.core.settings import Settings
 
 from . import wording
 from .convert import clear_result, mark_users, put_result

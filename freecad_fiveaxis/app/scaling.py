@@ -7,8 +7,8 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.sentences import Number, say
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.sentences import Number, say
 
 from . import selection, tessellation, toolpath
 

@@ -18,8 +18,8 @@ import FreeCAD
 import Mesh
 import Part
 
-from freecad_fiveaxis.core.errors import FiveAxisError
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.base.errors import FiveAxisError
+from freecad_fiveaxis.core.base.sentences import say
 
 from .facets import kernel_of
 

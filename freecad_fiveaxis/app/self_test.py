@@ -54,7 +54,7 @@ class SelfTest(unittest.TestCase):
     def test_a_machine_that_is_not_known_is_named(self) -> None:
         """And the document stays as it was."""
         from freecad_fiveaxis import app
-        from freecad_fiveaxis.core.errors import FiveAxisError
+        from freecad_fiveaxis.core.base.errors import FiveAxisError
 
         with self.assertRaisesRegex(FiveAxisError, "no_such_machine"):
             app.create_toolpath(self.doc, self.box, machine="no_such_machine", stepover=2)

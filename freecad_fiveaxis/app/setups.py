@@ -20,16 +20,16 @@ from typing import Any
 import FreeCAD
 import numpy as np
 
-from freecad_fiveaxis.core import trials
-from freecad_fiveaxis.core.asked import clamped
-from freecad_fiveaxis.core.errors import FileError, FiveAxisError, SettingsError
-from freecad_fiveaxis.core.files import check_writable, write_whole
+from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, SettingsError
+from freecad_fiveaxis.core.base.files import check_writable, write_whole
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.sentences import Angle, say
+from freecad_fiveaxis.core.jobs.options import clamped
+from freecad_fiveaxis.core.jobs.settings import MILL, SETUP, HeadSettings, SetupSettings, build_settings, option_fields
 from freecad_fiveaxis.core.machine import Vector
-from freecad_fiveaxis.core.progress import Progress
-from freecad_fiveaxis.core.sentences import Angle, say
-from freecad_fiveaxis.core.settings import MILL, SETUP, HeadSettings, SetupSettings, build_settings, option_fields
-from freecad_fiveaxis.core.setup_map import SetupMap as Chart
-from freecad_fiveaxis.core.setup_map import marked_rows, verdict
+from freecad_fiveaxis.core.studies import study as trials
+from freecad_fiveaxis.core.studies.setup_map import SetupMap as Chart
+from freecad_fiveaxis.core.studies.setup_map import marked_rows, verdict
 
 from . import changes, convert, wording
 from .long_work import is_open, run, take_back

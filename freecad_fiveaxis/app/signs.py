@@ -7,11 +7,12 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from freecad_fiveaxis.core import outputs, workshop
-from freecad_fiveaxis.core.errors import FileError
-from freecad_fiveaxis.core.progress import Progress
-from freecad_fiveaxis.core.sentences import say
-from freecad_fiveaxis.core.settings import PROVE, Settings, build_settings
+from freecad_fiveaxis.core.base.errors import FileError
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.calibration import calibration as workshop
+from freecad_fiveaxis.core.jobs import outputs
+from freecad_fiveaxis.core.jobs.settings import PROVE, Settings, build_settings
 
 from . import selection
 from .long_work import run

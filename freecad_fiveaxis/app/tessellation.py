@@ -16,9 +16,9 @@ from collections.abc import Sequence
 from itertools import accumulate
 from typing import Any
 
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.progress import Progress
-from freecad_fiveaxis.core.sentences import Angle, Length, say
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.sentences import Angle, Length, say
 
 from . import meshing, selection
 from .long_work import check_open, listening, take_back

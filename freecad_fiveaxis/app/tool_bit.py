@@ -21,10 +21,10 @@ from dataclasses import dataclass
 from pathlib import Path, PureWindowsPath
 from typing import Any
 
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.errors import FiveAxisError, SettingsError
-from freecad_fiveaxis.core.files import read_bytes
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.base.errors import FiveAxisError, SettingsError
+from freecad_fiveaxis.core.base.files import read_bytes
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.tool import Cutter
 
 SUFFIX = ".fctb"
 BALLS, FLATS, BULLS, TAPERED = ("ballend", "ballendmill"), ("endmill",), ("bullnose", "torus"), ("taperedballnose",)

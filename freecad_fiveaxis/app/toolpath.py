@@ -8,10 +8,10 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.progress import Progress
-from freecad_fiveaxis.core.sentences import say
-from freecad_fiveaxis.core.settings import MILL
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import MILL
 
 from . import convert, job_setup, results
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties

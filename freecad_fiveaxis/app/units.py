@@ -12,7 +12,7 @@ import re
 
 import FreeCAD
 
-from freecad_fiveaxis.core.sentences import Angle, Area, Feed, Length, Measure, Point, Turn, TurnRate, Volume
+from freecad_fiveaxis.core.base.sentences import Angle, Area, Feed, Length, Measure, Point, Turn, TurnRate, Volume
 
 INCH = 25.4
 DIGITS = 4

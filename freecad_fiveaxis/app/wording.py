@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import FreeCAD
 
-from freecad_fiveaxis.core.errors import FiveAxisError
-from freecad_fiveaxis.core.sentences import render
+from freecad_fiveaxis.core.base.errors import FiveAxisError
+from freecad_fiveaxis.core.base.sentences import render
 
 from .labels import name_of
 from .units import measure_text

@@ -25,17 +25,16 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from freecad_fiveaxis import __version__
-from freecad_fiveaxis.core.sentences import one_line, say
-
-from . import signals
-from .errors import Cancelled, FileError, FiveAxisError, SettingsError
-from .files import check_readable, check_writable, written
-from .findings import Severity
-from .memory import keep_freed_memory
-from .terminal import bars, show
+from freecad_fiveaxis.core.base import signals
+from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError, SettingsError
+from freecad_fiveaxis.core.base.files import check_readable, check_writable, written
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.base.memory import keep_freed_memory
+from freecad_fiveaxis.core.base.sentences import one_line, say
+from freecad_fiveaxis.core.base.terminal import bars, show
 
 if TYPE_CHECKING:
-    from .settings import Settings
+    from freecad_fiveaxis.core.jobs.settings import Settings
 
 DONE, DONE_WITH_ERRORS, UNUSABLE, FAULT, STOPPED = 0, 1, 2, 3, 130
 REPORT_TO = "https://github.com/freecad-fiveaxis/freecad-fiveaxis/issues"
@@ -114,7 +113,7 @@ def _failed(fault: Exception) -> int:
 
 def _bare_said(argv: Sequence[str]) -> list[str]:
     """Options that may stand without a value, followed by something that is none: with the value that they then mean."""
-    from .settings import option_fields
+    from freecad_fiveaxis.core.jobs.settings import option_fields
 
     bare = {"--" + leaf.name.replace("_", "-"): leaf.metadata for _, leaf in option_fields() if leaf.metadata["bare"]}
     following = [*argv[1:], ""]
@@ -171,7 +170,7 @@ def _add_import(commands: Any) -> None:
 
 
 def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
-    from .settings import option_fields
+    from freecad_fiveaxis.core.jobs.settings import option_fields
 
     if what:
         parser.add_argument("source", metavar=what)
@@ -224,7 +223,7 @@ def _help(leaf: Any) -> str:
 
 
 def _run_task(arguments: argparse.Namespace) -> int:
-    from .settings import build_settings, option_fields
+    from freecad_fiveaxis.core.jobs.settings import build_settings, option_fields
 
     names = {leaf.name for _, leaf in option_fields(arguments.task)}
     options = {name: value for name, value in vars(arguments).items() if name in names and value is not None}
@@ -232,16 +231,17 @@ def _run_task(arguments: argparse.Namespace) -> int:
 
 
 def _run_file(arguments: argparse.Namespace) -> int:
-    from .job_file import read_job
+    from freecad_fiveaxis.core.jobs.job_file import read_job
 
     return _run(read_job(arguments.source), arguments.quiet, (arguments.source,))
 
 
 def _run(settings: Settings, quiet: bool, read: Sequence[str] = ()) -> int:
     """Do what is asked; ``read``: files that are read already, which no output may be."""
+    from freecad_fiveaxis.core.calibration import calibration as workshop
+    from freecad_fiveaxis.core.jobs import job, outputs
     from freecad_fiveaxis.core.report import as_text
-
-    from . import job, outputs, trials, workshop
+    from freecad_fiveaxis.core.studies import study as trials
 
     outputs.check_outputs(settings, read)
     if settings.task in workshop.TASKS:
@@ -260,7 +260,7 @@ def _run(settings: Settings, quiet: bool, read: Sequence[str] = ()) -> int:
 
 
 def _try(settings: Settings, quiet: bool) -> int:
-    from . import trials
+    from freecad_fiveaxis.core.studies import study as trials
 
     check_readable(settings.source)
     with bars(quiet) as progress:
@@ -272,7 +272,7 @@ def _try(settings: Settings, quiet: bool) -> int:
 
 
 def _work(settings: Settings, quiet: bool) -> int:
-    from . import workshop
+    from freecad_fiveaxis.core.calibration import calibration as workshop
 
     with bars(quiet) as progress:
         done = workshop.run(settings, progress)
@@ -298,7 +298,7 @@ def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:
 
 def _import_machine(arguments: argparse.Namespace) -> int:
     from freecad_fiveaxis.core.machine import save_machine
-    from freecad_fiveaxis.core.machine_import import as_text, import_machine
+    from freecad_fiveaxis.core.machine.importing import as_text, import_machine
 
     if not arguments.output.lower().endswith(".fcm"):
         raise SettingsError(say("machine file {output} needs the ending .fcm", output=arguments.output), arguments.output)
@@ -318,13 +318,13 @@ def _machines(arguments: argparse.Namespace) -> int:
 
 
 def _controllers(arguments: argparse.Namespace) -> int:
-    from .post import DIALECTS
+    from freecad_fiveaxis.core.controllers import DIALECTS
 
     return _list((name, dialect.description) for name, dialect in DIALECTS.items())
 
 
 def _strategies(arguments: argparse.Namespace) -> int:
-    from .tool_axis import STRATEGIES
+    from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES
 
     told = {
         name: (strategy.__doc__ or "").strip() for name, strategy in STRATEGIES.items()

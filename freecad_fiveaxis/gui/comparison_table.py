@@ -66,7 +66,7 @@ class Table:
 
     def show_rows(self, path: Any, comparison: Any) -> None:
         """Fill the table."""
-        from freecad_fiveaxis.core.compare import verdict
+        from freecad_fiveaxis.core.studies.compare import verdict
 
         self.comparison = comparison
         self.label, self.document = path.Label, path.Document.FileName

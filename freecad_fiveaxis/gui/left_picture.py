@@ -10,8 +10,8 @@ import numpy as np
 from pivy import coin
 
 from freecad_fiveaxis.app import left, wording
-from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
-from freecad_fiveaxis.core.gouge import HeightScale, height_scale
+from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.core.report.rest_material_map import HeightScale, height_scale
 
 from .qt import translate
 from .scene import gouge_words, nodes, overlay

@@ -47,7 +47,7 @@ def status(text: str) -> None:
 def telling() -> Iterator[None]:
     """What the work within cannot use is told in a message box; stopped work in the status bar. Other errors go on."""
     from freecad_fiveaxis.app import wording
-    from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+    from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
     try:
         yield

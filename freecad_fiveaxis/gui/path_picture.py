@@ -8,7 +8,7 @@ from typing import Any
 import FreeCAD
 
 from freecad_fiveaxis.app import results, wording
-from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.report import Drawing, Figures, draw
 
 from . import findings_panel

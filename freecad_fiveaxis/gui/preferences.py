@@ -100,14 +100,14 @@ class Page:
 
 def _kinds() -> dict[str, str]:
     from freecad_fiveaxis.app.labels import choice_label
-    from freecad_fiveaxis.core.cutter import KINDS
+    from freecad_fiveaxis.core.tool import KINDS
 
     return {choice_label(kind): kind for kind in KINDS}
 
 
 def _controllers() -> dict[str, str]:
     from freecad_fiveaxis.app.labels import controller_label
-    from freecad_fiveaxis.core.post import DIALECTS
+    from freecad_fiveaxis.core.controllers import DIALECTS
 
     return {translate("FiveAxis", "the machine's own"): "", **{controller_label(name): name for name in DIALECTS}}
 

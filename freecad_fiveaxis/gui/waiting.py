@@ -76,7 +76,7 @@ class Waiting:
             self.dialog.setMaximum(0)
         QtWidgets.QApplication.processEvents()
         if self.dialog.wasCanceled() or self._clicked_in_recompute():
-            from freecad_fiveaxis.core.errors import Cancelled
+            from freecad_fiveaxis.core.base.errors import Cancelled
 
             raise Cancelled(translate("FiveAxis", "stopped by the user"))
 

@@ -154,7 +154,7 @@ PARTS = {part.__name__: part for part in (dome, blade, saddle, half_cylinder, fr
 
 def write_parts(folder: Path) -> list[Path]:
     """Write every part into ``folder`` as a binary STL file; the paths written."""
-    from freecad_fiveaxis.core.mesh import from_faces, write_stl
+    from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
 
     folder.mkdir(parents=True, exist_ok=True)
     paths = []

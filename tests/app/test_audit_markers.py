@@ -8,10 +8,10 @@ from conftest import UNCURED
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import markers, results
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.errors import FileError, FiveAxisError, MachineError, SettingsError
+from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, MachineError, SettingsError
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.report import markers as core_markers
-from freecad_fiveaxis.core.settings import build_settings
 
 TABLE_2 = (
     "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"

@@ -6,8 +6,8 @@ from conftest import FAST
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results
-from freecad_fiveaxis.core.errors import FiveAxisError
-from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.base.errors import FiveAxisError
+from freecad_fiveaxis.core.controllers import DIALECTS
 
 EVERY = pytest.mark.parametrize("controller", list(DIALECTS))
 PLANES = 2

@@ -6,7 +6,7 @@ from conftest import FAST
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import job_setup, results
-from freecad_fiveaxis.core.errors import MachineError, SettingsError
+from freecad_fiveaxis.core.base.errors import MachineError, SettingsError
 
 OWN = {name: value for name, value in FAST.items() if name not in (*job_setup.OPTIONS, "work_zero")} | {"stepover": 8}
 GIVEN = {

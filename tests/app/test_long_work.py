@@ -14,8 +14,8 @@ from conftest import FAST
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import long_work, results
-from freecad_fiveaxis.core.errors import Cancelled, MeshError
-from freecad_fiveaxis.core.progress import silent
+from freecad_fiveaxis.core.base.errors import Cancelled, MeshError
+from freecad_fiveaxis.core.base.progress import silent
 
 SOON = 1.0
 """s within which a stopped caller has its thread back."""

@@ -12,7 +12,7 @@ import pytest
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import long_work, meshing
 from freecad_fiveaxis.app.selection import SelectionError
-from freecad_fiveaxis.core.errors import Cancelled
+from freecad_fiveaxis.core.base.errors import Cancelled
 
 pytestmark = pytest.mark.skipif(not meshing.command(), reason="there is no FreeCAD without a window")
 

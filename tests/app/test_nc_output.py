@@ -11,7 +11,7 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app.nc_output import NCOutput, is_ours, out_of_date
 from freecad_fiveaxis.app.results import nc_of
 from freecad_fiveaxis.app.selection import SelectionError
-from freecad_fiveaxis.core.errors import Cancelled, FileError, FiveAxisError
+from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError
 
 
 @pytest.fixture

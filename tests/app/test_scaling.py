@@ -10,7 +10,7 @@ import pytest
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import convert, results, tessellation
 from freecad_fiveaxis.app.scaling import scale_part
-from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.base.errors import SettingsError
 
 PLACE = FreeCAD.Placement(FreeCAD.Vector(0.01, 0.02, 0.03), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 90))
 OPTIONS = {"stepover": 4.0, "cutter": "ball:6:30"}

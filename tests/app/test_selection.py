@@ -11,7 +11,7 @@ from conftest import half_ball
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import convert, selection, signs, tessellation
 from freecad_fiveaxis.app.selection import SelectionError
-from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.base.errors import FiveAxisError
 
 WHAT = "select a solid, faces of a solid, a body, a compound of solids, or a mesh"
 

@@ -9,7 +9,7 @@ from conftest import FAST, UNCURED
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import comparing, setups
 from freecad_fiveaxis.app.selection import SelectionError
-from freecad_fiveaxis.core.errors import FileError, SettingsError
+from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 
 SMALL = {"region": (50, 50, 50), "grid": (3, 3, 2)}
 

@@ -11,8 +11,8 @@ import pytest
 from cam_jobs import make_job
 
 from freecad_fiveaxis.app.tool_bit import JobTool, cutter_of_file, cutter_of_tool, cutters_of_job
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.errors import FileError, SettingsError
+from freecad_fiveaxis.core.base.errors import FileError, SettingsError
+from freecad_fiveaxis.core.tool import Cutter
 
 
 def bit_file(folder, shape="ballend.fcstd", **sizes):

@@ -12,8 +12,8 @@ from conftest import FAST, ROOT, half_ball
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import long_work, results, wording
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.errors import Cancelled, FileError, FiveAxisError
+from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError
+from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.machine import load_machine, save_machine
 from freecad_fiveaxis.core.report import summary
 

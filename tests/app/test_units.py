@@ -7,8 +7,8 @@ import FreeCAD
 import pytest
 
 from freecad_fiveaxis.app import units, wording
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.sentences import Angle, Area, Feed, Length, Point, Turn, Volume, say
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.sentences import Angle, Area, Feed, Length, Point, Turn, Volume, say
 
 METRIC = {"standard": 0, "MKS": 1, "building Euro": 4, "metric small parts": 6, "FEM": 8}
 IMPERIAL = {"US customary": 2, "imperial decimal": 3, "building US": 5, "civil": 7}

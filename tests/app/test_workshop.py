@@ -9,9 +9,10 @@ from conftest import FAST
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import importing, machines, preferences, recovering, results, signs
-from freecad_fiveaxis.core import asked, cli
-from freecad_fiveaxis.core.apt import write_apt
-from freecad_fiveaxis.core.errors import Cancelled, FileError, FiveAxisError, SettingsError
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError, SettingsError
+from freecad_fiveaxis.core.cl.apt import write_apt
+from freecad_fiveaxis.core.jobs import options as asked
 from freecad_fiveaxis.core.machine import load_machine
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -5,7 +5,7 @@ import pytest
 from conftest import FAST, UNCURED
 
 import freecad_fiveaxis.app as app
-from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.base.errors import FiveAxisError
 
 CALLS = {
     "tessellate": [(None,), (3,), ("Box",), ([],), ("part", 5), ("part", b"\xff/x.stl"), ("part", ["a.stl"])],

@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.joint_path import JointPath, solve
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, words_to_q
-from freecad_fiveaxis.core.machine import (
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.controllers import DIALECTS, Dialect, find_dialect
+from freecad_fiveaxis.core.controllers.dialect import feed_distance
+from freecad_fiveaxis.core.machine import (  # fmt: skip
     BY_CLEARANCE,
     BY_MACHINE,
     BY_NOTHING,
@@ -26,14 +26,14 @@ from freecad_fiveaxis.core.machine import (
     Machine,
     SafeStart,
     load_machine,
-)  # fmt: skip
-from freecad_fiveaxis.core.nc_reader import read_nc
-from freecad_fiveaxis.core.post import DIALECTS, Dialect, PostOptions, find_dialect
-from freecad_fiveaxis.core.post.dialect import feed_distance
-from freecad_fiveaxis.core.post.head import SLOTS
-from freecad_fiveaxis.core.post.start import by_reference, with_start
-from freecad_fiveaxis.core.post.writer import write_nc
-from freecad_fiveaxis.core.program import Program, build_program
+)
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, words_to_q
+from freecad_fiveaxis.core.motion.joint_path import JointPath, solve
+from freecad_fiveaxis.core.motion.program import Program, build_program
+from freecad_fiveaxis.core.nc.head import SLOTS, PostOptions
+from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.nc.start import by_reference, with_start
+from freecad_fiveaxis.core.nc.writer import write_nc
 
 EVERY = pytest.mark.parametrize("dialect", DIALECTS.values(), ids=DIALECTS)
 MODES = [(dialect, inverse) for dialect in DIALECTS.values() for inverse in (True, False) if dialect.inverse_time or not inverse]

@@ -8,8 +8,8 @@ import math
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.kinematics import Setup, branch_of, chain, forward, inverse
 from freecad_fiveaxis.core.machine import load_machine, save_machine, shipped_machines
+from freecad_fiveaxis.core.machine.kinematics import Setup, branch_of, chain, forward, inverse
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
 
 ROWS = 500

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from uncured import UNCURED
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 
 ROOT = Path(__file__).parents[2]
 

@@ -6,10 +6,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, linear_words, words_to_q
+from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
-from freecad_fiveaxis.core.records import Floats
-from freecad_fiveaxis.core.trajectory import at, frames, motion, tip
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, linear_words, words_to_q
+from freecad_fiveaxis.core.motion.trajectory import at, frames, motion, tip
 
 HALF = 0.5**0.5
 SAMPLES = 2001

@@ -3,8 +3,8 @@
 
 import numpy as np
 
-from freecad_fiveaxis.core.gouge import depth_of
-from freecad_fiveaxis.core.mesh import from_faces
+from freecad_fiveaxis.core.geometry.mesh import from_faces
+from freecad_fiveaxis.core.tool.body import depth_of
 
 
 def prism(profile, length=40.0):

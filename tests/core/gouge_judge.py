@@ -18,7 +18,7 @@ import pytest
 from cutter_body import meridian
 from scipy.spatial import cKDTree
 
-from freecad_fiveaxis.core.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 
 
 def libigl():

@@ -4,7 +4,7 @@
 import numpy as np
 from scipy.spatial import ConvexHull
 
-from freecad_fiveaxis.core.mesh import from_faces, from_triangles
+from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles
 from freecad_fiveaxis.core.passes import ContactPath
 
 

@@ -6,10 +6,10 @@ from functools import cache
 import numpy as np
 from uncured import UNCURED
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.mesh import from_triangles
-from freecad_fiveaxis.core.settings import build_settings
-from freecad_fiveaxis.core.setup_map import Posting
+from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.studies.setup_map import Posting
 
 RADIUS, CENTRE = 40.0, -10.0
 """mm; the sphere's centre lies on Z of the part."""

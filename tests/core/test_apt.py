@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from freecad_fiveaxis.core.apt import ClReading, read_apt, write_apt
-from freecad_fiveaxis.core.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
-from freecad_fiveaxis.core.findings import Severity
+from freecad_fiveaxis.core.base.errors import FiveAxisError, ProgramError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.cl.apt import ClReading, read_apt, write_apt
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.tool import Cutter
 
 RAPID, LINK, CUT, FILL = Motion.RAPID, Motion.LINK, Motion.CUT, Motion.FILL
 

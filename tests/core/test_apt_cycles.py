@@ -6,13 +6,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.apt import ClReading, read_apt
-from freecad_fiveaxis.core.apt.cycles import GAP, cycle_of
-from freecad_fiveaxis.core.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.base.errors import ProgramError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.cl.apt import ClReading, read_apt
+from freecad_fiveaxis.core.cl.apt.cycles import GAP, cycle_of
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 
 R, C = int(Motion.RAPID), int(Motion.CUT)
 

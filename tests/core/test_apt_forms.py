@@ -12,13 +12,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.apt import ClHead, ClReading, read_apt, read_cl_file, write_apt
-from freecad_fiveaxis.core.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.base.errors import FiveAxisError, ProgramError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.cl.apt import ClHead, ClReading, read_apt, read_cl_file, write_apt
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.tool import Cutter
 
 RAPID, CUT = Motion.RAPID, Motion.CUT
 

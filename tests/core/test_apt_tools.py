@@ -8,12 +8,13 @@ import json
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import cli, job
-from freecad_fiveaxis.core.apt import ClReading, read_apt, read_cl_file
-from freecad_fiveaxis.core.cl_path import CLPath
-from freecad_fiveaxis.core.errors import ProgramError, SettingsError
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.errors import ProgramError, SettingsError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.cl.apt import ClReading, read_apt, read_cl_file
+from freecad_fiveaxis.core.cl.cl_path import CLPath
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 
 NX = """TOOL PATH/A,TOOL,T10
 TLDATA/MILL,10.0000,0.0000,50.0000,0.0000,0.0000

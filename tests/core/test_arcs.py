@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from test_nc_reader import LINKS
 
-from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.nc_reader import read_nc
-from freecad_fiveaxis.core.nc_reader.arcs import ARC_TOLERANCE
-from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.base.errors import ProgramError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.controllers import DIALECTS
+from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.nc.reader.arcs import ARC_TOLERANCE
 
 HEAD = "G21 G90 G94 F600\nG0 X10 Y0 Z0 A0 C0\n"
 

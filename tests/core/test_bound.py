@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from five_kinds import KINDS, interleaved, links_of, random_blocks, sampled_deviation
 
-from freecad_fiveaxis.core.deviation import measure, quick_bound
-from freecad_fiveaxis.core.deviation.bound import ABSOLUTE, RELATIVE, bending, close_levers, end_levers, quick_levers
-from freecad_fiveaxis.core.deviation.quartic import POINT, REMAINDER
-from freecad_fiveaxis.core.deviation.search import FIRST_PIECES, Chords, _local, _Pieces, _proven, farthest
-from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.kinematics import forward, linear_words, words_to_q
-from freecad_fiveaxis.core.trajectory import at, derivatives, frames, inner, motion, tip, tip_at
+from freecad_fiveaxis.core.base.errors import ProgramError
+from freecad_fiveaxis.core.machine.kinematics import forward, linear_words, words_to_q
+from freecad_fiveaxis.core.motion.deviation import measure, quick_bound
+from freecad_fiveaxis.core.motion.deviation.bound import ABSOLUTE, RELATIVE, bending, close_levers, end_levers, quick_levers
+from freecad_fiveaxis.core.motion.deviation.quartic import POINT, REMAINDER
+from freecad_fiveaxis.core.motion.deviation.search import FIRST_PIECES, Chords, _local, _Pieces, _proven, farthest
+from freecad_fiveaxis.core.motion.trajectory import at, derivatives, frames, inner, motion, tip, tip_at
 
 STEPS = 16
 LONG = np.longdouble

@@ -9,10 +9,18 @@ import math
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.joint_path import branches
-from freecad_fiveaxis.core.joint_path.branches import BREAK, SMALL_TURN, TURN, broken_steps, choose, least_path, within_limits
-from freecad_fiveaxis.core.kinematics import columns
-from freecad_fiveaxis.core.progress import silent
+from freecad_fiveaxis.core.base import columns
+from freecad_fiveaxis.core.base.progress import silent
+from freecad_fiveaxis.core.motion.joint_path import branches
+from freecad_fiveaxis.core.motion.joint_path.branches import (
+    BREAK,
+    SMALL_TURN,
+    TURN,
+    broken_steps,
+    choose,
+    least_path,
+    within_limits,
+)
 
 FREE = (-math.inf, math.inf)
 

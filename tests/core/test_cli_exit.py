@@ -13,8 +13,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import cli, files, job, job_file
-from freecad_fiveaxis.core.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base import files
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.jobs import job, job_file
 
 ROOT = Path(__file__).parents[2]
 posix = pytest.mark.skipif(os.name != "posix", reason="signals and pipes of POSIX")

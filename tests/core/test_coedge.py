@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from offset_examples import ball, clearance, distance, field, hull, joined, own_clearance, prism
 
-from freecad_fiveaxis.core.coedge import close_gaps, columns, junction, trimming
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.mesh import from_faces
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.cl.coedge import close_gaps, columns, junction, trimming
+from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import slice_mesh
 
 ROOF = [(0, 0), (10, 5), (20, 0)]

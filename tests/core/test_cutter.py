@@ -4,8 +4,8 @@
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.cutter import Cutter, cutter_sizes, kind_of, parse_cutter, sizes_text
-from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.tool import Cutter, cutter_sizes, kind_of, parse_cutter, sizes_text
 
 
 @pytest.mark.parametrize(

@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 from cutter_body import body, meridian, placed, support
 
-from freecad_fiveaxis.core.cutter import Cutter, cutter_name, cutter_text, parse_cutter
-from freecad_fiveaxis.core.cutter.contact import ring_direction
-from freecad_fiveaxis.core.cutter.shadow import width_at
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.tool_axis import leaned
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.cl.tool_axis import leaned
+from freecad_fiveaxis.core.tool import Cutter, cutter_name, cutter_text, parse_cutter
+from freecad_fiveaxis.core.tool.contact import ring_direction
+from freecad_fiveaxis.core.tool.silhouette import width_at
 
 SHAPES = (
     "ball:10",

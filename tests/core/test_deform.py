@@ -9,19 +9,20 @@ import numpy as np
 import pytest
 from dome_passes import BOTH_WAYS, MACHINES, dome_passes, least_turn, parts
 
-from freecad_fiveaxis.core import cli, job
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.coedge import take_rows
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.deform import deform_axes, led_axes, trade_findings, trade_off
-from freecad_fiveaxis.core.deform.drive import drive
-from freecad_fiveaxis.core.deform.meridian import angle_between
-from freecad_fiveaxis.core.deviation import measure
-from freecad_fiveaxis.core.errors import Cancelled, SettingsError
-from freecad_fiveaxis.core.kinematics import inverse_axis, joint_words, q_to_words
-from freecad_fiveaxis.core.mesh import from_faces, write_stl
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.cl.coedge import take_rows
+from freecad_fiveaxis.core.corrections.deform import deform_axes, led_axes, trade_findings, trade_off
+from freecad_fiveaxis.core.corrections.deform.drive import drive
+from freecad_fiveaxis.core.corrections.deform.meridian import angle_between
+from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.machine.kinematics import inverse_axis, joint_words, q_to_words
+from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.passes import axes_within_limits
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.tool import Cutter
 
 CHANGE = np.radians(2.0)
 QUIET = np.radians(1.0)  # a pass on which C turns less has nothing to be cured

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from five_kinds import KINDS, TABLE_2, interleaved, links_of, mikron_links, random_blocks, sampled_deviation
 
-from freecad_fiveaxis.core.deviation import lin_ye_deviation, measure, same_u_deviation
-from freecad_fiveaxis.core.deviation import measurement as module
-from freecad_fiveaxis.core.errors import Cancelled, ProgramError, SettingsError
-from freecad_fiveaxis.core.kinematics import Setup, chain, forward, linear_words, words_to_q
+from freecad_fiveaxis.core.base.errors import Cancelled, ProgramError, SettingsError
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.trajectory import axis_at, tip_at
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, linear_words, words_to_q
+from freecad_fiveaxis.core.motion.deviation import lin_ye_deviation, measure, same_u_deviation
+from freecad_fiveaxis.core.motion.deviation import measurement as module
+from freecad_fiveaxis.core.motion.trajectory import axis_at, tip_at
 
 RELATIVE, ABSOLUTE = 1e-5, 1e-6  # what is promised: share of the deviation, or mm
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import report_examples as examples
 
-from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.report import draw, listed, markers, scale_values, spot, summary
 from freecad_fiveaxis.core.report.drawing import AXES_ACROSS, CURVE_POINTS, level_of
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.mesh import from_faces, read_stl
+from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
 
 SCRIPT = Path(__file__).parents[2] / "resources" / "examples" / "make_parts.py"
 spec = importlib.util.spec_from_file_location("make_parts", SCRIPT)

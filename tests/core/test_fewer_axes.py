@@ -13,18 +13,18 @@ import numpy as np
 import pytest
 from mesh_shapes import field
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.errors import FiveAxisError, MachineError, ReachError, SettingsError
-from freecad_fiveaxis.core.kinematics import Setup, chain, forward, inverse, words_to_q
+from freecad_fiveaxis.core.base.errors import FiveAxisError, MachineError, ReachError, SettingsError
+from freecad_fiveaxis.core.calibration.calibration import prove as prove_signs
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.outputs import write_outputs
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import Axis, Machine, SafeStart, fitted_columns, load_machine, save_machine
-from freecad_fiveaxis.core.machine_sketch import ToolRoom, sketch
-from freecad_fiveaxis.core.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.nc_reader import read_nc
-from freecad_fiveaxis.core.outputs import write_outputs
-from freecad_fiveaxis.core.playback import Playback
-from freecad_fiveaxis.core.settings import build_settings
-from freecad_fiveaxis.core.trials import try_machines, try_setups
-from freecad_fiveaxis.core.workshop import prove as prove_signs
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, inverse, words_to_q
+from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.report.machine_sketch import ToolRoom, sketch
+from freecad_fiveaxis.core.report.playback import Playback
+from freecad_fiveaxis.core.studies.study import try_machines, try_setups
 
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 PIVOT = (0.0, 20.0, -50.0)

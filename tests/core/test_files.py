@@ -3,8 +3,8 @@ import os
 
 import pytest
 
-from freecad_fiveaxis.core.errors import FileError
-from freecad_fiveaxis.core.files import check_readable, check_writable, is_name, read_bytes, write_whole
+from freecad_fiveaxis.core.base.errors import FileError
+from freecad_fiveaxis.core.base.files import check_readable, check_writable, is_name, read_bytes, write_whole
 
 
 def test_a_file_is_written_whole_and_nothing_stays_beside_it(tmp_path):

@@ -5,30 +5,16 @@ import numpy as np
 import pytest
 from gouge_examples import bowl, brute_distance, corner, dense_points, round_groove, sampled_depth, step, v_groove
 
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.errors import Cancelled, SettingsError
-from freecad_fiveaxis.core.gouge import (
-    HOLDER,
-    SHANK,
-    Body,
-    body_of,
-    check_course,
-    depth_of,
-    facet_tree,
-    find_entries,
-    frustum_piece,
-    inside,
-    is_closed,
-    real_course,
-    round_piece,
-    search,
-    straight_course,
-)
-from freecad_fiveaxis.core.gouge.course import still_course
-from freecad_fiveaxis.core.kinematics import Setup, chain, linear_words
+from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.collision import check_course, find_entries, inside, is_closed, real_course, search, straight_course
+from freecad_fiveaxis.core.collision.swept_motion import still_course
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.mesh import from_faces
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words
+from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.body import HOLDER, SHANK, Body, body_of, depth_of, frustum_piece, round_piece
 
 UP = np.array([0.0, 0.0, 1.0])
 LIMIT = 0.01

@@ -9,15 +9,26 @@ import pytest
 from gouge_examples import bowl, step
 
 from benchmarks.parts import bumpy
-from freecad_fiveaxis.core.gouge import Body, depth_of, facet_tree, frustum_piece, real_course, round_piece, straight_course
-from freecad_fiveaxis.core.gouge.body import Piece, distance_off, off_piece, support, way_out
-from freecad_fiveaxis.core.gouge.bounds import box_bound, facet_bound, least_depth, pared, plate_bound
-from freecad_fiveaxis.core.gouge.course import Poses, clusters_of, still_course, stretches_of
-from freecad_fiveaxis.core.gouge.deepest import deepest, toward
-from freecad_fiveaxis.core.gouge.edges import nearest_on_edges
-from freecad_fiveaxis.core.kinematics import Setup, chain
+from freecad_fiveaxis.core.collision import real_course, straight_course
+from freecad_fiveaxis.core.collision.bounds import box_bound, facet_bound, least_depth, pared, plate_bound
+from freecad_fiveaxis.core.collision.deepest import deepest, toward
+from freecad_fiveaxis.core.collision.edges import nearest_on_edges
+from freecad_fiveaxis.core.collision.swept_motion import Poses, clusters_of, still_course, stretches_of
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.mesh import from_faces
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.tool.body import (
+    Body,
+    Piece,
+    depth_of,
+    distance_off,
+    frustum_piece,
+    off_piece,
+    round_piece,
+    support,
+    way_out,
+)
 
 LIMIT = 0.01
 PIECES = {

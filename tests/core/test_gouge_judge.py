@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, bowl_block, knob_in_corner, round_groove, step
 
-from freecad_fiveaxis.core import gouge_free, job
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.gouge import check_program
-from freecad_fiveaxis.core.mesh import read_stl
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.collision import check_program
+from freecad_fiveaxis.core.geometry.mesh import read_stl
+from freecad_fiveaxis.core.jobs import collision_avoidance as gouge_free
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.tool import Cutter
 
 TOLERANCE = 0.01
 OPTIONS = {

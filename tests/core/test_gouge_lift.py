@@ -9,27 +9,21 @@ import numpy as np
 import pytest
 from gouge_examples import bowl, dense_points, prism, round_groove, sampled_depth, shelf, step
 
-from freecad_fiveaxis.core import gouge_free, job, seating
-from freecad_fiveaxis.core.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
+from freecad_fiveaxis.core.base.quantity import parse_stack
+from freecad_fiveaxis.core.cl import cl_offset as seating
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cli import main
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.errors import Cancelled, SettingsError
-from freecad_fiveaxis.core.gouge import (
-    Body,
-    body_of,
-    facet_tree,
-    find_entries,
-    frustum_piece,
-    lift,
-    lift_path,
-    real_course,
-    round_piece,
-    straight_course,
-)
-from freecad_fiveaxis.core.gouge.body import way_out
-from freecad_fiveaxis.core.mesh import read_stl
-from freecad_fiveaxis.core.quantity import parse_stack
-from freecad_fiveaxis.core.settings import build_settings, flat_options
+from freecad_fiveaxis.core.collision import find_entries, real_course, straight_course
+from freecad_fiveaxis.core.corrections import lift
+from freecad_fiveaxis.core.corrections.lift import lift_path
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.mesh import read_stl
+from freecad_fiveaxis.core.jobs import collision_avoidance as gouge_free
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings, flat_options
+from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.body import Body, body_of, frustum_piece, round_piece, way_out
 
 TOLERANCE = 0.01
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 85, "linearize": "on"}
@@ -220,7 +214,7 @@ def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
 
 @pytest.mark.parametrize("gouge", ["lift", "leave-out"])
 def test_without_a_look_above_the_ends_a_link_goes_through_the_roof(gouge, monkeypatch):
-    cure = importlib.import_module(f"freecad_fiveaxis.core.gouge.{gouge.replace('-', '_')}")
+    cure = importlib.import_module(f"freecad_fiveaxis.core.collision.{gouge.replace('-', '_')}")
     monkeypatch.setattr(cure, "is_under", lambda *given: np.zeros(len(given[2]), np.bool_))
     made = milled(shelf(), cutter="ball:4:6", stepover=4, gouge=gouge)
     assert "rapid-collision" in {f.code for f in job.prove(made).findings}

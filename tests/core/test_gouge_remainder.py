@@ -5,9 +5,10 @@ import numpy as np
 import pytest
 from gouge_examples import step, v_groove
 
-from freecad_fiveaxis.core.errors import Cancelled, SettingsError
-from freecad_fiveaxis.core.gouge import Body, depth_of, find_remainder, frustum_piece, round_piece, straight_course
-from freecad_fiveaxis.core.gouge.remainder import surface_parts, surface_samples, too_deep_finding, uncut_finding
+from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
+from freecad_fiveaxis.core.collision import find_remainder, straight_course
+from freecad_fiveaxis.core.collision.rest_material import surface_parts, surface_samples, too_deep_finding, uncut_finding
+from freecad_fiveaxis.core.tool.body import Body, depth_of, frustum_piece, round_piece
 
 BALL = Body((round_piece(0.0, 3.0, 3.0),))
 

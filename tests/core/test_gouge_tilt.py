@@ -6,15 +6,16 @@ import pytest
 from gouge_examples import bowl, dense_points, sampled_depth, step
 from scipy.optimize import brentq
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.cutter import parse_cutter
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.gouge import HOLDER, check_course, straight_course
-from freecad_fiveaxis.core.mesh import from_faces, read_stl
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.cl.cl_offset import scallop_of
+from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
+from freecad_fiveaxis.core.collision import check_course, straight_course
+from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.passes import axes_within_limits
-from freecad_fiveaxis.core.seating import scallop_of
-from freecad_fiveaxis.core.settings import build_settings
-from freecad_fiveaxis.core.tool_axis import AxisOptions
+from freecad_fiveaxis.core.tool import parse_cutter
+from freecad_fiveaxis.core.tool.body import HOLDER
 
 WALL = 30.0
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 60, "linearize": "on"}

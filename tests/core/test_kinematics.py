@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from freecad_fiveaxis.core.errors import MachineError
-from freecad_fiveaxis.core.kinematics import (
-    CHUNK,
+from freecad_fiveaxis.core.base.columns import CHUNK, cos_sin
+from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
+from freecad_fiveaxis.core.machine.kinematics import (
     Setup,
     branch_of,
     chain,
-    cos_sin,
     forward,
     forward_tip,
     inverse,
@@ -24,7 +24,6 @@ from freecad_fiveaxis.core.kinematics import (
     kinematics,
     linear_words,
 )
-from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
 
 X, Y, Z = np.eye(3)
 ROWS = 1000

@@ -8,22 +8,20 @@ import numpy as np
 import pytest
 from gouge_examples import step
 
-from freecad_fiveaxis.core.gouge import (
+from freecad_fiveaxis.core.collision import find_remainder, straight_course
+from freecad_fiveaxis.core.report.raster import owners, png, view_from
+from freecad_fiveaxis.core.report.rest_material_map import (
+    NEUTRAL,
     NO_HEIGHT,
-    Body,
     facet_heights,
-    find_remainder,
     height_colours,
     height_levels,
     height_scale,
     left_patches,
-    round_piece,
     round_values,
     scale_marks,
-    straight_course,
 )
-from freecad_fiveaxis.core.gouge.left_map import NEUTRAL
-from freecad_fiveaxis.core.report.raster import owners, png, view_from
+from freecad_fiveaxis.core.tool.body import Body, round_piece
 
 BALL = Body((round_piece(0.0, 3.0, 3.0),))
 

@@ -15,7 +15,7 @@ import lin_ye_arc as arc  # noqa: E402
 import lin_ye_parts as parts  # noqa: E402
 import lin_ye_profiles as profiles  # noqa: E402
 
-from freecad_fiveaxis.core.deviation import lin_ye_deviation  # noqa: E402
+from freecad_fiveaxis.core.motion.deviation import lin_ye_deviation  # noqa: E402
 
 STEP = np.radians(20.0)
 DOCUMENT = lin_ye.DOCUMENT.read_text(encoding="utf-8")
@@ -130,7 +130,7 @@ def test_on_arcs_the_methods_are_even_at_about_1_25_radii():
 
 
 def test_the_part_has_the_papers_233_facets():
-    from freecad_fiveaxis.core.mesh import read_stl
+    from freecad_fiveaxis.core.geometry.mesh import read_stl
 
     assert len(read_stl(str(parts.workshop() / f"{parts.PART}.stl")).face) == 233
 

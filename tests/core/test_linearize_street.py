@@ -11,17 +11,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import asked, cli, job
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.kinematics import forward, q_to_words, words_to_q
-from freecad_fiveaxis.core.post.writer import write_nc
-from freecad_fiveaxis.core.program import block_findings, build_program
-from freecad_fiveaxis.core.program.feeds import STILL, least_minutes
-from freecad_fiveaxis.core.safe_start import start_plane
-from freecad_fiveaxis.core.settings import build_settings, flat_options
-from freecad_fiveaxis.core.singularity import in_cone
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs import options as asked
+from freecad_fiveaxis.core.jobs.safe_start import start_plane
+from freecad_fiveaxis.core.jobs.settings import build_settings, flat_options
+from freecad_fiveaxis.core.machine.kinematics import forward, q_to_words, words_to_q
+from freecad_fiveaxis.core.motion.program import block_findings, build_program
+from freecad_fiveaxis.core.motion.program.feeds import STILL, least_minutes
+from freecad_fiveaxis.core.motion.singularity import in_cone
+from freecad_fiveaxis.core.nc.writer import write_nc
 
 ROOT = Path(__file__).parents[2]
 CASES = [("dome", "trunnion_ac"), ("saddle", "trunnion_ac"), ("saddle", "fork_head_bc"), ("dome", "nutating_table_b45")]

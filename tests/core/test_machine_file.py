@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import pytest
 
-from freecad_fiveaxis.core.errors import FileError, MachineError
+from freecad_fiveaxis.core.base.errors import FileError, MachineError
 from freecad_fiveaxis.core.machine import FARTHEST, Axis, Machine, load_machine, save_machine, shipped_machines
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
 

@@ -11,9 +11,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from freecad_fiveaxis.core.errors import FileError, MachineError
-from freecad_fiveaxis.core.kinematics import Setup, chain, forward, inverse
+from freecad_fiveaxis.core.base.errors import FileError, MachineError
 from freecad_fiveaxis.core.machine import load_machine, save_machine
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, inverse
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
 
 SHIPPED = [path.read_bytes() for path in sorted(machine_folder().glob("*.fcm"))]

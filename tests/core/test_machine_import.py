@@ -14,12 +14,12 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from freecad_fiveaxis.core import cli
-from freecad_fiveaxis.core.errors import FileError, FiveAxisError, MachineError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.kinematics import Setup, chain, forward
+from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, MachineError
+from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.machine import load_machine, save_machine
+from freecad_fiveaxis.core.machine.importing import import_machine
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
-from freecad_fiveaxis.core.machine_import import import_machine
 
 INI = """# a mill
 [EMC]

@@ -8,10 +8,10 @@ import pytest
 from five_kinds import KINDS, links_of
 from test_playback import random_words, shipped
 
-from freecad_fiveaxis.core.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
-from freecad_fiveaxis.core.machine_sketch import Box, Cylinder, ToolRoom, corners, sketch
-from freecad_fiveaxis.core.playback import placements, sides
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.report.machine_sketch import Box, Cylinder, ToolRoom, corners, sketch
+from freecad_fiveaxis.core.report.playback import placements, sides
 
 TOOL = ToolRoom(90.0, 20.0)
 PART = np.array([-30.0, -20.0, -5.0]), np.array([42.0, 25.0, 28.0])

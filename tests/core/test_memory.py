@@ -8,9 +8,9 @@ import sys
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import memory
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.mesh import from_faces, read_stl
+from freecad_fiveaxis.core.base import memory
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
 from freecad_fiveaxis.core.passes import slice_mesh, slicing
 
 linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits and page faults as Linux tells them")
@@ -18,7 +18,7 @@ linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits 
 FAULTS = """
 import resource, sys
 import numpy as np
-from freecad_fiveaxis.core.memory import keep_freed_memory
+from freecad_fiveaxis.core.base.memory import keep_freed_memory
 if sys.argv[1] == "keep" and not keep_freed_memory():
     sys.exit(3)
 np.ones(4_000_000)
@@ -65,7 +65,7 @@ def test_ten_million_facets_under_two_gigabytes_are_refused_before_they_are_read
 @linux
 def test_free_memory_is_what_the_limit_of_the_process_leaves() -> None:
     code = (
-        "import resource\nfrom freecad_fiveaxis.core.memory import free_memory\nbefore = free_memory()\n"
+        "import resource\nfrom freecad_fiveaxis.core.base.memory import free_memory\nbefore = free_memory()\n"
         "resource.setrlimit(resource.RLIMIT_AS, (10**9, 10**9))\nprint(before, free_memory())"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -9,9 +9,9 @@ from dome_passes import MACHINES, links_of, meridian_angles
 from five_kinds import KINDS
 from five_kinds import links_of as links_of_kind
 
-from freecad_fiveaxis.core.deform.meridian import Globe, angle_between
-from freecad_fiveaxis.core.kinematics import forward, inverse_axis
-from freecad_fiveaxis.core.ranges import OFF_POLE
+from freecad_fiveaxis.core.base.ranges import OFF_POLE
+from freecad_fiveaxis.core.corrections.deform.meridian import Globe, angle_between
+from freecad_fiveaxis.core.machine.kinematics import forward, inverse_axis
 
 CHAINS = [*((name, links_of) for name in MACHINES), *((name, links_of_kind) for name in KINDS)]
 

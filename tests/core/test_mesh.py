@@ -5,12 +5,12 @@ import numpy as np
 import pytest
 from mesh_shapes import box, field, sphere
 
-from freecad_fiveaxis.core.errors import MeshError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.mesh import from_faces, from_triangles
-from freecad_fiveaxis.core.mesh import weld as weld_module
-from freecad_fiveaxis.core.mesh.half_edges import sorted_half_edges
-from freecad_fiveaxis.core.mesh.words import sort_during
+from freecad_fiveaxis.core.base.errors import MeshError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles
+from freecad_fiveaxis.core.geometry.mesh import weld as weld_module
+from freecad_fiveaxis.core.geometry.mesh.half_edges import sorted_half_edges
+from freecad_fiveaxis.core.geometry.mesh.words import sort_during
 
 
 def codes(mesh):

@@ -18,20 +18,20 @@ import lin_ye_profiles as profiles  # noqa: E402
 import minimax_cases as cases  # noqa: E402
 from uncured import UNCURED  # noqa: E402
 
-from freecad_fiveaxis.core import job  # noqa: E402
+from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError  # noqa: E402
+from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, tool_axes  # noqa: E402
 from freecad_fiveaxis.core.cli import main  # noqa: E402
-from freecad_fiveaxis.core.errors import Cancelled, SettingsError  # noqa: E402
-from freecad_fiveaxis.core.kinematics import Setup, chain, linear_words, q_to_words  # noqa: E402
+from freecad_fiveaxis.core.corrections.minimax import minimax_axes  # noqa: E402
+from freecad_fiveaxis.core.corrections.minimax.blocks import bow, states  # noqa: E402
+from freecad_fiveaxis.core.corrections.minimax.minimax import _driven  # noqa: E402
+from freecad_fiveaxis.core.corrections.minimax.rows import allowed, find_rows, run_begins  # noqa: E402
+from freecad_fiveaxis.core.corrections.minimax.steps import through_pole  # noqa: E402
+from freecad_fiveaxis.core.corrections.minimax.sweep import cheapest  # noqa: E402
+from freecad_fiveaxis.core.jobs import job  # noqa: E402
+from freecad_fiveaxis.core.jobs.settings import build_settings  # noqa: E402
 from freecad_fiveaxis.core.machine import load_machine  # noqa: E402
-from freecad_fiveaxis.core.minimax import minimax_axes  # noqa: E402
-from freecad_fiveaxis.core.minimax.blocks import bow, states  # noqa: E402
-from freecad_fiveaxis.core.minimax.minimax import _driven  # noqa: E402
-from freecad_fiveaxis.core.minimax.rows import allowed, find_rows, run_begins  # noqa: E402
-from freecad_fiveaxis.core.minimax.steps import through_pole  # noqa: E402
-from freecad_fiveaxis.core.minimax.sweep import cheapest  # noqa: E402
-from freecad_fiveaxis.core.settings import build_settings  # noqa: E402
-from freecad_fiveaxis.core.tool_axis import AxisOptions, tool_axes  # noqa: E402
-from freecad_fiveaxis.core.trajectory import tip_at  # noqa: E402
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words, q_to_words  # noqa: E402
+from freecad_fiveaxis.core.motion.trajectory import tip_at  # noqa: E402
 
 TILT = np.radians(5.0)
 DEPTHS = [150.0, *(pytest.param(depth, marks=pytest.mark.slow) for depth in (None, 60.0, 300.0))]

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 from rs274_judge import judged, moving, needs_rs274
 
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.kinematics import Setup, chain
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine import Axis, Machine
-from freecad_fiveaxis.core.nc_reader import Assumed, read_nc
-from freecad_fiveaxis.core.post import DIALECTS
-from freecad_fiveaxis.core.program import Program
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.nc.reader import Assumed, read_nc
 
 HEAD = "G21 G90 G94 F100\nG0 X0 Y0 Z20 A0 C0\n"
 
@@ -117,7 +117,7 @@ def test_a_cycle_that_cannot_be_written_out_is_refused_by_name_with_its_line(lin
 
 
 def test_a_program_without_cycles_is_the_same_object() -> None:
-    from freecad_fiveaxis.core.nc_reader import canned_cycles, codes, lines, words
+    from freecad_fiveaxis.core.nc.reader import canned_cycles, codes, lines, words
 
     read_in = words.read_words(HEAD.encode() + b"G1 X1\nG80\n")
     assert canned_cycles.written_out(read_in, lines.Lines(read_in, Assumed()), codes.ISO, "haas")[0] is read_in

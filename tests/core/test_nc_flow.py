@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from rs274_judge import difference, judged, needs_rs274
 from test_nc_cycles import HEAD, LINKS, errors, read
 
-from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError, ProgramError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.nc_reader import interpreter, read_nc
-from freecad_fiveaxis.core.post import DIALECTS
+from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError, ProgramError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.controllers import DIALECTS
+from freecad_fiveaxis.core.nc.reader import interpreter, read_nc
 
 EXAMPLES = [path for root in ("/usr/share/linuxcnc", "/usr/share/doc/linuxcnc") for path in sorted(Path(root).rglob("*.ngc"))]
 FORMS = sorted(Path("/usr/share/linuxcnc/ncfiles/ngcgui_lib").glob("*.ngc"))

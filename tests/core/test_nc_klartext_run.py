@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from test_nc_cycles import errors, path, read
 
-from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.nc_reader import heidenhain_run
+from freecad_fiveaxis.core.base.errors import ProgramError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.nc.reader import heidenhain_run
 
 HEAD = "0 BEGIN PGM T MM\n1 L X+0 Y+0 Z+20 A+0 C+0 R0 FMAX\n2 L F100\n"
 

@@ -10,14 +10,14 @@ from hypothesis import strategies as st
 from setup_examples import milled
 from test_nc_reader import LINKS
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.errors import FiveAxisError, ProgramError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.kinematics import forward, words_to_q
-from freecad_fiveaxis.core.nc_reader import read_nc
-from freecad_fiveaxis.core.post import DIALECTS
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.base.errors import FiveAxisError, ProgramError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.controllers import DIALECTS
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.nc.reader import read_nc
 
 LANGUAGES = ("linuxcnc", "siemens840d", "heidenhain")
 

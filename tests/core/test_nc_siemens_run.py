@@ -6,9 +6,9 @@ from __future__ import annotations
 import pytest
 from test_nc_cycles import errors, read
 
-from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.nc_reader import interpreter
+from freecad_fiveaxis.core.base.errors import ProgramError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.nc.reader import interpreter
 
 HEAD = "G0 G90 G71 X0 Y0 Z20 A0 C0\nG1 F100\n"
 

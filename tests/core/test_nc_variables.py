@@ -10,8 +10,8 @@ import pytest
 from rs274_judge import judged, needs_rs274
 from test_nc_cycles import HEAD, errors, read
 
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.nc_reader.expressions import Parser, Unread, Variables
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.nc.reader.expressions import Parser, Unread, Variables
 
 
 def value(text: str, fanuc: bool = False) -> float | None:
@@ -65,7 +65,7 @@ def test_a_word_with_a_vacant_variable_is_left_out_on_fanuc_and_zero_on_linuxcnc
 
 
 def test_a_value_means_itself_where_words_count_the_least_increment() -> None:
-    from freecad_fiveaxis.core.nc_reader import Assumed
+    from freecad_fiveaxis.core.nc.reader import Assumed
 
     program = read(HEAD.replace("Z20", "Z20.") + "#100=5\nG1 X#100 Y5000\n", "fanuc", Assumed(decimal="least-increment"))
     assert program.words[-1, :2].tolist() == [5, 5]

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from freecad_fiveaxis.core import number_text
-from freecad_fiveaxis.core.number_text import EXACT, Choice, Column, Units, nearest_whole, rounded, table, table_parts
+from freecad_fiveaxis.core.base import number_text
+from freecad_fiveaxis.core.base.number_text import EXACT, Choice, Column, Units, nearest_whole, rounded, table, table_parts
 
 
 def by_percent(columns: list[Column], end: bytes = b"\n") -> bytes:

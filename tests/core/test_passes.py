@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from mesh_shapes import box, field, sphere
 
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.mesh import from_faces, from_triangles
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles
 from freecad_fiveaxis.core.passes import direction, slice_mesh
 from freecad_fiveaxis.core.passes.slicing import levels
 

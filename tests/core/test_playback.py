@@ -11,11 +11,11 @@ import pytest
 from five_kinds import KINDS, TABLE_2, links_of, mikron_links, random_blocks
 from report_examples import by_hand, dome, empty, program_of
 
-from freecad_fiveaxis.core.deviation import measure
-from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.kinematics import Setup, chain, forward, words_to_q
+from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
-from freecad_fiveaxis.core.playback import UNTIMED, NCLines, Playback, following, rigid_inverse, rotary_lines, segment_foot
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
+from freecad_fiveaxis.core.motion.deviation import measure
+from freecad_fiveaxis.core.report.playback import UNTIMED, NCLines, Playback, following, rigid_inverse, rotary_lines, segment_foot
 
 CLOSE = 1e-9  # mm: levers of some 500 mm, a few dozen roundings
 WORST_U, WORST = 0.54543, 2.12642  # Table 2's largest distance from the segment

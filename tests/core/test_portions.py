@@ -8,12 +8,13 @@ import warnings
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import job, number_text
-from freecad_fiveaxis.core import portions as room
-from freecad_fiveaxis.core.coedge import junction
-from freecad_fiveaxis.core.errors import Cancelled
-from freecad_fiveaxis.core.portions import meanwhile, on_all, portions
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.base import chunks as room
+from freecad_fiveaxis.core.base import number_text
+from freecad_fiveaxis.core.base.chunks import meanwhile, on_all, portions
+from freecad_fiveaxis.core.base.errors import Cancelled
+from freecad_fiveaxis.core.cl.coedge import junction
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 
 
 @pytest.fixture(autouse=True)

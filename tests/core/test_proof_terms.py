@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from five_kinds import interleaved, links_of
 
-from freecad_fiveaxis.core.deviation import measure
-from freecad_fiveaxis.core.deviation.bound import ROUNDINGS, Levers, bending, close_levers, end_levers
-from freecad_fiveaxis.core.deviation.quartic import bow, chord
-from freecad_fiveaxis.core.deviation.search import Chords, _local, _Pieces
-from freecad_fiveaxis.core.trajectory import Motion, at, axis_at, frames, inner, motion, tip
+from freecad_fiveaxis.core.motion.deviation import measure
+from freecad_fiveaxis.core.motion.deviation.bound import ROUNDINGS, Levers, bending, close_levers, end_levers
+from freecad_fiveaxis.core.motion.deviation.quartic import bow, chord
+from freecad_fiveaxis.core.motion.deviation.search import Chords, _local, _Pieces
+from freecad_fiveaxis.core.motion.trajectory import Motion, at, axis_at, frames, inner, motion, tip
 
 U = np.linspace(0.0, 1.0, 1001)
 FRAME = frames(links_of("table_table"))  # the second axis, A, is the first frame's x

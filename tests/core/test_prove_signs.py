@@ -9,12 +9,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.kinematics import Setup, chain, forward, words_to_q
-from freecad_fiveaxis.core.machine import load_machine, shipped_machines
-from freecad_fiveaxis.core.nc_reader import read_nc
-from freecad_fiveaxis.core.post import DIALECTS, PostOptions, find_dialect
-from freecad_fiveaxis.core.prove_signs import (
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.calibration.prove_signs import (
     Wishes,
     make_plan,
     proof_nc,
@@ -24,9 +20,14 @@ from freecad_fiveaxis.core.prove_signs import (
     sheet_text,
     wrong_machines,
 )
-from freecad_fiveaxis.core.prove_signs.plan import _last_pose
-from freecad_fiveaxis.core.prove_signs.seen import linear_seen, rotary_seen
-from freecad_fiveaxis.core.prove_signs.sheet import rows
+from freecad_fiveaxis.core.calibration.prove_signs.plan import _last_pose
+from freecad_fiveaxis.core.calibration.prove_signs.seen import linear_seen, rotary_seen
+from freecad_fiveaxis.core.calibration.prove_signs.sheet import rows
+from freecad_fiveaxis.core.controllers import DIALECTS, find_dialect
+from freecad_fiveaxis.core.machine import load_machine, shipped_machines
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
+from freecad_fiveaxis.core.nc.head import PostOptions
+from freecad_fiveaxis.core.nc.reader import read_nc
 
 SETUP = Setup((0.0, 0.0, 0.0), 100.0)
 WISHES = Wishes((30.0, 20.0, 0.0))

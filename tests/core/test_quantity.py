@@ -3,8 +3,16 @@ import math
 
 import pytest
 
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.quantity import LENGTHS, parse_angle, parse_feed, parse_length, parse_stack, parse_triple, stack_text
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.quantity import (
+    LENGTHS,
+    parse_angle,
+    parse_feed,
+    parse_length,
+    parse_stack,
+    parse_triple,
+    stack_text,
+)
 
 
 @pytest.mark.parametrize(

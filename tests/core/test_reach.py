@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from mesh_shapes import box, sphere
 
-from freecad_fiveaxis.core.errors import ReachError, SettingsError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.kinematics import Setup, chain, forward
+from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.machine import Axis, Machine
-from freecad_fiveaxis.core.mesh import from_triangles
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward
 from freecad_fiveaxis.core.passes import axes_within_limits, reachable_facets
 
 INF = math.inf

@@ -8,18 +8,18 @@ import numpy as np
 import pytest
 from recover_examples import SETUP, TABLE_2, cl_path, line_errors, poses, posted, program
 
-from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.kinematics import Setup, chain, forward
+from freecad_fiveaxis.core.base.errors import ProgramError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.calibration.calibration import recover_machine
+from freecad_fiveaxis.core.calibration.recover import parameters, printed_axis_step, recover, recovery_findings, rotary_letters
+from freecad_fiveaxis.core.calibration.recover.fit import refined, screened
+from freecad_fiveaxis.core.calibration.recover.layouts import Guess, start_layout
+from freecad_fiveaxis.core.calibration.recover.matching import _table, _traced, aligned, in_order, sequences
+from freecad_fiveaxis.core.calibration.recover.model import UNKNOWNS, rows_of
+from freecad_fiveaxis.core.calibration.recover.pairs import Pairs, Steps, step_of
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, save_machine, shipped_machines
-from freecad_fiveaxis.core.recover import parameters, printed_axis_step, recover, recovery_findings, rotary_letters
-from freecad_fiveaxis.core.recover.fit import refined, screened
-from freecad_fiveaxis.core.recover.layouts import Guess, start_layout
-from freecad_fiveaxis.core.recover.matching import _table, _traced, aligned, in_order, sequences
-from freecad_fiveaxis.core.recover.model import UNKNOWNS, rows_of
-from freecad_fiveaxis.core.recover.pairs import Pairs, Steps, step_of
-from freecad_fiveaxis.core.settings import build_settings
-from freecad_fiveaxis.core.workshop import recover_machine
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward
 
 NEAR = 0.01  # mm, what is asked for
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from report_examples import TABLE2, TRUNNION, by_hand, dome, empty, figures_of, table2
 
-from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.report import as_json, as_text, markers
 from freecad_fiveaxis.core.report.figures import axis_rates, summary
 from freecad_fiveaxis.core.report.json_text import plain

@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from report_examples import TRUNNION, TRUNNION_BC, by_hand, dome, empty, figures_of, table2
 
-from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.report import as_html
 from freecad_fiveaxis.core.report.plot_style import spans, thin
 from freecad_fiveaxis.core.report.plots import plots

@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 from gouge_examples import step
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.gouge import body_of, depth_of, program_course
+from freecad_fiveaxis.core.collision import program_course
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, html_page, listed, markers, summary
-from freecad_fiveaxis.core.report.left_picture import left_svg
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.report.rest_material_picture import left_svg
+from freecad_fiveaxis.core.tool.body import body_of, depth_of
 
 OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "tool_axis": "fixed", "linearize": "on", "left": "on"}
 

@@ -9,11 +9,12 @@ import json
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import cli, job
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.kinematics import forward, words_to_q
-from freecad_fiveaxis.core.post import DIALECTS
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.controllers import DIALECTS
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 
 APT = """UNITS/MM
 MULTAX/ON

@@ -14,19 +14,19 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.apt import ClHead, write_apt
-from freecad_fiveaxis.core.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.errors import MachineError, SettingsError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.kinematics import Setup, chain
+from freecad_fiveaxis.core.base.errors import MachineError, SettingsError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.cl.apt import ClHead, write_apt
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.safe_start import start_findings
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import SafeStart, load_machine, save_machine, shipped_machines
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
-from freecad_fiveaxis.core.nc_reader import read_nc
-from freecad_fiveaxis.core.program import plane_above
-from freecad_fiveaxis.core.safe_start import start_findings
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.motion.program import plane_above
+from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.tool import Cutter
 
 LOW, HIGH = np.array([-40.0, -25.0, -10.0]), np.array([30.0, 35.0, 45.0])
 GROUPS = ("Z", "AC", "XY")

@@ -9,15 +9,17 @@ import pytest
 from cutter_body import depth, facet_points, inside
 from uncured import UNCURED
 
-from freecad_fiveaxis.core import asked, job, outputs, seating
-from freecad_fiveaxis.core.apt import read_apt, read_cl_file, write_apt
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.cutter import Cutter, parse_cutter
-from freecad_fiveaxis.core.kinematics import forward, words_to_q
-from freecad_fiveaxis.core.mesh import from_faces, read_stl, write_stl
-from freecad_fiveaxis.core.nc_reader import read_nc
-from freecad_fiveaxis.core.settings import build_settings, flat_options
-from freecad_fiveaxis.core.tool_axis import AxisOptions
+from freecad_fiveaxis.core.cl import cl_offset as seating
+from freecad_fiveaxis.core.cl.apt import read_apt, read_cl_file, write_apt
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
+from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl, write_stl
+from freecad_fiveaxis.core.jobs import job, outputs
+from freecad_fiveaxis.core.jobs import options as asked
+from freecad_fiveaxis.core.jobs.settings import build_settings, flat_options
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.tool import Cutter, parse_cutter
 
 CUTTERS = ("flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:8:1:5deg")
 

@@ -8,9 +8,9 @@ import pickle
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.errors import Cancelled, FileError, FiveAxisError, MachineError
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.sentences import (
+from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError, MachineError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.sentences import (
     CONTEXT,
     Angle,
     Area,

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.option_values import READERS
-from freecad_fiveaxis.core.settings import TASKS, Settings, build_settings, flat_options, option_fields
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.jobs.option_values import READERS
+from freecad_fiveaxis.core.jobs.settings import TASKS, Settings, build_settings, flat_options, option_fields
 
 
 def mill(**options):

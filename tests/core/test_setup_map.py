@@ -11,18 +11,19 @@ import pytest
 from setup_examples import CENTRE, cap, milled, posting
 from uncured import UNCURED
 
-from freecad_fiveaxis.core import job, trials
-from freecad_fiveaxis.core.deviation import measure, quick_bound
-from freecad_fiveaxis.core.errors import Cancelled, ReachError, SettingsError
-from freecad_fiveaxis.core.joint_path import solve
-from freecad_fiveaxis.core.kinematics import Setup, chain, linear_words
+from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsError
+from freecad_fiveaxis.core.geometry.mesh import from_faces
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.mesh import from_faces
-from freecad_fiveaxis.core.program import build_program
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words
+from freecad_fiveaxis.core.motion.deviation import measure, quick_bound
+from freecad_fiveaxis.core.motion.joint_path import solve
+from freecad_fiveaxis.core.motion.program import build_program
 from freecad_fiveaxis.core.report import Marker
 from freecad_fiveaxis.core.report.figures import feed_blocks
-from freecad_fiveaxis.core.settings import build_settings
-from freecad_fiveaxis.core.setup_map import (
+from freecad_fiveaxis.core.studies import study as trials
+from freecad_fiveaxis.core.studies.setup_map import (  # fmt: skip
     Kind,
     Region,
     advice,
@@ -37,9 +38,9 @@ from freecad_fiveaxis.core.setup_map import (
     setup_text,
     turned_path,
     verdict,
-)  # fmt: skip
-from freecad_fiveaxis.core.setup_map.driven import FIRST_BATCH, drive_turned, turned, worst_blocks
-from freecad_fiveaxis.core.setup_map.setups import MOST_SETUPS, recommended
+)
+from freecad_fiveaxis.core.studies.setup_map.driven import FIRST_BATCH, drive_turned, turned, worst_blocks
+from freecad_fiveaxis.core.studies.setup_map.setups import MOST_SETUPS, recommended
 
 COARSE = {"stepover": 12.0, "rings": 8}
 

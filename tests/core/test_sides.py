@@ -9,11 +9,12 @@ from gouge_examples import prism
 from mesh_shapes import box, sphere
 from test_verdict import filleted
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.gouge import body_of, find_remainder, program_course
-from freecad_fiveaxis.core.mesh import from_triangles
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.collision import find_remainder, program_course
+from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.tool.body import body_of
 
 
 def block():

@@ -8,9 +8,9 @@ import math
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.kinematics import Setup, chain, forward, inverse_axis, words_to_q
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
-from freecad_fiveaxis.core.singularity import LEAST_TRAVEL, find_singular, in_cone
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, inverse_axis, words_to_q
+from freecad_fiveaxis.core.motion.singularity import LEAST_TRAVEL, find_singular, in_cone
 
 CONE = math.radians(5.0)
 TABLE_2 = [[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]]

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from five_kinds import KINDS, TABLE_2, interleaved, links_of, mikron_links
 
-from freecad_fiveaxis.core.deviation import measure, so2008
-from freecad_fiveaxis.core.deviation.so2008 import line_deviation, model_tip
-from freecad_fiveaxis.core.kinematics import linear_words
-from freecad_fiveaxis.core.trajectory import chained_motion, frames, inner, tip, tip_at
+from freecad_fiveaxis.core.machine.kinematics import linear_words
+from freecad_fiveaxis.core.motion.deviation import measure, so2008
+from freecad_fiveaxis.core.motion.deviation.so2008 import line_deviation, model_tip
+from freecad_fiveaxis.core.motion.trajectory import chained_motion, frames, inner, tip, tip_at
 
 
 @pytest.fixture(params=KINDS)

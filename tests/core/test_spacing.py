@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError, SettingsError
-from freecad_fiveaxis.core.findings import Severity
-from freecad_fiveaxis.core.mesh import from_faces
+from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError, SettingsError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import place_planes, slice_mesh
 from freecad_fiveaxis.core.passes.scallop import facet_curvature, flat_interval, kink_factor, scallop_height, turned_along
 from freecad_fiveaxis.core.passes.spacing import AIM

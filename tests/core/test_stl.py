@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from mesh_shapes import box, sphere
 
-from freecad_fiveaxis.core.errors import FileError, FiveAxisError, MeshError
-from freecad_fiveaxis.core.mesh import from_triangles, read_stl, stl, write_stl
+from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, MeshError
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, read_stl, stl, write_stl
 
 
 def binary(corners, header=b"", count=None):
@@ -81,7 +81,7 @@ def test_ascii_is_read_in_any_dress(read, changed):
 
 
 def test_ascii_longer_than_one_piece_is_read_whole(read, monkeypatch):
-    monkeypatch.setattr("freecad_fiveaxis.core.mesh.stl._PIECE", 1000)
+    monkeypatch.setattr("freecad_fiveaxis.core.geometry.mesh.stl._PIECE", 1000)
     corners = sphere()
     same_triangles(read("\n".join(ascii_lines(corners))), corners)
 
@@ -176,7 +176,7 @@ def test_a_broken_file_is_refused_in_one_line_that_names_it(read, data, said):
 
 
 def test_the_facet_number_counts_through_all_pieces(read, monkeypatch):
-    monkeypatch.setattr("freecad_fiveaxis.core.mesh.stl._PIECE", 500)
+    monkeypatch.setattr("freecad_fiveaxis.core.geometry.mesh.stl._PIECE", 500)
     lines = ascii_lines(box())
     lines[1 + 7 * 9 + 2] = "vertex 1 2 three"
     with pytest.raises(MeshError, match="facet 10 is malformed: 'three'"):

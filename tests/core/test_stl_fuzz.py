@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 from mesh_shapes import box
 from test_stl import ascii_lines, binary
 
-from freecad_fiveaxis.core.errors import MeshError
-from freecad_fiveaxis.core.mesh import Mesh, from_triangles, read_stl
+from freecad_fiveaxis.core.base.errors import MeshError
+from freecad_fiveaxis.core.geometry.mesh import Mesh, from_triangles, read_stl
 from freecad_fiveaxis.core.passes import slice_mesh
 
 quick = settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])

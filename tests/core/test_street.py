@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine, save_machine, shipped_machines
-from freecad_fiveaxis.core.nc_reader import read_nc
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.nc.reader import read_nc
 
 ROOT = Path(__file__).parents[2]
 PARTS = ("dome", "blade", "saddle", "half_cylinder", "freeform_233")

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, step
 
-from freecad_fiveaxis.core.mesh import write_stl
+from freecad_fiveaxis.core.geometry.mesh import write_stl
 
 MILL = [sys.executable, "-W", "error", "-m", "freecad_fiveaxis", "mill"]
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from five_kinds import KINDS, NUTATIONS, links_of, nutating, random_blocks
 
-from freecad_fiveaxis.core.kinematics import forward, words_to_q
-from freecad_fiveaxis.core.trajectory import axis_at, frames, tip_at, tip_derivatives_at
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.motion.trajectory import axis_at, frames, tip_at, tip_derivatives_at
 
 ROUNDING = 5e-12  # mm: coordinates of some 500 mm, a few dozen roundings
 

@@ -9,8 +9,8 @@ import pytest
 from translation_script import ROOT, translations
 
 from freecad_fiveaxis.app.option_texts import TEXTS, text_of
-from freecad_fiveaxis.core.sentences import CONTEXT
-from freecad_fiveaxis.core.settings import option_fields
+from freecad_fiveaxis.core.base.sentences import CONTEXT
+from freecad_fiveaxis.core.jobs.settings import option_fields
 
 LANGUAGES = sorted(translations.FOLDER.glob("FiveAxis_*.ts"))
 

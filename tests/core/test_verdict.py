@@ -10,16 +10,17 @@ from gouge_examples import dense_points, prism, round_groove, sampled_depth, ste
 from report_examples import TRUNNION, by_hand, empty, figures_of, table2
 from uncured import UNCURED
 
-from freecad_fiveaxis.core import job
-from freecad_fiveaxis.core.apt import write_apt
-from freecad_fiveaxis.core.apt.head import of_cl_file
-from freecad_fiveaxis.core.coedge import trimming
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.gouge import Entries, GougeCheck, body_of, program_course
-from freecad_fiveaxis.core.mesh import from_faces
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.cl.apt import write_apt
+from freecad_fiveaxis.core.cl.apt.head import of_cl_file
+from freecad_fiveaxis.core.cl.coedge import trimming
+from freecad_fiveaxis.core.collision import Entries, GougeCheck, program_course
+from freecad_fiveaxis.core.geometry.mesh import from_faces
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.report import Light, as_html, as_json, as_text, html_page, summary, verdict
-from freecad_fiveaxis.core.sentences import say
-from freecad_fiveaxis.core.settings import build_settings
+from freecad_fiveaxis.core.tool.body import body_of
 
 MACHINE = {"machine": "trunnion_ac", "stepover": 3}
 

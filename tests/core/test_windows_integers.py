@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from freecad_fiveaxis.core.mesh import from_faces, write_stl
+from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -49,7 +49,7 @@ def test_a_part_is_milled_to_the_same_bytes(folder, options):
 def test_a_mesh_with_vertices_that_no_facet_uses_is_taken():
     code = (
         f"import sys; sys.path[:0] = [{str(HERE)!r}, {str(ROOT)!r}]\nimport windows_integers, numpy as np\n"
-        "from freecad_fiveaxis.core.mesh import from_faces\n"
+        "from freecad_fiveaxis.core.geometry.mesh import from_faces\n"
         "print(from_faces(np.eye(4, 3), np.array([[0, 1, 3]])).face.dtype)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)

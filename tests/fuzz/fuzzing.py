@@ -15,7 +15,7 @@ from pathlib import Path
 from mutations import spoilt
 from targets import Target
 
-from freecad_fiveaxis.core.errors import FiveAxisError
+from freecad_fiveaxis.core.base.errors import FiveAxisError
 
 LIMIT = 20.0
 """s for one small file, on a slow machine."""

@@ -15,13 +15,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from freecad_fiveaxis.core import job
 from freecad_fiveaxis.core.cli import main
-from freecad_fiveaxis.core.job_file import read_job
+from freecad_fiveaxis.core.controllers import DIALECTS
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.job_file import read_job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.machine.importing import import_machine
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
-from freecad_fiveaxis.core.machine_import import import_machine
-from freecad_fiveaxis.core.post import DIALECTS
-from freecad_fiveaxis.core.settings import build_settings
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 LINES = 60

@@ -10,7 +10,7 @@ from fuzzing import hunt, tried
 from mutations import spoilt
 from targets import TARGETS, Target
 
-from freecad_fiveaxis.core.errors import FileError
+from freecad_fiveaxis.core.base.errors import FileError
 
 RUNS = {"stl": 10, "command": 60, "machine": 60, "job": 150, "ini": 100}
 

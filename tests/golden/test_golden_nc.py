@@ -11,14 +11,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.joint_path import JointPath
-from freecad_fiveaxis.core.kinematics import Setup, chain, forward
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_MACHINE, BY_REFERENCE, Axis, Machine, SafeStart
-from freecad_fiveaxis.core.post import DIALECTS, PostOptions
-from freecad_fiveaxis.core.post.start import with_start
-from freecad_fiveaxis.core.post.writer import write_nc
-from freecad_fiveaxis.core.program import build_program
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward
+from freecad_fiveaxis.core.motion.joint_path import JointPath
+from freecad_fiveaxis.core.motion.program import build_program
+from freecad_fiveaxis.core.nc.head import PostOptions
+from freecad_fiveaxis.core.nc.start import with_start
+from freecad_fiveaxis.core.nc.writer import write_nc
 
 HERE = Path(__file__).parent
 CASES = [

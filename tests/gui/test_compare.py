@@ -84,7 +84,7 @@ def test_the_table_says_what_the_core_says_and_is_sorted_by_a_click(path, doc, t
 
 
 def test_nothing_ticked_and_a_stop_leave_no_table(path, tree_row, press, field, click, panel_button, monkeypatch, window):
-    from freecad_fiveaxis.core.errors import Cancelled
+    from freecad_fiveaxis.core.base.errors import Cancelled
     from freecad_fiveaxis.gui import waiting
 
     tree_row(path.Label)

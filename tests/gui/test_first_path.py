@@ -7,7 +7,7 @@ import pytest
 from conftest import QtCore, QtGui, QtWidgets
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.core.errors import SettingsError
+from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.gui.panels import audit, path_panel, post, recover, toolpath
 from freecad_fiveaxis.gui.scene import on_screen
 

@@ -21,7 +21,7 @@ from test_clicks import look
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import comparing, results
-from freecad_fiveaxis.core.errors import Cancelled
+from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.gui.waiting import waiting
 
 LONGEST = 0.3

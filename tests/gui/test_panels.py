@@ -12,8 +12,8 @@ import pytest
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results, tool_bit
-from freecad_fiveaxis.core.errors import Cancelled
-from freecad_fiveaxis.core.findings import Finding, Severity
+from freecad_fiveaxis.core.base.errors import Cancelled
+from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.gui import qt, waiting
 from freecad_fiveaxis.gui.panels import audit, post, summary, toolpath
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
@@ -333,7 +333,7 @@ def test_a_new_path_has_the_cutter_and_the_holder_of_the_preferences(dome, param
 
 def test_the_cutter_comes_from_a_tool_of_a_cam_job(dome, monkeypatch):
     from freecad_fiveaxis.app import cam
-    from freecad_fiveaxis.core.cutter import Cutter
+    from freecad_fiveaxis.core.tool import Cutter
 
     tools = [tool_bit.JobTool("Ball", 3, Cutter(5.0, 20.0)), tool_bit.JobTool("Drill", 4, None, "Drill is of no use")]
     monkeypatch.setattr(cam, "jobs_of", lambda doc: [doc])
@@ -446,7 +446,7 @@ def qt_scroll(widget, pump):
 
 def test_every_option_of_the_core_has_its_words():
     from freecad_fiveaxis.app import labels
-    from freecad_fiveaxis.core.settings import option_fields
+    from freecad_fiveaxis.core.jobs.settings import option_fields
 
     for _, leaf in option_fields():
         if leaf.metadata["kind"] not in ("path", "paths"):

@@ -159,7 +159,7 @@ def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright
 
 def corners_on_screen(shown, doc):
     """Where the corners of all bodies of the machine are drawn, as shares of the view (0 to 1)."""
-    from freecad_fiveaxis.core.machine_sketch import corners
+    from freecad_fiveaxis.core.report.machine_sketch import corners
 
     pose, zero = shown.player.pose, shown.stage.zero
     placed = []
@@ -386,8 +386,8 @@ def test_the_tool_stands_with_its_driven_point_at_zero(driven):
 
 
 def tool_body(cutter, holder=()):
-    from freecad_fiveaxis.core.cutter import parse_cutter
-    from freecad_fiveaxis.core.gouge import body_of
+    from freecad_fiveaxis.core.tool import parse_cutter
+    from freecad_fiveaxis.core.tool.body import body_of
 
     return body_of(parse_cutter(cutter), (), holder)
 
@@ -407,7 +407,7 @@ def box_of(body, driven=0.0):
 def test_every_point_that_is_drawn_lies_on_the_body_that_is_checked(cutter):
     from pivy import coin
 
-    from freecad_fiveaxis.core.gouge import depth_of
+    from freecad_fiveaxis.core.tool.body import depth_of
     from freecad_fiveaxis.gui.play.tool import TURNS, DrawnTool, tool_node
 
     body, drawn = tool_body(cutter, [(40.0, 25.0), (63.0, 50.0)]), []
@@ -460,7 +460,7 @@ def test_another_holder_is_drawn_while_it_plays(doc, opened, pump):
 
 
 def test_a_path_without_blocks_and_a_thing_that_is_no_path_are_refused_in_words(doc, tmp_path):
-    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.core.base.errors import FiveAxisError
     from freecad_fiveaxis.gui import play
     from freecad_fiveaxis.gui.play import panel
 

@@ -17,9 +17,10 @@ from scipy.spatial import cKDTree
 pytest.importorskip("pivy")
 
 from freecad_fiveaxis.app.units import area_text
-from freecad_fiveaxis.core.gouge import Remainder, height_scale
-from freecad_fiveaxis.core.mesh import from_triangles
+from freecad_fiveaxis.core.collision import Remainder
+from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.report import draw
+from freecad_fiveaxis.core.report.rest_material_map import height_scale
 from freecad_fiveaxis.gui.scene import (
     camera,
     colours,

@@ -12,8 +12,9 @@ from test_clicks import look
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import machines, results
-from freecad_fiveaxis.core import asked, cli
-from freecad_fiveaxis.core.apt import write_apt
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.cl.apt import write_apt
+from freecad_fiveaxis.core.jobs import options as asked
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.gui.panels import prove_signs
 
@@ -151,7 +152,7 @@ def test_another_machine_is_named_and_a_file_that_is_there_is_not_written(empty,
 
 def test_files_that_cannot_be_used_and_a_stop_say_so(empty, folder, pair, press, field, type_into, click, panel_button, monkeypatch,
                                                      window, pump):  # fmt: skip
-    from freecad_fiveaxis.core.errors import Cancelled
+    from freecad_fiveaxis.core.base.errors import Cancelled
     from freecad_fiveaxis.gui import waiting
 
     press("FiveAxis_Recover", SLID)

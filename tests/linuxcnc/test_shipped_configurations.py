@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.machine_import import import_machine
+from freecad_fiveaxis.core.machine.importing import import_machine
 
 SAMPLES = Path("/usr/share/doc/linuxcnc/examples/sample-configs/sim/axis/vismach/5axis/table-rotary-tilting")
 pytestmark = [pytest.mark.linuxcnc, pytest.mark.skipif(not SAMPLES.is_dir(), reason="LinuxCNC's samples are not installed")]

@@ -13,15 +13,16 @@ import numpy as np
 import pytest
 from controller import LENGTH, TOOL, missing, run_programs, write_configuration
 
-from freecad_fiveaxis.core.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.deviation import measure
-from freecad_fiveaxis.core.joint_path import JointPath
-from freecad_fiveaxis.core.kinematics import Chain, Setup, chain, forward, words_to_q
-from freecad_fiveaxis.core.machine_import import import_machine
-from freecad_fiveaxis.core.nc_reader import read_nc
-from freecad_fiveaxis.core.post import PostOptions, find_dialect
-from freecad_fiveaxis.core.post.writer import write_nc
-from freecad_fiveaxis.core.program import Program, build_program
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.controllers import find_dialect
+from freecad_fiveaxis.core.machine.importing import import_machine
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, words_to_q
+from freecad_fiveaxis.core.motion.deviation import measure
+from freecad_fiveaxis.core.motion.joint_path import JointPath
+from freecad_fiveaxis.core.motion.program import Program, build_program
+from freecad_fiveaxis.core.nc.head import PostOptions
+from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.nc.writer import write_nc
 
 pytestmark = [pytest.mark.linuxcnc, pytest.mark.skipif(bool(missing()), reason=missing() or "it is here")]
 

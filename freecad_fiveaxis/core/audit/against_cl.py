@@ -23,16 +23,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.deviation import Deviation
-from freecad_fiveaxis.core.errors import ProgramError
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.kinematics import Chain, chunks
-from freecad_fiveaxis.core.program import Program, feed_blocks
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze
-from freecad_fiveaxis.core.sentences import Angle, Choice, Length, Option, Sentence, Task, plural, say
-from freecad_fiveaxis.core.trajectory import axis_at
+from freecad_fiveaxis.core.base.columns import chunks
+from freecad_fiveaxis.core.base.errors import ProgramError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
+from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Sentence, Task, plural, say
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.motion.deviation import Deviation
+from freecad_fiveaxis.core.motion.program import Program, feed_blocks
+from freecad_fiveaxis.core.motion.trajectory import axis_at
 
 from .nearest import Pieces, Segments, nearest, search
 from .real_path import Ends, Peaks, RealPath, peaks

@@ -21,13 +21,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.kinematics import Chain
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.program import Program, feed_blocks
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Floats, Ints, freeze
-from freecad_fiveaxis.core.sentences import Length, Option, say
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.base.sentences import Length, Option, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 
 from .nearest import Facets, Pieces, search
 from .real_path import Ends, Peaks, RealPath, peaks

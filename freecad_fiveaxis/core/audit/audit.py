@@ -7,16 +7,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl_path import CLPath
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.deviation import Deviation
-from freecad_fiveaxis.core.findings import Finding
-from freecad_fiveaxis.core.gouge import Body, body_of
-from freecad_fiveaxis.core.kinematics import Chain
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.program import Program
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.cl.cl_path import CLPath
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.motion.deviation import Deviation
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.body import Body, body_of
 
 from .against_cl import AgainstPath, against_path
 from .against_part import AgainstPart, against_part

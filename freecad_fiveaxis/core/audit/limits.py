@@ -15,11 +15,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.kinematics import Chain, forward_tip, words_to_q
-from freecad_fiveaxis.core.program import Program
-from freecad_fiveaxis.core.records import Bytes, Floats, freeze
-from freecad_fiveaxis.core.sentences import Number, Option, Task, measure, plural, say
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bytes, Floats, freeze
+from freecad_fiveaxis.core.base.sentences import Number, Option, Task, measure, plural, say
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_to_q
+from freecad_fiveaxis.core.motion.program import Program
 
 from .rates import DEGREES
 

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 
 FIRST_TRIED, MORE = 8, 4
 """Pieces tried for each point, and how many times as many in the next round."""

@@ -15,12 +15,13 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.deviation.bound import bending, quick_levers
-from freecad_fiveaxis.core.kinematics import Chain, chunks
-from freecad_fiveaxis.core.program import Program
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Floats, Ints
-from freecad_fiveaxis.core.trajectory import axis_at, frames, motion, tip_at
+from freecad_fiveaxis.core.base.columns import chunks
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.motion.deviation.bound import bending, quick_levers
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.motion.trajectory import axis_at, frames, motion, tip_at
 
 MOST_HALVINGS = 14
 """Of a block: pieces of a sixteen-thousandth. What is then not proven keeps its bound, and the report shows it."""

@@ -9,14 +9,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from freecad_fiveaxis.core.cutter import Cutter
-from freecad_fiveaxis.core.findings import Finding
-from freecad_fiveaxis.core.gouge import Body, check_program
-from freecad_fiveaxis.core.kinematics import Chain
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.program import Program, feed_blocks
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.sentences import Option, joined, say
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.sentences import Option, joined, say
+from freecad_fiveaxis.core.collision import check_program
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.motion.program import Program, feed_blocks
+from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.body import Body
 
 from .against_part import AgainstPart, against_part
 

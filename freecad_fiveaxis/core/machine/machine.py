@@ -18,8 +18,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from freecad_fiveaxis.core.errors import MachineError
-from freecad_fiveaxis.core.sentences import Angle, Length, Number, Point, measure, say
+from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Point, measure, say
 
 from .safe_start import SafeStart
 

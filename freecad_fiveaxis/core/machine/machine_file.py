@@ -28,9 +28,9 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, Literal
 
-from freecad_fiveaxis.core.errors import FileError, MachineError
-from freecad_fiveaxis.core.files import read_bytes, write_whole
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.base.errors import FileError, MachineError
+from freecad_fiveaxis.core.base.files import read_bytes, write_whole
+from freecad_fiveaxis.core.base.sentences import say
 
 from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector, finite_vector
 from .safe_start import BY_MACHINE, RETRACTS, SafeStart

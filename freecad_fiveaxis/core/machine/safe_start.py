@@ -12,8 +12,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from freecad_fiveaxis.core.errors import MachineError
-from freecad_fiveaxis.core.sentences import Length, say
+from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.base.sentences import Length, say
 
 BY_MACHINE, BY_REFERENCE, BY_CLEARANCE, BY_NOTHING = "machine", "reference", "clearance", "none"
 RETRACTS = (BY_MACHINE, BY_REFERENCE, BY_CLEARANCE, BY_NOTHING)

@@ -3,10 +3,10 @@
 
 from .arc_curvature import arc_centre, arc_curvature, pass_curvature
 from .passes import ContactPath, direction, slice_mesh
-from .reach import axes_within_limits, reachable_facets
 from .scallop import CREASE, facet_curvature, flat_interval, turned_along
 from .sides import side_findings, untouched_sides
 from .spacing import place_planes
+from .within_limits import axes_within_limits, reachable_facets
 
 __all__ = [
     "CREASE", "ContactPath", "arc_centre", "arc_curvature", "axes_within_limits", "direction", "facet_curvature",

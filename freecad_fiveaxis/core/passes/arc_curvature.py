@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.base.records import Floats
 
 from .passes import ContactPath
 

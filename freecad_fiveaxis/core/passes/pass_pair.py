@@ -19,8 +19,8 @@ from functools import cached_property
 import numpy as np
 from scipy.spatial import cKDTree
 
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .scallop import TINY, facet_curvature, flat_interval, kink_factor, scallop_height, turned_along
 

@@ -17,13 +17,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.findings import Finding
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.portions import on_all, portions
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools, Floats, Ints, freeze, owners
-from freecad_fiveaxis.core.sentences import Length, say
+from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, owners
+from freecad_fiveaxis.core.base.sentences import Length, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .slicing import Crossings, chain, find_crossings
 

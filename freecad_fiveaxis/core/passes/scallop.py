@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 CREASE = np.radians(30.0)
 """Facets that meet at a larger angle meet in a sharp edge of the part; below it they approximate a smooth surface."""

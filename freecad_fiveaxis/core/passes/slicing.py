@@ -21,12 +21,12 @@ import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import depth_first_order
 
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.memory import check_memory
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.portions import on_all, portions
-from freecad_fiveaxis.core.records import Bools, Floats, Ints, owners
-from freecad_fiveaxis.core.sentences import say
+from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.memory import check_memory
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, owners
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 NOWHERE = -(1 << 40)  # base of a facet that is not there; stays negative whatever plane is added
 

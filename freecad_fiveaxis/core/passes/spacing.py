@@ -22,13 +22,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.errors import SettingsError
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.portions import on_all, portions
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.sentences import Angle, Length, Number, say
+from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .pass_pair import Strip, scallop_between, smallest_interval
 from .scallop import flat_interval

@@ -11,9 +11,9 @@ import numpy as np
 
 from freecad_fiveaxis.core.audit import Audit, timed_feeds
 from freecad_fiveaxis.core.audit.rates import DEGREES, SAME
-from freecad_fiveaxis.core.program import Program, feed_blocks
-from freecad_fiveaxis.core.program.feeds import STILL
-from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.motion.program import Program, feed_blocks
+from freecad_fiveaxis.core.motion.program.feeds import STILL
 
 from .block_table import letter_order
 

@@ -20,12 +20,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.gouge import GOUGES
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.collision import GOUGES
 from freecad_fiveaxis.core.machine import fitted_columns
-from freecad_fiveaxis.core.records import Floats, Ints, freeze
-from freecad_fiveaxis.core.trajectory import tip_at
+from freecad_fiveaxis.core.motion.trajectory import tip_at
 
 from .figures import Figures
 from .judgement import OVER, SINGULAR, UNPROVEN

@@ -24,16 +24,16 @@ import numpy as np
 
 from freecad_fiveaxis.core.audit import Audit
 from freecad_fiveaxis.core.audit.rates import SAME
-from freecad_fiveaxis.core.cl_path import Motion
-from freecad_fiveaxis.core.deviation import Deviation
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.gouge import GougeCheck, Remainder
-from freecad_fiveaxis.core.kinematics import Chain, forward
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.collision import GougeCheck, Remainder
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.program import Program, feed_blocks
-from freecad_fiveaxis.core.records import Floats, Ints
-from freecad_fiveaxis.core.singularity import Singularity
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward
+from freecad_fiveaxis.core.motion.deviation import Deviation
+from freecad_fiveaxis.core.motion.program import Program, feed_blocks
+from freecad_fiveaxis.core.motion.singularity import Singularity
 
 from .audited import audit_rows, audited, worst_of
 from .block_table import letter_order

@@ -11,14 +11,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from typing import Any
 
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.progress import Progress, silent
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
 
 from .figures import Figures, summary, worst_of_audit, worst_table
 from .json_text import plain
-from .left_picture import left_svg
 from .part_facts import deepest_entries, part_verdict
 from .plots import Plot, plots
+from .rest_material_picture import left_svg
 from .text import facts, grouped, number, path_verdict
 from .verdict import Light, verdict
 

@@ -17,13 +17,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.deviation import Deviation
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.kinematics import Chain, forward
-from freecad_fiveaxis.core.program import Program, feed_blocks
-from freecad_fiveaxis.core.records import Floats, Ints
-from freecad_fiveaxis.core.sentences import Angle, Choice, Length, Option, Sentence, Task, joined, plural, say
-from freecad_fiveaxis.core.singularity import Singularity
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Sentence, Task, joined, plural, say
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward
+from freecad_fiveaxis.core.motion.deviation import Deviation
+from freecad_fiveaxis.core.motion.program import Program, feed_blocks
+from freecad_fiveaxis.core.motion.singularity import Singularity
 
 from .figures import WORST, inner_words, travel, worst_first
 

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.findings import Finding
-from freecad_fiveaxis.core.gouge import GOUGES, PARTS
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.collision import GOUGES
 from freecad_fiveaxis.core.machine import Vector
-from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.tool.body import PARTS
 
 from .figures import Figures, travel, worst_first
 from .judgement import OVER, SINGULAR

@@ -14,19 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.gouge import (
-    GOUGES,
-    PARTS,
-    GougeCheck,
-    HeightScale,
-    Remainder,
-    height_scale,
-    round_values,
-    scale_marks,
-    spots,
-)
-from freecad_fiveaxis.core.program import Program
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.collision import GOUGES, GougeCheck, Remainder, spots
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.tool.body import PARTS
+
+from .rest_material_map import HeightScale, height_scale, round_values, scale_marks
 
 DEEPEST = 10
 """So many places are named."""

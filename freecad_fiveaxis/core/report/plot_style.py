@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
 Told = tuple[str, str, str, str]
 """What is said of a plot: name, title, caption, and what it shows in words."""

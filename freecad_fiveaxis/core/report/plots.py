@@ -17,10 +17,10 @@ from typing import Any
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.machine import fitted_columns
-from freecad_fiveaxis.core.program import Program
-from freecad_fiveaxis.core.progress import Progress, silent
-from freecad_fiveaxis.core.records import Floats, Ints
+from freecad_fiveaxis.core.motion.program import Program
 
 from .figures import Figures, axis_rates
 from .plot_style import BINS, BLUE, FLOOR, GREEN, GREY, ORANGE, RED, SKY, STYLE, WIDE, Told, spans, thin

@@ -13,7 +13,7 @@ import zlib
 
 import numpy as np
 
-from freecad_fiveaxis.core.records import Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints
 
 PIXELS = 1_000_000
 """Pixels that are looked at in one go."""

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
-from freecad_fiveaxis.core.findings import Finding
+from freecad_fiveaxis.core.base.findings import Finding
 
 from .audited import audit_facts
 from .figures import Figures, summary, worst_table

@@ -15,8 +15,8 @@ from enum import Enum
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
-from freecad_fiveaxis.core.findings import Finding, Severity
-from freecad_fiveaxis.core.sentences import (
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.sentences import (
     Area,
     Choice,
     Length,

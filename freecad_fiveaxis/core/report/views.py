@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.kinematics import Chain, forward
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.machine import fitted_columns
-from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 
 from .figures import Figures, inner_words
 from .plot_style import BINS, BLUE, GREEN, GREY, ORANGE, RED, SKY, WIDE, Told, thin

@@ -55,7 +55,7 @@ class MachineField(ChoiceField):
 
 def has_head(machine: str) -> bool:
     """Whether a machine carries a rotary axis in its head, and so needs the tool's length."""
-    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.core.base.errors import FiveAxisError
     from freecad_fiveaxis.core.machine import load_machine
 
     try:
@@ -153,7 +153,7 @@ class CutterField(Field):
 
     def __init__(self, name: str, hint: str, doc: Any) -> None:
         from freecad_fiveaxis.app.properties import CORNER, CUTTER, TAPER
-        from freecad_fiveaxis.core.cutter import KINDS
+        from freecad_fiveaxis.core.tool import KINDS
 
         super().__init__(name, Rows(indent=0), hint)
         hints = {one.name: translate("App::Property", one.text) for one in CUTTER}
@@ -184,7 +184,7 @@ class CutterField(Field):
 
     def _turn(self) -> None:
         """Show the sizes that the kind has."""
-        from freecad_fiveaxis.core.cutter import KINDS
+        from freecad_fiveaxis.core.tool import KINDS
 
         has = ("diameter", *KINDS[self.kind.value()], "length")
         for size, field in self.sizes.items():
@@ -206,7 +206,7 @@ class CutterField(Field):
     def read_file(self, path: str) -> None:
         """Take the cutter of a tool bit's file; one of no use here says why under the field."""
         from freecad_fiveaxis.app import tool_bit
-        from freecad_fiveaxis.core.errors import FiveAxisError
+        from freecad_fiveaxis.core.base.errors import FiveAxisError
 
         try:
             self._take(tool_bit.cutter_of_file(path))
@@ -219,7 +219,7 @@ class CutterField(Field):
 
     def value(self) -> str:
         """As job files write it, ``ball:10.0:50.0``, mm and degrees; whether there can be such a cutter is the core's to say."""
-        from freecad_fiveaxis.core.cutter import sizes_text
+        from freecad_fiveaxis.core.tool import sizes_text
 
         return sizes_text(self.kind.value(), {size: field.value() for size, field in self.sizes.items()})
 
@@ -229,7 +229,7 @@ class CutterField(Field):
 
     def show_value(self, value: Any) -> None:
         """As job files write it (a missing length is the core's default), or the core's Cutter."""
-        from freecad_fiveaxis.core.cutter import Cutter, cutter_sizes, cutter_text
+        from freecad_fiveaxis.core.tool import Cutter, cutter_sizes, cutter_text
 
         kind, sizes = cutter_sizes(value if isinstance(value, str) else cutter_text(value))
         given = {"length": Cutter(1.0).length} | sizes
@@ -240,7 +240,7 @@ class CutterField(Field):
 
 def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
     """The controllers; the first item leaves it to the machine, and where a text is read, to the text before that."""
-    from freecad_fiveaxis.core.post import DIALECTS
+    from freecad_fiveaxis.core.controllers import DIALECTS
 
     own = translate("FiveAxis", "by the text itself") if reads else translate("FiveAxis", "the machine's own")
     choices = [(None, own), *((dialect, controller_label(dialect)) for dialect in DIALECTS)]
@@ -249,7 +249,7 @@ def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
 
 def strategy_field(name: str, hint: str) -> ChoiceField:
     """The tool-axis strategies."""
-    from freecad_fiveaxis.core.tool_axis import STRATEGIES
+    from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES
 
     made = ChoiceField(name, [(strategy, choice_label(strategy)) for strategy in STRATEGIES], hint)
     made.explain({strategy: choice_hint(name, strategy) for strategy in STRATEGIES})

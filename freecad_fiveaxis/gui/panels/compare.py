@@ -77,7 +77,7 @@ class ComparePanel:
     def calculate(self) -> bool:
         """Drive the path on each machine and show the table; whether that went well."""
         from freecad_fiveaxis.app import comparing
-        from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+        from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
         self.show_error("")
         machines, cures = chosen(self.machines), chosen(self.cures)

@@ -34,8 +34,8 @@ class FileField(TextField):
 
     def check(self) -> None:
         """Raises FileError for a file that cannot be read, or is wanted and not named."""
-        from freecad_fiveaxis.core.errors import FileError
-        from freecad_fiveaxis.core.files import check_readable
+        from freecad_fiveaxis.core.base.errors import FileError
+        from freecad_fiveaxis.core.base.files import check_readable
 
         if self.value():
             check_readable(self.value())
@@ -74,8 +74,8 @@ class SaveField(FileField):
     def check(self) -> None:
         """Raises FileError for a file that is not named, has no known ending, or is there although it may not."""
         from freecad_fiveaxis.app.machines import is_new_folder
-        from freecad_fiveaxis.core.errors import FileError
-        from freecad_fiveaxis.core.files import check_writable
+        from freecad_fiveaxis.core.base.errors import FileError
+        from freecad_fiveaxis.core.base.files import check_writable
 
         path = self.value()
         if not path:

@@ -230,7 +230,7 @@ class Form(QtCore.QObject):
 
     def check(self) -> bool:
         """Whether the core takes the values; where it does not, the fields say why."""
-        from freecad_fiveaxis.core.errors import FiveAxisError
+        from freecad_fiveaxis.core.base.errors import FiveAxisError
 
         options = self.options()
         good = [self._check_field(name, field, options) for name, field in self.fields.items()]
@@ -247,13 +247,13 @@ class Form(QtCore.QObject):
     def check_together(self, options: Mapping[str, Any]) -> None:
         """Raises FiveAxisError where values contradict each other."""
         from freecad_fiveaxis.app.auditing import asked
-        from freecad_fiveaxis.core.settings import build_settings
+        from freecad_fiveaxis.core.jobs.settings import build_settings
 
         options = asked(options) if self.task == "audit" else options
         build_settings(self.task, "part", self.given | dict(options))
 
     def _check_field(self, name: str, field: Field, options: Mapping[str, Any]) -> bool:
-        from freecad_fiveaxis.core.errors import FiveAxisError
+        from freecad_fiveaxis.core.base.errors import FiveAxisError
 
         field.show_error("")
         try:
@@ -265,9 +265,9 @@ class Form(QtCore.QObject):
         return True
 
     def _try(self, name: str, options: Mapping[str, Any]) -> None:
-        from freecad_fiveaxis.core.errors import SettingsError
+        from freecad_fiveaxis.core.base.errors import SettingsError
+        from freecad_fiveaxis.core.jobs.option_values import read_option
         from freecad_fiveaxis.core.machine import load_machine
-        from freecad_fiveaxis.core.option_values import read_option
 
         for given in SpacingField.KINDS if name == SPACING else (name,):
             if given in options and given in self.leaves:

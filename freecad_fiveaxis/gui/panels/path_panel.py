@@ -100,7 +100,7 @@ class PathPanel:
         self.summary.forget()
 
     def _tell(self, error: BaseException) -> None:
-        from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+        from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
         if isinstance(error, Cancelled):
             status(translate("FiveAxis", "Stopped; the document is as it was."))

@@ -102,7 +102,7 @@ class PostPanel:
 
     def accept(self) -> bool:
         """Write the files. What cannot be written is said under the name, and the panel stays."""
-        from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+        from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
         self.show_error("")
         try:
@@ -121,8 +121,8 @@ class PostPanel:
     def _write(self) -> bool:
         from freecad_fiveaxis import app
         from freecad_fiveaxis.app import cam, results
-        from freecad_fiveaxis.core import outputs
-        from freecad_fiveaxis.core.files import check_writable
+        from freecad_fiveaxis.core.base.files import check_writable
+        from freecad_fiveaxis.core.jobs import outputs
         from freecad_fiveaxis.core.report import summary
 
         nc, reports = self._nc_path(), self._report_paths()
@@ -158,7 +158,7 @@ class PostPanel:
 
     def _is_wanted(self, figures: Any) -> bool:
         """Whether the program is written: asked where it has errors, which come first, then the warnings."""
-        from freecad_fiveaxis.core.findings import Severity
+        from freecad_fiveaxis.core.base.findings import Severity
         from freecad_fiveaxis.core.report import Light, summary, verdict
 
         whole = verdict(figures, summary(figures))
@@ -176,7 +176,7 @@ class PostPanel:
 
     def _nc_path(self) -> str:
         """The name of the NC file, whole. Raises FileError where there is none."""
-        from freecad_fiveaxis.core.errors import FileError
+        from freecad_fiveaxis.core.base.errors import FileError
 
         if not self.file.value():
             raise FileError(translate("FiveAxis", "Name the NC file."), "")
@@ -217,7 +217,7 @@ def _spindle_leaf() -> Any:
 
 def _poor(figures: Any) -> list[Any]:
     """Errors, then warnings, one of each kind: the first of a kind tells of all."""
-    from freecad_fiveaxis.core.findings import Severity
+    from freecad_fiveaxis.core.base.findings import Severity
     from freecad_fiveaxis.core.report.text import grouped
 
     return [group[0] for group in grouped(figures.findings) if group[0].severity > Severity.NOTE]

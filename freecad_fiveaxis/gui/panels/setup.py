@@ -148,7 +148,7 @@ class SetupPanel(PathPanel):
 
 def _table_of(machine: str) -> str:
     """What the empty field of the table's height says: the machine's own, where its file has one."""
-    from freecad_fiveaxis.core.errors import FiveAxisError
+    from freecad_fiveaxis.core.base.errors import FiveAxisError
     from freecad_fiveaxis.core.machine import load_machine
 
     try:
@@ -170,7 +170,7 @@ def ask_file(parent: Any, document: str, name: str) -> str:
 
 def write_asking(file: str, write: Any, tell: Any) -> bool:
     """``write(agreed)`` the file; where one is there, ask first. What cannot be written is told by ``tell``."""
-    from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+    from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
     there = os.path.lexists(file)
     question = translate("FiveAxis", "These files are there already. Replace them?")

@@ -19,7 +19,7 @@ COLOURS = ("#4a5a6a", "#b06000", "#d0342c")
 
 def recovered(found: Any) -> str:
     """The sentence, the numbers with their certainty, and the findings; ``found`` is the core's Recovery."""
-    from freecad_fiveaxis.core.recover import parameters, verdict
+    from freecad_fiveaxis.core.calibration.recover import parameters, verdict
 
     told = parameters(found)
     compared = any(one.given is not None for one in told)
@@ -57,7 +57,7 @@ def parameter_label(name: str) -> str:
 
 def sheet(proof: Any) -> str:
     """What must be seen at each stop; ``proof`` is the core's Proof."""
-    from freecad_fiveaxis.core.prove_signs import READY, STAND, notices, rows, verdict
+    from freecad_fiveaxis.core.calibration.prove_signs import READY, STAND, notices, rows, verdict
 
     plan = proof.plan
     parts = [paragraph(wording.told(one), bold=True) for one in (*notices(plan), verdict(plan))]

@@ -94,7 +94,7 @@ class WorkPanel:
 
     def show_error(self, error: BaseException) -> None:
         """Why there is no result, or why it cannot be written, in red; errors that are not of our kind go on."""
-        from freecad_fiveaxis.core.errors import Cancelled, FiveAxisError
+        from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
         if isinstance(error, Cancelled):
             status(translate("FiveAxis", "Stopped; nothing was written."))

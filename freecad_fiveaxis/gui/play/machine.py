@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.core.machine_sketch import Body, Box, Cylinder, ToolRoom, corners, sketch
-from freecad_fiveaxis.core.playback import Playback, placements
+from freecad_fiveaxis.core.report.machine_sketch import Body, Box, Cylinder, ToolRoom, corners, sketch
+from freecad_fiveaxis.core.report.playback import Playback, placements
 from freecad_fiveaxis.gui.scene import nodes
 
 from .tool import DrawnTool, size_of

@@ -15,10 +15,10 @@ import numpy as np
 
 from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.app.selection import SelectionError
-from freecad_fiveaxis.core.errors import FiveAxisError
-from freecad_fiveaxis.core.job import Milled
+from freecad_fiveaxis.core.base.errors import FiveAxisError
+from freecad_fiveaxis.core.jobs.job import Milled
 from freecad_fiveaxis.core.machine import fitted_columns
-from freecad_fiveaxis.core.playback import NCLines
+from freecad_fiveaxis.core.report.playback import NCLines
 from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import status
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, icon, later, translate

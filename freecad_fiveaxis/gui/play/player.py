@@ -6,8 +6,8 @@ moment   a block and its u (0 to 1), as in the core's playback.
 
 from __future__ import annotations
 
-from freecad_fiveaxis.core.playback import Playback, Pose, following
 from freecad_fiveaxis.core.report import Figures
+from freecad_fiveaxis.core.report.playback import Playback, Pose, following
 
 
 class Player:

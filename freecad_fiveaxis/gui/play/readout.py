@@ -6,10 +6,10 @@ from __future__ import annotations
 from typing import Any
 
 from freecad_fiveaxis.app.units import INCH, inches
-from freecad_fiveaxis.core.cl_path import Motion
+from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.machine import fitted_columns
-from freecad_fiveaxis.core.playback import NCLines, Pose
 from freecad_fiveaxis.core.report import Figures
+from freecad_fiveaxis.core.report.playback import NCLines, Pose
 from freecad_fiveaxis.gui.qt import QtGui, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import length_text
 

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.core.playback import Pose, rotary_lines
+from freecad_fiveaxis.core.report.playback import Pose, rotary_lines
 from freecad_fiveaxis.gui.qt import translate
 from freecad_fiveaxis.gui.scene import nodes
 from freecad_fiveaxis.gui.scene.on_screen import Label, Labels, LegendBox

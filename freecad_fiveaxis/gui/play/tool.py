@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.core.gouge import CUTTER, HOLDER, SHANK, Body, Outline, outline
+from freecad_fiveaxis.core.collision import Outline, outline
+from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, SHANK, Body
 from freecad_fiveaxis.gui.scene import nodes
 
 COLOURS = {CUTTER: (0.95, 0.76, 0.20), SHANK: (0.72, 0.74, 0.76), HOLDER: (0.45, 0.50, 0.58)}

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.records import Floats
+from freecad_fiveaxis.core.base.records import Floats
 
 Colour = tuple[float, float, float]
 

@@ -14,7 +14,7 @@ from .on_screen import Label
 from .units import area_text, length_text
 
 if TYPE_CHECKING:
-    from freecad_fiveaxis.core.findings import Finding
+    from freecad_fiveaxis.core.base.findings import Finding
 
 UNCUT, TOO_DEEP, BURIED, LIFTED, LEFT_OUT = "uncut", "cut-too-deep", "buried", "lifted", "left-out"
 """Findings beside the marks: of the map of what is left, and of the cures."""

@@ -11,17 +11,17 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.core.gouge import (
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.collision import Remainder
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.report.rest_material_map import (
     HeightScale,
-    Remainder,
     facet_heights,
     height_colours,
     left_patches,
     level_colours,
     scale_marks,
 )
-from freecad_fiveaxis.core.mesh import Mesh
-from freecad_fiveaxis.core.records import Floats
 
 from . import colours, nodes
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.core.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
 from . import colours, nodes
 

@@ -15,7 +15,7 @@ from . import gouge_words
 from .units import angle_text, area_text, length_text
 
 if TYPE_CHECKING:
-    from freecad_fiveaxis.core.findings import Finding
+    from freecad_fiveaxis.core.base.findings import Finding
     from freecad_fiveaxis.core.report import Figures, Spot
 
 LARGEST, OVER, SINGULAR, UNPROVEN = "largest-deviation", "deviation-over-tolerance", "singular-block", "bound-over-tolerance"

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work on long columns by two threads: the one place of the core that knows threads.
+
+portion   some rows of long columns, worked on by themselves: nothing that is done to them depends on other portions, so the
+          result is the same to the last bit with one thread or two, whoever does which.
+helper    the second thread. It lives as long as the call, and never longer.
+
+numpy lets Python go on in another thread during each of its calls, but not between them. So two threads are faster only where
+calls are long, with tens of thousands of rows; with short ones each only waits for the other.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import threading
+from collections import deque
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
+from typing import Any, TypeVar
+
+import numpy as np
+
+P = TypeVar("P")
+R = TypeVar("R")
+
+PORTION = 98304
+"""Rows of a portion: long enough for two threads to work side by side, short enough for its columns to stay in the cache."""
+
+ALONE = (os.cpu_count() or 1) < 2
+"""True where a second thread has no processor to run on."""
+
+_inside = threading.local()
+
+
+def portions(count: int, most: int | None = None) -> list[slice]:
+    """Slices of nearly the same length, at most ``most`` rows (None: PORTION), that make up ``count`` rows: one for up to PORTION
+    rows, else an even number, so that both threads have as much to do."""
+    if not count:
+        return []
+    number = 2 * math.ceil(count / (2 * (most or PORTION))) if count > PORTION else 1
+    ends = [count * part // number for part in range(number + 1)]
+    return [slice(*pair) for pair in pairwise(ends)]
+
+
+def on_all(work: Callable[[P], R], parts: Sequence[P], progress: Callable[[float], None] | None = None) -> list[R]:
+    """What ``work`` gives for each of ``parts``, in their order; two of them at a time where there are several.
+
+    ``progress`` gets the share that is done, always on the calling thread. An exception in ``work`` or from ``progress``
+    (:class:`~freecad_fiveaxis.core.base.errors.Cancelled` too) passes through once both threads have ended the part they are at.
+    Within ``work`` another on_all keeps to its thread.
+    """
+    results: dict[int, R] = {}
+    todo = deque(enumerate(parts))
+
+    def take_share(tell: Callable[[float], None] | None) -> None:
+        outer, _inside.work = getattr(_inside, "work", False), True
+        try:
+            while todo:
+                try:
+                    place, part = todo.popleft()
+                except IndexError:  # the other one was faster
+                    break
+                results[place] = work(part)
+                if tell is not None:
+                    tell(len(results) / len(parts))
+        finally:
+            todo.clear()  # all is taken, or what is left is not wanted any more
+            _inside.work = outer
+
+    if ALONE or len(parts) < 2 or getattr(_inside, "work", False):
+        take_share(progress)
+    else:
+        meanwhile(lambda: take_share(None), lambda: take_share(progress))
+    return [results[place] for place in range(len(parts))]
+
+
+def meanwhile(second: Callable[[], Any], work: Callable[[], R]) -> R:
+    """What ``work`` gives, done while the helper does ``second``, under the same rules for floating-point errors."""
+    rules = np.geterr()
+
+    def helper() -> None:
+        with np.errstate(**rules):
+            second()
+
+    with ThreadPoolExecutor(1) as threads:
+        helping = threads.submit(helper)
+        done = work()
+        helping.result()
+    return done

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The errors of the core: input that cannot be used.
+
+A poor result is no error; it is a :class:`~freecad_fiveaxis.core.base.findings.Finding`.
+Every kind is also a builtin, so that a caller may catch either; every one keeps the offending value
+and says in one line what to do about it.
+"""
+
+from __future__ import annotations
+
+
+class FiveAxisError(Exception):
+    """Input that cannot be used. ``value`` is what was given; ``text`` names it and the remedy.
+
+    ``text`` is the message as it was made: a Sentence can be said in another language (core/base/sentences.py).
+    """
+
+    def __init__(self, message: str, value: object = None) -> None:
+        super().__init__(message)
+        self.text, self.value = message, value
+
+
+class MeshError(FiveAxisError, ValueError):
+    """An STL file or a mesh that cannot be used at all."""
+
+
+class MachineError(FiveAxisError, ValueError):
+    """A machine description that is incomplete, contradictory or unknown."""
+
+
+class ReachError(FiveAxisError, ValueError):
+    """A pose that the machine cannot take up on any branch."""
+
+
+class SettingsError(FiveAxisError, ValueError):
+    """A setting outside its range, an unknown name, a malformed quantity."""
+
+
+class ProgramError(FiveAxisError, ValueError):
+    """An NC or CL text that cannot be read; the message names line and column."""
+
+
+class FileError(FiveAxisError, OSError):
+    """A file that is missing or a folder that cannot be written."""
+
+
+class Cancelled(FiveAxisError):
+    """The user stopped the work; nothing was written."""

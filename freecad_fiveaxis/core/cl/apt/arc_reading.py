@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The arcs that a CL file says, and what is wrong about them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Length, plural, say
+from freecad_fiveaxis.core.cl.cl_path import Motion
+
+from .arcs import FIT, Arcs, Course, ambiguous, chord_counts, course, inner_ends, misfit, runs_back
+from .rows import Put, Rows
+from .said import Kind, Said
+from .source import Source
+
+MOST_ROWS = 20_000_000
+"""More chords than this are a slip of the pen in a radius or a tolerance."""
+
+
+def chords(
+    source: Source, said: Said, rows: Rows, scale: Floats, sagitta: float, holes: Ints
+) -> tuple[Put, tuple[Finding, ...]]:  # fmt: skip
+    """The rows that the chords of all arcs put in, and what is wrong about arcs. ``scale`` (n,) mm of the unit at each row;
+    ``sagitta`` mm; ``holes`` (h,) rows that no arc ends at. Raises ProgramError."""
+    arcs, lost = read_arcs(said, rows.tip, scale, holes)
+    ways = course(arcs, rows.tip)
+    straight = rows.motion != Motion.RAPID
+    straight[arcs.row] = False
+    found = tuple(arc_findings(source, arcs, ways, rows.tip, straight, lost))
+    arcs = arcs.take(fitting(arcs, ways))
+    ways = course(arcs, rows.tip)
+    count = chord_counts(arcs, ways, sagitta)
+    refuse_too_many(source, arcs, count)
+    at, tip, axis = inner_ends(arcs, ways, count, rows.axis)
+    return Put(at, tip, axis, rows.motion[at], rows.speed[at]), found
+
+
+def read_arcs(said: Said, tip: Floats, scale: Floats, holes: Ints) -> tuple[Arcs, Ints]:
+    """The arcs, and the statements (k,) that say one without a move before and after it, or one that another goes before,
+    or that would end in one of the ``holes``. ``tip`` (n, 3) mm; ``scale`` (n,) mm of the unit at each row."""
+    at = np.concatenate([said.of(Kind.CIRCLE), said.of(Kind.TANGENT)])
+    at = at[np.argsort(at, kind="stable")]
+    row = said.row[at]
+    last = np.append(row[1:] != row[:-1], True)[: len(row)]
+    whole = last & (row > 0) & (row < len(tip)) & ~np.isin(row, holes)
+    lost, at, row = at[~whole], at[whole], row[whole]
+    number = np.array([said.meanings[which].more for which in said.which[at]]).reshape(-1, 7)
+    centre, vector, radius = number[:, :3] * scale[row, None], number[:, 3:6], number[:, 6] * scale[row]
+    tangent = np.isin(at, said.of(Kind.TANGENT))
+    vector = np.where(tangent[:, None], np.cross(tip[row - 1] - centre, vector), vector)
+    length = np.linalg.norm(vector, axis=1)
+    good = length > 0.0
+    normal = vector[good] / length[good, None]
+    return Arcs(row[good], centre[good], normal, radius[good], said.statement[at[good]]), said.statement[
+        np.concatenate([lost, at[~good]])
+    ]
+
+
+def fitting(arcs: Arcs, ways: Course) -> Bools:
+    """Which arcs (a,) pass through both their ends."""
+    return misfit(arcs, ways) <= FIT
+
+
+def refuse_too_many(source: Source, arcs: Arcs, count: Ints) -> None:
+    """Raises ProgramError where the arcs need more chords than any path has."""
+    if count.sum() > MOST_ROWS:
+        worst = int(count.argmax())
+        source.fail(
+            int(arcs.statement[worst]),
+            "",
+            say("this arc alone needs {count} chords; give a larger tolerance", count=int(count[worst])),
+        )
+
+
+def arc_findings(
+    source: Source, arcs: Arcs, ways: Course, tip: Floats, straight: Bools, lost: Ints
+) -> Iterator[Finding]:  # fmt: skip
+    """What is wrong about arcs; ``lost`` (k,) statements that say one without its two ends."""
+    off = misfit(arcs, ways)
+    bad = ~(off <= FIT)  # not a number where a row lies beyond all bounds
+    if bad.any():
+        yield _does_not_fit(source, arcs, off, bad)
+    if len(lost):
+        line = int(source.line[lost[0]])
+        text = plural(
+            len(lost),
+            "An arc lacks its start or its end (line {line}): it stands before the first move, after the last one, or before "
+            "another arc, or its direction points to its centre. The path goes straight there.",
+            "{count} arcs lack their start or their end (first line {line}): they stand before the first move, after the last "
+            "one, or before another arc, or their direction points to their centre. The path goes straight there.",
+            line=line,
+        )
+        yield Finding(Severity.ERROR, "arc-does-not-fit", text, float(len(lost)), line=line)
+    back = runs_back(arcs, ways, tip, straight) & ~bad
+    if back.any():
+        yield _runs_back(source, arcs, back)
+    either = ambiguous(arcs, ways) & ~bad & ~back
+    if either.any():
+        yield _ambiguous(source, arcs, ways, either)
+
+
+def _does_not_fit(source: Source, arcs: Arcs, off: Floats, bad: Bools) -> Finding:
+    worst = int(off.argmax())
+    line = int(source.line[arcs.statement[worst]])
+    text = plural(
+        int(bad.sum()),
+        "An arc does not pass through the points before and after it (line {line}: off by {off}, radius {radius}); the path goes "
+        "straight there. Has the CAM system left out a move, or are the units mixed?",
+        "{count} arcs do not pass through the points before and after them (worst line {line}: off by {off}, radius {radius}); "
+        "the path goes straight there. Has the CAM system left out a move, or are the units mixed?",
+        line=line,
+        off=Length(off[worst], ".4g"),
+        radius=Length(arcs.radius[worst], ".6g"),
+    )
+    return Finding(Severity.ERROR, "arc-does-not-fit", text, float(off[worst]), FIT, "mm", line=line)
+
+
+def _runs_back(source: Source, arcs: Arcs, back: Bools) -> Finding:
+    line = int(source.line[arcs.statement[back.argmax()]])
+    text = plural(
+        int(back.sum()),
+        "An arc runs back against the straight moves beside it (line {line}): does the CAM system mean its circles the other way "
+        "round? Have curves written as points.",
+        "{count} arcs run back against the straight moves beside them (first line {line}): does the CAM system mean its circles "
+        "the other way round? Have curves written as points.",
+        line=line,
+    )
+    return Finding(Severity.ERROR, "arc-runs-back", text, float(back.sum()), line=line)
+
+
+def _ambiguous(source: Source, arcs: Arcs, ways: Course, either: Bools) -> Finding:
+    first = int(either.argmax())
+    line = int(source.line[arcs.statement[first]])
+    taken = say("a whole turn") if ways.sweep[first] > np.pi else say("the short way")
+    text = plural(
+        int(either.sum()),
+        "The ends of an arc are as near as the printed digits allow (line {line}): it may be a whole turn or next to nothing; "
+        "{taken} is taken, as its direction says.",
+        "The ends of {count} arcs are as near as the printed digits allow (first line {line}): they may be whole turns or next "
+        "to nothing; there {taken} is taken, as its direction says.",
+        line=line,
+        taken=taken,
+    )
+    return Finding(Severity.WARNING, "arc-runs-back", text, float(either.sum()), line=line)

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is poor about a CL file: statements not interpreted, axes that are no unit vectors, moves without a feed, no unit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Option, plural, say
+
+from .poses import Moves
+from .said import Kind, Said, name_of
+from .source import Source
+from .vocabulary import CURVES, OF_INCHES, SPOILING
+
+NOT_UNIT = 1e-4
+"""An axis whose length differs by more than this from 1 was not meant as a unit vector; four printed decimals stay below."""
+TILTED = 1e-6
+"""An axis that leans more than this, in sine, is not upright."""
+LINES_TOLD, NAMES_TOLD = 5, 20
+"""How many lines of one word, and how many words, are told."""
+
+
+def find_poor_spots(
+    source: Source, said: Said, moves: Moves, length: Floats, speed: Floats, fed: Bools
+) -> tuple[Finding, ...]:  # fmt: skip
+    """The findings of a CL file; ``length`` (n,) of the axes as printed, ``speed`` (n,) mm/min of its moves, ``fed``
+    (n,) which of them need one."""
+    found = [*_passed_over(source, said), *_frames(source, said)]
+    return (*found, *_rows(source, said, moves, length, speed, fed))
+
+
+def _passed_over(source: Source, said: Said) -> Iterator[Finding]:
+    """One finding for each word that is not interpreted, in the order in which they first stand."""
+    at = said.of(Kind.UNKNOWN)
+    names = [name_of(said.texts[which]) if said.meanings[which].kind is Kind.UNKNOWN else "" for which in range(len(said.texts))]
+    number = {name: k for k, name in enumerate(dict.fromkeys(names))}
+    word = np.array([number[name] for name in names] or [0])[said.which[at]]
+    order = np.argsort(word, kind="stable")
+    groups = np.split(at[order], np.flatnonzero(np.diff(word[order])) + 1) if len(at) else []
+    groups.sort(key=lambda group: int(group[0]))
+    for group in groups[:NAMES_TOLD]:
+        yield _not_interpreted(name_of(said.texts[said.which[group[0]]]), source.line[said.statement[group]])
+    rest = groups[NAMES_TOLD:]
+    if rest:
+        count, line = sum(map(len, rest)), int(source.line[said.statement[rest[0][0]]])
+        text = say(
+            "{words} further words ({count} statements) are not interpreted; is this a CL file?", words=len(rest), count=count
+        )
+        yield Finding(Severity.WARNING, "statement-not-interpreted", text, float(count), line=line)
+
+
+def _not_interpreted(name: str, lines: Ints) -> Finding:
+    told = ", ".join(map(str, lines[:LINES_TOLD].tolist())) + (" ..." if len(lines) > LINES_TOLD else "")
+    remedy = ""
+    if name in CURVES:
+        remedy = say(" The path goes straight on to the next GOTO: have curves written as points.")
+    elif name.startswith("CYCLE"):
+        remedy = say(" The tool only goes to its points: have cycles written as moves.")
+    where = plural(len(lines), "{count} statements, line {lines}", "{count} statements, lines {lines}", lines=told)
+    text = say(
+        "{name} is not interpreted ({where}); what it does is missing in the path.{remedy}", name=name, where=where, remedy=remedy
+    )
+    severity = Severity.ERROR if name.partition("/")[0] in SPOILING else Severity.WARNING
+    return Finding(severity, "statement-not-interpreted", text, float(len(lines)), line=int(lines[0]))
+
+
+def _frames(source: Source, said: Said) -> Iterator[Finding]:
+    """Points are counted from MSYS: one for the whole file is the work zero, a second one means another zero."""
+    at = said.of(Kind.FRAME)
+    other = at[said.which[at] != said.which[at[0]]] if len(at) else at
+    if len(other):
+        line = int(source.line[said.statement[other[0]]])
+        text = say(
+            "MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system."
+        )
+        yield Finding(Severity.ERROR, "several-coordinate-systems", text, float(len(other)), line=line)
+
+
+def units_findings(source: Source, said: Said, units: str) -> tuple[Finding, ...]:
+    """That nobody has said the unit, where feeds or speeds are said in those of inches. ``units``: what the reading says."""
+    if units != "file" or len(said.of(Kind.UNITS)):
+        return ()
+    spoken = (Kind.FEED, Kind.SPINDLE, Kind.CYCLE)
+    inches = [
+        meaning.kind in spoken and not OF_INCHES.isdisjoint(text.partition("/")[2].split(","))
+        for text, meaning in zip(said.texts, said.meanings, strict=True)
+    ]
+    at = np.flatnonzero(np.array(inches or [False])[said.which])
+    if not len(at):
+        return ()
+    line = int(source.line[said.statement[at[0]]])
+    text = say(
+        "The CL file does not say its unit; mm is taken, but line {line} says {statement}, as files in inches do. Give {option}, "
+        "mm or inch.",
+        line=line,
+        statement=said.texts[said.which[at[0]]][:40],
+        option=Option("units"),
+    )
+    return (Finding(Severity.WARNING, "units-not-said", text, float(len(at)), line=line),)
+
+
+def _rows(source: Source, said: Said, moves: Moves, length: Floats, speed: Floats, fed: Bools) -> Iterator[Finding]:
+    line = source.line[source.move_at]
+    off = np.abs(length - 1.0)
+    if (off > NOT_UNIT).any():
+        text = say("{count} tool axes are no unit vectors; they are scaled to length 1.", count=int((off > NOT_UNIT).sum()))
+        first = int((off > NOT_UNIT).argmax())
+        yield Finding(Severity.WARNING, "axis-not-unit", text, float(off.max()), NOT_UNIT, "1", line=int(line[first]))
+    switch = said.of(Kind.MULTAX)
+    on = np.concatenate([[1.0], said.value(switch)])[np.searchsorted(said.row[switch], np.arange(len(length)), side="right")]
+    leaning = (on == 0.0) & ~moves.full & (np.hypot(*moves.axis[:, :2].T) > TILTED * length)
+    if leaning.any():
+        text = say(
+            "{count} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright.",
+            count=int(leaning.sum()),
+        )
+        yield Finding(Severity.WARNING, "axis-carried-on", text, line=int(line[leaning.argmax()]))
+    unfed = fed & (speed <= 0.0)
+    if unfed.any():
+        text = say("{count} moves come before any FEDRAT; give a feed.", count=int(unfed.sum()))
+        yield Finding(Severity.WARNING, "no-feed", text, line=int(line[unfed.argmax()]))
+    if source.after_end:
+        yield Finding(Severity.NOTE, "text-after-end", say("The text after FINI is not read."), line=source.after_end)

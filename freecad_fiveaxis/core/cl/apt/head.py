@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a CL file says besides the path: tool, spindle, coolant, cutter."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.sentences import Length, Option, say
+from freecad_fiveaxis.core.tool import Cutter, cutter_from_apt, cutter_name
+
+SAME_CUTTER = 1e-3
+"""mm (and rad of the taper) by which a cutter may differ from the CL file's: what its four printed decimals, in inches too, leave
+open."""
+
+
+@dataclass(frozen=True)
+class ClHead:
+    """``tool`` number (None: no tool call), ``speed`` 1/min (0: not said), ``coolant`` on; ``diameter`` and ``corner`` radius of
+    the cutter, mm (0: not said); ``said`` (0 to 7 numbers) all that its CUTTER statement says of it, mm and deg."""
+
+    tool: int | None = None
+    speed: float = 0.0
+    coolant: bool = False
+    diameter: float = 0.0
+    corner: float = 0.0
+    said: tuple[float, ...] = field(default=(), compare=False)
+
+    @property
+    def cutter(self) -> Cutter | None:
+        """The cutter, where its shape is said and is one that can be used here."""
+        return cutter_from_apt(self.said)
+
+
+def cutter_taken(taken: Cutter) -> tuple[Finding, ...]:
+    """That the CL file's cutter has been taken, because none is given."""
+    text = say("No cutter is given; the CL file's is taken: {cutter}.", cutter=cutter_name(taken))
+    return (Finding(Severity.NOTE, "cutter-from-cl-file", text, taken.diameter, unit="mm"),)
+
+
+def of_cl_file(finding: Finding) -> Finding:
+    """A finding of a CL file among those of a program, whose lines are others."""
+    if finding.line is None:
+        return replace(finding, text=say("CL file: {finding}", finding=finding.text))
+    return replace(finding, text=say("CL file, line {line}: {finding}", line=finding.line, finding=finding.text), line=None)
+
+
+def cutter_note(said: ClHead, given: Cutter) -> tuple[Finding, ...]:
+    """A note where the CL file is for another cutter than the one given: of another diameter, or, where it says one, shape."""
+    other = said.cutter
+    diameter = said.diameter if other is None else other.diameter
+    if said.diameter > 0.0 and abs(diameter - given.diameter) > SAME_CUTTER:
+        text = say(
+            "The CL file is for a cutter of {diameter}, retracts are laid out for {given}; give {cutter}.",
+            diameter=Length(diameter),
+            given=Length(given.diameter),
+            cutter=Option("cutter"),
+        )
+        return (Finding(Severity.NOTE, "cutter-differs", text, diameter, given.diameter, "mm"),)
+    if other is None or max(abs(other.corner - given.corner), abs(other.taper - given.taper)) <= SAME_CUTTER:
+        return ()
+    text = say(
+        "The CL file is for a {said}, retracts are laid out for a {given}; give {cutter}.",
+        said=cutter_name(other),
+        given=cutter_name(given),
+        cutter=Option("cutter"),
+    )
+    return (Finding(Severity.NOTE, "cutter-differs", text),)

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The way out of the part and back: where the tool goes between one polyline and the next.
+
+retract    away from the part along the tool axis, at feed.      approach   the same way back, at the plunge feed.
+keep-out   the part's box inflated by the clearance and the ball's radius: while the ball's centre stays out of it, ball and
+           tip stay out of the part's box inflated by the clearance, whichever way the axis points.
+safe plane the height at which the centre goes across. The axis turns only there.
+
+All of this is done with the centre of the ball; the tip follows from it.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.records import Bools, Floats
+
+SAFE_MARGIN = 2.0
+"""mm between the keep-out and the safe plane, because joint moves that turn the axis bend the traverse."""
+
+SIDE_MARGIN = 1e-3
+"""mm by which the keep-out is larger than it must be, so that rounding of a point or a word never puts a rapid inside."""
+
+SAME = 1e-9
+"""mm; two places nearer than this are one place, and a move between them is left out."""
+
+
+class Keepout(NamedTuple):
+    """``low`` and ``high`` (3,) mm: what the centre avoids on rapids; ``safe`` mm: height of the safe plane."""
+
+    low: Floats
+    high: Floats
+    safe: float
+
+
+class WayOut(NamedTuple):
+    """From m places to the safe plane: ``station`` (m, 3, 3) mm centres in order: end of the retract, beside the part,
+    on the safe plane; ``needed`` (m, 3) False where a station is the same place as the one before it."""
+
+    station: Floats
+    needed: Bools
+
+
+def keepout(low: Floats, high: Floats, radius: float, clearance: float) -> Keepout:
+    """Keep-out and safe plane for the part's box ``low``, ``high`` (3,) mm."""
+    off = radius + clearance + SIDE_MARGIN
+    return Keepout(np.asarray(low, float) - off, np.asarray(high, float) + off, float(high[2]) + off + SAFE_MARGIN)
+
+
+def way_out(centre: Floats, axis: Floats, keep: Keepout) -> WayOut:
+    """Along the axis until clear, sideways where the part is overhead, straight up to the safe plane.
+
+    ``centre`` (m, 3) mm, unit ``axis`` (m, 3). The sideways station is needed only where the axis looks down.
+    """
+    clear = centre + _reach_out(centre, axis, keep)[:, None] * axis
+    beside = _beside(clear, keep)
+    up = beside.copy()
+    up[:, 2] = np.maximum(up[:, 2], keep.safe)
+    station = np.stack([clear, beside, up], axis=1)
+    before = np.stack([centre, clear, beside], axis=1)
+    return WayOut(station, np.abs(station - before).max(axis=2) > SAME)
+
+
+def _reach_out(centre: Floats, axis: Floats, keep: Keepout) -> Floats:
+    """How far along the axis the last point inside the keep-out lies, mm (0 where the ray is outside already): slab test."""
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # an axis may lean by less than any number tells
+        near, far = (keep.low - centre) / axis, (keep.high - centre) / axis
+    level = axis == 0.0
+    inside = (centre > keep.low) & (centre < keep.high)
+    enter = np.where(level, np.where(inside, -np.inf, np.inf), np.minimum(near, far)).max(axis=1)
+    leave = np.where(level, np.where(inside, np.inf, -np.inf), np.maximum(near, far)).min(axis=1)
+    return np.asarray(np.where((enter < leave) & (leave > 0.0), leave, 0.0))
+
+
+def _beside(place: Floats, keep: Keepout) -> Floats:
+    """The place itself; where the part is overhead, the nearest place at the same height that has nothing above it."""
+    overhead = ((place > keep.low) & (place < keep.high))[:, :2].all(axis=1) & (place[:, 2] <= keep.low[2] + SIDE_MARGIN)
+    row = np.flatnonzero(overhead)
+    moved = place.copy()
+    sides = np.concatenate([place[row, :2] - keep.low[:2], keep.high[:2] - place[row, :2]], axis=1)
+    side = sides.argmin(axis=1)
+    moved[row, side % 2] = np.where(side < 2, keep.low[side % 2], keep.high[side % 2])
+    return moved

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What of an offset path the tool can take up once its axis is chosen; the rest is left out, with findings.
+
+leaning in   the axis points below the surface at the contact: the shank would stand in the part.
+flank        the cone of a tapered cutter would stand in the part: the axis leans further from the normal than 90 deg - taper.
+beyond       no branch of the machine takes up the axis within its rotary limits (lead and tilt may lead there, though the
+             facet's own normal is within reach).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Floats, picked
+from freecad_fiveaxis.core.base.sentences import Length, Point, Template
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.passes import axes_within_limits
+
+from .coedge import OffsetPath, lasting_rows, take_rows
+
+LEAN = 1e-6
+"""rad below the surface that rounding may make of an axis that lies in it."""
+
+
+_LEANING = Template(
+    "The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool "
+    "axis, lead or tilt, or cut these places in another set-up."
+)
+_FLANK = Template(
+    "The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left "
+    "out. Choose another tool axis, lead or tilt, or a cutter of less taper."
+)
+_BEYOND = Template(
+    "The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use "
+    "less lead or tilt, clamp the part in another position, or take another machine."
+)
+
+
+def feasible_rows(path: OffsetPath, axis: Floats, links: Chain, taper: float = 0.0) -> tuple[OffsetPath, Floats]:
+    """The rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is left out. ``taper`` rad of
+    the cutter's flank."""
+    rise = np.empty(len(axis))
+    on_all(lambda rows: (path.normal[rows] * axis[rows]).sum(axis=1, out=rise[rows]), portions(len(axis)))
+    leaning = rise < -LEAN
+    leaning[path.beside] |= (path.wall * axis[path.beside]).sum(axis=1) < -LEAN  # it would retract through that wall
+    flank = ~leaning & (rise < np.sin(taper) - LEAN)
+    beyond = ~(leaning | flank) & ~axes_within_limits(links, axis)
+    out = leaning | flank | beyond
+    if not out.any():
+        return path, axis
+    found = (
+        _left_out(path, leaning, "axis-into-part", _LEANING), _left_out(path, flank, "flank-into-part", _FLANK),
+        _left_out(path, beyond, "axis-beyond-limits", _BEYOND),
+    )  # fmt: skip
+    rows = lasting_rows(path, np.flatnonzero(~out))
+    left = take_rows(path, rows)
+    findings = path.findings + tuple(finding for finding in found if finding is not None)
+    return replace(left, findings=findings), picked(axis, rows)
+
+
+def _left_out(path: OffsetPath, out: Bools, code: str, text: Template) -> Finding | None:
+    first = int(out.argmax())
+    if not out[first]:
+        return None
+    steps = np.linalg.norm(np.diff(path.point, axis=0), axis=1)
+    length = float(steps[(out[1:] | out[:-1]) & (np.diff(path.polyline) == 0)].sum())
+    x, y, z = path.point[first].tolist()
+    said = text.say(length=Length(length, ".1f"), at=Point((x, y, z), "g"))
+    return Finding(Severity.WARNING, code, said, value=length, limit=0.0, unit="mm", place=(x, y, z))

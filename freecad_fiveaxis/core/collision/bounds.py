@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How deep nodes and facets can be in a piece on its way: upper bounds that hold for every u.
+
+Any unit direction g gives a bound: what a piece reaches along g, less what the node begins at along g. It holds wherever g comes
+from; a well chosen g only makes it close. From the cheapest to the dearest:
+
+box      from the piece to the nearest place of the node's box: clears what is beside or below the tool.
+plate    the node's normal both ways: close where the tool touches a surface.
+edges    from the piece to the nearest place of a facet's edges: close where the tool touches an edge or a corner. A facet whose
+         plane is not clear of a convex piece is nearest to it on an edge, or goes into it.
+
+**Less of the piece.** A point deeper than d in a piece is deeper than d - s in what is left of the piece when everything up to s
+below its surface is taken off. Bounds are taken on that: a tool that touches is clear of it, so the way to it has a direction.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
+from freecad_fiveaxis.core.tool.body import Piece, distance_off, support
+
+from .deepest import nearest_on_facet, toward
+from .edges import along, nearest_on_edges
+from .swept_motion import Way
+
+NEAR = 1e-12
+"""mm; what is nearer to a core than this is taken to be in it."""
+
+
+def pared(piece: Piece, by: float) -> tuple[Piece, float]:
+    """What is left of a piece when up to ``by`` mm are taken off all around, and how much was; of a cone's flanks only its round
+    is taken. ``piece.most`` must be larger than ``by``."""
+    off = min(by, piece.round)
+    round_, more = piece.round - off, by - off
+    if piece.low_radius != piece.high_radius or more == 0.0:
+        return piece._replace(round=round_), off
+    radius = piece.low_radius - more
+    return piece._replace(low=piece.low + more, low_radius=radius, high=piece.high - more, high_radius=radius, round=round_), by
+
+
+def box_bound(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
+    """The bound (n,) mm in the direction from the piece to the nearest place of the nodes' boxes."""
+    box = tree.boxes(node)
+    arm = box.middle - way.tip
+    height = (arm * way.unit).sum(axis=0)
+    core = np.minimum(np.maximum(height, piece.low), piece.high) * way.unit - arm  # its place on the axis, from the box's middle
+    off = np.minimum(np.maximum(along(box.ways, core), -box.half), box.half)
+    g = _away(piece, way.unit, arm + np.einsum("kn,kin->in", off, box.ways))
+    begins = (g * arm).sum(axis=0) - (np.abs(along(box.ways, g)) * box.half).sum(axis=0)
+    return np.asarray(_reached(piece, way, g) - begins)
+
+
+def plate_bound(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
+    """The smaller one of the bounds (n,) mm along the nodes' normals, both ways."""
+    plate = tree.plates(node)
+    place, go = (plate.normal * way.tip).sum(axis=0), (plate.normal * way.travel).sum(axis=0)
+    lean, turn = (plate.normal * way.unit).sum(axis=0), _dot(plate.normal, way.turn)
+    up = _swept(piece, way, go, lean, turn) + place - plate.bottom
+    down = _swept(piece, way, -go, -lean, None if turn is None else -turn) - place + plate.top
+    return np.asarray(np.minimum(up, down))
+
+
+def facet_bound(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
+    """The bound (n,) mm for nodes that are facets; infinite for others."""
+    bound, rows = np.full(len(node), np.inf), np.flatnonzero(node >= tree.leaf)
+    some = way.take(rows)
+    bound[rows] = _triangle_bound(piece, some, tree.corners(node.take(rows) - tree.leaf) - some.tip)
+    return bound
+
+
+def _triangle_bound(piece: Piece, way: Way, arm: Floats) -> Floats:
+    """The bound (n,) mm for triangles, corners (3, 3, n) from the tip in the middle of the way."""
+    if piece.low_radius == piece.high_radius:
+        place = nearest_on_edges(piece, way.unit, arm)
+    else:
+        height = (arm.mean(axis=0) * way.unit).sum(axis=0)
+        place = nearest_on_facet(arm, np.clip(height, piece.low, piece.high) * way.unit)
+    g = _away(piece, way.unit, place)
+    begins = along(arm, g).min(axis=0)
+    return np.asarray(_reached(piece, way, g) - begins)
+
+
+def least_depth(piece: Piece, way: Way, point: Floats) -> Floats:
+    """(n,) mm: these points (3, n) of the part are that deep at a pose of the way, or negative."""
+    arm = point - way.tip
+    height = (arm * way.unit).sum(axis=0)
+    out = arm - height * way.unit
+    off = distance_off(piece, np.sqrt((out * out).sum(axis=0)), height)
+    short = 0.0 if way.cosine is None else np.abs(1.0 - way.cosine)
+    return np.asarray(-off - way.bend_tip - (piece.reach + piece.round) * (way.bend_axis + short))
+
+
+def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
+    """The unit direction (3, n) in which the distance from the piece grows at places (3, n) from the tip.
+
+    On a core without a room inside, the axis or a disc, it is 0: with it a bound is as large as any.
+    """
+    if piece.low_radius != piece.high_radius:
+        return toward(piece, axis, place)[1]
+    height = (place * axis).sum(axis=0)
+    g = place - height * axis
+    if piece.low_radius > 0.0:
+        radius = np.sqrt((g * g).sum(axis=0))
+        g *= np.maximum(radius - piece.low_radius, 0.0) / np.maximum(radius, NEAR)
+    g += (height - np.minimum(np.maximum(height, piece.low), piece.high)) * axis
+    distance = np.sqrt((g * g).sum(axis=0))
+    g /= np.maximum(distance, NEAR)
+    if piece.low_radius > 0.0 and piece.high > piece.low:
+        within = np.flatnonzero(distance <= NEAR)
+        g[:, within] = toward(piece, axis[:, within], place[:, within])[1]
+    return np.asarray(g)
+
+
+def _reached(piece: Piece, way: Way, g: Floats) -> Floats:
+    """The support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's middle tip."""
+    go, lean = (g * way.travel).sum(axis=0), (g * way.unit).sum(axis=0)
+    return _swept(piece, way, go, lean, _dot(g, way.turn))
+
+
+def _swept(piece: Piece, way: Way, go: Floats, lean: Floats, turn: Floats | None) -> Floats:
+    """:func:`_reached` from what travel, unit axis and turn are along g; it is largest at one of the ends."""
+    if turn is None or way.cosine is None:
+        return np.asarray(support(piece, lean, way.bend_axis) + np.abs(go) + way.bend_tip)
+    middle = way.cosine * lean
+    start, end = (support(piece, there, way.bend_axis) for there in (middle - turn, middle + turn))
+    return np.asarray(np.maximum(start - go, end + go) + way.bend_tip)
+
+
+def _dot(one: Floats, two: Floats | None) -> Floats | None:
+    return None if two is None else np.asarray((one * two).sum(axis=0))

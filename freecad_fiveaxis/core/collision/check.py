@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The check: what enters the part, in which blocks, how deep and where.
+
+overcut     the cutter enters the part on a cut: too much is taken off there.
+collision   shank or holder enter the part at all, or the cutter on a rapid or a link.
+spot        blocks that follow one another and all enter. Each of the deepest spots is a finding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Choice, Length, Point, Sentence, Template, joined, say
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, PARTS, SHANK, Body
+
+from .inside import buried_blocks, crossing_depth, is_closed
+from .search import Entries, find_entries
+from .swept_motion import Course, real_course, straight_course
+
+ROUGHLY = 0.1
+"""mm; so well is known how deep shank and holder are in the part. Whether they are is known to the tolerance all the same."""
+
+MOST_SPOTS = 10
+"""Findings of one kind; more would bury each other."""
+
+GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collision", "holder-collision"
+"""The codes of the findings."""
+
+LIFT, TILT = Choice("gouge", ("lift", "leave-out")), Choice("gouge", ("tilt", "leave-out"))
+DIVIDE = Choice("linearize", ("on",))
+"""What helps, as the user asks for it."""
+SAID = {
+    OVERCUT: Template("The cutter goes {depth} too deep into the part at {at}."),
+    RAPID_COLLISION: Template(
+        "The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is "
+        "over the tool, let it be lifted there or leave such places out ({lift})."
+    ),
+    HOLDER_COLLISION: Template(
+        "The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out ({tilt}), "
+        "use a longer tool, or more lead or tilt."
+    ),
+}
+
+PLAIN = {
+    OVERCUT: SAID[OVERCUT],
+    RAPID_COLLISION: Template("The cutter goes {depth} into the part at {at}, not cutting."),
+    HOLDER_COLLISION: Template("The {part} goes {depth} into the part at {at}."),
+}
+"""The same of a program that is only looked at: what helps is not ours to do."""
+
+CURES = say(
+    "Let the tool be lifted there or leave such places out ({lift}), or use a smaller cutter; where the machine "
+    "leaves the path by as much, let blocks be divided ({divide}).",
+    lift=LIFT,
+    divide=DIVIDE,
+)
+"""What is said against an overcut where nothing has been done yet."""
+
+Where = Callable[[int], tuple[int | None, int | None]]
+"""From a block of the course to the block of the program and the line of the NC file."""
+
+
+@dataclass(frozen=True, eq=False)
+class GougeCheck:
+    """``cutter`` and ``above`` (shank and holder): their entries, a row a block of the course; ``buried`` (m,) blocks that are
+    wholly in the part; ``findings``."""
+
+    cutter: Entries
+    above: Entries
+    buried: Bools
+    findings: tuple[Finding, ...]
+
+    def cases(self, motion: Bytes) -> tuple[tuple[str, Entries, Floats], ...]:
+        """The three kinds of entries: code, entries, and their depths (m,) mm, 0 in blocks that have none of this kind;
+        ``motion`` (m,) what each block does."""
+        return _cases(self.cutter, self.above, motion)
+
+
+def _cases(cutter: Entries, above: Entries, motion: Bytes) -> tuple[tuple[str, Entries, Floats], ...]:
+    cuts = (motion == Motion.CUT) | (motion == Motion.FILL)
+    return (
+        (OVERCUT, cutter, cutter.depth * cuts),
+        (RAPID_COLLISION, cutter, cutter.depth * ~cuts),
+        (HOLDER_COLLISION, above, above.depth),
+    )
+
+
+def check_course(
+    mesh: Mesh, body: Body, course: Course, motion: Bytes, tolerance: float, where: Where | None = None,
+    progress: Progress = silent, remedy: str = CURES,
+) -> GougeCheck:  # fmt: skip
+    """Check every block of a course against the whole mesh.
+
+    ``motion`` (m,) of Motion, what each block does; ``tolerance`` mm: entries up to it are no findings, and none deeper is
+    missed. ``where`` tells blocks and lines of the findings; ``remedy``: what the findings advise against overcuts, empty
+    where nothing can be changed here.
+    """
+    tree = facet_tree(mesh)
+    cutter = find_entries(body.only(CUTTER), tree, course, tolerance, progress=progress)
+    above = find_entries(body.only(SHANK, HOLDER), tree, course, tolerance, ROUGHLY, progress=progress)
+    buried = np.zeros(len(course), np.bool_)
+    if is_closed(mesh):
+        buried = buried_blocks(tree, body.only(CUTTER), course, cutter.depth)
+    whole = crossing_depth(body.only(CUTTER)) if is_closed(mesh) else np.inf
+    findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), course, whole, remedy)
+    return GougeCheck(cutter, above, buried, findings)
+
+
+def program_course(links: Chain, program: Program, back: float = 0.0) -> Course:
+    """The way that the machine really goes: block i of the course leads to row i + 1 of the program.
+
+    ``back`` mm: how far above the tip the point lies that the words drive. Where the controller guides the tip, its way is taken
+    to be straight and the axis to turn on great arcs.
+    """
+    if program.guided is None:
+        return real_course(links, program.words, back)
+    tips, axes = forward(links, words_to_q(program.words))
+    return straight_course(tips - back * axes, axes)
+
+
+def check_program(
+    mesh: Mesh, body: Body, links: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent,
+    remedy: str = CURES,
+) -> GougeCheck:  # fmt: skip
+    """Check every block of a program, along the way that the machine really goes; see :func:`check_course` and
+    :func:`program_course`."""
+    course = program_course(links, program, back)
+
+    def where(block: int) -> tuple[int | None, int | None]:
+        return block + 1, int(program.line[block + 1])
+
+    return check_course(mesh, body, course, program.motion[1:], tolerance, where, progress=progress, remedy=remedy)
+
+
+def _findings(
+    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, course: Course, whole: float,
+    remedy: str,
+) -> tuple[Finding, ...]:  # fmt: skip
+    found: list[Finding] = []
+    for code, entries, depth in _cases(cutter, above, motion):
+        found += _spots(code, remedy, entries, depth, tolerance, where, whole if entries is cutter else np.inf)
+    return (*found, *_buried(buried, where, course))
+
+
+def _spots(
+    code: str, remedy: str, entries: Entries, depth: Floats, tolerance: float, where: Where, whole: float
+) -> list[Finding]:  # fmt: skip
+    """The deepest block of each of the deepest spots; the first one says how many there are. From a depth of ``whole`` mm on more
+    than the depth may be in the part."""
+    worst, blocks = spots(depth)
+    found = []
+    for k, block in enumerate(worst[:MOST_SPOTS].tolist()):
+        x, y, z = entries.place[block].tolist()
+        amount: Length | Sentence = Length(depth[block], ".4g")
+        amount = say("at least {depth}", depth=amount) if depth[block] >= whole else amount
+        said = (SAID if remedy else PLAIN)[code].say(
+            depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])], lift=LIFT, tilt=TILT
+        )
+        said = joined((said, remedy if code == OVERCUT else ""))
+        if k == 0 and blocks > 1:
+            said += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
+        told, line = where(block)
+        found.append(Finding(Severity.ERROR, code, said, float(depth[block]), tolerance, "mm", told, line, (x, y, z)))
+    return found
+
+
+def spots(depth: Floats) -> tuple[Ints, int]:
+    """The deepest block of each spot, deepest first, and how many blocks (m,) have a depth above 0."""
+    rows = np.flatnonzero(depth > 0.0)
+    if not len(rows):
+        return rows, 0
+    spot = np.cumsum(np.diff(rows, prepend=rows[0]) > 1)
+    order = np.lexsort((-depth[rows], spot))
+    worst = rows[order[np.flatnonzero(np.diff(spot[order], prepend=-1))]]
+    return worst[np.argsort(-depth[worst], kind="stable")], len(rows)
+
+
+def _buried(buried: Bools, where: Where, course: Course) -> tuple[Finding, ...]:
+    rows = np.flatnonzero(buried)
+    if not len(rows):
+        return ()
+    x, y, z = course.pose(rows[:1], np.zeros(1)).tip[:, 0].tolist()
+    told, line = where(int(rows[0]))
+    text = say(
+        "In {count} blocks the whole cutter is inside the part, the first at {place}. Check the work zero and"
+        " the units of the part.",
+        count=len(rows),
+        place=Point((x, y, z), ".6g"),
+    )
+    return (Finding(Severity.ERROR, "buried", text, float(len(rows)), 0.0, "1", told, line, (x, y, z)),)

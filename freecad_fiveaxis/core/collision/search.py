@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The deepest entry of a body into the part in every block of a course, with an upper bound for the whole way.
+
+pair      a cluster, or a stretch, with a node, or a facet. It is dropped when its bound says that nothing in it is deeper than
+          asked for, or than what its block is known to hold already. Of the others the larger partner is divided.
+
+Two trees are gone down together, so whole clusters are cleared of whole regions at once. What is left, stretches with facets, is
+divided in time or across the facet until bound and depth are as near as asked for.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
+from freecad_fiveaxis.core.tool.body import Body, Piece
+
+from .bounds import box_bound, facet_bound, least_depth, pared, plate_bound
+from .deepest import deepest, end_and_side, least_mixed, support_at
+from .swept_motion import Clusters, Course, Poses, Stretches, Way, clusters_of, stretches_of
+
+BATCH = 16384
+"""Blocks at a time: their table stays in the processor's cache."""
+
+SLICE = 12288
+"""Pairs at a time."""
+
+ROUNDS = 40
+"""Divisions of a pair; after that the bound is what it is."""
+
+MOST_PAIRS = 2_000_000
+"""Pairs of one batch beyond which the batch is halved."""
+
+AT_ONCE = 32768
+"""Stretches with facets that are divided together."""
+
+RELATIVE = 0.01
+"""A depth is known to this share of itself, or to the accuracy asked for where that is more."""
+
+PAUSE = 0.2
+"""s between two words on how far the work is."""
+
+SURELY = 0.999
+"""Of a depth that is known to be reached, what is not lost by rounding."""
+
+LONGER = 4.0
+"""So many times smaller than a node a cluster may be and is divided all the same: bounds are close for stretches."""
+
+BENT = 0.3
+"""Stretches bend at most by this share of the limit where MOST_PARTS allow."""
+
+
+@dataclass(frozen=True, eq=False)
+class Entries:
+    """Of each of m blocks: ``depth`` (m,) mm that a point of the part is in the body at ``u`` (m,), at ``place`` (m, 3) mm, of
+    facet ``facet`` (m,); all of it 0, facet -1, where no depth above the limit was found. ``bound`` (m,) mm: no point is deeper
+    at any u; ``part`` (m,) CUTTER, SHANK or HOLDER."""
+
+    depth: Floats
+    bound: Floats
+    u: Floats
+    place: Floats
+    facet: Ints
+    part: Ints
+
+
+def find_entries(
+    body: Body, tree: FacetTree, course: Course, limit: float, accuracy: float | None = None, blocks: Ints | None = None,
+    progress: Progress = silent,
+) -> Entries:  # fmt: skip
+    """The entries deeper than ``limit`` mm in these ``blocks`` (k,), all where None is given; the others' stay empty.
+
+    Depth and bound differ by at most ``accuracy`` mm (a tenth of the limit) or RELATIVE, but for blocks that bend too much.
+    """
+    m = len(course)
+    found = Entries(np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64))
+    wanted = np.arange(m) if blocks is None else blocks
+    floors = np.full(m + 1, limit)
+    search = _Search(tree, course, limit, 0.1 * limit if accuracy is None else accuracy, body.reach, found, np.zeros(m), floors)
+    for first in range(0, len(wanted), BATCH):
+        progress("gouge", first / len(wanted))
+        search.batch(body, wanted[first : first + BATCH], _now_and_then(progress, first / len(wanted)))
+    progress("gouge", 1.0)
+    found.bound[wanted] = np.maximum(found.bound[wanted], floors[wanted])
+    return found
+
+
+def which_enter(body: Body, tree: FacetTree, course: Course, limit: float, blocks: Ints, progress: Progress = silent) -> Bools:
+    """Which blocks (m,) of the course enter by more than ``limit`` mm, of these ``blocks`` (k,); how deep is not asked."""
+    return np.asarray(find_entries(body, tree, course, limit, np.inf, blocks, progress).bound > limit)
+
+
+def _now_and_then(progress: Progress, fraction: float) -> Callable[[], None]:
+    """What says how far the work is, at most a few times a second."""
+    last = time.monotonic()
+
+    def tick() -> None:
+        nonlocal last
+        if time.monotonic() - last > PAUSE:
+            last = time.monotonic()
+            progress("gouge", fraction)
+
+    return tick
+
+
+class _Left(NamedTuple):
+    """Pairs of stretches with facets, or parts of facets: ``block``, ``start``, ``end`` (n,), ``corner`` (3, 3, n), ``leaf``
+    (n,)."""
+
+    block: Ints
+    start: Floats
+    end: Floats
+    corner: Floats
+    leaf: Ints
+
+    def picked(self, rows: Ints | Bools) -> _Left:
+        return _Left(self.block[rows], self.start[rows], self.end[rows], self.corner[..., rows], self.leaf[rows])
+
+
+class _TooMany(Exception):
+    """More pairs than memory should hold."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """``known`` (m,) mm: so deep a block is known to be, though not yet where; ``floors`` (m + 1,) mm: what a pair of a block
+    must be able to exceed; that of a cluster, in the last place, is the limit."""
+
+    tree: FacetTree
+    course: Course
+    limit: float
+    accuracy: float
+    reach: float
+    found: Entries
+    known: Floats
+    floors: Floats
+
+    def batch(self, body: Body, blocks: Ints, tick: Callable[[], None]) -> None:
+        """Fill in the entries of these blocks; ``tick`` is called again and again."""
+        parts = stretches_of(self.course, blocks, self.reach, BENT * self.limit)
+        clusters = clusters_of(self.course, parts, self.reach)
+        try:
+            for piece in sorted(body.pieces, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
+                if piece.most > self.limit:
+                    self._refine(piece, self._traverse(piece, clusters, parts, tick), tick)
+        except _TooMany:
+            half = len(blocks) // 2
+            for some in (blocks[:half], blocks[half:]):
+                self.batch(body, some, tick)
+
+    def _raise(self, block: Ints) -> None:
+        """Work out the floors of these blocks anew."""
+        placed, known = self.found.depth[block], self.known[block]
+        if self.accuracy == np.inf:  # that it enters is all that is asked
+            floor = np.where(np.maximum(placed, known) > 0.0, np.inf, self.limit)
+        else:
+            floor = np.maximum(self.limit, known)
+            floor = np.where(placed > 0.0, np.maximum(floor, placed + np.maximum(self.accuracy, RELATIVE * placed)), floor)
+        self.floors[block] = floor
+
+    def _traverse(self, piece: Piece, clusters: Clusters, parts: Stretches, tick: Callable[[], None]) -> _Left:
+        way, node = np.arange(clusters.top), np.zeros(clusters.top, np.int64)
+        owner = np.concatenate([np.full(clusters.first, len(self.known)), parts.block])
+        done: list[tuple[Ints, Ints]] = []
+        while len(way):
+            tick()
+            way, node, enters = self._pruned(piece, clusters, owner, way, node)
+            whole = (clusters.arity.take(way) == 0) & (node >= self.tree.leaf)
+            done.append((way[whole] - clusters.first, node[whole]))
+            way, node = _divided(clusters, self.tree, way[~whole], node[~whole], enters[~whole])
+            if len(way) > MOST_PAIRS and len(parts.block) > 1 and parts.block[0] != parts.block[-1]:
+                raise _TooMany
+        stretch, leaf = (np.concatenate(column) for column in zip(*done, strict=True))
+        leaf = leaf - self.tree.leaf
+        return _Left(parts.block[stretch], parts.start[stretch], parts.end[stretch], self.tree.corners(leaf), leaf)
+
+    def _pruned(self, piece: Piece, clusters: Clusters, owner: Ints, way: Ints, node: Ints) -> tuple[Ints, Ints, Bools]:
+        """The pairs that may hold more than is known, and which of them do enter; ``owner`` (n,) the place of their floors."""
+        kept, deep = [], []
+        for first in range(0, len(way), SLICE):
+            some, place = way[first : first + SLICE], owner.take(way[first : first + SLICE])
+            rows, enters = self._stay(piece, clusters.ways(some), place, node[first : first + SLICE])
+            kept.append(first + rows)
+            deep.append(enters)
+        rows = np.concatenate(kept)
+        return way[rows], node[rows], np.concatenate(deep)
+
+    def _stay(self, piece: Piece, ways: Way, place: Ints, node: Ints) -> tuple[Ints, Bools]:
+        """:meth:`_pruned` for so many that they stay in the processor's cache: which rows stay."""
+        core, off = pared(piece, self.limit)
+        rows, floor = np.arange(len(node)), self.floors.take(place) - off
+        most = np.full(len(node), piece.most - off)
+        for bound in (box_bound, plate_bound, facet_bound):
+            most = np.minimum(most, bound(core, ways, self.tree, node))
+            some = np.flatnonzero(most > floor)
+            rows, ways, node, floor, most = rows.take(some), ways.take(some), node.take(some), floor.take(some), most.take(some)
+        least, place = least_depth(piece, ways, self.tree.points(node)), place.take(rows)
+        self._learn(place, least)
+        some = np.flatnonzero(most > self.floors.take(place) - off)
+        return rows.take(some), least.take(some) > self.limit
+
+    def _learn(self, place: Ints, least: Floats) -> None:
+        """Depths that are known to be reached, though not yet where."""
+        deep = np.flatnonzero((least > self.limit) & (place < len(self.known)))
+        if len(deep):
+            block = place.take(deep)
+            np.maximum.at(self.known, block, SURELY * least.take(deep))
+            self._raise(block)
+
+    def _refine(self, piece: Piece, left: _Left, tick: Callable[[], None]) -> None:
+        """The depth of the pairs, some of each block at a time: what they tell makes many of the others superfluous."""
+        parts = -(-len(left.block) // AT_ONCE)
+        for k in range(parts):
+            rows = np.arange(k, len(left.block), parts)
+            rows = rows[piece.most > self.floors.take(left.block.take(rows))]
+            self._refine_some(piece, left.picked(rows), tick)
+
+    def _refine_some(self, piece: Piece, left: _Left, tick: Callable[[], None]) -> None:
+        for _ in range(ROUNDS):
+            tick()
+            if not len(left.block):
+                return
+            middle = 0.5 * (left.start + left.end)
+            pose = self.course.pose(left.block, middle)
+            deep = deepest(piece, pose, left.corner)
+            self._note(piece, left, middle, -deep.distance, deep.point)
+            most, in_time, half_way = self._most(piece, left, pose, deep.point, deep.g)
+            rows = np.flatnonzero(np.minimum(most, piece.most) > self.floors.take(left.block))
+            left, most = left.picked(rows), most[rows]
+            if len(rows) > MOST_PAIRS:
+                break
+            across = (half_way + deep.distance)[rows]
+            left, most = _halved(left, in_time[rows] >= across), np.tile(most, 2)
+        np.maximum.at(self.found.bound, left.block, most)
+
+    def _most(self, piece: Piece, left: _Left, pose: Poses, point: Floats, g: Floats) -> tuple[Floats, Floats, Floats]:
+        """The bound (n,) mm over the stretch; along g, how much of it comes from the way between the poses, and what is left
+        half-way.
+
+        Only along g do both shrink as the pair is divided; the normal's bound may be the better one, but it does not become
+        better.
+        """
+        start, end = self.course.pose(left.block, left.start), self.course.pose(left.block, left.end)
+        share = 0.125 * (left.end - left.start) ** 2
+        bend, loose = share * self.course.bend_tip[left.block], share * self.course.bend_axis[left.block]
+
+        def bound(g: Floats) -> tuple[Floats, Floats, Floats]:
+            over = np.maximum(support_at(piece, start, g, loose), support_at(piece, end, g, loose)) + bend
+            begins, half_way = (g * left.corner).sum(axis=1).min(axis=0), support_at(piece, pose, g)
+            return over - begins, over - half_way, half_way - begins
+
+        most, in_time, flat = bound(g)
+        normal = self.tree.plates(self.tree.leaf + left.leaf).normal
+        for direction in (normal, -normal):
+            most = np.minimum(most, bound(direction)[0])
+        if piece.round == 0.0:
+            ends = []
+            for g in end_and_side(piece, pose, point):
+                begins = (g * left.corner).sum(axis=1)
+                ends.append(np.concatenate([support_at(piece, there, g, loose) + bend - begins for there in (start, end)]))
+            most = np.minimum(most, least_mixed(*ends))
+        return most, in_time, flat
+
+    def _note(self, piece: Piece, left: _Left, u: Floats, depth: Floats, point: Floats) -> None:
+        """Keep the deepest entry of each block, with its place."""
+        found = self.found
+        rows = np.flatnonzero((depth > self.limit) & (depth > found.depth.take(left.block)))
+        if not len(rows):
+            return
+        order = rows[np.argsort(depth[rows], kind="stable")]  # where a block comes again, the deepest is written last
+        block = left.block[order]
+        found.depth[block], found.u[block], found.place[block] = depth[order], u[order], point.T[order]
+        found.facet[block], found.part[block] = self.tree.facet[left.leaf[order]], piece.part
+        self._raise(block)
+
+
+def _divided(clusters: Clusters, tree: FacetTree, way: Ints, node: Ints, enters: Bools) -> tuple[Ints, Ints]:
+    """The larger partner of each pair replaced by its children; the cluster where it does enter, because only blocks can tell
+    that they know of deeper places."""
+    by_way = clusters.arity.take(way) > 0
+    by_way &= enters | (node >= tree.leaf) | (LONGER * clusters.size.take(way) > tree.size.take(node))
+    one, two = np.flatnonzero(by_way), np.flatnonzero(~by_way)
+    first, count = clusters.child.take(way[one]), clusters.arity.take(way[one])
+    below, many = tree.child.take(node[two]), tree.arity.take(node[two])
+    ways = np.concatenate([_family(first, count), np.repeat(way[two], many)])
+    nodes = np.concatenate([np.repeat(node[one], count), _family(below, many)])
+    return ways, nodes
+
+
+def _family(first: Ints, count: Ints) -> Ints:
+    head = np.cumsum(count) - count
+    return np.asarray(np.arange(int(count.sum())) + np.repeat(first - head, count))
+
+
+def _halved(left: _Left, in_time: Bools) -> _Left:
+    """Each pair as two: the first and the second half of its stretch, or the facet parted across its longest side."""
+    middle = 0.5 * (left.start + left.end)
+    start = np.concatenate([left.start, np.where(in_time, middle, left.start)])
+    end = np.concatenate([np.where(in_time, middle, left.end), left.end])
+    one, two = _parted(left.corner)
+    corner = np.concatenate(
+        [np.where(in_time, left.corner, one), np.where(in_time, left.corner, two)], axis=2
+    )  # fmt: skip
+    return _Left(np.tile(left.block, 2), start, end, corner, np.tile(left.leaf, 2))
+
+
+def _parted(corner: Floats) -> tuple[Floats, Floats]:
+    side = ((corner - np.roll(corner, -1, axis=0)) ** 2).sum(axis=1)
+    longest, at = side.argmax(axis=0), np.arange(corner.shape[2])
+    a, b, c = (corner[(longest + k) % 3, :, at].T for k in range(3))
+    middle = 0.5 * (a + b)
+    return np.stack([a, middle, c]), np.stack([middle, b, c])

@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the tool goes: the poses of every block at every u, and how much the way between two poses bends.
+
+pose      where the tip stands and where the unit axis points, work frame.
+block     the way from one row to the next, u from 0 to 1. Block i leads to row i + 1.
+stretch   a part of a block, from one u to another, short enough to bend little; or several of them in a row (a cluster).
+bend      of a stretch: how far, at most, tip (mm) and axis (a pure number) leave the straight way between its two end poses.
+
+**Why the end poses are enough.** A piece's support in direction g is the larger one of ``g . (tip + z axis) + r |g x axis|``
+for its two discs, plus its round. Where tip and axis move straight this is a convex function of u, because a norm of something
+linear is convex; so it is largest at an end. What they leave the straight way by adds at most ``bend_tip + (|z| + r)
+bend_axis``. A stretch of the body therefore lies in the convex hull of its two end bodies, thickened by that much.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.motion.deviation.bound import bending, quick_levers
+from freecad_fiveaxis.core.motion.trajectory import Vectors, at, axis, checked_words, frames, motion, tip, to_work
+
+WIDE = 4
+"""Stretches, or clusters, in a cluster."""
+
+MOST_PARTS = 64
+"""A block is not laid out in more stretches than that at first; what bends more is divided where it matters."""
+
+STRAIGHT = 1e-9
+"""rad; axes that differ by less, or are opposite but for less, do not tell in which plane the arc between them lies."""
+
+
+class Poses(NamedTuple):
+    """``tip`` (3, n) mm, ``axis`` (3, n) unit."""
+
+    tip: Floats
+    axis: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """``pose`` gives the poses of blocks (n,) at u (n,); ``bend_tip`` (m,) mm and ``bend_axis`` (m,) bound the second derivatives
+    by u of tip and axis in each of the m blocks."""
+
+    pose: Callable[[Ints, Floats], Poses]
+    bend_tip: Floats
+    bend_axis: Floats
+
+    def __len__(self) -> int:
+        return len(self.bend_tip)
+
+
+def straight_course(tips: Floats, axes: Floats) -> Course:
+    """The course as it is commanded: the tip (n, 3) mm on straight lines, the unit axis (n, 3) on great arcs."""
+    start, end = _columns(tips[:-1]), _columns(tips[1:])
+    first, last = _columns(axes[:-1]), _columns(axes[1:])
+    angle = 2.0 * np.arcsin(np.minimum(0.5 * np.linalg.norm(last - first, axis=0), 1.0))
+
+    def pose(block: Ints, u: Floats) -> Poses:
+        p, q = start.take(block, axis=1), end.take(block, axis=1)
+        return Poses(p + u * (q - p), _on_arc(first.take(block, axis=1), last.take(block, axis=1), angle.take(block), u))
+
+    return Course(pose, np.zeros(len(angle)), angle * angle)
+
+
+def still_course(tips: Floats, axes: Floats) -> Course:
+    """Blocks that only stand: one for each tip (n, 3) mm and unit axis (n, 3)."""
+    place, pointing = _columns(tips), _columns(axes)
+
+    def pose(block: Ints, u: Floats) -> Poses:
+        return Poses(place.take(block, axis=1), pointing.take(block, axis=1))
+
+    return Course(pose, np.zeros(len(tips)), np.zeros(len(tips)))
+
+
+def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
+    """At share u of the great arc; between opposite axes one of the many there are."""
+    across = last - (first * last).sum(axis=0) * first
+    length = np.linalg.norm(across, axis=0)
+    lost = np.flatnonzero(length < STRAIGHT)
+    if len(lost):
+        any_way = np.cross(first[:, lost], np.eye(3)[np.abs(first[:, lost]).argmin(axis=0)].T, axis=0)
+        across[:, lost] = any_way
+        length[lost] = np.linalg.norm(any_way, axis=0)
+    return np.asarray(np.cos(u * angle) * first + (np.sin(u * angle) / length) * across)
+
+
+def real_course(links: Chain, words: Floats, back: float = 0.0) -> Course:
+    """The course on the machine, all axes moving linearly between rows of ``words`` (n, 5), mm and **degrees**.
+
+    ``back`` mm: the point that the words drive lies so far above the tip (the ball's centre is driven). Raises ProgramError for
+    words that cannot be used.
+    """
+    rows, frame = checked_words(words), frames(links)
+    move = motion(frame, rows[:-1], rows[1:])
+    turn = np.broadcast_to(np.abs(move.a_step) + np.abs(move.b_step), (len(rows) - 1,)) ** 2
+
+    def pose(block: Ints, u: Floats) -> Poses:
+        there = at(move.take(block), u)
+        k = _stacked(to_work(frame, axis(frame, there)), len(block))
+        return Poses(_stacked(to_work(frame, tip(frame, there)), len(block)) - back * k, k)
+
+    return Course(pose, np.broadcast_to(bending(quick_levers(move), 2), turn.shape) + back * turn, turn)
+
+
+def _stacked(vector: Vectors, count: int) -> Floats:
+    return np.stack([np.broadcast_to(column, (count,)) for column in vector])
+
+
+def _columns(rows: Floats) -> Floats:
+    return np.ascontiguousarray(np.asarray(rows, float).T)
+
+
+# ------------------------------------------------------------------------------------------------ stretches
+
+
+class Stretches(NamedTuple):
+    """``block`` (n,), from ``start`` to ``end`` (n,), the u of that block."""
+
+    block: Ints
+    start: Floats
+    end: Floats
+
+
+def stretches_of(course: Course, blocks: Ints, reach: float, least: float) -> Stretches:
+    """These blocks (k,) in stretches in which no point up to ``reach`` mm from the tip leaves the straight way by more than
+    ``least`` mm, as far as MOST_PARTS allow."""
+    bent = 0.125 * (course.bend_tip[blocks] + reach * course.bend_axis[blocks])
+    count = np.clip(np.ceil(np.sqrt(bent / least)), 1, MOST_PARTS).astype(np.int64)
+    block, share = np.repeat(blocks, count), np.repeat(1.0 / count, count)
+    part = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
+    return Stretches(block, part * share, (part + 1) * share)
+
+
+class Way(NamedTuple):
+    """The straight way between two poses, from ``tip`` - ``travel`` to ``tip`` + ``travel`` with the axes ``cosine unit`` -+
+    ``turn`` (None where no axis turns: 1 and 0). ``bend_tip`` (mm), ``bend_axis``: what the way itself leaves this one by. All
+    are rows of ``column`` (15 or 11, n)."""
+
+    column: Floats
+    tip: Floats
+    unit: Floats
+    travel: Floats
+    bend_tip: Floats
+    bend_axis: Floats
+    turn: Floats | None
+    cosine: Floats | None
+
+    @classmethod
+    def of(cls, column: Floats) -> Way:
+        """The way whose rows these are."""
+        turn, cosine = (column[11:14], column[14]) if len(column) > 11 else (None, None)
+        return cls(column, column[0:3], column[3:6], column[6:9], column[9], column[10], turn, cosine)
+
+    def take(self, rows: Ints) -> Way:
+        """Some of them."""
+        return Way.of(self.column.take(rows, axis=1))
+
+
+class Clusters(NamedTuple):
+    """Stretches and their clusters in one table, the largest first: ``way`` (n, 11 or 15), one in a row, columns as in
+    :class:`Way`; ``size`` (n,) mm, half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the row of the
+    first stretch, ``top`` how many clusters stand at the head."""
+
+    way: Floats
+    size: Floats
+    child: Ints
+    arity: Ints
+    first: int
+    top: int
+
+    def ways(self, rows: Ints) -> Way:
+        """Those of these clusters (k,)."""
+        return Way.of(np.ascontiguousarray(self.way.take(rows, axis=0).T))
+
+
+def clusters_of(course: Course, parts: Stretches, reach: float, levels: int = 3) -> Clusters:
+    """The table over stretches that follow one another; ``reach`` mm from the tip to the farthest point of the body."""
+    start, end = course.pose(parts.block, parts.start), course.pose(parts.block, parts.end)
+    share = 0.125 * (parts.end - parts.start) ** 2
+    bend_tip, bend_axis = share * course.bend_tip[parts.block], share * course.bend_axis[parts.block]
+    rows = [(*_straight(start, end), bend_tip, bend_axis)]
+    counts = [len(share)]
+    for _ in range(levels):
+        first = np.arange(0, counts[0], WIDE)
+        last = np.minimum(first + WIDE, counts[0]) - 1
+        begin, stop = Poses(*(part[:, first] for part in start)), Poses(*(part[:, last] for part in end))
+        straight = _straight(begin, stop)
+        rows.insert(0, (*straight, *_joined(straight, start, end, first, last, *rows[0][4:])))
+        start, end = begin, stop
+        counts.insert(0, len(first))
+    tip, travel, axis, turn, bend_tip, bend_axis = (np.concatenate(column, axis=-1) for column in zip(*rows, strict=True))
+    cosine, turned = _length(axis), _length(turn)
+    unit = np.where(cosine > STRAIGHT, axis / np.maximum(cosine, STRAIGHT), np.eye(3)[:, 2:])
+    way = [tip, unit, travel, bend_tip[None], bend_axis[None]]
+    if turned.any():
+        way += [turn, cosine[None]]
+    size = _length(travel) + bend_tip + reach * (turned + bend_axis)
+    table, (child, arity) = np.ascontiguousarray(np.concatenate(way).T), _family(counts)
+    return Clusters(table, size, child, arity, sum(counts[:-1]), counts[0])
+
+
+def _length(vector: Floats) -> Floats:
+    return np.asarray(np.sqrt((vector * vector).sum(axis=0)))
+
+
+def _family(counts: list[int]) -> tuple[Ints, Ints]:
+    child, arity, start = [], [], 0
+    for count, more in pairwise(counts):
+        start += count
+        first = WIDE * np.arange(count)
+        child.append(start + first)
+        arity.append(np.minimum(first + WIDE, more) - first)
+    none = np.zeros(counts[-1], np.int64)
+    return np.concatenate([*child, none]), np.concatenate([*arity, none])
+
+
+def _straight(start: Poses, end: Poses) -> tuple[Floats, Floats, Floats, Floats]:
+    """Tip, travel, axis and turn of the straight ways from pose to pose."""
+    travel, turn = 0.5 * (end.tip - start.tip), 0.5 * (end.axis - start.axis)
+    return start.tip + travel, travel, start.axis + turn, turn
+
+
+def _joined(
+    straight: tuple[Floats, ...], start: Poses, end: Poses, first: Ints, last: Ints, bend_tip: Floats, bend_axis: Floats
+) -> tuple[Floats, Floats]:  # fmt: skip
+    """What ways from ``start`` to ``end`` (n,), with their own bends, leave the straight ones (k,) by that lead over those from
+    ``first`` to ``last`` (k,).
+
+    Both their ends are compared with the point of the straight way at which its tip is nearest; what lies between them leaves
+    that by no more than the farther end and its own bend.
+    """
+    tip, travel, axis, turn = straight
+    group = np.repeat(np.arange(len(first)), last - first + 1)
+    off_tip, off_axis = np.zeros(len(group)), np.zeros(len(group))
+    square, along = np.maximum((travel * travel).sum(axis=0), 1e-300)[group], travel[:, group]
+    even = 2.0 * (np.arange(len(group)) - first[group]) / np.maximum(last - first, 1)[group] - 1.0
+    turns = (start.axis != axis[:, group]).any() or (end.axis != axis[:, group]).any()
+    for pose in (start, end):
+        arm = pose.tip - tip[:, group]
+        share = np.clip((arm * along).sum(axis=0) / square, -1.0, 1.0)
+        share = np.where(square > 1e-18, share, even)
+        off_tip = np.maximum(off_tip, _length(arm - share * along))
+        if turns:
+            off_axis = np.maximum(off_axis, _length(pose.axis - axis[:, group] - share * turn[:, group]))
+    return np.maximum.reduceat(bend_tip + off_tip, first), np.maximum.reduceat(bend_axis + off_axis, first)

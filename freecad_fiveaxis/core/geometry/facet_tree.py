@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The facets of a mesh in a tree of nodes, so that most of them are never looked at.
+
+node      some facets that lie together: a plate, a box, and one point of the part among them. The last nodes are the facets.
+plate     what lies between two planes across their mean normal; that of a facet has no thickness.
+box       around them, either as they lie - along their mean normal, along the way they spread most across it, and along the
+          third direction - or along x, y, z: the one with the smaller surface. On a slope the first is far thinner, over walls
+          and floors of a part that stands straight the second.
+level     all nodes with equally many facets; the nodes of all levels stand in one table, the root first.
+
+The tree is perfectly balanced: at each level the facets of every node are parted at the median of what spreads most, place or
+normal, all nodes at once. It is filled up with copies of the last facets.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+
+from .mesh import Mesh
+
+LEAF = 2
+"""At least so many facets hang on each of the last nodes but one (fewer where the mesh has fewer)."""
+
+BEND = 0.2
+"""What a change of the normals by 1 counts for in parting, as a share of the node's size."""
+
+
+class Plates(NamedTuple):
+    """Of n nodes: the unit ``normal`` (3, n), and how far along it the plate's sides are, ``top`` and ``bottom`` (n,) mm."""
+
+    normal: Floats
+    top: Floats
+    bottom: Floats
+
+
+class Boxes(NamedTuple):
+    """Of n nodes: ``middle`` (3, n) mm of the box; ``ways`` (3, 3, n), its three directions, unit, and ``half`` (3, n) mm, half
+    its sizes along them."""
+
+    middle: Floats
+    ways: Floats
+    half: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class FacetTree:
+    """``facet`` (k,) row of the mesh of each leaf, ``corner`` (k, 9) its corners a, b, c, mm; ``facet_first`` (k,) False for
+    copies. Of all nodes: ``middle``, ``half`` (3, n) mm their extent along x, y, z, and ``size`` (n,) mm half its diagonal;
+    ``child`` (n,) the first child and ``arity`` (n,) how many, 0 at a leaf; ``leaf`` the first node that is a facet. In one row
+    each, because they are looked up in any order: ``plate`` (n, 5) and ``box`` (n, 15), columns as in :class:`Plates` and
+    :class:`Boxes`, and ``point`` (n, 3) mm one of the part's points."""
+
+    facet: Ints
+    corner: Floats
+    facet_first: Bools
+    middle: Floats
+    half: Floats
+    size: Floats
+    child: Ints
+    arity: Ints
+    leaf: int
+    plate: Floats
+    box: Floats
+    point: Floats
+
+    def plates(self, node: Ints) -> Plates:
+        """Those of these nodes (n,)."""
+        column = _columns(self.plate, node)
+        return Plates(column[:3], column[3], column[4])
+
+    def boxes(self, node: Ints) -> Boxes:
+        """Those of these nodes (n,)."""
+        column = _columns(self.box, node)
+        return Boxes(column[:3], column[3:12].reshape(3, 3, -1), column[12:])
+
+    def points(self, node: Ints) -> Floats:
+        """Those of these nodes (n,): (3, n) mm."""
+        return _columns(self.point, node)
+
+    def corners(self, leaf: Ints) -> Floats:
+        """Those of these facets (n,), counted from the first leaf: (3, 3, n) mm."""
+        return _columns(self.corner, leaf).reshape(3, 3, -1)
+
+
+def _columns(table: Floats, rows: Ints) -> Floats:
+    return np.ascontiguousarray(table.take(rows, axis=0).T)
+
+
+_TREES: WeakKeyDictionary[Mesh, FacetTree] = WeakKeyDictionary()
+
+
+def facet_tree(mesh: Mesh) -> FacetTree:
+    """The tree over all facets of a mesh: made once, and kept as long as the mesh is, for cures and checks ask for it in turn."""
+    if mesh not in _TREES:
+        _TREES[mesh] = planted(mesh)
+    return _TREES[mesh]
+
+
+def planted(mesh: Mesh) -> FacetTree:
+    """The tree, made anew."""
+    corner = mesh.vertex[mesh.face]  # (f, 3, 3)
+    order, depth = _parted(corner.mean(axis=1), mesh.normal)
+    corner = np.ascontiguousarray(corner[order].reshape(-1, 9).T)
+    normal = np.ascontiguousarray(mesh.normal[order].T)
+    counts = [2**k for k in range(depth % 2, depth + 1, 2)] if depth else [1]
+    counts = ([1] if counts[0] != 1 else []) + counts + [len(order)]
+    if counts[-1] == counts[-2]:
+        counts.pop()
+    levels = [_level(corner, normal, count) for count in counts]
+    child, arity, start = [], [], 0
+    for count, more in zip(counts, [*counts[1:], 0], strict=True):
+        start += count
+        child.append(start + np.arange(count) * (more // count))
+        arity.append(np.full(count, more // count))
+    middle, half, size, *tables = (np.concatenate(part, axis=-1) for part in zip(*levels, strict=True))
+    plate, box, point, corner = (np.ascontiguousarray(table.T) for table in (*tables, corner))
+    once = np.zeros(len(order), np.bool_)
+    once[np.unique(order, return_index=True)[1]] = True
+    children, arities, leaf = np.concatenate(child), np.concatenate(arity), start - counts[-1]
+    return FacetTree(order, corner, once, middle, half, size, children, arities, leaf, plate, box, point)
+
+
+def _parted(centre: Floats, normal: Floats) -> tuple[Ints, int]:
+    """The facets in the order of the leaves, filled up with copies, and how often they are parted."""
+    depth = max(int(np.floor(np.log2(max(len(centre), 1) / LEAF))), 0)
+    width = -(-len(centre) // 2**depth)  # so every node has an even number of facets to part
+    order = np.minimum(np.arange(width * 2**depth), len(centre) - 1)[None]
+    feature = np.concatenate([centre, normal], axis=1).T.copy()
+    for k in range(depth):
+        order = order.reshape(2**k, -1)
+        value = feature[:, order]  # (6, nodes, facets)
+        spread = value.max(axis=2) - value.min(axis=2)
+        spread[3:] *= BEND * np.linalg.norm(spread[:3], axis=0)
+        key = np.take_along_axis(value, spread.argmax(axis=0)[None, :, None], axis=0)[0]
+        order = np.take_along_axis(order, np.argpartition(key, order.shape[1] // 2, axis=1), axis=1)
+    return order.ravel(), depth
+
+
+def _level(corner: Floats, normal: Floats, count: int) -> tuple[Floats, ...]:
+    """Middle, half, size, plate (5, count), box (15, count) and point of ``count`` nodes of equally many facets."""
+    corners = corner.reshape(3, 3, count, -1)  # corner, x y z, node, facet
+    top, bottom = corners.max(axis=(0, 3)), corners.min(axis=(0, 3))
+    middle, half = 0.5 * (top + bottom), 0.5 * (top - bottom)
+    arm, mean = corners - middle[:, :, None], _mean(normal.reshape(3, count, -1))
+    ways, low, high = _lying(arm, mean)
+    place, off = (mean * middle).sum(axis=0), arm.mean(axis=0)  # x y z, node, facet
+    box = _smaller(ways, low, high, half)
+    box[:3] += middle
+    nearest = (off * off).sum(axis=0).argmin(axis=1)
+    point = middle + np.take_along_axis(off, nearest[None, :, None], axis=2)[:, :, 0]
+    return middle, half, np.linalg.norm(half, axis=0), np.concatenate([mean, [place + high[0], place + low[0]]]), box, point
+
+
+def _mean(normal: Floats) -> Floats:
+    """The unit mean (3, n) of normals (3, n, facets), or the first of them where they are opposite."""
+    mean = normal.mean(axis=2)
+    length = np.linalg.norm(mean, axis=0)
+    mean = np.where(length > 1e-3, mean / np.maximum(length, 1e-3), normal[:, :, 0])
+    return np.asarray(mean / np.linalg.norm(mean, axis=0))
+
+
+def _lying(arm: Floats, normal: Floats) -> tuple[Floats, Floats, Floats]:
+    """Directions (3, 3, n) of the boxes that lie as corners (3, 3, n, facets) do, and from where to where (3, n) these go."""
+    one = np.cross(normal, np.eye(3)[np.abs(normal).argmin(axis=0)].T, axis=0)
+    one = one / np.linalg.norm(one, axis=0)
+    two = np.cross(normal, one, axis=0)
+    x, y = (np.einsum("in,cinf->cnf", way, arm) for way in (one, two))
+    x, y = x - x.mean(axis=(0, 2))[:, None], y - y.mean(axis=(0, 2))[:, None]
+    turn = 0.5 * np.arctan2(2.0 * (x * y).sum(axis=(0, 2)), (x * x - y * y).sum(axis=(0, 2)))
+    side = np.cos(turn) * one + np.sin(turn) * two
+    ways = np.stack([normal, side, np.cross(normal, side, axis=0)])
+    along = np.einsum("kin,cinf->kcnf", ways, arm)
+    return ways, along.min(axis=(1, 3)), along.max(axis=(1, 3))
+
+
+def _smaller(ways: Floats, low: Floats, high: Floats, half: Floats) -> Floats:
+    """Columns (15, n) of the box with the smaller surface: that from ``low`` to ``high`` along ``ways``, or the straight one of
+    ``half`` about 0."""
+    wide, straight = 0.5 * (high - low), np.broadcast_to(np.eye(3)[:, :, None], ways.shape)
+    lying = np.concatenate([np.einsum("kn,kin->in", 0.5 * (low + high), ways), *ways, wide])
+    upright = np.concatenate([np.zeros_like(half), *straight, half])
+    a, b = (size[0] * size[1] + size[1] * size[2] + size[2] * size[0] for size in (wide, half))
+    return np.where(a < b, lying, upright)

@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool kept out of the part, as the settings ask: the cures on the way to the program, and check and map of the finished one.
+
+cure      ``lift``, ``tilt`` or ``leave-out``: what is done where the tool would enter. Nothing is done where nothing enters.
+allowed   so much may stay on the part, mm: scallops and tolerance.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.cl.cl_offset import scallop_of
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.cl.coedge import OffsetPath
+from freecad_fiveaxis.core.collision import (
+    CURES,
+    DIVIDE,
+    GougeCheck,
+    Remainder,
+    check_program,
+    find_remainder,
+    program_course,
+    real_course,
+    straight_course,
+    too_deep_finding,
+    uncut_finding,
+    which_enter,
+)
+from freecad_fiveaxis.core.corrections.leave_out import leave_out
+from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
+from freecad_fiveaxis.core.corrections.tilt import tilt_free
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.machine.kinematics import Chain, q_to_words
+from freecad_fiveaxis.core.motion.joint_path import JointPath
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of
+
+from .options import axis_options, back, scallop_asked
+from .settings import Settings
+
+LEFT_SPACING = 0.1
+"""Of the cutter's diameter: how far apart, at most, the surface is looked at for what is left on it."""
+
+FINEST = 0.02
+"""The same for the map, at least: that is as fine as SAMPLES allow."""
+
+SAMPLES = 10_000
+"""Squares of the spacing into which the map divides the surface, about; each holds two or three of its triangles."""
+
+
+CURED = frozenset({"lifted", "left-out"})
+"""The codes of findings that tell of a path changed by a cure."""
+
+JUDGED = frozenset({"surface-tighter-than-cutter"})
+"""The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
+
+NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine")
+"""The codes of findings on facets that are not among those to be cut."""
+
+HALVINGS = 6
+"""Times that blocks of a cured path are halved."""
+
+NEARLY = 0.95
+"""Of the tolerance: what the tool may enter by on its real way before words are rounded."""
+
+
+def tool_body(settings: Settings) -> Body:
+    """Cutter, shank and holder."""
+    return body_of(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
+
+
+def tilted(
+    settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, links: Chain, progress: Progress
+) -> tuple[OffsetPath, Floats]:
+    """The path with the tool tilted free of the part, where the settings ask for that; else what is given."""
+    if settings.gouge.gouge != "tilt":
+        return offset, axis
+    cutter, most, tolerance = settings.cutter.cutter, settings.tool_axis.max_tilt, settings.proof.tolerance
+    return tilt_free(offset, axis, cutter, tool_body(settings), facet_tree(mesh), links, most, tolerance, progress)
+
+
+def left_out_rows(settings: Settings, sat: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress) -> tuple[OffsetPath, Floats]:
+    """The rows that can be cut without entering the part, where the settings ask to leave out the others. ``sat``: with hubs."""
+    if settings.gouge.gouge != "leave-out":
+        return sat, axis
+    body, cutter, tolerance = tool_body(settings), settings.cutter.cutter, settings.proof.tolerance
+    limit = AIM * tolerance if cutter.ring == 0.0 else tolerance  # a ring rocks from facet to facet
+    return leave_out(sat, axis, facet_tree(mesh), body, limit, cutter.corner, progress)
+
+
+def lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> tuple[CLPath, float]:
+    """The path with the tool lifted out of the part, where the settings ask for that, else the very path given; and how deep, mm,
+    what a cure leaves of entries may still be."""
+    tolerance = settings.proof.tolerance
+    if settings.gouge.gouge in ("lift", "tilt"):
+        lifted = lift_path(path, facet_tree(mesh), tool_body(settings), tolerance, back(settings), progress)
+        return lifted.path, lifted.left
+    return path, AIM * tolerance if any(finding.code == "left-out" for finding in path.findings) else 0.0
+
+
+def driven_free(
+    settings: Settings, path: CLPath, mesh: Mesh, links: Chain, drive: Callable[[CLPath], JointPath], progress: Progress
+) -> tuple[CLPath, JointPath]:
+    """The path and its joint path, which ``drive`` makes. Where a cure is asked for and blocks may be divided, rows are put in
+    half-way where the tool still enters on its real way though the path itself does not: the machine turns the axis otherwise
+    than on a great arc, and with the tip within the tolerance the rest of the cutter may swing farther."""
+    joints = drive(path)
+    if settings.cure.linearize != "on" or settings.gouge.gouge in ("off", "report"):
+        return path, joints
+    for _ in range(HALVINGS):
+        rows = _entering(settings, path, joints, mesh, links, progress)
+        if not len(rows):
+            break
+        path = _halved(path, rows)
+        joints = drive(path)
+    return path, joints
+
+
+def _entering(settings: Settings, path: CLPath, joints: JointPath, mesh: Mesh, links: Chain, progress: Progress) -> Ints:
+    """The rows (k,) of the path to which the machine leads the cutter through the part, and the path itself does not."""
+    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(mesh), NEARLY * settings.proof.tolerance
+    real = real_course(links, q_to_words(joints.q), back(settings))
+    blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, cutting(joints.path.motion), progress))
+    rows = np.unique(joints.row[blocks + 1])
+    rows = rows[rows > 0]
+    commanded = straight_course(path.tip - back(settings) * path.axis, path.axis)
+    return rows[~which_enter(cutter, tree, commanded, limit, rows - 1, progress)[rows - 1]]
+
+
+def _halved(path: CLPath, rows: Ints) -> CLPath:
+    """The path with a row half-way to each of these rows (k,), of which it takes all but its place and axis."""
+    pose = straight_course(path.tip, path.axis).pose(rows - 1, np.full(len(rows), 0.5))
+    given = {name: getattr(path, name) for name in ("motion", "feed", "contact", "normal", "face", "coedge", "pass_")}
+    columns = {name: np.insert(column, rows, column[rows], axis=0) for name, column in given.items()}
+    tip, axis = np.insert(path.tip, rows, pose.tip.T, axis=0), np.insert(path.axis, rows, pose.axis.T, axis=0)
+    return replace(path, tip=tip, axis=axis, **columns)
+
+
+def uncut_by_cure(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Finding, ...]:
+    """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance; nothing is looked for where there was no
+    cure, or where the map of what is left tells it."""
+    if settings.gouge.left == "on" or not CURED & {finding.code for finding in path.findings}:
+        return ()
+    cutter = settings.cutter.cutter
+    course = straight_course(path.tip - back(settings) * path.axis, path.axis)
+    spacing = LEFT_SPACING * cutter.diameter
+    left = find_remainder(mesh, body_of(cutter), course, cutting(path.motion), spacing, keep, progress)
+    return uncut_finding(left, allowed(settings, mesh, keep))
+
+
+def allowed(settings: Settings, mesh: Mesh, keep: Bools) -> float:
+    """So much may stay on the facets ``keep`` (f,), mm: twice the scallop, which is that of a flat, and the tolerance."""
+    return 2.0 * _left_scallop(settings, mesh, keep) + settings.proof.tolerance
+
+
+def _left_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
+    """The scallop, mm, that the passes leave: the one asked for, or that of the stepover."""
+    cutter, passes, tool = settings.cutter.cutter, settings.passes, settings.tool_axis
+    if passes.stepover is None:
+        return scallop_asked(settings) or 0.0
+    turned = tool.max_tilt if settings.gouge.gouge == "tilt" else 0.0
+    stand = (tool.tool_axis, replace(axis_options(settings), tilt=max(abs(tool.tilt), turned)))
+    return scallop_of(cutter, mesh, keep, passes.direction, *stand, passes.stepover)
+
+
+# ------------------------------------------------------------------------------------------------ the finished program
+
+
+def cutting(motion: Bytes) -> Ints:
+    """The blocks (k,) that cut, of a path or program with these motions (n,) of its rows; block i leads to row i + 1."""
+    return np.flatnonzero(np.isin(motion[1:], (Motion.CUT, Motion.FILL)))
+
+
+def entered(settings: Settings, mesh: Mesh, links: Chain, program: Program, progress: Progress) -> GougeCheck | None:
+    """What the tool enters of the part on its real way, where the settings ask for the check."""
+    if settings.gouge.gouge == "off":
+        return None
+    tolerance, remedy = settings.proof.tolerance, _remedy(settings)
+    return check_program(mesh, tool_body(settings), links, program, tolerance, back(settings), progress, remedy)
+
+
+def _remedy(settings: Settings) -> str:
+    """What helps against an overcut: a cure, and where that has been at work already, the machine kept on its path."""
+    if settings.gouge.gouge == "report":
+        return CURES
+    divisible = settings.cure.linearize == "off" and settings.head.rtcp == "off"  # a guided tip excludes division
+    way = say("let blocks be divided ({divide})", divide=DIVIDE) if divisible else say("ask for a smaller tolerance")
+    return say("The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.", way=way)
+
+
+def still_true(findings: tuple[Finding, ...], check: GougeCheck | None) -> tuple[Finding, ...]:
+    """The findings without those that the check of the finished program, where there was one, has settled."""
+    return findings if check is None else tuple(one for one in findings if one.code not in JUDGED)
+
+
+def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
+    """The share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away from the spindle is not
+    counted. ``keep`` (f,): the facets that are cut. Sides that no pass touches are uncut as
+    well, so the larger of both counts."""
+
+    def area(*codes: str) -> float:
+        return sum(one.value or 0.0 for one in findings if one.code in codes and one.unit == "mm2")
+
+    out = area(*NOT_CUT)
+    whole = float(mesh.area[keep].sum()) + out
+    return (out + max(area("uncut"), area("side-not-machined"))) / whole
+
+
+def left_by(settings: Settings, mesh: Mesh, keep: Bools, links: Chain, program: Program, progress: Progress) -> Remainder:
+    """What the cutter leaves on the facets ``keep`` (f,) on its real way. Raises SettingsError where no block cuts."""
+    cutter, course = settings.cutter.cutter, program_course(links, program, back(settings))
+    even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
+    spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
+    return find_remainder(mesh, body_of(cutter), course, cutting(program.motion), spacing, keep, progress)
+
+
+def said_of(left: Remainder | None, settings: Settings, mesh: Mesh, keep: Bools) -> tuple[Finding, ...]:
+    """Where more stays than may, and, where no check tells it, where too much is taken off."""
+    if left is None:
+        return ()
+    deep = too_deep_finding(left, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
+    return uncut_finding(left, allowed(settings, mesh, keep)) + deep

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the settings ask for, in the words of the rooms: machine and dialect, options, distances, titles.
+
+hub       the middle of the cutter's corner circles (of a ball: its centre), one corner radius above the tip.
+driven    the point that the words of the program move: tip or hub.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.sentences import Option, one_line, say
+from freecad_fiveaxis.core.cl.apt import ARC_SHARE, ClHead, ClReading
+from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
+from freecad_fiveaxis.core.controllers import Dialect, find_dialect
+from freecad_fiveaxis.core.machine import Machine, load_machine
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
+from freecad_fiveaxis.core.nc.head import PostOptions
+from freecad_fiveaxis.core.tool import cutter_name
+
+from .fewer_axes import refuse_what_needs_more_axes
+from .settings import Settings
+
+DEFAULT_CONTROLLER = "linuxcnc"
+DEFAULT_SCALLOP = 0.01
+"""mm, where neither a scallop nor a stepover is asked for: a usual finishing quality."""
+
+
+def machine_of(settings: Settings) -> tuple[Machine, Chain, Dialect]:
+    """The machine, its chain with the part where it stands, and its dialect. Raises FiveAxisError."""
+    machine, setup, dialect = clamped(settings)
+    return machine, chain(machine, setup), dialect
+
+
+def dialect_for(controller: str | None, machine: Machine | None) -> Dialect:
+    """The dialect of the controller that is named, else of the machine's own, else the usual one. Raises SettingsError."""
+    return find_dialect(controller or (machine.controller if machine else "") or DEFAULT_CONTROLLER)
+
+
+def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
+    """The machine, where the part stands on it, and its dialect."""
+    machine = load_machine(settings.machine.machine)
+    refuse_what_needs_more_axes(settings, machine)
+    return stood(settings, machine)
+
+
+def stood(settings: Settings, machine: Machine) -> tuple[Machine, Setup, Dialect]:
+    """The same for a machine that is known, whatever is asked of its axes. Raises SettingsError without a head's tool length."""
+    given = settings.machine
+    dialect = dialect_for(given.controller, machine)
+    if given.tool_length is None and machine.has_head:
+        raise SettingsError(
+            say(
+                "machine {name} has a rotary head: give {tool_length}, gauge point to tip",
+                name=machine.name,
+                tool_length=Option("tool_length"),
+            ),
+            None,
+        )
+    length = given.tool_length or 0.0
+    if given.control_point == "centre":
+        length -= settings.cutter.cutter.corner
+    return machine, Setup(machine.origin if given.origin is None else given.origin, length), dialect
+
+
+def scallop_asked(settings: Settings) -> float | None:
+    """The scallop asked for, mm; None where a stepover is."""
+    passes = settings.passes
+    return DEFAULT_SCALLOP if passes.scallop is None and passes.stepover is None else passes.scallop
+
+
+def axis_options(settings: Settings) -> AxisOptions:
+    """Options of the strategies for the tool axis."""
+    tool = settings.tool_axis
+    return AxisOptions(fixed=tool.axis, lead=tool.lead, tilt=tool.tilt)
+
+
+def reach(settings: Settings) -> float:
+    """From the driven point to the hub (the ball's centre), mm."""
+    return settings.cutter.cutter.corner if settings.machine.control_point == "tip" else 0.0
+
+
+def back(settings: Settings) -> float:
+    """How far above the tip the point lies that the words drive, mm."""
+    return settings.cutter.cutter.corner - reach(settings)
+
+
+def post_options(settings: Settings) -> PostOptions:
+    """What the head of an NC file is to say."""
+    head = settings.head
+    tool = None if head.tool is None else int(head.tool)
+    named, length = cutter_name(settings.cutter.cutter), settings.machine.tool_length
+    return PostOptions(tool, head.spindle, head.coolant == "on", head.work_offset, blend=head.blend, cutter=named, length=length)
+
+
+def cl_head(settings: Settings) -> ClHead:
+    """What the head of a CL file is to say."""
+    options = post_options(settings)
+    return ClHead(options.tool, options.speed, options.coolant)
+
+
+def cl_reading(settings: Settings) -> ClReading:
+    """How a CL file is to be read."""
+    tool = settings.reading.cl_tool
+    return ClReading(
+        settings.feeds.feed, ARC_SHARE * settings.proof.tolerance, settings.reading.units, None if tool is None else int(tool)
+    )
+
+
+def with_head(settings: Settings, said: ClHead) -> Settings:
+    """The settings with the tool, speed, coolant and cutter of a CL file where they have none of their own.
+
+    Where the cutter's centre is driven, the cutter must be said with it: the machine has been set up by its corner.
+    """
+    given = settings.head
+    head = replace(
+        given, tool=said.tool if given.tool is None else given.tool, spindle=given.spindle or said.speed,
+        coolant="on" if said.coolant else given.coolant,
+    )  # fmt: skip
+    settings = replace(settings, head=head)
+    if said.cutter is None or "cutter" in settings.asked or settings.machine.control_point != "tip":
+        return settings
+    return replace(settings, cutter=replace(settings.cutter, cutter=said.cutter))
+
+
+def nc_title(settings: Settings, machine: Machine) -> str:
+    """For whom the program is. No file's name: the same solid and settings give the same bytes from anywhere."""
+    return machine.name
+
+
+def title_of(settings: Settings) -> str:
+    """The title of reports: the source's name, on one line."""
+    return one_line(Path(settings.source).name)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How the program that the settings ask for begins and ends: its head's lines, the plane above the part, and what to say of both.
+
+The lines are made by :mod:`.post.start`, the plane by :mod:`.program.retract`; the Program itself begins where block 0 ends, with
+the tool above that place and the rotary axes turned.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.sentences import Option, say
+from freecad_fiveaxis.core.controllers import Dialect
+from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_NOTHING, Machine
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_to_q
+from freecad_fiveaxis.core.motion.program import Program, plane_above, upwards, within_travel
+from freecad_fiveaxis.core.nc.start import UPRIGHT, by_reference, with_start
+
+from .options import back
+from .settings import Settings
+
+Box = tuple[Floats, Floats]
+"""The part's low and high corner (3,) mm, work frame."""
+
+
+def started(dialect: Dialect, machine: Machine) -> Dialect:
+    """The dialect with the machine's safe start and end."""
+    table = [axis.direction for axis in machine.rotary if axis.side == "table"]
+    return with_start(dialect, machine.safe_start, all(abs(z) > 1.0 - UPRIGHT for _, _, z in table), machine.rotaries > 0)
+
+
+def start_plane(
+    settings: Settings, machine: Machine, links: Chain, program: Program, box: Box
+) -> tuple[float, tuple[Finding, ...]]:
+    """The word of Z at which the program begins and ends above the part, where the machine file asks for that, else 0."""
+    if machine.safe_start.retract != BY_CLEARANCE or not len(program.words):
+        return 0.0, ()
+    body = settings.cutter.cutter.top_radius if machine.has_head else 0.0  # a tool that lies level reaches down by its radius
+    margin = settings.links.clearance + back(settings) + body
+    return within_travel(links, plane_above(links, *box, margin, program.words))
+
+
+def start_findings(
+    settings: Settings, machine: Machine, dialect: Dialect, links: Chain, program: Program, box: Box
+) -> tuple[Finding, ...]:
+    """What there is to say of spindle, start and end."""
+    found = _spindle_off() if settings.head.spindle == 0.0 else ()
+    if dialect.guide is not None and by_reference(dialect, machine.safe_start):
+        text = say(
+            "Under {split} the program begins and ends at the reference point of Z, because before it no tool "
+            "length is active. Set the machine file's safe_start to reference or machine.",
+            split=dialect.guide.on[0].split()[0],
+        )
+        found += (Finding(Severity.NOTE, "starts-at-reference", text),)
+    if machine.safe_start.retract == BY_NOTHING or not len(program.words):
+        return found
+    return found + _through_part(links, program, box)
+
+
+def _spindle_off() -> tuple[Finding, ...]:
+    return (
+        Finding(
+            Severity.WARNING,
+            "spindle-off",
+            say("The spindle stays off: give {spindle}.", spindle=Option("spindle", given="S")),
+        ),
+    )
+
+
+def _through_part(links: Chain, program: Program, box: Box) -> tuple[Finding, ...]:
+    """An error where the straight way of Z to the first place, or from the last, meets the part's box."""
+    found, ends = [], (0, len(program.words) - 1)
+    for row, what in zip(ends, (say("comes down to its first place"), say("rises from its last place")), strict=True):
+        words = program.words[row : row + 1]
+        place, up = forward_tip(links, words_to_q(words))[0], upwards(links, np.radians(words[:, 3:]))[0]
+        if _meets(place, up, *box):
+            text = say(
+                "The tool {what} along Z through the part, because the tool axis points downwards there. Begin and "
+                "end with an upright tool, or set the machine file's safe_start to none and begin by hand.",
+                what=what,
+            )
+            x, y, z = place.tolist()
+            found.append(
+                Finding(Severity.ERROR, "start-through-part", text, block=row, line=int(program.line[row]), place=(x, y, z))
+            )
+    return tuple(found)
+
+
+def _meets(place: Floats, way: Floats, low: Floats, high: Floats) -> bool:
+    """Whether the ray from ``place`` along ``way`` passes the box (slab test)."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        near, far = (low - place) / way, (high - place) / way
+    level = way == 0.0
+    outside = bool((level & ((place <= low) | (place >= high))).any())
+    enter = float(np.where(level, -np.inf, np.minimum(near, far)).max())
+    leave = float(np.where(level, np.inf, np.maximum(near, far)).min())
+    return not outside and max(enter, 0.0) < leave

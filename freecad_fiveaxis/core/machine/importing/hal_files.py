@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The values that LinuxCNC's HAL files give to pins.
+
+pin      a number of a component, set by ``setp pin value`` or fed by a signal.
+signal   what ``net signal pin ...`` joins pins with; ``sets signal value`` gives it a value.
+
+HAL files of the kind ``.tcl`` are programs; of them, and of ``.hal`` files, these statements alone are read, wherever they stand.
+Files that begin with ``LIB:`` are LinuxCNC's own, know nothing of the machine and are not read.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.base.sentences import Template, say
+
+from .ini_file import IniFile, Value, number, text_lines
+
+FILES = ("HALFILE", "POSTGUI_HALFILE")
+TRUE = {"1": 1.0, "TRUE": 1.0, "0": 0.0, "FALSE": 0.0}
+FROM_INI = re.compile(r"\[(\w+)\]\(?(\w+)\)?|\$::(\w+)\((\w+)\)")
+ARROWS = {"<=", "=>", "<=>"}
+
+
+class HalValues:
+    """What all HAL files of a configuration say about pins."""
+
+    def __init__(self, ini: IniFile) -> None:
+        self.set: dict[str, Value] = {}
+        self.signals: dict[str, Value] = {}
+        self.signal_of: dict[str, str] = {}
+        self.sources: dict[str, set[str]] = {}
+        for text, where in _statements(ini):
+            self._take(_substituted(text, where, ini).split(), where)
+
+    def value(self, pin: str) -> float | None:
+        """The number that a pin has from the start, None where nothing sets it. Raises MachineError where that is not known."""
+        signal = self.signal_of.get(pin)
+        given = self.set.get(pin) if signal is None else self.signals.get(signal)
+        if given is None and signal is not None and self.sources[signal] - {pin}:
+            others = ", ".join(sorted(self.sources[signal] - {pin}))
+            text = Template(
+                "{pin} comes from signal {signal} ({others}), whose value no HAL file says; write setp {pin} VALUE for the import"
+            )
+            raise MachineError(text.say(pin=pin, signal=signal, others=others), pin)
+        if given is None:
+            return None
+        return TRUE[given.text.upper()] if given.text.upper() in TRUE else number(given, pin)
+
+    def joined(self, pin: str, other: str) -> bool:
+        """Whether one signal joins both pins."""
+        signal = self.signal_of.get(pin)
+        return signal is not None and other in self.sources[signal]
+
+    def _take(self, words: list[str], where: str) -> None:
+        words = [word for word in words if word not in ARROWS]
+        words = words[1:] if words[:1] == ["hal"] else words
+        if len(words) == 1 and re.fullmatch(r"[\w.-]+=\S+", words[0]):  # the short form of setp
+            words = ["setp", *words[0].split("=")]
+        if len(words) >= 3 and words[1] == "=":
+            words = ["setp", words[0], words[2]]
+        match words:
+            case ["setp", pin, value, *_]:
+                self.set[pin] = Value(value, where)
+            case ["sets", signal, value, *_]:
+                self.signals[signal] = Value(value, where)
+            case ["net" | "linksp", signal, *pins]:
+                self._join(signal, pins)
+            case ["linkps", pin, signal]:
+                self._join(signal, [pin])
+
+    def _join(self, signal: str, pins: list[str]) -> None:
+        self.sources.setdefault(signal, set()).update(pins)
+        self.signal_of.update(dict.fromkeys(pins, signal))
+
+
+def _statements(ini: IniFile) -> Iterator[tuple[str, str]]:
+    for key in FILES:
+        for value in ini.every("HAL", key):
+            name = value.text.split()[0] if value.text else ""
+            if name and not name.startswith("LIB:"):
+                yield from _of_file(ini.path.parent / _at_home(name, value.where), ini, value.where)
+    for value in ini.every("HAL", "HALCMD"):
+        yield value.text, value.where
+
+
+def _at_home(name: str, where: str) -> Path:
+    """The file, ``~`` and ``~user`` being folders of users. Raises MachineError where there is no such user."""
+    try:
+        return Path(name).expanduser()
+    except RuntimeError as error:
+        text = say(
+            "{where}: {name} begins with the folder of a user who is not known; write the whole path", where=where, name=name
+        )
+        raise MachineError(text, name) from error
+
+
+def _of_file(path: Path, ini: IniFile, named: str, depth: int = 0) -> Iterator[tuple[str, str]]:
+    """The statements of a HAL file and of those that it sources (relative to the ini file, as LinuxCNC has it).
+
+    ``named``: where it is named. Raises MachineError where the files go in a circle or are too many."""
+    ini.reading.take(path, depth, named)
+    for line, where in text_lines(path, "HAL file"):
+        text = line.partition("#")[0].strip().rstrip(";")
+        words = text.split()
+        if words[:1] == ["source"] and len(words) == 2 and not words[1].startswith(("LIB:", "$")):
+            yield from _of_file(ini.path.parent / words[1], ini, where, depth + 1)
+        elif words:
+            yield text, where
+
+
+def _substituted(text: str, where: str, ini: IniFile) -> str:
+    """``[SECTION](KEY)``, ``[SECTION]KEY`` and Tcl's ``$::SECTION(KEY)`` replaced by the ini file's value."""
+
+    def value(found: re.Match[str]) -> str:
+        section, key = (found[1], found[2]) if found[1] else (found[3], found[4])
+        given = ini.get(section, key)
+        if given is None and "setp" in text:
+            raise MachineError(
+                say(
+                    "{where}: [{section}] {key} is missing in {path}; add it",
+                    where=where,
+                    section=section,
+                    key=key,
+                    path=ini.path,
+                ),
+                f"[{section}] {key}",
+            )
+        return given.text if given else found[0]
+
+    return FROM_INI.sub(value, text) if "[" in text or "$::" in text else text

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A machine from a file of another program, with what that file leaves open.
+
+LinuxCNC   an ini file (``.ini``) with trt kinematics, and the HAL files that it names.
+FreeCAD    a file of the Machine editor (``.fcm``). It is this program's own format already; what it lacks is told.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.base.files import read_bytes
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.controllers import DIALECTS
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+
+from .trt import machine_of_ini
+
+UPRIGHT = {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]}
+DEFAULTS = {
+    "gauge_point": "0,0,0", "origin": "0,0,0", "singular_cone": "5 deg", "safe_start": "clearance",
+}  # fmt: skip
+"""What a FreeCAD file cannot say, and what is taken for it."""
+
+
+@dataclass(frozen=True)
+class Imported:
+    """A machine and what its source leaves open."""
+
+    machine: Machine
+    findings: tuple[Finding, ...]
+
+
+def import_machine(path: str) -> Imported:
+    """The machine of a LinuxCNC ini file or a FreeCAD machine file, checked for a chain that can be solved.
+
+    Raises MachineError that names the missing or wrong value and its file, FileError where a file cannot be read.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix == ".ini":
+        machine, findings = machine_of_ini(Path(path))
+    elif suffix == ".fcm":
+        machine, findings = _of_freecad(path)
+    else:
+        raise MachineError(say("{path} has no ending that is known; give LinuxCNC's .ini or FreeCAD's .fcm", path=path), path)
+    try:
+        chain(machine, Setup(machine.origin))
+    except MachineError as error:
+        raise MachineError(say("{path}: {error}", path=path, error=error), error.value) from error
+    return Imported(machine, findings)
+
+
+def _of_freecad(path: str) -> tuple[Machine, tuple[Finding, ...]]:
+    machine = load_machine(str(Path(path).absolute()))
+    data = json.loads(read_bytes(path, "machine file").decode("utf-8-sig"))
+    extra, found = data.get("fiveaxis", {}), []
+    if lacking := [f"{key} {value}" for key, value in DEFAULTS.items() if key not in extra]:
+        text = say(
+            "FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.", lacking=", ".join(lacking)
+        )
+        found.append(Finding(Severity.NOTE, "machine-default", text))
+    if not extra:
+        text = say(
+            "The joint axes are taken as the way the tool moves relative to the work (ISO 841). Prove the signs before cutting."
+        )
+        found.append(Finding(Severity.WARNING, "sign-unproven", text))
+    kinematics = data["machine"].get("kinematics")
+    frame = kinematics.get("base_frame") if isinstance(kinematics, dict) else None
+    if isinstance(frame, dict) and any(frame.get(key, value) != value for key, value in UPRIGHT.items()):
+        text = say("The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.")
+        found.append(Finding(Severity.ERROR, "base-frame-not-used", text))
+    return replace(machine, controller=machine.controller or _controller(data)), tuple(found)
+
+
+def _controller(data: dict[str, object]) -> str:
+    """FreeCAD's post-processor, where it speaks one of the dialects that are known here."""
+    post = data.get("postprocessor")
+    name = post.get("file_name") if isinstance(post, dict) else None
+    name = name.lower().removesuffix(".py").removesuffix("_post") if isinstance(name, str) else ""
+    return name if name in DIALECTS else ""
+
+
+def as_text(imported: Imported) -> str:
+    """The machine as a table, from the work to the tool, and the findings."""
+    machine = imported.machine
+    rows = [f"{machine.name}: {machine.description}", *(_row(axis) for axis in machine.fitted), _start(machine)]
+    marks = {Severity.NOTE: "note", Severity.WARNING: "warning", Severity.ERROR: "ERROR"}
+    return "\n".join([*rows, *(f"{marks[found.severity]}: {found.text}" for found in imported.findings)])
+
+
+def _row(axis: Axis) -> str:
+    unit, scale = ("deg", math.degrees(1.0)) if axis.rotary else ("mm", 1.0)
+    line = f"  {axis.letter} {axis.side:5} {_vector(axis.direction):12}"
+    line += f" through {_vector(axis.point):18}" if axis.rotary else 27 * " "
+    return line + f" {axis.low * scale:g} to {axis.high * scale:g} {unit}, {axis.max_rate * scale:g} {unit}/min"
+
+
+def _start(machine: Machine) -> str:
+    start, table = machine.safe_start, machine.table
+    retract = start.retract if start.z is None else f"{start.retract} Z {start.z:g} mm"
+    height = "at a height that is not known" if table is None else f"at Z {table:g} mm"
+    return f"  programs begin and end by safe_start {retract}; the table's face is {height}"
+
+
+def _vector(value: tuple[float, float, float]) -> str:
+    return ",".join(f"{component + 0.0:.6g}" for component in value)

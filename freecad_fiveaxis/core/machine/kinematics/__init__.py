@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Forward and inverse kinematics of every machine with two rotary axes."""
+
+from .kinematics import (
+    Chain,
+    Setup,
+    branch_of,
+    chain,
+    forward,
+    forward_tip,
+    inverse,
+    inverse_axis,
+    joint_words,
+    linear_words,
+    q_to_words,
+    words_to_q,
+)
+from .rotary_pair import BEYOND, RotaryPair
+
+__all__ = [
+    "BEYOND",
+    "Chain",
+    "RotaryPair",
+    "Setup",
+    "branch_of",
+    "chain",
+    "forward",
+    "forward_tip",
+    "inverse",
+    "inverse_axis",
+    "joint_words",
+    "linear_words",
+    "q_to_words",
+    "words_to_q",
+]

@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the G and M codes mean to the reader (ISO 6983-1, NIST RS274NGC 3, Fanuc B-63324EN; G43.4 is written 434).
+
+modal group  codes of which one is in force at a time: motion, distance, units, feed mode, plane.
+finding      severity, code and text for what is not interpreted; the text goes on after "G2 stands in 3 lines:".
+grammar      one table for each language: ISO (LinuxCNC, Fanuc, Haas, Mach3, grbl), Siemens, Heidenhain.
+private      small letters stand for words that ISO has not (:mod:`.siemens`, :mod:`.heidenhain`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.base.sentences import say
+
+NONE, RAPID, STRAIGHT, ARC, CYCLE, SPLINE_MODE = -1, 0, 1, 2, 3, 4
+"""Motion modes. NONE: no motion code so far, or after G80."""
+CLOCKWISE, COUNTER = 20, 30
+CYCLES = (*range(730, 770, 10), *range(810, 900, 10), 330, 331, 382, 383, 384, 385)
+SPLINES = (50, 52, 62)
+MOTION = {
+    0: RAPID, 10: STRAIGHT, 800: NONE, 20: ARC, 30: ARC, **dict.fromkeys(SPLINES, SPLINE_MODE), **dict.fromkeys(CYCLES, CYCLE),
+}  # fmt: skip
+DISTANCE = {900: 0, 910: 1}
+CENTRES = {911: 0, 901: 1}
+"""Arc centres: from the start of the arc, or absolute (G90.1 of LinuxCNC and Mach3)."""
+PLANES = {170: 0, 180: 1, 190: 2}
+PER_MINUTE, INVERSE, PER_TURN = 0, 1, 2
+FEED_MODE = {940: PER_MINUTE, 930: INVERSE, 950: PER_TURN}
+INCH = 25.4
+DWELL = 40
+TILT, LEVEL = (682, 531), 690
+"""G68.2 and G53.1: a tilted plane, and the axes turned to it; G69 ends it."""
+NO_MOVE = (100, 280, 281, 300, 301, 520, 530, 531, 650, 660, 661, 682, 920, 921, 922, 923)
+"""Codes (ten times the G number) whose axis words are no move of a block."""
+OFFSETS = tuple(range(540, 600))
+GUIDE_ON, GUIDE_OFF = (434, 435, 2340), (430, 490, 2341)
+VECTORS_ON = (435,)
+"""I J K of straight blocks are the tool's direction."""
+HARMLESS = {
+    *(MOTION.keys() - set(CYCLES) - set(SPLINES)), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51, 80, 90, 150, 400,
+    430, 440, 490, 431, 432, 500, 610, 611, 640, 690, 960, 970, 980, 990, 1870, *OFFSETS, *GUIDE_ON, *GUIDE_OFF, *TILT, 2550,
+}  # fmt: skip
+SIDES = (410, 411, 420, 421)
+"""Cutter compensation; with D0 in the same line it moves nothing."""
+WORDS_IGNORED = "NOSMTHDPQLFG"
+AXES = "XYZABCUVW"
+INCREMENTED = AXES + "IJKR"
+"""Words that count the least increment where they have no decimal point, on the controllers that are set so."""
+
+PECK = "Q"
+
+STEP_OF = dict(zip("XYZABC", "xyzabc", strict=True))
+"""An incremental word among absolute ones (Heidenhain's IX, Siemens' X=IC())."""
+SHORTER_OF = dict(zip("ABC", "efg", strict=True))
+"""A rotary word that is reached by the shorter way (Siemens' C=DC())."""
+VECTOR = "ijk"
+CENTRE = "pqr"
+"""An absolute arc centre, which stays until the next one (Heidenhain's CC)."""
+SWITCH = "t"
+"""t1: the controller guides the tip; t0: no longer."""
+NORMAL = "n"
+PLANE = "w"
+"""w3: the fourth of the tilted planes of the program (Heidenhain's PLANE, Siemens' CYCLE800)."""
+MACHINE = "v"
+"""v1: the words of this line are machine positions (Heidenhain's M91, M92, Siemens' SUPA)."""
+
+Kind = tuple[Severity, str, str]
+CYCLE_KIND: Kind = (Severity.ERROR, "cycle-not-interpreted", say("cycles, whose moves are missing here; post straight moves"))
+ARC_KIND: Kind = (
+    Severity.ERROR,
+    "arc-not-interpreted",
+    say("arcs of a form that is not known here, taken as straight to their end points; post straight moves"),
+)
+SPLINE: Kind = (
+    Severity.ERROR,
+    "spline-not-interpreted",
+    say("splines, taken as straight to their end points; post straight moves"),
+)
+CALL: Kind = (Severity.ERROR, "call-not-interpreted", say("calls, whose moves are missing here; post one program without them"))
+HOME: Kind = (
+    Severity.WARNING,
+    "machine-position",
+    say("moves to machine positions unknown to the program; they are not audited"),
+)
+SHIFT: Kind = (Severity.ERROR, "offset-not-interpreted", say("shifts, turns or scales of the coordinates; post without them"))
+RADIUS: Kind = (Severity.ERROR, "compensation-not-interpreted", say("cutter compensation; the words are taken as they are"))
+PER_TURN_KIND: Kind = (Severity.WARNING, "feed-per-turn", say("feeds per spindle turn; no time is given for these blocks"))
+MACRO: Kind = (
+    Severity.ERROR,
+    "macro-not-interpreted",
+    say("variables, expressions or jumps; their words are missing here. Post without them"),
+)
+SPATIAL: Kind = (
+    Severity.ERROR,
+    "orientation-not-interpreted",
+    say("tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors"),
+)
+UNKNOWN: Kind = (Severity.WARNING, "unknown-code", say("not known and not interpreted; what it does is missing here"))
+WAY: Kind = (
+    Severity.WARNING,
+    "rotary-direction",
+    say("rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words"),
+)
+
+CODES: dict[int, Kind] = {
+    **dict.fromkeys(CYCLES, CYCLE_KIND),
+    **dict.fromkeys(SPLINES, SPLINE),
+    **dict.fromkeys((650, 660, 661), CALL),
+    **dict.fromkeys((280, 281, 300, 301, 530), HOME),
+    **dict.fromkeys((100, 160, 501, 510, 520, 544, 680, 683, 684, 2530, 2540, 2680, 2690, 920, 921, 922, 923), SHIFT),
+    **dict.fromkeys(SIDES, RADIUS),
+    950: PER_TURN_KIND,
+}
+
+
+@dataclass(frozen=True)
+class Grammar:
+    """One language. ``units``: codes of mm (0) and inches (1), ``units_said``: how messages call them; ``harmless``, ``codes``,
+    ``m_codes``: what is said of a code; ``ends``: M codes that end the program; ``guide_m``: M codes that switch the guide on (1)
+    and off (0); ``dwell``: words that can be the time of G4, the first of them that stands in its line is; ``offsets``: work
+    offsets; ``no_move``, ``machine_m``: G and M codes whose axis words are no move."""
+
+    name: str
+    units: Mapping[int, int]
+    units_said: str
+    harmless: frozenset[int]
+    codes: Mapping[int, Kind]
+    m_codes: Mapping[int, Kind]
+    ends: tuple[int, ...] = (2, 30, 99)
+    guide_m: Mapping[int, int] | None = None
+    dwell: str = "PXUF"
+    offsets: tuple[int, ...] = OFFSETS
+    no_move: tuple[int, ...] = NO_MOVE
+    machine_m: tuple[int, ...] = ()
+
+
+ISO = Grammar(
+    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset(HARMLESS), CODES, {97: CALL, 98: CALL},
+    guide_m={128: 1, 129: 0, 428: 1, 429: 0, 430: 0},
+)  # fmt: skip
+_SIEMENS_OWN = {
+    700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0, 6450: 0, 500: 0,
+    5000: 0, 4500: 0, 4510: 0, 2900: 0, 90: 0, 250: 0, 260: 0, 1500: 0, 4600: 0, 4610: 0, 1470: 0, 1480: 0,
+}  # fmt: skip
+_SIEMENS_OFFSETS = (540, 550, 560, 570, *range(5050, 6000, 10))
+SIEMENS = Grammar(
+    "siemens",
+    {700: 1, 7000: 1, 710: 0, 7100: 0},
+    say("neither G70 nor G71 (G700, G710)"),
+    frozenset({*HARMLESS, *_SIEMENS_OWN, *_SIEMENS_OFFSETS} - {490, 434, 435, 2340, 2341, *TILT}),
+    {
+        **dict.fromkeys((330, 331, 332, 340, 350, 630), CYCLE_KIND),
+        **dict.fromkeys((530, 740, 750, 1530), HOME),
+        **dict.fromkeys((1100, 1110, 1120, 580, 590), SHIFT),
+        **dict.fromkeys((410, 420), RADIUS),
+        950: PER_TURN_KIND,
+    },
+    {},
+    ends=(2, 17, 30),
+    dwell="FS",
+    offsets=_SIEMENS_OFFSETS,
+    no_move=(530, 740, 750, 1530, 1100, 1110, 1120),
+)
+HEIDENHAIN = Grammar(
+    "heidenhain",
+    {210: 0, 200: 1},
+    say("neither MM nor INCH in BEGIN PGM"),
+    frozenset(HARMLESS),
+    {},
+    {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL},
+    ends=(2, 30),
+    dwell="FPXU",
+    guide_m={128: 1, 129: 0},
+    machine_m=(91, 92),
+)
+GRAMMARS = {grammar.name: grammar for grammar in (ISO, SIEMENS, HEIDENHAIN)}

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The F words of a program and what they mean: mm a minute (G94), one over minutes (G93), mm a turn (G95)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Template
+
+from . import codes
+from .codes import INCH, Grammar
+from .lines import Lines, last_of
+
+NO_FEED = Template("{count} blocks have no F above 0 in force; most controllers stop there. Give F.")
+NO_INVERSE_FEED = Template("{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block.")
+
+
+def feeds(lines: Lines, at: Ints, feeding: Bools, grammar: Grammar) -> tuple[Floats, Bools, tuple[Finding, ...]]:
+    """F (m,) in force in the motion lines ``at`` in mm/min or 1/min, whether it is inverse time, and the findings."""
+    mode, inch, column = lines.mode(codes.FEED_MODE, 0), lines.inch(grammar), lines.column("F")
+    given = np.flatnonzero(~np.isnan(column))
+    column[given] *= np.where(inch[given] & (mode[given] != codes.INVERSE), INCH, 1.0)
+    last = last_of(given, lines.count)
+    changed = last_of(np.flatnonzero(np.diff(mode, prepend=mode[:1])), lines.count)
+    valid = (last > 0) & (last >= changed)  # an F word dies with its feed mode
+    feed = np.where(valid[at] & feeding, column[last[at]], 0.0)
+    inverse: Bools = mode[at] == codes.INVERSE
+    own = last[at] == at
+    cases = (
+        (feeding & ~(feed > 0.0), "no-feed", NO_FEED),
+        (feeding & inverse & ~own & (feed > 0.0), "inverse-feed-missing", NO_INVERSE_FEED),
+    )
+    found = [
+        Finding(
+            Severity.ERROR,
+            code,
+            text.say(count=int(rows.sum())),
+            block=int(rows.argmax()),
+            line=int(at[rows.argmax()]),
+        )
+        for rows, code, text in cases
+        if rows.any()
+    ]
+    return np.where(feed > 0.0, feed, 0.0), inverse, tuple(found)

@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the reader says about a program: what it did not interpret, what it had to assume, and what the controller guides."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Choice, Number, Option, Template, say
+from freecad_fiveaxis.core.controllers.dialect import Dialect
+from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.motion.program.wrapping import CIRCLE
+
+from . import codes
+from .codes import Grammar
+from .lines import Lines, tenfold
+from .positions import ABSOLUTE, Moves
+from .words import Words
+
+NAMES = {"siemens": "Siemens 840D", "heidenhain": "Heidenhain klartext", "iso": "ISO"}
+LARGEST_CODE = 1e6
+NEARLY_ROUND = 270.0
+"""deg; a feed block that turns so far on purpose, while all words lie within one turn, is hardly met."""
+LARGE_INCHES, FAST_INCHES = 40.0, 150.0
+"""A part of less than 40 inches is milled at less than 150 inches a minute; one of 40 mm mostly faster than 150 mm."""
+UNITS_TAKEN = Template(
+    "The program says {units_said}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give {option}, mm or inch."
+)
+UNITS_DOUBTED = Template(
+    "The program says {units_said}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. "
+    "Give {option}, mm or inch."
+)
+POINTS = Template(
+    "{count} words have no decimal point; taken as they stand: {word} is {value}. If the control counts its least "
+    "increment, it is {small} there: give {option}."
+)
+COUNTED_ON = Template(
+    "The words of {letter} count their turns on, and {count} blocks turn by more than half a turn; the machine file says modulo, "
+    "so the shorter way is taken. If the control counts turns, set wrap_strategy to unwound."
+)
+IF_SET = Template(
+    "{count} blocks take the shorter way to {letter}, as the machine file says (modulo). "
+    "{name} does so only if it is set to: check it."
+)
+WITHIN_A_TURN = Template(
+    "{count} feed blocks turn {letter} by nearly a whole turn, and all its words lie within one: they seem meant by the shorter "
+    "way. If the control takes it, set wrap_strategy to modulo."
+)
+
+
+def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...]]:
+    """The words up to the end of the program (M2, M30, M99 where it is one)."""
+    ends = np.flatnonzero((words.letter == ord("M")) & np.isin(words.value, grammar.ends))
+    if not len(ends):
+        return words, ()
+    last = int(words.line[ends[0]])
+    keep = int(np.searchsorted(words.line, last, side="right"))
+    findings: tuple[Finding, ...] = ()
+    if keep < len(words.line):
+        line = int(words.line[keep])
+        text = say("The lines after the end of the program in line {last} are not read.", last=last)
+        findings = (Finding(Severity.NOTE, "text-after-end", text, line=line),)
+    start = None if words.start is None else words.start[:keep]
+    return replace(words, letter=words.letter[:keep], value=words.value[:keep], line=words.line[:keep], start=start), findings
+
+
+def in_file(words: Words, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
+    """The findings with the lines of the file for those of the words."""
+    if words.source is None:
+        return findings
+    lines = words.in_file(np.array([found.line or 0 for found in findings], np.int64))
+    return tuple(
+        found if found.line is None else replace(found, line=line) for found, line in zip(findings, lines.tolist(), strict=True)
+    )
+
+
+def language_finding(language: str, told: str) -> tuple[Finding, ...]:
+    """Where the text shows another language than the controller's that was given."""
+    if language == told:
+        return ()
+    text = say(
+        "The text is {language}, and read as such; give its {option}, so that feeds are taken as it takes them.",
+        language=NAMES[language],
+        option=Option("controller"),
+    )
+    return (Finding(Severity.NOTE, "other-language", text),)
+
+
+def read_as_finding(language: str, controller: str) -> Finding:
+    """What a text was taken for that nobody has said the controller of."""
+    text = say(
+        "The text is {language}; it is read as a program of {controller}. If it is for another, give its {option}.",
+        language=NAMES[language],
+        controller=controller,
+        option=Option("controller"),
+    )
+    return Finding(Severity.NOTE, "read-as", text)
+
+
+def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
+    """The codes that are not interpreted, each with its first line and its count; ``at`` (m,): the lines of the blocks. A retract
+    to a machine position before the first of them, or after the last, is how a program should begin and end."""
+    found, ends = [], (int(at[0]), int(at[-1]))
+    for letter, table in (("G", grammar.codes), ("M", grammar.m_codes)):
+        at = np.flatnonzero(words.letter == ord(letter))
+        number = _numbers(words.value[at], letter)
+        retract = [code for code, kind in table.items() if kind is codes.HOME]
+        inside = (words.line[at] >= ends[0]) & (words.line[at] <= ends[1])
+        keep = inside | ~np.isin(number, retract)
+        if letter == "G":
+            keep &= ~(np.isin(number, codes.SIDES) & np.isin(words.line[at], _without_radius(words)))
+        at, number = at[keep], number[keep]
+        for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
+            line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
+            if value in table:
+                severity, kind, text = table[int(value)]
+                found.append(
+                    Finding(
+                        severity,
+                        kind,
+                        say("{name} stands in {count} lines: {text}.", name=name, count=count, text=text),
+                        float(count),
+                        line=line,
+                    )
+                )
+            elif letter == "G" and int(value) not in grammar.harmless:
+                text = say(
+                    "{name} is not known and not interpreted ({count} lines); what it does is missing here.",
+                    name=name,
+                    count=count,
+                )
+                found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
+    return found
+
+
+def _without_radius(words: Words) -> Ints:
+    """The lines with D0: a compensation by nothing."""
+    return np.asarray(words.line[(words.letter == ord("D")) & (words.value == 0.0)])
+
+
+def _numbers(value: Floats, letter: str) -> Ints:
+    """The codes as in the grammar's tables: G tenfold, M as they are."""
+    if letter == "G":
+        return tenfold(value)
+    return np.asarray(np.where(np.abs(value) < LARGEST_CODE, value, -1.0).astype(np.int64))
+
+
+def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> list[Finding]:
+    """The words that no axis of the machine and no function takes."""
+    found, arcs = [], np.isin(lines.code, (codes.CLOCKWISE, codes.COUNTER)).any()
+    tilts = np.isin(lines.code, codes.TILT).any()
+    vectors = guided and np.isin(lines.code, codes.VECTORS_ON).any()
+    for value, first, count in zip(*np.unique(words.letter, return_index=True, return_counts=True), strict=True):
+        letter, line = chr(value), int(words.line[first])
+        if letter in letters or letter in codes.WORDS_IGNORED or letter.islower():
+            continue
+        if letter in codes.AXES:
+            text = say(
+                "The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine.",
+                letter=letter,
+                count=count,
+            )
+            found.append(Finding(Severity.ERROR, "unknown-axis", text, float(count), line=line))
+        elif not ((letter in "IJKR" and arcs) or (letter in "IJK" and (vectors or tilts))):
+            text = say("The {count} words {letter} are not interpreted.", count=count, letter=letter)
+            found.append(Finding(Severity.WARNING, "word-not-interpreted", text, float(count), line=line))
+    return found
+
+
+def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar: Grammar) -> list[Finding]:
+    """What had to be assumed: the first position, motion, units, offsets."""
+    found, first = [], int(told.at[0])
+    by_vector = not np.isnan(told.told[0]).all()
+    unknown = [
+        letter
+        for k, letter in enumerate(letters)
+        if k in fitted_columns(letters) and not (told.named[0, k] or (by_vector and k >= 3))
+    ]
+    if unknown:
+        text = say(
+            "The first motion line does not say where {unknown} stand; they are taken as 0 there.",
+            unknown=", ".join(sorted(unknown)),
+        )
+        found.append(Finding(Severity.NOTE, "position-unknown", text, block=0, line=first))
+    if (mode == codes.NONE).any():
+        block = int((mode == codes.NONE).argmax())
+        text = say("Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.")
+        found.append(Finding(Severity.WARNING, "no-motion-code", text, block=block, line=int(told.at[block])))
+    if lines.assumed.units == "file" and not np.isin(lines.code, list(grammar.units)).any():
+        found.append(_units_finding(told, lines, grammar))
+    offsets = np.unique(lines.code[np.isin(lines.code, grammar.offsets)])
+    if len(offsets) > 1:
+        text = say(
+            "The program uses {count} work offsets; their distance is not known, and the blocks between are not right.",
+            count=len(offsets),
+        )
+        found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
+    return found
+
+
+def _units_finding(told: Moves, lines: Lines, grammar: Grammar) -> Finding:
+    """That nobody has said the units; and whether sizes and feeds are rather those of a program in inches."""
+    size = float(np.ptp(told.said[:, :3], axis=0).max())
+    feed = lines.column("F")[lines.mode(codes.FEED_MODE, 0) == codes.PER_MINUTE]
+    fastest = float(np.nanmax(feed)) if not np.isnan(feed).all() else 0.0
+    against = size < LARGE_INCHES and 0.0 < fastest < FAST_INCHES
+    text = (UNITS_DOUBTED if against else UNITS_TAKEN).say(
+        units_said=grammar.units_said, size=Number(size), feed=Number(fastest), option=Option("units")
+    )
+    return Finding(Severity.WARNING, "units-not-said", text, line=int(told.at[0]))
+
+
+def point_findings(words: Words) -> tuple[Finding, ...]:
+    """How many words of axes have no decimal point, and are not 0."""
+    at = np.flatnonzero(words.bare() & np.isin(words.letter, [ord(one) for one in codes.INCREMENTED]) & (words.value != 0.0))
+    if not len(at):
+        return ()
+    text = POINTS.say(
+        count=len(at),
+        word=f"{chr(words.letter[at[0]])}{words.value[at[0]]:g}",
+        value=f"{words.value[at[0]]:g}",
+        small=f"{words.value[at[0]] / 1000.0:g}",
+        option=Choice("decimal", ("least-increment",), flag=True),
+    )
+    return (Finding(Severity.NOTE, "no-decimal-point", text, float(len(at)), line=int(words.line[at[0]])),)
+
+
+def wrap_findings(
+    letters: str, wrap: tuple[str, str], meant: list[tuple[Floats, Bytes]], told: Moves, feeding: Bools, dialect: Dialect | None
+) -> list[Finding]:
+    """Where the rotary words and the machine file's ``wrap_strategy`` (``wrap``) contradict each other, and where the controller
+    does what the machine file says only if it is set so. ``meant``: as of :func:`.positions.moves`; ``feeding`` (m,)."""
+    found, skipped = [], len(meant[0][0]) - len(told.at)
+    for k, way in enumerate(wrap, 3):
+        value, kind = meant[k][0][skipped:], meant[k][1][skipped:]
+        rows = np.flatnonzero(kind == ABSOLUTE)
+        step = np.abs(np.diff(value[rows]))
+        one_turn = bool(len(rows)) and float(np.ptp(value[rows])) <= CIRCLE
+        wide = rows[1:][step > CIRCLE / 2] if way == "modulo" else rows[1:][(step > NEARLY_ROUND) & feeding[rows[1:]]]
+        said = None
+        if way == "modulo" and len(wide) and not one_turn:
+            said = COUNTED_ON
+        elif way == "modulo" and len(wide) and not (dialect is not None and dialect.shorter_way):
+            said = IF_SET
+        elif way != "modulo" and len(wide) and one_turn:
+            said = WITHIN_A_TURN
+        if said is not None:
+            severity = Severity.NOTE if said is IF_SET else Severity.WARNING
+            text = said.say(letter=letters[k], count=len(wide), name="ISO" if dialect is None else dialect.name)
+            block = int(wide[0])
+            found.append(Finding(severity, "wrap-contradicted", text, float(len(wide)), line=int(told.at[block])))
+    return found
+
+
+def guide_findings(program: Program, told: Moves) -> tuple[Finding, ...]:
+    """What there is to say of blocks in which the controller guides the tip."""
+    found = []
+    if program.guided is not None:
+        count, block = int(program.guided.on.sum()), int(program.guided.on.argmax())
+        text = say(
+            "In {count} blocks the controller guides the tip (RTCP): that it keeps to the segment is the "
+            "controller's affair, and neither measured nor proven here. Limits and rates are those of the axes "
+            "that this machine file needs for it.",
+            count=count,
+        )
+        found.append(
+            Finding(Severity.NOTE, "tip-guided-by-controller", text, float(count), block=block, line=int(program.line[block]))
+        )
+    if len(told.lost):
+        line = int(told.at[told.lost[0]])
+        text = say(
+            "{count} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine.",
+            count=len(told.lost),
+        )
+        found.append(Finding(Severity.ERROR, "axis-not-reachable", text, float(len(told.lost)), line=line))
+    return tuple(found)

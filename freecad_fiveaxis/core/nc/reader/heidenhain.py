@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Heidenhain conversational text (klartext) to plain words (User's manual Klartext programming).
+
+% NAME G71   begin and end of a program in DIN/ISO, with its unit.
+12 L X+1 IY-2 A+3 R0 F500 M3   a block number, the function L, words, I for an incremental one, radius compensation, F, M.
+FMAX   rapid, in its block alone.      LN ... TX TY TZ   with the tool's direction.      CC, C, CR   centre, arc, arc by radius.
+TOOL CALL, CYCL DEF, FUNCTION ...      lines of words: known and harmless, known and not interpreted, or unknown.
+~      the line goes on in the next one.                 Q1, QL1, QR1, QS1   parameters: not interpreted.
+"""
+
+from __future__ import annotations
+
+import re
+
+from freecad_fiveaxis.core.base.sentences import say
+
+from . import codes
+from .noted import Notes
+from .plane_calls import heidenhain as plane
+
+CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
+NUMBERED = re.compile(rb"^( *(?:/ *)?)([0-9]+)(?= *(?:[A-Z/]|$))", re.MULTILINE)
+CODE_LINE = re.compile(rb"^ *(?:/ *)?(?!LN )([A-Z]{2,}[^\n]*)$", re.MULTILINE)
+OWN = re.compile(rb"(?:LN?|CC|CR?)(?= |[IXYZABCUVW][XYZABC]?[-+.0-9])|I[XYZABC](?= *[-+.0-9])|FMAX|R[LR]\b|[TN][XYZ] *[-+.0-9]")
+"""How lines of words begin that are not lines of one function: they are words with numbers."""
+LINE = re.compile(rb"^( *)LN?(?=[ IXYZABCFRMTN])", re.MULTILINE)
+ARC = re.compile(rb"^( *)CR?(?= +(?:[XYZxyz]|DR))", re.MULTILINE)
+CENTRE = re.compile(rb"^( *)CC\b([^\n]*)$", re.MULTILINE)
+SENSE = re.compile(rb"DR *([-+])")
+NO_RADIUS = re.compile(rb"(?<![A-Z0-9.])R0(?![0-9.])")
+SIDE = re.compile(rb"(?<![A-Z])R([LR])(?![A-Z])")
+FIRST_LINE = re.compile(rb"\s*%[^\n]*?\s+G7([01])(?![0-9.])")
+"""The begin of a DIN/ISO program: its name, and its unit: G70 is inch, G71 mm (User's manual DIN/ISO programming)."""
+LAST_LINE = re.compile(rb"^ *N[0-9]+ *%[^\n]*", re.MULTILINE)
+"""The end of a DIN/ISO program: its name once more."""
+RETRACT = re.compile(rb"M140 *MB *(?:MAX|[-+]?[0-9.]+)(?: +F *(?:MAX|[0-9.]+))?")
+RAPID = re.compile(rb"(?<![A-Z])F +MAX\b")
+SAME_SIDE = re.compile(rb"(?<![A-Z])R(?= +[FM])")
+"""R alone: the radius compensation stays as it is."""
+STEP = re.compile(rb"I([XYZABC])")
+FEED_BY_NAME = re.compile(rb"F *(?:AUTO|Q[LR]?[0-9]+|MAXT|[UZ](?= *[0-9])|T(?= *[0-9]))")
+PARAMETER = re.compile(rb"^[^\n]*(?:Q[LRS]?[0-9]+|[=#])[^\n]*$", re.MULTILINE)
+
+PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"), (b"NX", "n"), (b"NY", "n"), (b"NZ", "n"))
+UNKNOWN_FEED = (codes.PER_TURN_KIND[0], "feed-by-parameter", say("feeds told by a parameter or the tool; F is not known there"))
+HARMLESS = (
+    b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32", b"CYCL DEF 9.",
+    b"CYCL DEF 13", b"CYCL DEF 247", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING",
+)  # fmt: skip
+KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
+    (b"CYCL DEF 7 ", codes.SHIFT), (b"CYCL DEF 7.", codes.SHIFT), (b"CYCL DEF 8", codes.SHIFT), (b"CYCL DEF 10", codes.SHIFT),
+    (b"CYCL DEF 11", codes.SHIFT), (b"CYCL DEF 19", codes.SHIFT), (b"CYCL DEF 26", codes.SHIFT), (b"PLANE", codes.SHIFT),
+    (b"TRANS", codes.SHIFT), (b"CYCL", codes.CYCLE_KIND), (b"TCH PROBE", codes.CYCLE_KIND), (b"PATTERN", codes.CYCLE_KIND),
+    (b"CALL", codes.CALL), (b"SEL", codes.CALL), (b"FN", codes.MACRO), (b"IF", codes.MACRO), (b"DECLARE", codes.MACRO),
+    (b"RND", codes.ARC_KIND), (b"CHF", codes.ARC_KIND), (b"APPR", codes.ARC_KIND), (b"DEP", codes.ARC_KIND),
+    (b"CT", codes.ARC_KIND),
+    (b"CP", codes.ARC_KIND), (b"LP", codes.ARC_KIND), (b"LT", codes.ARC_KIND), (b"FPOL", codes.ARC_KIND), (b"FL", codes.ARC_KIND),
+)  # fmt: skip
+"""The first that the line begins with."""
+
+
+def plain(text: bytes, notes: Notes) -> bytes:
+    """The text, in capitals and without comments, as ISO words with the private letters; every line stays where it is."""
+    if b"~" in text:
+        text = CONTINUED.sub(_one_line, text)
+    text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
+    text = LAST_LINE.sub(_blank, text) if b"%" in text else text
+    text = RETRACT.sub(lambda found: _noted(found, codes.HOME, notes), text) if b"M140" in text else text
+    text = RAPID.sub(lambda found: b"FMAX".ljust(len(found[0])), text)
+    text = SAME_SIDE.sub(_blank, text)
+    text = CODE_LINE.sub(lambda found: _function(found, notes), text)
+    text = text.replace(b"FMAX", b"G0  ").replace(b" R0 ", b"    ")
+    for word, private in PRIVATE:
+        text = text.replace(word, private.encode() + b" ")
+    if b"F" in text:
+        text = FEED_BY_NAME.sub(lambda found: _noted(found, UNKNOWN_FEED, notes), text)
+    if b"Q" in text or b"=" in text or b"#" in text:
+        text = PARAMETER.sub(lambda found: _noted(found, codes.MACRO, notes), text)
+    text = _words(text, notes).replace(b" L ", b" G1").replace(b" LN ", b" G1 ")
+    return LINE.sub(rb"\1G1", text) if b"L" in text else text
+
+
+def with_unit(whole: bytes, text: bytes) -> bytes:
+    """``text``, of which the first line of ``whole`` has been blanked, with the unit that this line says."""
+    found = FIRST_LINE.match(whole)
+    if found is None:
+        return text
+    at = found.start(1) - 2
+    return text[:at] + (b"G20" if found[1] == b"0" else b"G21") + text[at + 3 :]
+
+
+def _words(text: bytes, notes: Notes) -> bytes:
+    """Incremental words, radius compensation and arcs."""
+    text = STEP.sub(lambda found: found[1].lower() + b" ", text) if b"I" in text else text
+    if b"CC" in text:
+        text = CENTRE.sub(lambda found: _centre(found, notes), text)
+    if b"C " in text or b"CR " in text:
+        text = ARC.sub(lambda found: found[1] + b" " * (len(found[0]) - len(found[1])), text)
+    if b"R" in text:
+        text = SENSE.sub(lambda found: (b"G3" if found[1] == b"+" else b"G2").ljust(len(found[0])), text)
+        text = NO_RADIUS.sub(b"  ", text)
+        text = SIDE.sub(lambda found: _noted(found, codes.RADIUS, notes), text)
+    return text
+
+
+def _one_line(found: re.Match[bytes]) -> bytes:
+    """A function over several lines: its first line, the others blank."""
+    first, *others = found[0].split(b"\n")
+    return b"\n".join([first.replace(b"~", b" "), *(b" " * len(line) for line in others)])
+
+
+def _blank(found: re.Match[bytes]) -> bytes:
+    return b" " * len(found[0])
+
+
+def _noted(found: re.Match[bytes], kind: codes.Kind, notes: Notes) -> bytes:
+    notes.note(kind, b" ".join(found[0].split()).decode("latin-1"), found.start())
+    return b" " * len(found[0])
+
+
+def _centre(found: re.Match[bytes], notes: Notes) -> bytes:
+    """CC: the axis letters become those of an absolute centre; an incremental one is not known here."""
+    words = found[2]
+    if re.search(rb"[xyz]", words) or not re.search(rb"[XYZ]", words):
+        return _noted(found, codes.ARC_KIND, notes)
+    return found[1] + b"  " + words.translate(bytes.maketrans(b"XYZ", codes.CENTRE.encode()))
+
+
+def _function(found: re.Match[bytes], notes: Notes) -> bytes:
+    """What a line that begins with a word of letters means."""
+    line = b" ".join(found[1].split())
+    before = found[0][: found.start(1) - found.start()]
+    if OWN.match(line):
+        return found[0]
+    if line.startswith(b"PLANE "):
+        return before + notes.tilt(plane(line.decode("latin-1"))).ljust(len(found[1]))
+    word = _word_of(line)
+    if word is None:
+        _note_function(line, found.start(1), notes)
+    return before + (word or b"").ljust(len(found[1]))
+
+
+def _word_of(line: bytes) -> bytes | None:
+    """The private word of a function that is interpreted, nothing for one that is harmless, None for another."""
+    if line.startswith(b"BEGIN PGM"):
+        return b"G20" if line.endswith(b"INCH") else b"G21"
+    if line.startswith(b"FUNCTION RESET TCPM"):
+        return b"t0"
+    if line.startswith(b"FUNCTION TCPM") and b"AXIS SPAT" not in line:
+        return b"t1"
+    return b"" if line.startswith(HARMLESS) else None
+
+
+def _note_function(line: bytes, at: int, notes: Notes) -> None:
+    if line.startswith(b"FUNCTION TCPM"):
+        kind = codes.SPATIAL
+    else:
+        kind = next((kind for start, kind in KINDS if line.startswith(start)), codes.UNKNOWN)
+    name = b" ".join(line.split()[:3])
+    notes.note(kind, name.decode("latin-1"), at)

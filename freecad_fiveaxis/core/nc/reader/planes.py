@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tilted working planes: which lines stand in one, and where their words lead.
+
+in the plane   X Y Z are coordinates p of the plane: the tip, in the work, is ``origin + turn p``, wherever the rotary axes stand;
+               they must stand so that the tool lies along the plane's normal, ``turn``'s third column.
+turning line   G53.1, PLANE ... TURN or MOVE, CYCLE800: a block of its own in which the rotary axes turn there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import say
+
+from . import codes, plane_calls
+from .codes import INCH, Grammar
+from .lines import Lines, last_of
+from .plane_calls import FANUC, MOVE, TURN, Tilt
+
+NAMES = {FANUC: "G68.2", plane_calls.SIEMENS: "CYCLE800"}
+JOINTS, GUIDED, IN_PLANE = 0, 1, 2
+"""What X Y Z of a block mean: where the axes stand; the tip; from IN_PLANE on, the tip in that plane."""
+
+
+@dataclass(eq=False)
+class Planes:
+    """``meaning`` (lines,): 0, or IN_PLANE + the index of the plane in which each line stands; ``origin`` (k, 3) mm, ``turn``
+    (k, 3, 3) of the planes; ``turning``: what the turning lines say, with the normal that the tool shall take."""
+
+    meaning: Ints
+    origin: Floats
+    turn: Floats
+    turning: dict[int, tuple[Tilt, Floats]]
+    findings: tuple[Finding, ...]
+
+    def modes(self, mode: Ints, on: Bools) -> tuple[Ints, Bools]:
+        """The motion modes (lines,) and whether the control guides the tip, with those of the turning lines."""
+        mode, on, lines = mode.copy(), on.copy(), list(self.turning)
+        mode[lines] = codes.RAPID
+        on[lines] = [tilt.move == MOVE for tilt, _ in self.turning.values()]
+        return mode, on
+
+    def of_blocks(self, at: Ints, on: Bools, words: list[tuple[Floats, Bytes]]) -> Ints:
+        """What X Y Z mean in the blocks of the lines ``at`` (m,) with these words: rotary words alone turn the axes, and X Y Z
+        stand, unless the control guides the tip (``on`` (m,))."""
+        linear = np.logical_or.reduce([kind != 0 for _, kind in words[:3]])
+        rotary = np.logical_or.reduce([kind != 0 for _, kind in words[3:]])
+        meaning = np.where((self.meaning[at] >= IN_PLANE) & (linear | ~rotary | on), self.meaning[at], on)
+        turning = np.searchsorted(at, list(self.turning))
+        meaning[turning] = on[turning]
+        return np.asarray(meaning, np.int64)
+
+    def in_work(self, place: Floats, meaning: Ints) -> Floats:
+        """Places (m, 3) mm of the tip in the work, for what the words say; those that stand in no plane as they are."""
+        rows = np.flatnonzero(meaning >= IN_PLANE)
+        which = meaning[rows] - IN_PLANE
+        place = place.copy(order="K")
+        place[rows] = self.origin[which] + np.einsum("nij,nj->ni", self.turn[which], place[rows])
+        return place
+
+    def in_plane(self, place: Floats, meaning: int) -> Floats:
+        """The other way round, for one place (3,)."""
+        k = meaning - IN_PLANE
+        return np.asarray(self.turn[k].T @ (place - self.origin[k]))
+
+
+def planes_of(lines: Lines, grammar: Grammar) -> Planes | None:
+    """The tilted planes of a program; None where it has none."""
+    tilts = _by_codes(lines) if grammar.name == "iso" else _by_words(lines)
+    return _planes(tilts, lines, grammar) if tilts else None
+
+
+def _by_words(lines: Lines) -> dict[int, Tilt]:
+    """What :mod:`.siemens` and :mod:`.heidenhain` found."""
+    if codes.PLANE not in lines.letters:
+        return {}
+    number = lines.column(codes.PLANE)
+    at = np.flatnonzero(~np.isnan(number))
+    return {row: lines.words.tilts[int(number[row])] for row in at.tolist()}
+
+
+def _by_codes(lines: Lines) -> dict[int, Tilt]:
+    if not np.isin(lines.code, codes.TILT).any():
+        return {}
+    columns = {letter: lines.column(letter) for letter in "XYZIJKPR"}
+    tilts = dict[int, Tilt]()
+    chosen = np.isin(lines.code, (*codes.TILT, codes.LEVEL))
+    for row, code in zip(lines.code_line[chosen].tolist(), lines.code[chosen].tolist(), strict=True):
+        if code == codes.TILT[0]:
+            told = {letter: float(column[row]) for letter, column in columns.items() if not np.isnan(column[row])}
+            tilts[row] = _euler(told)
+        elif code == codes.TILT[1]:
+            tilts[row] = Tilt(FANUC, move=TURN, name="G53.1")
+        else:
+            tilts[row] = Tilt(FANUC)
+    return tilts
+
+
+def _euler(told: dict[str, float]) -> Tilt:
+    if told.get("P", 0.0) != 0.0 or "R" in told:
+        name = f"P{told['P']:g}" if "P" in told else "R"
+        return Tilt(FANUC, refused=say("{rest} is not known here", rest=name))
+    x, y, z, i, j, k = (told.get(letter, 0.0) for letter in "XYZIJK")
+    if why := plane_calls.beyond((x, y, z, i, j, k)):
+        return Tilt(FANUC, refused=why)
+    return Tilt(FANUC, plane_calls.euler((i, j, k)), (x, y, z))
+
+
+def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
+    scale = np.where(lines.inch(grammar), INCH, 1.0)
+    origins, turns, turning, findings = list[Floats](), list[Floats](), dict[int, tuple[Tilt, Floats]](), list[Finding]()
+    state, now = np.zeros(lines.count, np.int64), 0
+    for row, tilt in sorted(tilts.items()):
+        reason = _wrong(tilt, now)
+        if reason:
+            findings.append(refused(tilt.name or NAMES[tilt.rule], reason, row))
+        elif tilt.turn is not None:
+            origins.append((np.array(tilt.origin) + tilt.turn @ tilt.shift) * scale[row])
+            turns.append(tilt.turn)
+            now = IN_PLANE + len(turns) - 1
+        elif not (tilt.rule == FANUC and tilt.move == TURN):
+            now = 0
+        if not reason and tilt.move != plane_calls.STAY:
+            turning[row] = tilt, turns[now - IN_PLANE][:, 2] if now else np.array([0.0, 0.0, 1.0])
+        if tilt.away and not reason:
+            findings.append(_away(row))
+        state[row] = now
+    meaning = state[last_of(np.array(sorted(tilts)), lines.count)]
+    return Planes(meaning, np.reshape(origins, (-1, 3)), np.reshape(turns, (-1, 3, 3)), turning, tuple(findings))
+
+
+def _wrong(tilt: Tilt, now: int) -> str:
+    """Why a line is not understood, where another plane (``now``) may be on."""
+    if tilt.refused or tilt.rule != FANUC:
+        return tilt.refused
+    if tilt.turn is not None and now:
+        return say("another plane is on; end it first")
+    return say("no tilted plane is on") if tilt.move == TURN and not now else ""
+
+
+def refused(name: str, reason: str, row: int) -> Finding:
+    """What is not interpreted, in the line of index ``row``."""
+    text = say(
+        "{name}: this tilted plane is not interpreted, and the coordinates after it are taken as they were before: {reason}. "
+        "Post it another way, or post without planes.",
+        name=name,
+        reason=reason,
+    )
+    return Finding(Severity.ERROR, codes.SHIFT[1], text, line=row)
+
+
+def _away(row: int) -> Finding:
+    text = say(
+        "Before it tilts the plane the control draws the tool back by a setting of the machine; that move is missing here."
+    )
+    return Finding(Severity.WARNING, codes.HOME[1], text, line=row)

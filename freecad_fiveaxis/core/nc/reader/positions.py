@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the words of each motion line lead, from the words and the modes.
+
+said      the words at the end of a motion line as the NC file means them: X Y Z (mm), first and second rotary word (deg, turns
+          unfolded). Where the controller guides the tip, X Y Z are its place in the work; in a tilted plane its place there; else
+          where the axes stand.
+stretch   motion lines in a row whose X Y Z mean the same. Where one ends, the same pose begins the next.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.errors import ProgramError
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Number, say
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward, inverse_axis, words_to_q
+from freecad_fiveaxis.core.motion.joint_path.branches import choose, within_limits
+from freecad_fiveaxis.core.motion.program import standing
+from freecad_fiveaxis.core.motion.program.guided import AT_POLE
+
+from . import codes
+from .lines import Lines, last_of
+from .planes import IN_PLANE, JOINTS, Planes
+
+FARTHEST = 1e7
+"""mm, deg; a word beyond this is no place of any machine."""
+NOTHING, ABSOLUTE, STEP, SHORTER = 0, 1, 2, 3
+"""How a word is meant: not given; absolute; added to the last place; by the shorter way."""
+
+
+@dataclass(eq=False)
+class Start:
+    """Where a program begins: the first ``row`` of its motion lines after which the places of all axes are known, and the words
+    ``said`` (5,) told until there, NaN where none."""
+
+    row: int
+    said: Floats
+
+
+def begun(words: list[tuple[Floats, Bytes]], meaning: Ints, rapid: Bools, vector: Floats) -> Start:
+    """How the motion lines (m,) begin, given as in :func:`moves`; ``rapid`` (m,).
+
+    A safe start drives Z, the rotary axes, then X and Y, one after the other from an unknown place: these rapids are no blocks.
+    Where other lines than absolute rapids stand before the places of all axes are known, row 0 begins.
+    """
+    rapids = slice(0, len(rapid) if rapid.all() else int(np.argmin(rapid)) + 1)
+    kind, meaning, vector = np.column_stack([kind[rapids] for _, kind in words]), meaning[rapids], vector[rapids]
+    row = np.arange(len(kind))[:, None]
+    last = np.maximum.accumulate(np.where((kind == ABSOLUTE) | (kind == SHORTER), row, -1), axis=0)
+    stretch = last_of(np.flatnonzero(np.diff(meaning, prepend=meaning[:1])), len(meaning))
+    by_vector = np.asarray(~np.isnan(vector).all(axis=1))[:, None]
+    known: Bools = np.column_stack([last[:, :3] >= stretch[:, None], (last[:, 3:] >= 0) | by_vector])
+    whole = np.flatnonzero(known.all(axis=1))
+    first = int(whole[0]) if len(whole) and not (kind[: whole[0] + 1] == STEP).any() else 0
+    at = np.where(known[first], last[first], -1)
+    said = np.array([value[source] if source >= 0 else np.nan for (value, _), source in zip(words, at.tolist(), strict=True)])
+    return Start(first, said)
+
+
+@dataclass(eq=False)
+class Moves:
+    """One row a motion line, (m,): ``at`` its line; ``before``, ``said`` (m, 5) the words at its start and end; ``on`` whether
+    the controller guides the tip; ``told`` (m, 3) the tool axis where a vector told it, else NaN; ``lost``: rows whose vector no
+    rotary words take up; ``named`` (m, 5) whether the line has that word as an absolute one; ``meaning`` of X Y Z."""
+
+    at: Ints
+    before: Floats
+    said: Floats
+    on: Bools
+    told: Floats
+    lost: Ints
+    named: Bools
+    meaning: Ints
+
+
+def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
+    """The word of an axis in each line, whichever form it has, and how it is meant; absolute ones are so under G90."""
+    value = lines.column(letter)
+    kind = np.where(np.isnan(value), NOTHING, ABSOLUTE).astype(np.int8)
+    for forms, meant in ((codes.STEP_OF, STEP), (codes.SHORTER_OF, SHORTER)):
+        if forms.get(letter) in lines.letters:
+            other = lines.column(forms[letter])
+            given = ~np.isnan(other)
+            value[given], kind[given] = other[given], meant
+    check_near(lines, letter, value)
+    return value, kind
+
+
+def check_near(lines: Lines, letter: str, value: Floats) -> None:
+    """Raises ProgramError, naming the place, where a word ``value`` (lines,) of that letter is beyond :data:`FARTHEST`."""
+    far = np.flatnonzero(np.abs(np.nan_to_num(value)) > FARTHEST)
+    if len(far):
+        at = np.flatnonzero((lines.words.line == far[0]) & (lines.words.letter == ord(letter)))
+        place = lines.words.place(int(at[0])) if len(at) else f"line {far[0]}"
+        raise ProgramError(
+            say(
+                "{place}: {letter}{value} is beyond {farthest}; is a decimal point missing?",
+                place=place,
+                letter=letter,
+                value=Number(value[far[0]]),
+                farthest=Number(FARTHEST),
+            ),
+            letter,
+        )
+
+
+def moves(
+    at: Ints,
+    words: list[tuple[Floats, Bytes]],
+    on: Bools,
+    vector: Floats,
+    links: Chain,
+    wrap: tuple[str, str],
+    told_before: Floats,
+    meaning: Ints,
+    planes: Planes | None = None,
+) -> Moves:
+    """The motion lines ``at`` (m,) with their words (as of :func:`axis_words`, each (m,)), whether they are guided ``on`` (m,),
+    and the vectors ``vector`` (m, 3) that they tell, NaN where none; ``told_before`` (5,): as ``Start.said``; ``meaning`` (m,)
+    of X Y Z, as of
+    :meth:`.planes.Planes.of_blocks`."""
+    count = len(at)
+    told = Moves(
+        at, np.empty((5, count)).T, np.empty((5, count)).T, on, vector, np.empty(0, np.int64),
+        np.column_stack([(kind == ABSOLUTE) | (kind == SHORTER) for _, kind in words]), meaning,
+    )  # fmt: skip
+    start, lost = np.nan_to_num(told_before), []
+    told.named[0] |= ~np.isnan(told_before)
+    cuts = np.flatnonzero((on[1:] != on[:-1]) | (meaning[1:] != meaning[:-1])) + 1
+    for first, last in zip([0, *cuts.tolist()], [*cuts.tolist(), count], strict=True):
+        rows = slice(first, last)
+        if first:
+            start = _pose(links, told.said[first - 1], int(meaning[first - 1]), int(meaning[first]), planes)
+        for k, (value, kind) in enumerate(words):
+            modulo = k >= 3 and wrap[k - 3] == "modulo"
+            told.said[rows, k] = track(value[rows], kind[rows], start[k], first > 0, modulo)
+        if on[first] and not np.isnan(vector[rows]).all():
+            lost.append(first + _turn(links, told, rows, [kind[rows] for _, kind in words[3:]], start[3:]))
+        told.before[rows] = np.concatenate([start[None], told.said[first : last - 1]])
+    told.before[0] = told.said[0]
+    told.lost = np.concatenate([told.lost, *lost])
+    return told
+
+
+def _pose(links: Chain, said: Floats, was: int, now: int, planes: Planes | None) -> Floats:
+    """The same pose as the next stretch says it; what X Y Z mean there, and meant before."""
+    words = said[None]
+    if was == now:
+        return said
+    if was != JOINTS:
+        words = standing(links, in_work(words, np.array([was]), planes)[:, :3], words[:, 3:])
+    if now != JOINTS:
+        words = np.concatenate([forward(links, words_to_q(words))[0], words[:, 3:]], axis=1)
+    if planes is not None and now >= IN_PLANE:
+        words[0, :3] = planes.in_plane(words[0, :3], now)
+    return np.asarray(words[0])
+
+
+def in_work(said: Floats, meaning: Ints, planes: Planes | None) -> Floats:
+    """What is said (m, 5), with the tip's place in the work where X Y Z stand in a tilted plane."""
+    if planes is None:
+        return said
+    place = said.copy(order="K")
+    place[:, :3] = planes.in_work(said[:, :3], meaning)
+    return place
+
+
+def track(value: Floats, kind: Bytes, start: float, known: bool, modulo: bool) -> Floats:
+    """Places (n,) of one axis from its words (n,) and where it was before, if that is ``known``."""
+    count, absolute = len(value), (kind == ABSOLUTE) | (kind == SHORTER)
+    anchor = last_of(np.flatnonzero(absolute) + 1, count + 1)[1:]
+    place: Floats = np.concatenate([[start], value])[anchor]
+    step = kind == STEP
+    if step.any():
+        travelled = np.cumsum(np.where(step, value, 0.0))
+        place += travelled - np.concatenate([[0.0], travelled])[anchor]
+    shorter = absolute if modulo else kind == SHORTER
+    if shorter.any():
+        turns = np.where(shorter, -np.rint((place - np.concatenate([[start], place[:-1]])) / 360.0), 0.0)
+        turns[0] *= known
+        turns = np.cumsum(turns)
+        anew = last_of(np.flatnonzero(absolute & ~shorter) + 1, count + 1)[1:]
+        turns -= np.concatenate([[0.0], turns])[anew]
+        place = np.where(turns != 0.0, np.round(place + 360.0 * turns, 9), place)
+    return place
+
+
+def _turn(links: Chain, told: Moves, rows: slice, kinds: list[Bytes], start: Floats) -> Ints:
+    """Put the rotary words that the vectors ask for into ``told.said``; returns the rows (of these) that nothing takes up."""
+    none = np.asarray(np.isnan(told.told[rows]).all(axis=1))
+    vector = np.where(none[:, None], np.nan, np.nan_to_num(told.told[rows]))
+    length = np.linalg.norm(vector, axis=1)
+    given = np.flatnonzero(length > 1e-9)
+    if not len(given):
+        return given
+    angles, reached = _angles(links, vector[given] / length[given, None], start)
+    keep = given[reached]
+    count = len(vector)
+    by_vector = last_of(keep + 1, count + 1)[1:]
+    by_words = last_of(np.flatnonzero((kinds[0] != NOTHING) | (kinds[1] != NOTHING)) + 1, count + 1)[1:]
+    turned = np.flatnonzero((by_vector > 0) & (by_vector >= by_words))
+    told.said[rows.start + turned, 3:] = angles[reached][np.searchsorted(keep, by_vector[turned] - 1)]
+    return given[~reached]
+
+
+def _angles(links: Chain, axis: Floats, start: Floats) -> tuple[Floats, Bools]:
+    """Rotary words (n, 2) degrees for unit axes (n, 3), and which of them the machine takes up: the way of least travel."""
+    branches, sine = inverse_axis(links, axis)
+    reached: Bools = np.asarray(~np.isnan(branches).all(axis=(0, 2)))
+    angles = branches[:, reached]
+    if angles.shape[1] == 0:
+        return np.empty((len(axis), 2)), reached
+    pole = sine[reached] < AT_POLE
+    source = last_of(np.flatnonzero(~pole) + 1, len(pole) + 1)[1:]
+    for branch in angles:
+        branch[pole, 0] = np.concatenate([[np.radians(start[0])], branch[:, 0]])[source[pole]]
+    fits = within_limits(angles, links.low[3:], links.high[3:])
+    none = ~fits.any(axis=0)
+    fits[:, none] = ~np.isnan(angles[:, none, 0] + angles[:, none, 1])
+    low, high = links.low[3:], links.high[3:]
+    if none.any():  # no way keeps to the limits: the least travel without them, which the check of limits then reports
+        low, high = np.full(2, -np.inf), np.full(2, np.inf)
+    steps = len(pole) - 1
+    words, _ = choose(angles, fits, low, high, np.ones(steps, np.bool_), pole[1:] | pole[:-1])
+    found = np.empty((len(axis), 2))
+    found[reached] = np.degrees(words)
+    return found, reached
+
+
+def where_axes_stand(links: Chain, said: Floats, by_tip: Bools) -> Floats:
+    """Words (m, 5) mm and degrees of the axes, from what the lines say; ``by_tip`` (m,): X Y Z are
+    the tip's place in the work."""
+    rows = np.flatnonzero(by_tip)
+    if not len(rows):
+        return said
+    words = said.copy(order="K")
+    words[rows] = standing(links, said[rows, :3], said[rows, 3:])
+    lost = np.flatnonzero(np.isnan(words[rows, :3]).any(axis=1))
+    if len(lost):
+        first, second = said[rows[lost[0]], 3:]
+        raise ProgramError(
+            say(
+                "with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?",
+                letter=links.letters[3],
+                first=Number(first),
+                other=links.letters[4],
+                second=Number(second),
+            ),
+            (first, second),
+        )  # fmt: skip
+    return words
+
+
+def tool_axes(links: Chain, words: Floats) -> Floats:
+    """The tool axis (m, 3) at words (m, 5) mm and degrees."""
+    return forward(links, words_to_q(words))[1]

@@ -1,0 +1,381 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""NC text into words: a letter, a number and the line it stands in, as whole columns.
+
+word      a letter with its number (ISO 6983-1): X-12.5. Blanks may stand anywhere in it, capitals do not matter.
+comment   text in brackets, or from a semicolon to the end of the line (Siemens: only the latter; Heidenhain: that, up to
+          the ~ that goes on with the next line, or a star at the start or the end of a line).
+block skip  a slash at the start of a line: the operator may switch such lines off.
+%         the first ends the leader of the tape, the next one ends the program.
+language  ISO; Siemens' and Heidenhain's text is brought to plain words first (:mod:`.siemens`, :mod:`.heidenhain`).
+
+Nothing but whole-text operations: comments and everything else that is not a word is first overwritten with blanks of the
+same length, so that lines and columns of the file stay known for the messages.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from dataclasses import dataclass, replace
+from typing import NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freecad_fiveaxis.core.base.errors import ProgramError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.base.sentences import Template, say
+
+from . import codes, interpreter
+from .heidenhain import with_unit
+from .plain_words import moved, not_run, plain_words
+from .plane_calls import Tilt
+
+SOLID = re.compile(rb"[^ \n]")
+BRACKETS, SEMICOLON, STAR = (
+    (b"(", rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"),
+    (b";", rb";[^\n]*"),
+    (b"*", rb"(?m:^) *(?:[0-9]+ +)?\*[^\n]*|\* *(?m:$)"),
+)
+NOTE = (b";", rb";(?:[^\n~]|~(?! *(?:\n|$)))*")
+COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (SEMICOLON,), "heidenhain": (NOTE, STAR)}
+SLASH = re.compile(rb"^ *(/[0-9]?)", re.MULTILINE)
+COLON = re.compile(rb"^ *(:)(?= *[0-9])", re.MULTILINE)
+EXPONENT = re.compile(rb"(?<=[0-9.])E[+-]?[0-9]")
+OF_MACHINE = re.compile(rb"\$ *-?[0-9]+|(?<=M66) *E *[0-9.]+")
+"""LinuxCNC's number of a spindle, and of the input that M66 waits for."""
+SYMBOLS = {
+    "iso": (b"@", b"^", b"#", b"[", b"]", b"=", b"<", b">"),
+    "siemens": (b"=", b"[", b"]", b"<", b">", b"$", b"(", b")", b"#", b'"', b"{", b"}"),
+    "heidenhain": (),
+}
+KEYWORDS = tuple(b"GOTO WHILE CALL SUB RETURN REPEAT BREAK CONTINUE THEN IF ELSE DO END1 END2 END3".split())
+"""These show that a line is macro language (Fanuc custom macro B, LinuxCNC O-codes)."""
+O_LINE = re.compile(rb" *O *[0-9]+ *[A-Z]{2}")
+CALLS, MACRO_CALL = (97, 98), 65
+STATES = (71, 72, 73)
+"""LinuxCNC's modes kept and restored, which Fanuc's and Haas' M codes are not."""
+FANUC = ("fanuc", "haas")
+"""Whose variables and jumps are Fanuc's; all others' are LinuxCNC's."""
+TAPE = b"\t\v\f\x11\x12\x13\x14\x1a"
+"""Control characters that old files hold between the words: tabs, reader control, end of file."""
+TEXT = bytes({*range(32, 256), *TAPE, *b"\n\r"})
+LEGAL = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-. \n"
+CLEAN = bytes.maketrans(bytes(range(97, 123)) + TAPE, bytes(range(65, 91)) + b" " * len(TAPE))
+LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + bytes(range(97, 123)) + b"\n", b" " * 53)
+SKIPPED = Template("{count} lines begin with a slash (block skip); they are read as if the switch were off.")
+MACROS = Template(
+    "{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without "
+    "them. The first: {shown}."
+)
+NOT_CALLED = Template("Subprograms are not interpreted, because of this line: {reason}. Post one program without them.")
+HEIDENHAIN_SIGN = re.compile(rb"^ *(?:0+ +)?BEGIN +PGM\b", re.MULTILINE | re.IGNORECASE)
+SIEMENS_SIGN = re.compile(rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE)
+PREFACE = 3
+"""Lines at the start of a file in which somebody may have written what the program is."""
+LOOKED_AT = 20_000
+"""Bytes at the start of a text that tell whose language it is."""
+
+
+@dataclass(frozen=True, eq=False)
+class Words:
+    """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file; ``text``: what was left
+    of the file when they were read, ``start`` (w,) where they stand in it without its blanks. ``source``: where lines of the file
+    were written out as several, ``line`` counts those; ``source`` (lines + 1,) are the lines of the file that they come from.
+    ``tilts``: what the lines with the private word of a tilted plane say."""
+
+    letter: Bytes
+    value: Floats
+    line: Ints
+    findings: tuple[Finding, ...] = ()
+    text: bytes = b""
+    start: Ints | None = None
+    source: Ints | None = None
+    tilts: tuple[Tilt, ...] = ()
+
+    def place(self, word: int) -> str:
+        """Where a word stands, as "line 3, column 7"."""
+        line = int(self.line[word])
+        if self.start is None or self.source is not None:
+            return f"line {int(self.in_file(self.line[word]))}"
+        compact = self.text.translate(None, b" ")
+        begin = compact.rfind(b"\n", 0, int(self.start[word])) + 1
+        return f"line {line}, column {_column(self.text, line, int(self.start[word]) - begin)}"
+
+    def in_file(self, line: Ints) -> Ints:
+        """The lines of the file for some of ``line``."""
+        return line if self.source is None else self.source[line]
+
+    def bare(self) -> Bools:
+        """Which words (w,) have no decimal point."""
+        if self.start is None:
+            return np.zeros(len(self.letter), np.bool_)
+        code = np.frombuffer(self.text.translate(None, b" ") + b"\n", np.uint8)
+        every = np.flatnonzero(code >= ord("A"))
+        return np.asarray(np.add.reduceat(code == ord("."), every, dtype=np.int32)[np.searchsorted(every, self.start)] == 0)
+
+    def __post_init__(self) -> None:
+        freeze(self, None, letter="m", value="f", line="i")
+
+
+def language_of(text: bytes, told: str) -> str:
+    """Whose language a text is in: what its first lines show without doubt, or else ``told``."""
+    start = text[:LOOKED_AT]
+    if HEIDENHAIN_SIGN.search(start):
+        return "heidenhain"
+    return "siemens" if told == "iso" and SIEMENS_SIGN.search(start) else told
+
+
+def read_words(text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent) -> Words:
+    """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC where there is none)
+    comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
+    text, findings, source, tilts = _blanked(text, language, progress)
+    marks, fanuc = _marks(text, language), controller in FANUC
+    made = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
+    words = _words_of(*made)
+    if not marks and language == "iso" and _calls(words, fanuc):
+        words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
+    return replace(words, findings=tuple(findings), tilts=tilts)
+
+
+def _words_of(text: bytes, source: Ints | None) -> Words:
+    """The words of a text that holds nothing else."""
+    _check_characters(text, source)
+    compact = text.translate(None, b" ") + b"\n"
+    code = np.frombuffer(compact, np.uint8)
+    is_letter = code >= ord("A")
+    start = np.flatnonzero(is_letter)
+    bad = _malformed(code, is_letter, start)
+    if bad >= 0:
+        _complain(text, compact, bad, source)
+    value = _numbers(compact, len(start))
+    if not np.isfinite(value).all():
+        _complain(text, compact, int(start[np.flatnonzero(~np.isfinite(value))[0]]), source)
+    line = _lines(code, start)
+    return Words(code[start].astype(np.int8), value, line, (), text, start, source)
+
+
+def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, list[Finding], Ints | None, tuple[Tilt, ...]]:
+    """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over; the lines of the file,
+    where the text was run; and the lines that begin or end a tilted plane."""
+    text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    if control := text.translate(None, TEXT):
+        at = text.index(control[:1])
+        line, column = text.count(b"\n", 0, at) + 1, at - text.rfind(b"\n", 0, at)
+        raise ProgramError(
+            say(
+                "line {line}, column {column}: byte {control}: this is no NC text; give a plain text file",
+                line=line,
+                column=column,
+                control=control[0],
+            ),
+            control[0],
+        )
+    forms = [form for begin, form in COMMENTS[language] if begin in text]  # a pattern of one form alone is searched faster
+    if forms:
+        text = re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text)
+    findings: list[Finding] = []
+    whole = text.translate(CLEAN)
+    text = _between_marks(whole, findings)
+    if language == "heidenhain":
+        text = with_unit(whole, text)
+    source, tilts = None, tuple[Tilt, ...]()
+    if language != "iso":
+        plain = plain_words(text, language, progress)
+        text, source, tilts = plain.text, plain.source, plain.tilts
+        findings += plain.findings
+    if language == "iso" and (b"$" in text or b"M66" in text):
+        text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
+    if b"/" in text:
+        text, lines = _overwritten(text, SLASH, b" ")
+        if lines:
+            found = _finding(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0])
+            findings.append(moved(found, source))
+    if b":" in text:
+        text, _ = _overwritten(text, COLON, b"O")
+    return text, findings, source, tilts
+
+
+def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[bytes, list[int]]:
+    """The text with each group 1 of the pattern replaced at equal length, and where that was."""
+    spans = [found.span(1) for found in pattern.finditer(text)]
+    buffer = bytearray(text)
+    for first, last in spans:
+        buffer[first:last] = by.ljust(last - first)
+    return bytes(buffer), [first for first, _ in spans]
+
+
+def _marks(text: bytes, language: str) -> list[bytes]:
+    """What shows that a text has variables, expressions or jumps."""
+    known = KEYWORDS if language == "iso" and _has_adjacent_letters(text) else ()
+    return [mark for mark in (*SYMBOLS[language], *known) if mark in text]
+
+
+def _calls(words: Words, fanuc: bool) -> bool:
+    """Whether a program of plain words calls subprograms, or keeps and restores modes."""
+    m_codes = words.value[words.letter == ord("M")]
+    called = np.isin(m_codes, CALLS if fanuc else CALLS + STATES).any()
+    return bool(called or (words.value[words.letter == ord("G")] == MACRO_CALL).any())
+
+
+def _run(
+    text: bytes, marks: list[bytes], language: str, fanuc: bool, findings: list[Finding], progress: Progress
+) -> tuple[bytes, Ints | None]:
+    """The text as the control comes to its lines, and the lines of the file that these are; where they are not understood, blanks
+    for the lines that hold one of the ``marks``, with a finding."""
+    if language == "iso":
+        made = interpreter.written_out(text, fanuc, progress)
+        if isinstance(made, interpreter.Written):
+            return made.text, made.source
+        if not marks:
+            findings.append(Finding(Severity.ERROR, codes.CALL[1], NOT_CALLED.say(reason=made.reason), line=made.line))
+            return text, None
+        findings.append(not_run(made))
+        return _blank_lines(text, _lines_with(text, marks)), None
+    hit = _lines_with(text, marks)
+    shown = b" ".join(text.split(b"\n")[hit[0]].split())[:40].decode("latin-1")
+    said = MACROS.say(count=len(hit), shown=repr(shown))
+    findings.append(Finding(Severity.ERROR, codes.MACRO[1], said, float(len(hit)), line=hit[0] + 1))
+    return _blank_lines(text, hit), None
+
+
+def _lines_with(text: bytes, marks: list[bytes]) -> list[int]:
+    """The lines, counted from 0, with one of the marks."""
+    lines = text.split(b"\n")
+    return [k for k, line in enumerate(lines) if any(mark in line for mark in marks) or O_LINE.match(line)]
+
+
+def _blank_lines(text: bytes, chosen: list[int]) -> bytes:
+    lines = text.split(b"\n")
+    for k in chosen:
+        lines[k] = b" " * len(lines[k])
+    return b"\n".join(lines)
+
+
+def _has_adjacent_letters(text: bytes) -> bool:
+    letter = np.frombuffer(text, np.uint8) - np.uint8(ord("A")) < 26
+    return bool((letter[1:] & letter[:-1]).any())
+
+
+def _between_marks(text: bytes, findings: list[Finding]) -> bytes:
+    """The text up to the closing ``%`` line; the opening one and the leader before it become blank."""
+    mark = _mark(text, 0)
+    if mark >= 0 and not SOLID.search(text, 0, mark):
+        end = _line_end(text, mark)
+        text = re.sub(rb"[^\n]", b" ", text[:end]) + text[end:]
+        mark = _mark(text, end)
+    if mark < 0:
+        return text
+    if SOLID.search(text, _line_end(text, mark)):
+        findings.append(_finding(Severity.NOTE, "text-after-end", say("The text after the closing % is not read."), text, mark))
+    return text[:mark]
+
+
+def _mark(text: bytes, start: int) -> int:
+    """The next ``%`` that begins a line, -1 if there is none."""
+    at = text.find(b"%", start)
+    while at >= 0 and text[text.rfind(b"\n", 0, at) + 1 : at].strip():
+        at = text.find(b"%", at + 1)
+    return at
+
+
+def _line_end(text: bytes, at: int) -> int:
+    end = text.find(b"\n", at)
+    return len(text) if end < 0 else end
+
+
+def _finding(severity: Severity, code: str, said: str, text: bytes, at: int) -> Finding:
+    return Finding(severity, code, said, line=text.count(b"\n", 0, at) + 1)
+
+
+def _check_characters(text: bytes, source: Ints | None) -> None:
+    if illegal := text.translate(None, LEGAL):
+        shown = illegal[:1].decode("latin-1")
+        partner = say("a bracket without its partner")
+        hint = {"(": partner, ")": partner, ",": say("write a decimal point")}
+        _fail(
+            text,
+            text.index(illegal[:1]),
+            say(
+                "character {shown} cannot be read ({hint})", shown=repr(shown), hint=hint.get(shown, say("not part of any word"))
+            ),
+            source,
+        )
+    if b"E" in text and (found := EXPONENT.search(text)):
+        _fail(text, found.start(), say("a number with an exponent; write it out"), source)
+
+
+def _malformed(code: NDArray[np.uint8], is_letter: Bools, start: Ints) -> int:
+    """Position of the first character that makes no word, -1 if all is well."""
+    before = np.empty(len(code), np.uint8)
+    before[0], before[1:] = ord("\n"), code[:-1]
+    sign = (code == ord("+")) | (code == ord("-"))
+    bad = sign & (before < ord("A"))  # a sign that follows no letter
+    bad |= (before == ord("\n")) & ~is_letter & (code != ord("\n"))  # a line that begins with no letter
+    bad_places = np.flatnonzero(bad)
+    if not len(start):
+        return int(bad_places[0]) if len(bad_places) else -1
+    digits = np.add.reduceat((code - np.uint8(ord("0"))) < 10, start, dtype=np.int32)
+    points = np.add.reduceat(code == ord("."), start, dtype=np.int32)
+    bad_words = start[(digits == 0) | (points > 1)]
+    places = [int(found[0]) for found in (bad_places, bad_words) if len(found)]
+    return min(places, default=-1)
+
+
+def _numbers(compact: bytes, count: int) -> Floats:
+    """All numbers of a text that was found well formed."""
+    if count == 0:
+        return np.empty(0)  # numpy finds one number in blanks
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", DeprecationWarning)  # numpy's way to say that it stopped early
+        value = np.fromstring(compact.translate(LETTERS_TO_BLANKS), np.float64, sep=" ")
+    if len(value) != count:
+        raise ProgramError(say("{count} numbers for {words} words; the text is malformed", count=len(value), words=count), count)
+    return value
+
+
+def _lines(code: NDArray[np.uint8], start: Ints) -> Ints:
+    ends = np.flatnonzero(code == ord("\n"))
+    words_so_far = np.searchsorted(start, ends)
+    return np.repeat(np.arange(1, len(ends) + 1), np.diff(words_so_far, prepend=0))
+
+
+def _complain(text: bytes, compact: bytes, at: int, source: Ints | None) -> NoReturn:
+    """Raise for the malformed word at ``at`` of the text without blanks."""
+    line = compact.count(b"\n", 0, at)
+    begin = _line_start(text, line + 1)
+    column = _column(text, line + 1, at - (compact.rfind(b"\n", 0, at) + 1))
+    found = text[begin : _line_end(text, begin)].strip()
+    reason = say("a word is a letter and one number")
+    if found == b"O":
+        reason = say("the program has no number; write one after the O, as O1")
+    elif line < PREFACE and b"G" not in text[:begin] and not re.search(rb"[0-9]", found):
+        reason = say("this is no NC line; delete what stands before the program, or put it in brackets")
+    _fail(text, begin + column - 1, reason, source)
+
+
+def _line_start(text: bytes, line: int) -> int:
+    """Where a line, counted from 1, begins."""
+    begin = 0
+    for _ in range(line - 1):
+        begin = text.index(b"\n", begin) + 1
+    return begin
+
+
+def _column(text: bytes, line: int, within: int) -> int:
+    """The column, counted from 1, of character ``within`` of a line without its blanks; 1 beyond its end."""
+    begin = _line_start(text, line)
+    places = [found.start() for found in SOLID.finditer(text, begin, _line_end(text, begin))]
+    return places[within] - begin + 1 if within < len(places) else 1
+
+
+def _fail(text: bytes, at: int, reason: str, source: Ints | None) -> NoReturn:
+    begin = text.rfind(b"\n", 0, at) + 1
+    line = text.count(b"\n", 0, at) + 1
+    line = line if source is None else int(source[line])
+    found = text[begin : begin + 200].split(b"\n")[0].decode("latin-1").strip()[:60]
+    raise ProgramError(
+        say("line {line}, column {at}: {reason}: {found}", line=line, at=at - begin + 1, reason=reason, found=repr(found)), found
+    )

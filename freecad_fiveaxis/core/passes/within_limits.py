@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which facets the machine can cut with the tool along the facet normal.
+
+axis angle    angle between the facet normal and +Z of the work frame; the tool axis leans by it.
+looking down  an axis angle over 90 deg: the part stands on such facets, or hangs over.
+within reach  one branch of the inverse kinematics has both rotary words within their limits, whole turns added where needed.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.columns import chunks, dot
+from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Number, Sentence, Template, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.machine.kinematics import BEYOND, Chain, inverse_axis
+
+LEVEL = 1e-4
+"""rad: STL files keep coordinates to 1e-7 of their size, so the normals of small facets, those of walls too, are this far off."""
+
+WORD_ERROR = 1e-9
+"""rad: a word that misses its limit by less is on it; rounding of the inverse, far below any controller's step."""
+
+FLAT = 1e-8
+"""Where a cosine is so near to 1 or -1, its rounding (1e-16) is worth more than WORD_ERROR / 100 of angle."""
+
+TURN = 2.0 * math.pi
+
+NEARLY = 0.99
+"""Of the area that faces away: where so much is the level underside, the rest is not worth a word."""
+
+
+_DOWN = Template(
+    "{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to "
+    "cut them."
+)
+_STEEP = Template(
+    "{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise the largest axis "
+    "angle to cut them."
+)
+_BEYOND = Template(
+    "{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take "
+    "another machine to cut them."
+)
+
+
+def reachable_facets(
+    mesh: Mesh, links: Chain | None, max_axis_angle: float, wanted: Bools | None = None
+) -> tuple[Bools, tuple[Finding, ...]]:
+    """Mask (f,) of the facets that can be cut with the tool along their normal, and what of the wanted ones is left out.
+
+    ``max_axis_angle`` rad: the largest axis angle that is wanted, over 0 and at most pi; facets that look down are out
+    whatever it is. Vertical walls count as 90 deg.
+    ``links`` None: the tool axis does not follow the facets. ``wanted`` (f,): the facets that were chosen, None: all of them.
+    Raises SettingsError for another angle, ReachError where no facet is left.
+    """
+    if not 0.0 < max_axis_angle <= math.pi:
+        angle = math.degrees(max_axis_angle)
+        raise SettingsError(
+            say("largest axis angle {angle} is out of range; give more than 0 and at most 90 deg", angle=Angle(angle)),
+            max_axis_angle,
+        )
+    up = mesh.normal[:, 2]
+    wanted = np.ones(len(up), np.bool_) if wanted is None else wanted
+    down = (up < -math.sin(LEVEL)) & wanted
+    steep = (up < math.cos(min(max_axis_angle + LEVEL, math.pi))) & wanted & ~down
+    rest = np.flatnonzero(wanted & ~(down | steep))
+    beyond = np.zeros(len(up), dtype=np.bool_)
+
+    def check(part: slice) -> None:
+        rows = rest[part]
+        beyond[rows] = ~axes_within_limits(links, mesh.normal.T.take(rows, axis=1).T) if links is not None else False
+
+    on_all(check, portions(len(rest)))
+    keep: Bools = wanted & ~(down | steep | beyond)
+    if np.array_equal(keep, wanted) and keep.any():
+        return keep, ()
+    area = mesh.area
+    if not keep.any():
+        raise ReachError(_nothing_left(area, down, steep, beyond, max_axis_angle), math.degrees(max_axis_angle))
+    found = (_looking_down(mesh, area, down), _too_steep(mesh, area, steep, max_axis_angle), _beyond(mesh, area, beyond, links))
+    return keep, tuple(finding for finding in found if finding is not None)
+
+
+def axes_within_limits(links: Chain, axis: Floats) -> Bools:
+    """True (n,) where the machine can take up the unit tool axis (n, 3) with both rotary words within their limits."""
+    ends = _second_alone(links)
+    if ends is not None:
+        least, most = ends
+        along = np.asarray(dot(links.direction[3].tolist(), list(axis.T)))
+        return (along >= least) & (along <= most)
+    within = np.empty(len(axis), dtype=np.bool_)
+    for part in chunks(len(axis)):
+        words, sine = inverse_axis(links, axis[part])
+        first = _turned_within(words[:, :, 0], links.low[3], links.high[3])
+        first |= sine == 0.0  # at the pole any first word will do
+        second = _turned_within(words[:, :, 1], links.low[4], links.high[4])
+        within[part] = (first & second).any(axis=0)
+    return within
+
+
+def _second_alone(links: Chain) -> tuple[float, float] | None:
+    """Least and largest component along the first rotary axis that the second one can give the tool axis within its limits.
+
+    Where the first axis turns all the way, an axis with such a component is within reach, and no other: the first never
+    changes the component, and turns the rest anywhere. By Rodrigues it is ``mean + reach cos(word - top)``. None where the
+    first axis is limited, or the second one's limit lies where the cosine is too flat to tell.
+    """
+    if links.high[3] - links.low[3] < TURN or links.low[4] > links.high[4]:
+        return None
+    first, second = links.direction[3], links.direction[4]
+    mean = float(first @ second) * float(second[2])
+    cosine, sine = float(first[2]) - mean, float(first[0] * second[1] - first[1] * second[0])
+    reach, top = math.hypot(cosine, sine), math.atan2(sine, cosine)
+    low, high = links.low[4] - WORD_ERROR - top, links.high[4] + WORD_ERROR - top
+    if high - low >= TURN:
+        return mean - (1.0 + BEYOND) * reach, mean + (1.0 + BEYOND) * reach
+    at_top = math.floor(high / TURN) >= low / TURN  # a whole turn lies between
+    at_bottom = math.floor(high / TURN - 0.5) >= low / TURN - 0.5
+    ends = math.cos(low), math.cos(high)
+    most, least = 1.0 if at_top else max(ends), -1.0 if at_bottom else min(ends)
+    if (not at_top and abs(most) > 1.0 - FLAT) or (not at_bottom and abs(least) > 1.0 - FLAT):
+        return None
+    return mean + (least - BEYOND) * reach, mean + (most + BEYOND) * reach
+
+
+def _turned_within(word: Floats, low: float, high: float) -> Bools:
+    """True where the word, rad, lies between the limits after whole turns; NaN never does."""
+    if high - low >= TURN:
+        return np.isfinite(word)
+    first = word + TURN * np.ceil((low - WORD_ERROR - word) / TURN)  # the lowest that is not below ``low``
+    within: Bools = first <= high + WORD_ERROR
+    return within
+
+
+def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
+    found = _left_out(Severity.NOTE, "facets-looking-down", _DOWN, mesh, area, out)
+    low, size = float(mesh.vertex[:, 2].min()), float(np.ptp(mesh.vertex))
+    level = out & (mesh.vertex[mesh.face, 2].max(axis=1) <= low + LEVEL * size)
+    if found is None or area[level].sum() < NEARLY * area[out].sum():
+        return found
+    lost, share = float(area[out].sum()), 100.0 * float(area[out].sum() / area.sum())
+    text = say(
+        "The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the spindle. Turn the part "
+        "over to cut it.",
+        height=Length(round(low, 3) + 0.0, bare=True),
+        area=Area(lost, ".6g"),
+        share=Number(share, ".3g"),
+    )
+    return replace(found, text=text)
+
+
+def _too_steep(mesh: Mesh, area: Floats, out: Bools, most: float) -> Finding | None:
+    angle = Angle(math.degrees(most))
+    return _left_out(Severity.WARNING, "facets-beyond-axis-angle", _STEEP, mesh, area, out, most=angle)
+
+
+def _beyond(mesh: Mesh, area: Floats, out: Bools, links: Chain | None) -> Finding | None:
+    if links is None:
+        return None
+    return _left_out(Severity.WARNING, "facets-beyond-machine", _BEYOND, mesh, area, out, limits=_limits(links))
+
+
+def _limits(links: Chain) -> Sentence:
+    spans = np.degrees([links.low[3:], links.high[3:]]).T.tolist()
+    one, other = (
+        say("{letter} ({low} to {high})", letter=letter, low=Angle(low, bare=True), high=Angle(high))
+        for letter, (low, high) in zip(links.letters[3:], spans, strict=True)
+    )
+    if not links.axes[4].fitted:
+        return one
+    return say("{one} or {other}", one=one, other=other)
+
+
+def _left_out(
+    severity: Severity, code: str, text: Template, mesh: Mesh, area: Floats, out: Bools, **values: Any
+) -> Finding | None:
+    """The finding that says how much area is left out; its place is the centre of the largest such facet."""
+    rows = np.flatnonzero(out)
+    if not len(rows):
+        return None
+    lost, total = float(area[rows].sum()), float(area.sum())
+    largest = rows[np.argmax(area[rows])]
+    x, y, z = (float(v) for v in mesh.vertex[mesh.face[largest]].mean(axis=0))
+    share = Number(100.0 * lost / total, ".3g")
+    said = text.say(count=len(rows), area=Area(lost, ".6g"), share=share, **values)
+    return Finding(severity, code, said, value=lost, unit="mm2", place=(x, y, z))
+
+
+def _nothing_left(area: Floats, down: Bools, steep: Bools, beyond: Bools, most: float) -> Sentence:
+    down_share, steep_share, beyond_share = (
+        Number(100.0 * float(area[mask].sum() / area.sum()), ".3g") for mask in (down, steep, beyond)
+    )
+    return say(
+        "no facet can be cut: {down} % look down, {steep} % lean more than {most}, {beyond} % lie beyond the machine's rotary "
+        "limits of the area; turn the part, raise the largest axis angle or take another machine",
+        down=down_share,
+        steep=steep_share,
+        most=Angle(math.degrees(most)),
+        beyond=beyond_share,
+    )

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The comparison as text, JSON and a page."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from html import escape
+
+from freecad_fiveaxis.core.base.sentences import Choice, Length, Sentence, plural, say
+from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.report.text import duration, number
+from freecad_fiveaxis.core.studies.setup_map.sheet import Table, json_text, page, section, table, text_table
+
+from .compare import Row
+
+VERSION = 1
+"""Of the JSON record: raised when a key changes its meaning."""
+
+HEAD = (
+    "machine", "cure", "tip guided", "deviation, mm", "bound, mm", "axis, deg", "blocks", "time",
+    "X Y Z, mm/min", "1st rotary, deg/min", "2nd rotary, deg/min", "limits",
+)  # fmt: skip
+
+SHORT_HEAD = (
+    "machine", "cure", "TCP", "dev. mm", "bound mm", "axis deg", "blocks", "time", "XYZ mm/min", "1st deg/min", "2nd deg/min",
+    "limits",
+)  # fmt: skip
+"""For the terminal. TCP: tool-centre control; XYZ, 1st, 2nd: peak rates of the linear and of the two rotary axes."""
+
+
+def compare_text(rows: Sequence[Row], tolerance: float | None = None) -> str:
+    """The table for the terminal, and why cells are empty."""
+    lines = [
+        verdict(rows, tolerance),
+        "",
+        *text_table(Table(SHORT_HEAD, _table(rows).rows)),
+        *(f"{key}: {text}" for key, text in _problems(rows)),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def compare_json(rows: Sequence[Row], inputs: Mapping[str, object] | None = None) -> str:
+    """The rows for scripts: mm, degrees, seconds, rates a minute by letter; no number is null. ``inputs``: a job file."""
+    return json_text({"version": VERSION, "rows": [_record(row) for row in rows], "inputs": inputs or {}})
+
+
+def compare_html(rows: Sequence[Row], title: str = "", tolerance: float | None = None) -> str:
+    """The table as a page that needs nothing else. ``tolerance`` mm: what is within it is named in the first sentence."""
+    body = [
+        section("The table", table(_table(rows)) + f'<p class="note">{escape(NOTE)}</p>'),
+        section(
+            "What could not be done", "".join(f"<p><b>{escape(key)}</b>: {escape(text)}</p>" for key, text in _problems(rows))
+        ),
+    ]
+    mood = "open" if tolerance is None else "good" if _good(rows, tolerance) else "bad"
+    return page("The same path, compared", title, verdict(rows, tolerance), mood, body)
+
+
+NOTE = (
+    "Tip guided: the controller has tool-centre control (RTCP, TCPM, G43.4). Deviation: the largest distance of the tip's real "
+    "path from the segment that a block commands, of all blocks at feed, as rounded; a guided tip stays on it. Axis: how far the "
+    "tool leaves the plane of a block's two end axes. Rates are the peaks within feed blocks, at the programmed feed where no "
+    "axis is too slow for it. Time includes rapids."
+)
+
+
+def verdict(rows: Sequence[Row], tolerance: float | None = None) -> Sentence:
+    """One plain sentence: what holds the tolerance soonest; without one, what deviates least."""
+    able = [row for row in rows if not row.problem]
+    if not able:
+        return say("None of the machines can drive this path.")
+    plain_ones = [row for row in able if not row.tool_centre] or able
+    if tolerance is None:
+        best = min(plain_ones, key=lambda row: row.deviation)
+        return say(
+            "Least deviation: {way}, {deviation} in {time}.",
+            way=_name(best),
+            deviation=Length(best.deviation, ".4g"),
+            time=duration(best.time),
+        )
+    good = _good(able, tolerance)
+    if not good:
+        return say("Nothing here holds {tolerance} within the limits of its machine.", tolerance=Length(tolerance))
+    best = min(good, key=lambda row: row.time)
+    return plural(
+        len(good),
+        "1 of {all} ways holds {tolerance}; the quickest is {way}, {time}.",
+        "{count} of {all} ways hold {tolerance}; the quickest is {way}, {time}.",
+        all=len(rows),
+        tolerance=Length(tolerance),
+        way=_name(best),
+        time=duration(best.time),
+    )
+
+
+def _good(rows: Sequence[Row], tolerance: float) -> list[Row]:
+    return [row for row in rows if not row.problem and row.bound <= tolerance and not row.over > LIMIT_SHOWN]
+
+
+LIMIT_SHOWN = 5e-4
+"""mm; less beyond a limit than the table shows is none."""
+
+
+def _name(row: Row) -> Sentence:
+    cure = say("no correction") if row.cure == "none" else Choice("cures", (row.cure,), alone=True)
+    if row.tool_centre:
+        return say("{machine} with {cure}, tool-centre control", machine=row.machine, cure=cure)
+    return say("{machine} with {cure}", machine=row.machine, cure=cure)
+
+
+def _table(rows: Sequence[Row]) -> Table:
+    return Table(HEAD, [_cells(row) for row in rows])
+
+
+def _cells(row: Row) -> list[str]:
+    named = [row.machine, row.cure, "on" if row.tool_centre else "off"]
+    if row.problem:
+        return [*named, *["-"] * 8, "impossible"]
+    return [
+        *named,
+        number(row.deviation, 5),
+        number(row.bound, 5),
+        number(math.degrees(row.axis_deviation), 3),
+        str(row.blocks),
+        duration(row.time),
+        number(max(row.peak_rate[:3]), 0),
+        *(_rate(row, column) for column in (3, 4)),
+        f"over by {row.over:.3f} mm" if row.over > LIMIT_SHOWN else "within",
+    ]
+
+
+def _rate(row: Row, column: int) -> str:
+    if column not in fitted_columns(row.letters):
+        return "-"
+    return f"{row.letters[column]} {math.degrees(row.peak_rate[column]):.0f}"
+
+
+def _record(row: Row) -> dict[str, object]:
+    rates = [*row.peak_rate[:3], *(math.degrees(rate) for rate in row.peak_rate[3:])]
+    return {
+        "machine": row.machine, "cure": row.cure, "tool_centre": row.tool_centre, "deviation": row.deviation, "bound": row.bound,
+        "axis_deviation_deg": math.degrees(row.axis_deviation), "blocks": row.blocks, "feed_blocks": row.feed_blocks,
+        "time_s": row.time, "peak_rate": {row.letters[k]: rates[k] for k in fitted_columns(row.letters)}, "over_limits": row.over,
+        "problem": row.problem,
+    }  # fmt: skip
+
+
+def _problems(rows: Sequence[Row]) -> list[tuple[str, str]]:
+    """Each machine and cure that failed, once, with its reason."""
+    return list(dict.fromkeys((f"{row.machine}, {row.cure}", row.problem) for row in rows if row.problem))

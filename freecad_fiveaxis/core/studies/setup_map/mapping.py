@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The map of setups: the grid, the best work zero at each turn, and what to recommend."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, say
+from freecad_fiveaxis.core.cl.cl_path import CLPath
+from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.machine.kinematics import Setup
+
+from .driven import Cost, Driven, Posting, drive_turned, part_box
+from .search import Found, best_origin
+from .setups import Kind, Region, SetupMap, recommended
+
+SEARCH_WORTH = 16
+"""Setups of the grid that take as long as one search: for the progress only."""
+SET_DECIMALS = 3
+"""Of a work zero, mm: nobody sets one finer than a micrometre."""
+BELOW = 1e-6
+"""mm below the table that are rounding."""
+NOWHERE = Cost(math.nan, math.nan, math.nan, math.nan)
+
+
+@dataclass(frozen=True, eq=False)
+class _Row:
+    origin: Floats
+    turn: float
+    cost: Cost
+    rewinds: int
+    kind: Kind
+
+
+def setup_map(
+    path: CLPath, machine: Machine, base: Setup, region: Region, posting: Posting, enough: float = 0.0,
+    progress: Progress = silent, table: float | None = None,
+) -> SetupMap:  # fmt: skip
+    """What the program of ``path`` costs wherever the part may stand, and where it should.
+
+    ``path`` in the work frame of the present setup ``base``, turn 0; the tool length is that of ``base``. Each setup of the grid
+    is posted, rounded and measured as a full run would; then the least deviation of each turn is searched over the whole
+    region, with a proof (module ``search``). ``enough`` mm: setups below this deviation are equally good, and time decides.
+    ``table`` mm: height of the table's face in the machine frame; no setup below it is searched or recommended.
+    Raises SettingsError for a path without rows and a negative ``enough``, ReachError where no turn is within the rotary limits.
+    """
+    if not len(path.tip):
+        raise SettingsError(say("there is no path to set up: it has no rows"), 0)
+    if not enough >= 0.0:
+        raise SettingsError(say("a deviation of {enough} cannot be enough; give 0 or more", enough=Length(enough)), enough)
+    steps = 1 + region.size + SEARCH_WORTH * len(region.turns)
+    rows, found, lost = _Rows(progress, steps), [], []
+    present, stand = np.array(base.origin, float), _Stand(table, float(part_box(path, posting.part)[0][2]))
+    searched, reached = stand.above(region), False
+    for turn, kind in [(0.0, Kind.PRESENT), *((turn, Kind.GRID) for turn in region.turns)]:
+        zeros = present[None] if kind == Kind.PRESENT else region.grid()
+        try:
+            driven = drive_turned(path, machine, base, posting, turn, rows.part)
+        except ReachError as error:
+            lost.append((turn, error))
+            rows.nowhere(zeros, turn, kind)
+            continue
+        rows.measure(driven, zeros, kind)
+        reached |= kind == Kind.GRID
+        if kind == Kind.GRID and searched is not None:
+            found.append(rows.search(driven, searched, present, enough))
+    if not reached:
+        raise lost[-1][1]
+    return _mapped(machine, base, region, enough, rows, found, lost, stand)
+
+
+@dataclass(frozen=True)
+class _Stand:
+    """``table`` mm: height of its face, machine frame, None: not known; ``bottom`` mm: the part's lowest place, work frame."""
+
+    table: float | None
+    bottom: float
+
+    @property
+    def least(self) -> float:
+        """The least Z of a work zero, mm."""
+        return -math.inf if self.table is None else self.table - self.bottom
+
+    def above(self, region: Region) -> Region | None:
+        """What of the region is not below the table; None where nothing is."""
+        low, high = region.low, region.high
+        if high[2] < self.least - BELOW:
+            return None
+        return replace(region, low=(low[0], low[1], min(max(low[2], self.least), high[2])))
+
+
+class _Rows:
+    """The rows of a map while it is made, and how far that is."""
+
+    def __init__(self, progress: Progress, steps: int) -> None:
+        self.rows: list[_Row] = []
+        self.found: list[_Row] = []
+        self._progress, self._steps, self._done = progress, steps, 0.0
+
+    def part(self, stage: str, fraction: float) -> None:
+        """Progress of a stage that counts for nothing, but may be cancelled."""
+        self._progress("setup map", min(1.0, self._done / self._steps))
+
+    def measure(self, driven: Driven, zeros: Floats, kind: Kind) -> None:
+        for origin in zeros:
+            self.part("", 0.0)
+            self.rows.append(_Row(origin, driven.turn, driven.cost(origin), driven.rewinds, kind))
+            self._done += 1.0
+
+    def nowhere(self, zeros: Floats, turn: float, kind: Kind) -> None:
+        self.rows += [_Row(origin, turn, NOWHERE, 0, kind) for origin in zeros]
+        self._done += len(zeros) + (SEARCH_WORTH if kind == Kind.GRID else 0)
+
+    def search(self, driven: Driven, region: Region, present: Floats, enough: float) -> Found:
+        before = self._done
+
+        def part(stage: str, fraction: float) -> None:
+            self._done = before + SEARCH_WORTH * fraction
+            self.part(stage, fraction)
+
+        found = best_origin(driven, region, present, enough, part)
+        if found.origin is not None:
+            origin, cost = _to_set(driven, region, found.origin)
+            self.found.append(_Row(origin, driven.turn, cost, driven.rewinds, Kind.FOUND))
+        self._done = before + SEARCH_WORTH
+        return found
+
+    def all(self) -> list[_Row]:
+        self._progress("setup map", 1.0)
+        return self.rows + self.found
+
+
+def _to_set(driven: Driven, region: Region, found: Floats) -> tuple[Floats, Cost]:
+    """The work zero in steps that somebody can set; the one that was found where these would leave the limits."""
+    origin = np.clip(np.round(found, SET_DECIMALS), region.low, region.high)
+    cost = driven.cost(origin)
+    return (origin, cost) if cost.within else (found, driven.cost(found))
+
+
+def _mapped(
+    machine: Machine, base: Setup, region: Region, enough: float, made: _Rows, found: list[Found],
+    lost: list[tuple[float, ReachError]], stand: _Stand,
+) -> SetupMap:  # fmt: skip
+    rows = made.all()
+    origin, costs = np.array([row.origin for row in rows]), [row.cost for row in rows]
+    deviation, time = np.array([cost.deviation for cost in costs]), np.array([cost.time for cost in costs])
+    rewinds, within = np.array([row.rewinds for row in rows]), np.array([cost.within for cost in costs])
+    stands = origin[:, 2] >= stand.least - BELOW
+    eligible = within & stands & _inside(origin, region)
+    best = recommended(origin, base.origin, deviation, time, rewinds, eligible, enough)
+    least = min((one.least for one in found if one.origin is not None), default=math.nan)
+    findings = (*_findings(region, origin, best, found), *_table_findings(stand, stands), *_lost_findings(lost))
+    return SetupMap(
+        machine=machine.name, base=base, region=region, origin=origin, turn=np.array([row.turn for row in rows]),
+        max_deviation=deviation, rotary_travel=np.array([cost.travel for cost in costs]), time=time,
+        over=np.array([cost.over for cost in costs]), within_limits=within, stands=stands, rewinds=rewinds,
+        kind=np.array([row.kind for row in rows], np.int8), best=best, least=least, table=stand.table,
+        bottom=stand.bottom, findings=findings,
+    )  # fmt: skip
+
+
+def _inside(origin: Floats, region: Region) -> Bools:
+    return np.asarray(((origin >= region.low) & (origin <= region.high)).all(axis=1))
+
+
+def _findings(region: Region, origin: Floats, best: int | None, found: list[Found]) -> Iterator[Finding]:
+    if best is None and not found:
+        text = say(
+            "No work zero of the setup region puts the part on the table. Move the region up ({origin}), or widen it.",
+            origin=Option("origin"),
+        )
+        yield Finding(Severity.ERROR, "no-setup-on-the-table", text)
+        return
+    if best is None:
+        over = min(one.over for one in found)
+        text = say(
+            "No work zero of the setup region keeps the linear axes within their limits: they are exceeded by "
+            "{over} at least. Widen the region, turn the part, or take a larger machine.",
+            over=Length(over, ".4g"),
+        )
+        yield Finding(Severity.ERROR, "no-setup-within-limits", text, over, 0.0, "mm")
+        return
+    low, high = np.array(region.low), np.array(region.high)
+    edges = [
+        f"{letter} {end[axis]:g}"
+        for axis, letter in enumerate("XYZ")
+        for end in (low, high)
+        if high[axis] > low[axis] and abs(origin[best, axis] - end[axis]) < 1e-6
+    ]
+    if edges:
+        text = say(
+            "The recommended setup lies on the edge of the region ({edges}); beyond it may be a better one.",
+            edges=", ".join(edges),
+        )
+        yield Finding(Severity.NOTE, "setup-at-edge", text, float(len(edges)), None, "1")
+
+
+def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
+    if stand.table is None:
+        text = say(
+            "The height of the table is not known: check that the part stands on it, or give {table_height}.",
+            table_height=Option("table_height"),
+        )
+        yield Finding(Severity.WARNING, "table-unknown", text)
+    elif not stands[0]:
+        text = say(
+            "In the present setup the part reaches below the table: its work zero must stand at Z {least} or higher. Give "
+            "another {origin}.",
+            least=Length(stand.least),
+            origin=Option("origin"),
+        )
+        yield Finding(Severity.WARNING, "part-below-table", text, stand.least, None, "mm")
+
+
+def _lost_findings(lost: list[tuple[float, ReachError]]) -> Iterator[Finding]:
+    for turn, error in lost:
+        angle = math.degrees(turn)
+        text = say("With the part turned by {angle} the rotary limits allow no way: {error}.", angle=Angle(angle), error=error)
+        yield Finding(Severity.WARNING, "turn-out-of-reach", text, angle, None, "deg")

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Two tasks that choose: ``setup``, where the part should stand; ``compare``, which machine and which cure.
+
+trial     a program that is made only to know what it costs. Both tasks make the CL path once, as ``mill`` and ``post`` do, and
+          try it many times; no program is written. What is chosen is then given to ``mill`` or ``post``.
+solid     a source that ends in .stl; any other is a CL file.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from freecad_fiveaxis.core.base.errors import FiveAxisError, ReachError, SettingsError
+from freecad_fiveaxis.core.base.files import write_all
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools
+from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined, say
+from freecad_fiveaxis.core.controllers import Dialect
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.jobs.fewer_axes import what_needs_more_axes
+from freecad_fiveaxis.core.jobs.job import Milled, Posted, make
+from freecad_fiveaxis.core.jobs.options import clamped, stood, title_of
+from freecad_fiveaxis.core.jobs.settings import COMPARE, MILL, POST, SETUP, Settings, flat_options
+from freecad_fiveaxis.core.jobs.settings.groups import USUAL_REGION
+from freecad_fiveaxis.core.machine import Vector, load_machine
+
+from .compare import Row, compare, compare_html, compare_json, compare_text, station
+from .corrections import cures, known_cures
+from .setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
+
+TRIALS = (SETUP, COMPARE)
+GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
+"""Places along X, Y, Z of a map that nobody asked to be otherwise, the finest first."""
+WORK = 8_000_000
+"""Rows of all trials of such a map together: some ten to twenty seconds."""
+
+
+@dataclass(frozen=True, eq=False)
+class SetupTrial:
+    """``made``: the program of the present setup; ``chart``: the map, with what is recommended."""
+
+    settings: Settings
+    made: Posted
+    chart: SetupMap
+    findings: tuple[Finding, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """``made``: the program on the first machine; ``rows``: one for each machine, cure and kind of control."""
+
+    settings: Settings
+    made: Posted
+    rows: tuple[Row, ...]
+    findings: tuple[Finding, ...]
+
+
+Trial = SetupTrial | Comparison
+
+
+def run(settings: Settings, progress: Progress = silent) -> Trial:
+    """Do the task that the settings name. Raises FiveAxisError for input that cannot be used; writes nothing."""
+    return (try_setups if settings.task == SETUP else try_machines)(settings, progress)
+
+
+def try_setups(
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
+) -> SetupTrial:
+    """Where the part should stand. ``mesh``, ``faces``: as in :func:`~.job.make`.
+
+    Raises SettingsError for a region with nothing to choose from, and for one that leaves every limit.
+    """
+    street = _street(settings)
+    machine, base, dialect = clamped(replace(street, task=SETUP))  # and what makes no sense for a setup is refused
+    table = machine.table if settings.setup.table_height is None else settings.setup.table_height
+    _region(settings, base.origin, 1, table)  # before the long work
+    made = _posted(street, progress, mesh, faces)
+    region = _region(settings, base.origin, len(made.path.tip), table)
+    posting, enough = _posting(street, made, dialect), settings.proof.tolerance
+    chart = setup_map(made.path, machine, base, region, posting, enough, progress, table)
+    if chart.best is None:
+        _refuse(chart)
+    return SetupTrial(settings, made, chart, chart.findings)
+
+
+def try_machines(
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
+) -> Comparison:
+    """The same path on every machine that the settings name, with each cure. The path is made for the first of them that can
+    cut it; those that cannot are rows that say why.
+
+    Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long work; and what the
+    first machine says where none can cut the path.
+    """
+    names, wanted = settings.compare.machines, known_cures(settings.compare.cures)
+    if not names:
+        raise SettingsError(say("there are no machines to compare; name at least one"), names)
+    streets = [_street(settings, name) for name in names]
+    machines = [load_machine(name) for name in names]
+    stands = [stood(street, machine) for street, machine in zip(streets, machines, strict=True)]
+    refused = [what_needs_more_axes(street, machine) for street, machine in zip(streets, machines, strict=True)]
+    made = _made_for_first(streets, refused, progress, mesh, faces)
+    stations = [
+        station(machine, setup, _posting(settings, made, dialect), name, "" if why is None else why.text)
+        for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
+    ]
+    rows = compare(made.path, stations, cures(made, wanted), progress=progress)
+    return Comparison(settings, made, rows, tuple(_row_findings(rows)))
+
+
+def _made_for_first(
+    streets: Sequence[Settings], refused: Sequence[SettingsError | None], progress: Progress, mesh: Mesh | None,
+    faces: Bools | None,
+) -> Posted:  # fmt: skip
+    """The path and its program on the first machine that can take up all of its axes. Raises what the first machine says where
+    there is none."""
+    problems: list[FiveAxisError] = []
+    for street, why in zip(streets, refused, strict=True):
+        try:
+            if why is None:
+                return _posted(street, progress, mesh, faces)
+            problems.append(why)
+        except ReachError as error:
+            problems.append(error)
+    raise problems[0]
+
+
+def _street(settings: Settings, machine: str = "") -> Settings:
+    """The settings of the task that makes the path, on one of several machines."""
+    task = MILL if Path(settings.source).suffix.lower() == ".stl" else POST
+    given = replace(settings.machine, machine=machine) if machine else settings.machine
+    return replace(settings, task=task, machine=given)
+
+
+def _posted(street: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None) -> Posted:
+    if mesh is not None:
+        street = replace(street, task=MILL)
+    made = make(street, progress, mesh, faces)
+    if not isinstance(made, Posted):
+        raise SettingsError(say("{source} is no source of a path; give an STL or a CL file", source=street.source), street.source)
+    return made
+
+
+def _posting(settings: Settings, made: Posted, dialect: Dialect) -> Posting:
+    part = made.mesh.vertex if isinstance(made, Milled) else None
+    inverse_time = settings.feeds.feed_mode == "g93"
+    return Posting(dialect, inverse_time, settings.links.clearance, settings.cutter.cutter.radius, part)
+
+
+def _region(settings: Settings, centre: Vector, rows: int, table: float | None) -> Region:
+    """The region about the present work zero, with as many places as are asked for, or as ``rows`` of the path leave time for.
+    Where nobody says how high the ``table`` is, Z of the usual region stays where it is.
+
+    Raises SettingsError where there is nothing to choose from.
+    """
+    half, turns, grid = settings.setup.region, int(settings.setup.turns), settings.setup.grid
+    half = (half[0], half[1], 0.0) if table is None and half == USUAL_REGION else half
+    if not any(half) and turns == 1:
+        text = say(
+            "region 0,0,0 with 1 turn has one setup only; give {region} a way to go along X, Y or Z, or {turns} above 1",
+            region=Option("region"),
+            turns=Option("turns"),
+        )
+        raise SettingsError(text, half)
+    able = [count for count in GRIDS if _places(half, count, turns) * rows <= WORK] or [GRIDS[-1]]
+    x, y, z = able[0] if grid is None else (int(count) for count in grid)
+    count = (x if half[0] else 1, y if half[1] else 1, z if half[2] else 1)
+    low, high = ((centre[0] + s * half[0], centre[1] + s * half[1], centre[2] + s * half[2]) for s in (-1.0, 1.0))
+    return Region(low, high, count, tuple(2.0 * math.pi * turn / turns for turn in range(turns)))
+
+
+def _places(half: Vector, count: tuple[int, int, int], turns: int) -> int:
+    return turns * math.prod(one for one, way in zip(count, half, strict=True) if way)
+
+
+def _refuse(chart: SetupMap) -> None:
+    low, high = chart.region.low, chart.region.high
+    sides = zip("XYZ", low, high, strict=True)
+    box = joined((say("{letter} {low} to {high}", letter=letter, low=Length(a, bare=True), high=Length(b, bare=letter != "Z"))
+                  for letter, a, b in sides), ", ")  # fmt: skip
+    why = next(
+        (one.text for one in chart.findings if one.severity is Severity.ERROR), say("the axes leave their limits everywhere")
+    )
+    raise SettingsError(say("setup region {box}: {why}", box=box, why=why), (low, high))
+
+
+def _row_findings(rows: Sequence[Row]) -> Iterator[Finding]:
+    grave = Severity.ERROR if all(row.problem for row in rows) else Severity.WARNING
+    for machine, cure, problem in dict.fromkeys((row.machine, row.cure, row.problem) for row in rows if row.problem):
+        text = say(
+            "On {machine} with correction {cure} the path cannot be driven: {problem}",
+            machine=machine,
+            cure=Choice("cures", (cure,), alone=True),
+            problem=problem,
+        )
+        yield Finding(grave, "cannot-be-compared", text)
+
+
+def as_text(trial: Trial) -> str:
+    """What was found, for the terminal."""
+    title = f"{title_of(trial.settings)}: {trial.settings.task}\n"
+    if isinstance(trial, SetupTrial):
+        return title + setup_text(trial.chart)
+    return title + compare_text(trial.rows, trial.settings.proof.tolerance)
+
+
+def as_json(trial: Trial) -> str:
+    """What was found, for scripts; ``inputs`` is a job file."""
+    inputs = flat_options(trial.settings)
+    return setup_json(trial.chart, inputs) if isinstance(trial, SetupTrial) else compare_json(trial.rows, inputs)
+
+
+def as_html(trial: Trial) -> str:
+    """What was found, as a page of its own."""
+    name = title_of(trial.settings)
+    if isinstance(trial, SetupTrial):
+        return heat_map_html(trial.chart, name)
+    return compare_html(trial.rows, name, trial.settings.proof.tolerance)
+
+
+REPORTS = {".json": as_json, ".html": as_html, ".htm": as_html, ".txt": as_text}
+
+
+def write_outputs(trial: Trial) -> list[str]:
+    """Write the reports that the settings name, all or none; returns their names. Raises FileError."""
+    reports = trial.settings.output.report
+    files = {path: REPORTS[Path(path).suffix.lower()](trial).encode("utf-8", "backslashreplace") for path in reports}
+    write_all(files)
+    return list(files)

@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What must not enter the part: cutter, shank and holder as one body of revolution about the tool axis.
+
+body      a stack of convex pieces; heights are counted from the tip along the axis, towards the spindle, mm.
+core      of a piece: a disc, a frustum, or a stretch of the axis; all points between the disc of ``low_radius`` at height
+          ``low`` and the disc of ``high_radius`` at height ``high``.
+piece     all points within ``round`` of its core: a ball is a core of one point, a corner of a bull nose a rounded disc.
+depth     of a point in the body: how far it is inside, mm; the largest over the pieces. Negative outside.
+support   of a piece in a unit direction g: the largest ``g . x`` of its points x, here from a tip at 0.
+
+Depth changes no faster than the body moves, and each piece is convex: its signed distance is a convex function.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.sentences import Length, say
+
+from .cutter import Cutter
+
+CUTTER, SHANK, HOLDER = 0, 1, 2
+PARTS = (say("cutter"), say("shank"), say("holder"))
+"""What a piece belongs to."""
+
+LARGEST = 1e4
+"""mm; no tool reaches ten metres."""
+
+NOWHERE = 1e-30
+"""mm; a distance from the axis below this has no direction."""
+
+
+class Piece(NamedTuple):
+    """A convex piece, mm: the core's two discs and ``round``; ``part``: CUTTER, SHANK or HOLDER."""
+
+    low: float
+    low_radius: float
+    high: float
+    high_radius: float
+    round: float
+    part: int = CUTTER
+
+    @property
+    def reach(self) -> float:
+        """No point of the core lies farther from the tip than this; a turn of the axis by t moves none of them by more than t
+        times as much."""
+        return float(max(np.hypot(self.low, self.low_radius), np.hypot(self.high, self.high_radius)))
+
+    @property
+    def most(self) -> float:
+        """No point is deeper in the piece than this, mm."""
+        thick = min(0.5 * (self.high - self.low), max(self.low_radius, self.high_radius))
+        return float(self.round + thick)
+
+
+class Body(NamedTuple):
+    """Cutter, shank and holder: a stack of convex pieces."""
+
+    pieces: tuple[Piece, ...]
+
+    def only(self, *parts: int) -> Body:
+        """The pieces of these parts."""
+        return Body(tuple(piece for piece in self.pieces if piece.part in parts))
+
+    @property
+    def reach(self) -> float:
+        """The largest reach of a piece with its round, mm."""
+        return max((piece.reach + piece.round for piece in self.pieces), default=0.0)
+
+
+def round_piece(ring: float, corner: float, height: float, part: int = CUTTER) -> Piece:
+    """The points within ``corner`` of a disc of radius ``ring`` at ``height``, mm: a ball where ``ring`` is 0."""
+    return _checked(Piece(height, ring, height, ring, corner, part))
+
+
+def frustum_piece(low: float, low_radius: float, high: float, high_radius: float, part: int = CUTTER) -> Piece:
+    """A cylinder or a cone frustum from height ``low`` to ``high``, mm."""
+    return _checked(Piece(low, low_radius, high, high_radius, 0.0, part))
+
+
+def _checked(piece: Piece) -> Piece:
+    sizes = piece[:5]
+    if not all(0.0 <= abs(size) <= LARGEST for size in sizes) or min(piece.low_radius, piece.high_radius, piece.round) < 0.0:
+        raise SettingsError(
+            say(
+                "a piece of the tool has sizes {sizes}; give radii of at least 0, up to {largest}",
+                sizes=sizes,
+                largest=Length(LARGEST),
+            ),
+            sizes,
+        )
+    if piece.high < piece.low or max(piece.low_radius, piece.high_radius, piece.round) == 0.0:
+        raise SettingsError(
+            say(
+                "a piece of the tool from height {low} to {high} has no volume",
+                low=Length(piece.low, bare=True),
+                high=Length(piece.high),
+            ),
+            sizes,
+        )
+    return piece
+
+
+def support(piece: Piece, along: Floats, loose: Floats | float = 0.0) -> Floats:
+    """The support (n,) mm in unit directions that have ``along`` (n,) of the axis in them, where the axis may be off by a vector
+    as long as ``loose`` (n,)."""
+    low, high = (piece.low, piece.low_radius), (piece.high, piece.high_radius)
+    across = np.sqrt(np.maximum(1.0 - along * along, 0.0)) if piece.low_radius + piece.high_radius > 0.0 else 0.0
+    most = [z * along + r * across + (abs(z) + r) * loose for z, r in ([low] if low == high else [low, high])]
+    return np.asarray((most[0] if len(most) == 1 else np.maximum(*most)) + piece.round)
+
+
+def body_of(cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: Iterable[tuple[float, float]] = ()) -> Body:
+    """The body of a cutter up to its length, then shank and holder, after those that the cutter brings itself.
+
+    ``shank``, ``holder``: (diameter, length) mm of stacked cylinders, from the cutter upwards. Raises SettingsError for sizes
+    that no tool has.
+    """
+    pieces = [*_cutter_pieces(cutter), *(frustum_piece(*row, HOLDER) for row in cutter.holder)]
+    top = max(cutter.length, cutter.corner)
+    for part, rows in ((SHANK, shank), (HOLDER, holder)):
+        for diameter, length in rows:
+            pieces.append(frustum_piece(top, 0.5 * diameter, top + length, 0.5 * diameter, part))
+            top += length
+    return Body(tuple(pieces))
+
+
+def _cutter_pieces(cutter: Cutter) -> list[Piece]:
+    """One piece from the bottom up, so that no inner border makes a point seem less deep than it is: all points within the corner
+    radius of a stretch of the axis (ball), a cylinder (bull nose) or a cone (tapered); and its end, which that rounds off, with
+    so much below it that its own lower border does not count."""
+    corner, slope = cutter.corner, math.tan(cutter.taper)
+    top = max(cutter.length, corner)
+    last = min(max(top - corner, corner), top)
+    pieces = [_checked(Piece(corner, cutter.ring, last, cutter.ring + (last - corner) * slope, corner))]
+    if top > last:
+        start = max(last - corner, min(corner, last))
+        pieces.append(frustum_piece(start, cutter.top_radius - (cutter.length - start) * slope, top, cutter.top_radius))
+    return pieces
+
+
+# ------------------------------------------------------------------------------------------------ the meridian plane
+
+
+class Off(NamedTuple):
+    """``distance`` (n,) mm from the piece, negative inside; ``along`` and ``across`` (n,): its gradient along the axis and away
+    from it, of length 1."""
+
+    distance: Floats
+    along: Floats
+    across: Floats
+
+
+def off_piece(piece: Piece, radius: Floats, height: Floats) -> Off:
+    """Signed distance and its gradient at points ``radius`` (n,) from the axis and ``height`` (n,) above the tip, mm."""
+    if piece.low == piece.high or (piece.low_radius == 0.0 and piece.high_radius == 0.0):
+        near_radius = np.minimum(radius, piece.low_radius)
+        near_height = np.clip(height, piece.low, piece.high)
+        return _rounded(_from_point(radius - near_radius, height - near_height), piece.round)
+    return _rounded(_off_frustum(piece, radius, height), piece.round)
+
+
+def distance_off(piece: Piece, radius: Floats, height: Floats) -> Floats:
+    """The distance (n,) mm of :func:`off_piece` alone."""
+    if piece.low_radius != piece.high_radius:
+        return off_piece(piece, radius, height).distance
+    across, along = radius - piece.low_radius, np.maximum(piece.low - height, height - piece.high)
+    inside = np.minimum(np.maximum(across, along), 0.0)
+    across, along = np.maximum(across, 0.0), np.maximum(along, 0.0)
+    return np.asarray(np.sqrt(across * across + along * along) + inside - piece.round)
+
+
+def _rounded(off: Off, by: float) -> Off:
+    return Off(off.distance - by, off.along, off.across)
+
+
+def _from_point(dr: Floats, dz: Floats) -> Off:
+    distance = np.sqrt(dr * dr + dz * dz)
+    safe = np.maximum(distance, NOWHERE)
+    across = np.where(distance > NOWHERE, dr / safe, 1.0)  # in the core itself any direction is as good
+    return Off(distance, dz / safe, across)
+
+
+def _off_frustum(piece: Piece, radius: Floats, height: Floats) -> Off:
+    """Inside: the nearest of bottom, side and top; outside: the nearest of their points."""
+    r0, z0, r1, z1 = piece.low_radius, piece.low, piece.high_radius, piece.high
+    slope = float(np.hypot(r1 - r0, z1 - z0))
+    nr, nz = (z1 - z0) / slope, (r0 - r1) / slope  # outward across the side
+    side = (radius - r0) * nr + (height - z0) * nz
+    bottom, top = z0 - height, height - z1
+    inner = np.maximum(np.maximum(bottom, top), side)
+    by_side = side >= np.maximum(bottom, top)
+    along_in = np.where(by_side, nz, np.where(bottom >= top, -1.0, 1.0))
+    share = np.clip(((radius - r0) * (r1 - r0) + (height - z0) * (z1 - z0)) / slope**2, 0.0, 1.0)
+    dr, dz = radius - r0 - share * (r1 - r0), height - z0 - share * (z1 - z0)
+    square = dr * dr + dz * dz
+    for level, rim in ((z0, r0), (z1, r1)):
+        er, ez = radius - np.minimum(radius, rim), height - level
+        nearer = er * er + ez * ez < square
+        dr, dz = np.where(nearer, er, dr), np.where(nearer, ez, dz)
+        square = np.where(nearer, er * er + ez * ez, square)
+    outer = _from_point(dr, dz)
+    inside = inner <= 0.0
+    return Off(
+        np.where(inside, inner, outer.distance),
+        np.where(inside, along_in, outer.along),
+        np.where(inside, np.where(by_side, nr, 0.0), outer.across),
+    )
+
+
+def depth_of(body: Body, tip: Floats, axis: Floats, point: Floats) -> Floats:
+    """How deep points (n, 3) lie in the body whose tip (n, 3) mm and unit axis (n, 3), or (3,) each, are given: (n,) mm."""
+    arm = np.asarray(point, float) - tip
+    height = (arm * axis).sum(axis=-1)
+    radius = np.linalg.norm(arm - height[..., None] * axis, axis=-1)
+    depths = [-distance_off(piece, radius, height) for piece in body.pieces]
+    return np.asarray(np.max(depths, axis=0))
+
+
+def way_out(body: Body, tip: Floats, axis: Floats, point: Floats) -> Floats:
+    """How far (n,) mm bodies at tips and axes (n, 3) must go along their axes until points (n, 3) are below them: what a drop
+    cutter calls the contact with a point. 0 where a point is below already, or beside the body all the way up."""
+    arm = point - tip
+    height = (arm * axis).sum(axis=-1)
+    radius = np.linalg.norm(arm - height[..., None] * axis, axis=-1)
+    floor = np.min([_underside(piece, radius) for piece in body.pieces], axis=0)
+    return np.asarray(np.maximum(height - floor, 0.0))
+
+
+def _underside(piece: Piece, radius: Floats) -> Floats:
+    """The lowest height (n,) of a piece so far from the axis, mm; infinite beside it."""
+    r0, r1, c = piece.low_radius, piece.high_radius, piece.round
+    over = np.maximum(radius - r0, 0.0)
+    lowest = piece.low - np.sqrt(np.maximum(c * c - over * over, 0.0))
+    under = np.where(over <= c, lowest, np.inf)
+    if r1 > r0:  # the flank, moved out by the round, between the arcs about the rims of both discs
+        slope, beyond = (piece.high - piece.low) / (r1 - r0), radius - r1
+        lean = float(np.hypot(1.0, slope))
+        begins = c * slope / lean
+        rim = piece.high - np.sqrt(np.maximum(c * c - beyond * beyond, 0.0))
+        flank = np.where(beyond <= begins, piece.low + over * slope - c * lean, rim)
+        under = np.minimum(under, np.where((over >= begins) & (beyond <= c), flank, np.inf))
+    return np.asarray(under)

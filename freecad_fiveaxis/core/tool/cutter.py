@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cutter: a body of revolution about the tool axis.
+
+contact   where the cutter touches the part (CC).       tip     the lowest point of the cutter, on its axis.
+axis      unit vector from the tip to the holder.       ball    a cutter whose corner radius is its radius.
+corner    radius of the rounding between bottom and flank: the centres of its circles make a ring about the axis.
+ring      radius of that ring: diameter / 2 - corner. A ball has none (0); a flat has no corner (0).
+hub       the middle of the ring, on the axis, one corner radius above the tip. Of a ball it is the ball's centre.
+taper     angle of the flank with the axis: above the corner the cutter widens as a cone that touches the corner circles.
+rim       the upper end of the flank, at the height ``length`` above the tip.
+
+The parameters are those of APT's ``CUTTER/d,r,e,f,a,b,h`` with a level bottom: r the corner radius, e the ring, f = r, a = 0, b
+the taper, h the length. The diameter here is that of the rounded end, 2 (e + r), which is APT's d only where there is no taper.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.sentences import Angle, Length, say
+
+if TYPE_CHECKING:
+    from freecad_fiveaxis.core.base.records import Floats
+
+LEAST, MOST = 1e-3, 1e4
+"""mm; a cutter below a micrometre or above ten metres is a slip of the pen."""
+
+MOST_TAPER = math.radians(60.0)
+"""rad; a flank that leans further is the bottom of a countersink."""
+
+FULL = math.inf
+"""The corner radius of a ball, where it is not given: as large as it can be, half the diameter."""
+
+LEAN = 1e-6
+"""rad by which rounding may turn a normal that is square to the flank."""
+
+Frustum = tuple[float, float, float, float]
+"""A cone frustum about the axis: z0, r0, z1, r1: heights above the tip and the radii there, mm; z0 below z1."""
+
+
+class Profile(NamedTuple):
+    """What the body is made of, mm. ``rounds`` (k, 3): all points within ``corner`` of a disc, rows of ring (the disc's radius),
+    corner, height of the disc above the tip. ``flanks`` and ``holder`` (m, 4) rows of frusta z0, r0, z1, r1: what cuts, and what
+    does not."""
+
+    rounds: Floats
+    flanks: Floats
+    holder: Floats
+
+
+@dataclass(frozen=True)
+class Cutter:
+    """A cutter, mm and rad: ``diameter`` of its rounded end, ``length`` (cutting edge, tip upwards), each from LEAST to MOST;
+    ``corner`` from 0 (flat) to half the diameter (ball, where it is not given); ``taper`` of the flank, 0 to MOST_TAPER;
+    ``holder``: shank and holder as frusta above the tip.
+
+    Raises SettingsError for a cutter that cannot be.
+    """
+
+    diameter: float
+    length: float = 50.0
+    corner: float = FULL
+    taper: float = 0.0
+    holder: tuple[Frustum, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name in ("diameter", "length"):
+            value = getattr(self, name)
+            if not LEAST <= value <= MOST:
+                raise SettingsError(
+                    say(
+                        "cutter {name} is {value}; give {least} to {most}",
+                        name=name,
+                        value=Length(value),
+                        least=Length(LEAST, bare=True),
+                        most=Length(MOST),
+                    ),
+                    value,
+                )
+        if self.corner == FULL:
+            object.__setattr__(self, "corner", self.radius)
+        _check_corner(self)
+        _check_taper(self)
+        for row in self.holder:
+            _check_frustum(row)
+
+    @property
+    def radius(self) -> float:
+        """Radius of the rounded end, mm: from the hub no point of it lies farther."""
+        return self.diameter / 2.0
+
+    @property
+    def ring(self) -> float:
+        """Radius of the ring on which the corner circles' centres lie, mm; 0 for a ball."""
+        return self.radius - self.corner
+
+    @property
+    def top_radius(self) -> float:
+        """Radius of the rim, mm."""
+        slope = math.tan(self.taper)
+        return self.ring + self.corner / math.cos(self.taper) + (self.length - self.corner) * slope
+
+    def tip_at(self, hub: Floats, axis: Floats) -> Floats:
+        """The tip (n, 3) mm where the hub (of a ball: its centre) (n, 3) mm stands and the unit ``axis`` (n, 3) points."""
+        return hub - self.corner * axis
+
+    def tip_from_contact(self, point: Floats, normal: Floats, axis: Floats, feed: Floats) -> Floats:
+        """The tip (n, 3) mm of the cutter that touches the plane through ``point`` with unit ``normal``, both (n, 3), from above.
+
+        ``axis`` and ``feed`` (n, 3) unit; the feed only chooses where the bottom of a flat or bull nose that stands square on
+        the plane touches it (:func:`~.contact.ring_direction`). Where the axis leans further than the flank allows, which is
+        no place to cut, the cutter touches with its rim.
+        """
+        import numpy as np
+
+        from .contact import ring_direction
+
+        out = ring_direction(normal, axis, feed, self.ring)
+        tip = point + self.corner * normal + self.ring * out - self.corner * axis
+        beyond = np.flatnonzero(np.einsum("ij,ij->i", normal, axis) < math.sin(self.taper) - LEAN)
+        if len(beyond):
+            out = ring_direction(normal[beyond], axis[beyond], feed[beyond], self.top_radius)
+            tip[beyond] = point[beyond] + self.top_radius * out - self.length * axis[beyond]
+        return np.asarray(tip)
+
+    def effective_radius(self, normal: Floats, axis: Floats, direction: Floats) -> Floats:
+        """Radius (n,) mm of what the cutter sweeps, across its way at the contact: infinite where a level bottom lies there.
+
+        ``normal``, ``axis`` (n, 3) unit; ``direction`` (n, 3): across the way, any length, not along the normal."""
+        from .silhouette import effective_radius
+
+        return effective_radius(normal, axis, direction, self.ring, self.corner)
+
+    def equivalent_radius(self, normal: Floats, axis: Floats, direction: Floats, height: float, bend: float = 0.0) -> Floats:
+        """Radius (n,) mm of the ball that is as wide as what the cutter sweeps, ``height`` mm above the contact.
+
+        Up to there that ball lies within the sweep, so the ball's scallop is never below the cutter's. Other arguments as for the
+        effective radius; a ``height`` above 0; ``bend`` 1/mm as in :func:`~.shadow.width_at`.
+        """
+        import numpy as np
+
+        from .silhouette import width_at
+
+        width = width_at(normal, axis, direction, height, self.hub_discs(), bend)
+        return np.asarray((0.25 * width * width + height * height) / (2.0 * height))
+
+    def hub_discs(self) -> Floats:
+        """The discs (2, 3) whose hull is the cutter: rows of radius, rounding, and height over the hub, mm."""
+        import numpy as np
+
+        return np.array([(self.ring, self.corner, 0.0), (self.top_radius, 0.0, max(self.length, self.corner) - self.corner)])
+
+    def profile(self) -> Profile:
+        """The body in pieces, for whoever asks whether it enters the part."""
+        import numpy as np
+
+        low = self.corner * (1.0 - math.sin(self.taper))
+        flank = [(low, self.ring + self.corner * math.cos(self.taper), self.length, self.top_radius)]
+        return Profile(
+            np.array([(self.ring, self.corner, self.corner)]),
+            np.array(flank if self.length > low else []).reshape(-1, 4),
+            np.array(self.holder, float).reshape(-1, 4),
+        )
+
+
+def _check_corner(cutter: Cutter) -> None:
+    if not 0.0 <= cutter.corner <= cutter.radius:
+        text = say(
+            "cutter corner radius is {corner}; give 0 to {radius}, half the diameter",
+            corner=Length(cutter.corner),
+            radius=Length(cutter.radius),
+        )
+        raise SettingsError(text, cutter.corner)
+
+
+def _check_taper(cutter: Cutter) -> None:
+    """A taper that narrows upwards would end in nothing; one of a cutter shorter than its corner would never begin."""
+    taper = math.degrees(cutter.taper)
+    if not 0.0 <= cutter.taper <= MOST_TAPER:
+        least = math.degrees(MOST_TAPER)
+        raise SettingsError(
+            say("cutter taper is {taper}; give 0 to {least}, from the axis to the flank", taper=Angle(taper), least=Angle(least)),
+            cutter.taper,
+        )
+    begins = cutter.corner * (1.0 - math.sin(cutter.taper))
+    if cutter.taper > 0.0 and not cutter.length > begins:
+        text = say(
+            "cutter length is {length}, the taper begins {begins} above the tip; give a longer cutter",
+            length=Length(cutter.length),
+            begins=Length(begins),
+        )
+        raise SettingsError(text, cutter.length)
+    if not cutter.top_radius <= MOST:
+        text = say(
+            "cutter taper {taper} makes it {width} wide; give a smaller taper or length",
+            taper=Angle(taper),
+            width=Length(2 * cutter.top_radius),
+        )
+        raise SettingsError(text, cutter.taper)
+
+
+def _check_frustum(row: Frustum) -> None:
+    if len(row) != 4 or not (0.0 <= row[0] < row[2] <= MOST and 0.0 <= row[1] <= MOST and 0.0 <= row[3] <= MOST):
+        text = say(
+            "holder {sizes} is no cone; give z0, r0, z1, r1 in mm with 0 <= z0 < z1 and radii of at least 0", sizes=tuple(row)
+        )
+        raise SettingsError(text, row)
