@@ -17,8 +17,8 @@ WAIT = 1000
 FREECADS = ("MeshPart",)
 """Modules of FreeCAD that are not loaded with it."""
 NEEDED = (
-    "core.job", "core.report", "app.results", "app.setups", "app.machines", "app.controllers", "app.tessellation", "app.changes",
-    "app.job_setup", "gui.panels.toolpath",
+    "core.jobs.job", "core.report", "app.results", "app.setups", "app.machines", "app.controllers", "app.tessellation",
+    "app.changes", "app.job_setup", "gui.panels.toolpath",
 )  # fmt: skip
 """Modules of the package, in the order in which they are imported."""
 

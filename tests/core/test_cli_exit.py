@@ -130,7 +130,7 @@ def mill(dome, stepover, head=""):
 @pytest.mark.parametrize(("name", "code"), STOPS)
 def test_a_signal_during_the_work_leaves_nothing(name, code, dome, tmp_path):
     mark = tmp_path / "mark"  # made when the work has begun
-    head = f"from freecad_fiveaxis.core import job; old = job.run\ndef run(*given):\n    open({str(mark)!r}, 'w'); return old(*given)\njob.run = run"
+    head = f"from freecad_fiveaxis.core.jobs import job; old = job.run\ndef run(*given):\n    open({str(mark)!r}, 'w'); return old(*given)\njob.run = run"
     done = mill(dome, "0.2", head)
     until(mark.exists)
     done.send_signal(getattr(signal, name))
@@ -166,7 +166,7 @@ def test_a_signal_while_files_take_their_place_waits_for_them(name, code, dome, 
 def test_a_second_signal_ends_at_once_and_a_signal_that_is_ignored_stays_so(tmp_path, nc):
     head = """
 import os, signal
-from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.jobs import job
 signal.signal(signal.SIGHUP, signal.SIG_IGN)
 def run(*given):
     os.kill(os.getpid(), signal.SIGHUP)
@@ -185,7 +185,7 @@ job.run = run
 def test_a_signal_that_a_module_makes_another_error_of_is_still_a_signal(nc):
     head = """
 import os, signal
-from freecad_fiveaxis.core import job
+from freecad_fiveaxis.core.jobs import job
 def run(*given):
     try:
         os.kill(os.getpid(), signal.SIGINT)
@@ -333,7 +333,7 @@ def test_numbers_beyond_all_bounds_make_no_warnings(line, code, tmp_path, capsys
 
 
 def test_a_warning_of_numpys_does_not_reach_the_terminal(nc):
-    head = "import numpy as np\nfrom freecad_fiveaxis.core import job\nold = job.run\ndef run(*given):\n    np.array(1e300) * 1e300\n    return old(*given)\njob.run = run"
+    head = "import numpy as np\nfrom freecad_fiveaxis.core.jobs import job\nold = job.run\ndef run(*given):\n    np.array(1e300) * 1e300\n    return old(*given)\njob.run = run"
     done = start("audit", nc, *AUDIT, head=head)
     assert done.communicate(timeout=30)[1] == b"" and done.returncode == 1
 

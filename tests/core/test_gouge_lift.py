@@ -214,7 +214,7 @@ def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
 
 @pytest.mark.parametrize("gouge", ["lift", "leave-out"])
 def test_without_a_look_above_the_ends_a_link_goes_through_the_roof(gouge, monkeypatch):
-    cure = importlib.import_module(f"freecad_fiveaxis.core.collision.{gouge.replace('-', '_')}")
+    cure = importlib.import_module(f"freecad_fiveaxis.core.corrections.{gouge.replace('-', '_')}")
     monkeypatch.setattr(cure, "is_under", lambda *given: np.zeros(len(given[2]), np.bool_))
     made = milled(shelf(), cutter="ball:4:6", stepover=4, gouge=gouge)
     assert "rapid-collision" in {f.code for f in job.prove(made).findings}

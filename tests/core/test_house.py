@@ -13,16 +13,10 @@ ROOT = Path(__file__).parents[2]
 CORE = ROOT / "freecad_fiveaxis" / "core"
 FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySide2", "PySide6", "pivy", "Path")
 MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
-STREET = [  # rooms and single modules of the core; imports only point up this list
-    "sentences", "errors", "findings", "portions", "records", "progress", "quantity", "ranges", "signals", "memory", "files", "number_text", "machine",
-    "kinematics", "mesh",
-    "passes", "cutter", "coedge", "tool_axis", "feasible", "seating", "cl_path", "apt", "trajectory", "deviation",
-    "joint_path", "minimax", "deform", "singularity", "post", "machine_import", "linearize", "program", "gouge", "faces", "part_size",
-    "nc_reader", "audit", "report", "setup_map", "compare", "recover", "prove_signs", "playback", "machine_sketch",
-    "option_values", "settings", "fewer_axes", "asked", "safe_start", "gouge_free", "job", "outputs", "cures", "trials", "workshop",
-    "job_file", "terminal", "cli",
-]  # fmt: skip
-LATE = {"post/writer.py": "program", "post/start.py": "program"}  # a file that stands further down the street than its room
+LAYERS = (  # packages of the core in the order of the process; a lower line may import from any above it, never from below
+    "base", "geometry", "tool", "controllers", "machine", "passes", "cl", "motion", "nc", "collision", "corrections", "audit", "report",
+    "jobs", "studies", "calibration", "cli",
+)  # fmt: skip
 
 
 def test_every_core_module_imports_with_freecad_and_qt_blocked():
@@ -70,21 +64,28 @@ def test_imports_in_the_core_go_one_way():
         visit(path)
 
 
-def place(path):
-    """Where on the street a file stands."""
-    inside = path.relative_to(CORE)
-    return STREET.index(LATE.get(inside.as_posix(), inside.with_suffix("").parts[0]))
+def layer(path):
+    """The place in LAYERS of the package that a file of the core belongs to."""
+    return LAYERS.index(path.relative_to(CORE).with_suffix("").parts[0])
 
 
-def test_imports_follow_the_street():
-    for path in CORE.rglob("*.py"):
-        if path != CORE / "__init__.py":
-            late = [made.stem for made in imports_of(path) if made != CORE / "__init__.py" and place(made) > place(path)]
-            assert not late, f"{path.relative_to(CORE)} imports {late} from further down the street"
+def upward_imports(path):
+    """What a file of the core imports from a layer below its own."""
+    return [made for made in imports_of(path) if made != CORE / "__init__.py" and layer(made) > layer(path)]
 
 
-def test_every_room_of_the_core_is_on_the_street():
-    assert {path.relative_to(CORE).with_suffix("").parts[0] for path in CORE.rglob("*.py")} - {"__init__"} == set(STREET)
+def test_no_layer_imports_from_one_below_it():
+    files = [path for path in CORE.rglob("*.py") if path != CORE / "__init__.py"]
+    assert {path.relative_to(CORE).as_posix(): upward_imports(path) for path in files if upward_imports(path)} == {}
+
+
+def test_an_import_from_below_would_be_noticed(monkeypatch):
+    monkeypatch.setattr(sys.modules[__name__], "LAYERS", (*LAYERS[1:], LAYERS[0]))
+    assert upward_imports(CORE / "geometry" / "mesh" / "mesh.py")
+
+
+def test_every_package_of_the_core_is_a_layer():
+    assert {path.relative_to(CORE).with_suffix("").parts[0] for path in CORE.rglob("*.py")} - {"__init__"} == set(LAYERS)
 
 
 def test_every_file_names_its_licence():

@@ -37,7 +37,7 @@ def test_settings_are_checked_without_the_engine():
 
 
 def test_what_computes_would_be_noticed():
-    assert set(loaded("from freecad_fiveaxis.core import seating\nprint(seating)")) >= {
+    assert set(loaded("from freecad_fiveaxis.core.cl import cl_offset\nprint(cl_offset)")) >= {
         "numpy",
         "freecad_fiveaxis.core.tool.contact",
     }

@@ -2,7 +2,7 @@
 """How a cutter that is no ball sits on the offset path: from the corner circle's centre to the hub.
 
 corner path  what co-edges are closed for: the path of a ball of the corner radius. A ball cutter needs no more.
-ring      a bull nose is that ball swept round a ring: its hub lies one ring radius further, along *out* (see :mod:`.cutter`).
+ring      a bull nose is that ball swept round a ring: its hub lies one ring radius further, along *out* (core/tool/cutter.py).
 sharp     the corner of a flat: a ball of some nanometres, so that edges get their arc of normals.
 smooth    a co-edge between facets that approximate one surface. All rows of its contact take out from the mean of both normals,
           as the tool axis does, and the bottom rocks from facet to facet; at any other co-edge each row takes its own normal, and

@@ -3,7 +3,7 @@
 
 head, tail   template lines before and after the blocks. Each template gives exactly one line, whatever its slots hold, so
              that the line of every block is known before anything is written.
-slots        see :mod:`.head`.
+slots        see :mod:`~freecad_fiveaxis.core.nc.head`.
 block        one line: block number, motion word, axis words, F word. The motion word stands in every block.
 guide        the controller guides the tip (RTCP, TCPC, TCPM, TRAORI): X Y Z are then the tip's place on the part, and the tool
              axis is given by the rotary words (``angles``) or by its vector (``vectors``).
@@ -69,7 +69,7 @@ class Dialect:
     ``high_speed``: lines that switch the high-speed mode on and off, empty where there is none.
     ``metric``, ``absolute``: the words of the head for mm and for absolute words.
     ``machine_retract``: the lines that drive Z to the machine coordinate ``{z}``; ``reference_return``: those that drive it to
-    its reference point (:mod:`.start`).
+    its reference point (:mod:`~freecad_fiveaxis.core.nc.start`).
     ``speed_call``: the line that sets the speed where no tool is called, if it is not the spindle's.
     ``suffix``: how the names of its NC files end.
     """

@@ -3,7 +3,7 @@
 
 motion    what the move that arrives at a row does: CUT cuts a facet, FILL closes a gap at a co-edge, LINK goes at feed
           away from or to the part along the tool axis, RAPID goes above the part.
-centre    of the ball; for a cutter that is no ball, its hub (see :mod:`.cutter`), of which the same is true.
+centre    of the ball; for a cutter that is no ball, its hub (see core/tool/cutter.py), of which the same is true.
 """
 
 from __future__ import annotations

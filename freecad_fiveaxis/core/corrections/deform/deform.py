@@ -8,7 +8,7 @@ lead       to change the axis of a pass near the pole such that the first rotary
            better (:mod:`.choice`).
 
 Only the axis moves. Contact points and ball centres stay what they are, so a ball-end cutter cuts the same surface; any other
-cutter sits anew on its contact (:mod:`.seating`).
+cutter sits anew on its contact (:mod:`~freecad_fiveaxis.core.cl.cl_offset`).
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ rewind    retract along the tool axis out of the part, rise above it, turn the r
           along the tool axis. The tool leaves where the old words reach their limit and re-enters where the new ones are
           within theirs: at the same place wherever both are.
 rapid     its tip goes straight and its rotary words go evenly, the tip put back on its chord at every block's end. Between
-          the ends the real tip leaves the chord; :mod:`.bound` proves by how much at most.
+          the ends the real tip leaves the chord; :mod:`~freecad_fiveaxis.core.motion.deviation.bound` proves by how much at most.
 """
 
 from __future__ import annotations
