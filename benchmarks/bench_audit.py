@@ -46,9 +46,9 @@ def blade_rows(lines: int) -> tuple[Floats, Floats]:
     return tip, np.column_stack([np.sin(lean) * np.cos(way), np.sin(lean) * np.sin(way), np.cos(lean)])
 
 
-def posted(links: Chain, tip: Floats, axis: Floats) -> Floats:
+def posted(kinematics: Chain, tip: Floats, axis: Floats) -> Floats:
     """Words (n, 5) mm and deg, one block a row, as a post without linearization writes them."""
-    q = inverse(links, tip, axis)[0][0]
+    q = inverse(kinematics, tip, axis)[0][0]
     q[:, 3] = np.unwrap(q[:, 3])
     return np.column_stack([q[:, :3], np.degrees(q[:, 3:])])
 
@@ -87,15 +87,15 @@ def percent_rate(letters: str, words: Floats) -> float:
 def main(lines: int = LINES) -> float:
     """Print the table; returns the audit's time over that of a million ``%`` rows."""
     machine = load_machine(MACHINE)
-    links = chain(machine, Setup(machine.origin))
+    kinematics = chain(machine, Setup(machine.origin))
     tip, axis = blade_rows(lines)
-    words = posted(links, tip, axis)
+    words = posted(kinematics, tip, axis)
     with tempfile.TemporaryDirectory() as folder:
         nc, cl, stl = (Path(folder) / name for name in ("impeller.ngc", "impeller.apt", "hub.stl"))
-        nc.write_text(nc_text(links.letters, words))
+        nc.write_text(nc_text(kinematics.letters, words))
         cl.write_text(cl_text(tip, axis))
         hub(stl)
-        rate = percent_rate(links.letters, words)
+        rate = percent_rate(kinematics.letters, words)
         rows, results = [], {}
         for name, more in (
             ("audit", {}),

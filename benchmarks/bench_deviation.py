@@ -27,7 +27,7 @@ ROUNDS = 5
 AT_LEAST = 8.0
 
 
-def milling_program(links: Chain, count: int, seed: int = 1) -> Floats:
+def milling_program(kinematics: Chain, count: int, seed: int = 1) -> Floats:
     """Words (count, 5), mm and deg, of a smooth path: chords of about 1 mm, each rotary axis turning by 0.1 to 2 deg a block."""
     rng = np.random.default_rng(seed)
     sign = np.where(np.arange(count) // 60 % 2, 1, -1)[:, None]
@@ -35,12 +35,12 @@ def milling_program(links: Chain, count: int, seed: int = 1) -> Floats:
     way = 0.02 * np.arange(count)
     heading = np.stack([np.cos(way), np.sin(way), 0.3 * np.sin(3.0 * way)], axis=1)
     tips = np.cumsum(rng.uniform(0.7, 1.3, (count, 1)) * heading, axis=0) + (60.0, 0.0, 80.0)
-    return np.concatenate([linear_words(links, tips, angles), np.degrees(angles)], axis=1)
+    return np.concatenate([linear_words(kinematics, tips, angles), np.degrees(angles)], axis=1)
 
 
-def sampled(links: Chain, words: Floats, samples: int = SAMPLES) -> Floats:
+def sampled(kinematics: Chain, words: Floats, samples: int = SAMPLES) -> Floats:
     """Segment deviation (m - 1,) mm of a trunnion machine (C on A) by plain numpy: sin and cos at every sample, in cache."""
-    _, y0, z0 = links.point2
+    _, y0, z0 = kinematics.point2
     u, q = np.linspace(0.0, 1.0, samples), words_to_q(words)
     result = np.empty(len(words) - 1)
     for first in range(0, len(result), 128):
@@ -59,13 +59,13 @@ def sampled(links: Chain, words: Floats, samples: int = SAMPLES) -> Floats:
 def main() -> float:
     """Print the table; returns how many times as fast the deviation is."""
     machine = load_machine("trunnion_ac")
-    links = chain(machine, Setup(machine.origin))
-    words = milling_program(links, BLOCKS + 1)
+    kinematics = chain(machine, Setup(machine.origin))
+    words = milling_program(kinematics, BLOCKS + 1)
     few = words[: SAMPLED + 1]
     calls = {
-        f"numpy, {SAMPLES} samples": (lambda: sampled(links, few), SAMPLED),
-        "deviation and bound": (lambda: measure(links, words), BLOCKS),
-        "quick bound alone": (lambda: quick_bound(links, words), BLOCKS),
+        f"numpy, {SAMPLES} samples": (lambda: sampled(kinematics, few), SAMPLED),
+        "deviation and bound": (lambda: measure(kinematics, words), BLOCKS),
+        "quick bound alone": (lambda: quick_bound(kinematics, words), BLOCKS),
     }
     seconds: dict[str, list[float]] = {name: [] for name in calls}
     for _ in range(ROUNDS):  # in turns: a busy machine slows all of them alike
@@ -75,17 +75,17 @@ def main() -> float:
     base = rate[f"numpy, {SAMPLES} samples"]
     rows = [(name, f"{value / 1e6:.2f} M", f"{value / base:.1f}") for name, value in rate.items()]
     print_table(f"Deviation of {BLOCKS} blocks of a milling program", ("", "blocks/s", "times numpy"), rows)
-    _print_accuracy(links, few)
+    _print_accuracy(kinematics, few)
     return rate["deviation and bound"] / base
 
 
-def _print_accuracy(links: Chain, words: Floats) -> None:
-    found = measure(links, words[:2001])
-    fine = sampled(links, words[:2001], 4001)
+def _print_accuracy(kinematics: Chain, words: Floats) -> None:
+    found = measure(kinematics, words[:2001])
+    fine = sampled(kinematics, words[:2001], 4001)
     off = np.abs(found.segment[1:] - fine) / fine
     over = (found.bound - found.segment)[1:]
     print(f"largest difference from 4001 samples {off.max():.1e} of the deviation; bound at most {over.max():.1e} mm above it")
-    print(f"quick bound over proven bound, median {np.median(quick_bound(links, words)[1:2001] / found.bound[1:]):.2f}")
+    print(f"quick bound over proven bound, median {np.median(quick_bound(kinematics, words)[1:2001] / found.bound[1:]):.2f}")
 
 
 if __name__ == "__main__":

@@ -22,9 +22,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks.parts import bumpy
 from benchmarks.timing import print_table
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.collision import find_entries, real_course, straight_course
+from freecad_fiveaxis.core.collision import find_entries, real_motion, straight_motion
 from freecad_fiveaxis.core.collision.deepest import nearest_on_facet
-from freecad_fiveaxis.core.collision.swept_motion import still_course
+from freecad_fiveaxis.core.collision.swept_motion import still_positions
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree, planted
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.jobs import job
@@ -76,17 +76,15 @@ def rates(facets: int) -> dict[str, float]:
     """The check's rates and the peers', positions a second."""
     mesh = bumpy(facets)
     made, tree = milled(mesh), facet_tree(mesh)
-    real, straight = real_course(made.links, made.program.words), straight_course(made.path.tip, made.path.axis)
+    real, straight = real_motion(made.kinematics, made.program.words), straight_motion(made.path.tip, made.path.axis)
     body, few = body_of(Cutter(DIAMETER)), np.arange(1000, 1000 + FEW)
     centres = made.path.tip[few] + 0.5 * DIAMETER * made.path.axis[few]
     peer = Neighbours(mesh)
     found: dict[str, list[float]] = {name: [] for name in ("real", "straight", "tree", "peer")}
     for _ in range(ROUNDS):  # in turns: a busy machine slows all of them alike
-        for name, course in (("real", real), ("straight", straight)):
-            blocks = np.arange(min(POSITIONS, len(course)))
-            found[name].append(
-                len(blocks) / _seconds(lambda c=course, b=blocks: find_entries(body, tree, c, TOLERANCE, blocks=b))
-            )
+        for name, swept in (("real", real), ("straight", straight)):
+            blocks = np.arange(min(POSITIONS, len(swept)))
+            found[name].append(len(blocks) / _seconds(lambda c=swept, b=blocks: find_entries(body, tree, c, TOLERANCE, blocks=b)))
         found["peer"].append(FEW / _seconds(lambda: peer.depth(centres, 0.5 * DIAMETER)))
         found["tree"].append(_seconds(lambda: planted(mesh)))
     return {name: statistics.median(values) for name, values in found.items()}
@@ -130,10 +128,10 @@ def real_rows(name: str, diameter: float) -> list[tuple[str, ...]]:
             tips, rate = dropped(mesh, theirs, np.column_stack([x.ravel(), y.ravel()]))
             rates_["peer"].append(rate)
             axes = np.broadcast_to((0.0, 0.0, 1.0), tips.shape)
-            for key, course in (("still", still_course(tips, axes)), ("way", straight_course(tips, axes))):
-                rates_[key].append(len(tips) / _seconds(lambda b=body, c=course: find_entries(b, tree, c, TOLERANCE)))
+            for key, swept in (("still", still_positions(tips, axes)), ("way", straight_motion(tips, axes))):
+                rates_[key].append(len(tips) / _seconds(lambda b=body, c=swept: find_entries(b, tree, c, TOLERANCE)))
         rate = {key: statistics.median(values) for key, values in rates_.items()}
-        deepest = find_entries(body, tree, still_course(tips, axes), TOLERANCE).depth.max()
+        deepest = find_entries(body, tree, still_positions(tips, axes), TOLERANCE).depth.max()
         rows.append((
             name, f"{len(mesh.face)}", f"{kind} {diameter:g}", f"{rate['peer'] / 1e3:.2f} k", f"{rate['still'] / 1e3:.1f} k",
             f"{rate['still'] / rate['peer']:.1f}", f"{rate['way'] / 1e3:.1f} k", f"{deepest:.3f}",

@@ -22,12 +22,12 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forwar
 POINTS = 500_000
 
 
-def stacked_forward(links: Chain, q: Floats) -> tuple[Floats, Floats]:
+def stacked_forward(kinematics: Chain, q: Floats) -> tuple[Floats, Floats]:
     """Tip and axis of a machine whose linear axes stand together, by stacks of matrices."""
-    first, second = (Rotation.from_rotvec(q[:, 3 + i, None] * links.direction[3 + i]) for i in range(2))
-    sums = [q[:, :3] if links.slot[0] == slot else 0.0 for slot in range(3)]
-    inner = links.point2 + second.apply(np.zeros((len(q), 3)) + sums[2] - links.point2)
-    tip = sums[0] + links.point1 + first.apply(sums[1] + inner - links.point1)
+    first, second = (Rotation.from_rotvec(q[:, 3 + i, None] * kinematics.direction[3 + i]) for i in range(2))
+    sums = [q[:, :3] if kinematics.slot[0] == slot else 0.0 for slot in range(3)]
+    inner = kinematics.point2 + second.apply(np.zeros((len(q), 3)) + sums[2] - kinematics.point2)
+    tip = sums[0] + kinematics.point1 + first.apply(sums[1] + inner - kinematics.point1)
     return tip, (first * second).apply((0.0, 0.0, 1.0))
 
 
@@ -37,17 +37,17 @@ def rows() -> list[list[str]]:
     q = np.asfortranarray(np.column_stack([rng.uniform(-300, 300, (POINTS, 3)), rng.uniform(-np.pi, np.pi, (POINTS, 2))]))
     table = []
     for name in shipped_machines():
-        links = chain(load_machine(name), Setup(tool_length=100.0))
-        tip, axis = forward(links, q)
-        np.testing.assert_allclose(stacked_forward(links, q[:1000])[0], tip[:1000], rtol=0, atol=1e-9)
+        kinematics = chain(load_machine(name), Setup(tool_length=100.0))
+        tip, axis = forward(kinematics, q)
+        np.testing.assert_allclose(stacked_forward(kinematics, q[:1000])[0], tip[:1000], rtol=0, atol=1e-9)
         calls = (
-            lambda links=links: forward(links, q),
-            lambda links=links, tip=tip, axis=axis: inverse(links, tip, axis),
-            lambda links=links, axis=axis: inverse_axis(links, axis),
-            lambda links=links, tip=tip: linear_words(links, tip, q[:, 3:]),
+            lambda kinematics=kinematics: forward(kinematics, q),
+            lambda kinematics=kinematics, tip=tip, axis=axis: inverse(kinematics, tip, axis),
+            lambda kinematics=kinematics, axis=axis: inverse_axis(kinematics, axis),
+            lambda kinematics=kinematics, tip=tip: linear_words(kinematics, tip, q[:, 3:]),
         )
         speeds = [POINTS / median_seconds(call) / 1e6 for call in calls]
-        peer = POINTS / 10 / median_seconds(lambda links=links: stacked_forward(links, q[: POINTS // 10])) / 1e6
+        peer = POINTS / 10 / median_seconds(lambda kinematics=kinematics: stacked_forward(kinematics, q[: POINTS // 10])) / 1e6
         table.append([name, *(f"{speed:.1f}" for speed in speeds), f"{peer:.2f}", f"{speeds[0] / peer:.1f}"])
     return table
 

@@ -22,7 +22,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "core"))
 
-from five_kinds import interleaved, links_of, random_blocks
+from five_kinds import interleaved, kinematics_of, random_blocks
 
 from benchmarks.timing import print_table
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
@@ -49,7 +49,7 @@ DEPTH = 12
 """Halvings of the peer; a block that needs more is given up."""
 
 
-def milling_cuts(links: Chain, count: int, seed: int = 3) -> Floats:
+def milling_cuts(kinematics: Chain, count: int, seed: int = 3) -> Floats:
     """Words (count, 5), mm and deg, of a path of chords of about 4 mm, turning by 2 to 10 deg about each axis in a block."""
     rng = np.random.default_rng(seed)
     sign = np.where(np.arange(count) // 12 % 2, 1.0, -1.0)[:, None]
@@ -57,20 +57,20 @@ def milling_cuts(links: Chain, count: int, seed: int = 3) -> Floats:
     way = 0.05 * np.arange(count)
     heading = np.stack([np.cos(way), np.sin(way), 0.3 * np.sin(3.0 * way)], axis=1)
     tips = np.cumsum(rng.uniform(2.0, 6.0, (count, 1)) * heading, axis=0) + (60.0, 0.0, 80.0)
-    return np.round(q_to_words(joint_words(links, tips, angles)), DECIMALS)
+    return np.round(q_to_words(joint_words(kinematics, tips, angles)), DECIMALS)
 
 
-def bisected(links: Chain, start: Floats, end: Floats) -> Ints:
+def bisected(kinematics: Chain, start: Floats, end: Floats) -> Ints:
     """How many pieces (b,) bisection makes of blocks from words ``start`` to ``end`` (b, 5); 0 where it comes to no end."""
     q = np.stack([words_to_q(start), words_to_q(end)])
-    (tip, axis), way = forward(links, q.reshape(-1, 5)), q[:, :, 3:]
+    (tip, axis), way = forward(kinematics, q.reshape(-1, 5)), q[:, :, 3:]
     tip, axis = tip.reshape(2, -1, 3), axis.reshape(2, -1, 3)
     count, block, low, width = np.zeros(len(start), np.int64), np.arange(len(start)), np.zeros(len(start)), 1.0
     for _ in range(DEPTH):
-        ends = np.stack([_half_way(links, tip, axis, way, block, low + u) for u in (0.0, width)])
+        ends = np.stack([_half_way(kinematics, tip, axis, way, block, low + u) for u in (0.0, width)])
         for u, own, k in ((0.0, start, 0), (1.0, end, 1)):
             ends[k][low + k * width == u] = own[block[low + k * width == u]]
-        good = _holds(links, ends, tip[:, block])
+        good = _holds(kinematics, ends, tip[:, block])
         count += np.bincount(block[good], minlength=len(start))
         width, block, low = 0.5 * width, np.repeat(block[~good], 2), np.repeat(low[~good], 2)
         low[1::2] += width
@@ -80,43 +80,43 @@ def bisected(links: Chain, start: Floats, end: Floats) -> Ints:
     return count
 
 
-def _half_way(links: Chain, tip: Floats, axis: Floats, way: Floats, block: Ints, u: Floats) -> Floats:
+def _half_way(kinematics: Chain, tip: Floats, axis: Floats, way: Floats, block: Ints, u: Floats) -> Floats:
     """Rounded words at a share ``u`` of each block: the tip on the chord, the axis on the great arc."""
     share = u[:, None]
     middle = (1.0 - share) * way[0, block] + share * way[1, block]
     angle = np.arccos(np.clip((axis[0, block] * axis[1, block]).sum(1), -1.0, 1.0))[:, None]
     a, b = (np.where(angle > 1e-9, np.sin(s * angle) / np.maximum(np.sin(angle), 1e-12), s) for s in (1.0 - share, share))
     arc = a * axis[0, block] + b * axis[1, block]
-    both = inverse_axis(links, arc / np.linalg.norm(arc, axis=1)[:, None])[0]
+    both = inverse_axis(kinematics, arc / np.linalg.norm(arc, axis=1)[:, None])[0]
     both += 2.0 * np.pi * np.rint((middle - both) / (2.0 * np.pi))
     near = np.abs(both - middle).sum(2).argmin(0)
     angles = np.radians(np.round(np.degrees(both[near, np.arange(len(block))]), DECIMALS))
     tips = (1.0 - share) * tip[0, block] + share * tip[1, block]
-    return np.round(q_to_words(joint_words(links, tips, angles)), DECIMALS)
+    return np.round(q_to_words(joint_words(kinematics, tips, angles)), DECIMALS)
 
 
-def _holds(links: Chain, ends: Floats, tip: Floats) -> Bools:
+def _holds(kinematics: Chain, ends: Floats, tip: Floats) -> Bools:
     """Which pieces between words ``ends`` (2, n, 5) are proven to stay within tolerance of the segments ``tip`` (2, n, 3)."""
-    bound = measure(links, interleaved(*ends)).bound[1::2]
+    bound = measure(kinematics, interleaved(*ends)).bound[1::2]
     chord = tip[1] - tip[0]
     off = []
     for words in ends:
-        aside = forward(links, words_to_q(words))[0] - tip[0]
+        aside = forward(kinematics, words_to_q(words))[0] - tip[0]
         share = np.clip((aside * chord).sum(1) / np.maximum((chord**2).sum(1), 1e-18), 0.0, 1.0)
         off.append(np.linalg.norm(aside - share[:, None] * chord, axis=1))
     return np.asarray(bound + np.maximum(*off) <= TOLERANCE)
 
 
-def compare(name: str, links: Chain, words: Floats, feeds: Ints) -> tuple[list[object], float]:
+def compare(name: str, kinematics: Chain, words: Floats, feeds: Ints) -> tuple[list[object], float]:
     """A row of the table, and output blocks a second."""
-    rows = feeds[measure(links, words).segment[feeds] > TOLERANCE]
+    rows = feeds[measure(kinematics, words).segment[feeds] > TOLERANCE]
     wanted = np.zeros(len(words), bool)
     wanted[rows] = True
-    _, row, _ = linearize_words(links, words, (DECIMALS, DECIMALS), TOLERANCE, wanted)
-    count, halves = np.bincount(row, minlength=len(words))[rows], bisected(links, words[rows - 1], words[rows])
+    _, row, _ = linearize_words(kinematics, words, (DECIMALS, DECIMALS), TOLERANCE, wanted)
+    count, halves = np.bincount(row, minlength=len(words))[rows], bisected(kinematics, words[rows - 1], words[rows])
     calls = (
-        lambda: linearize_words(links, words, (DECIMALS, DECIMALS), TOLERANCE, wanted),
-        lambda: bisected(links, words[rows - 1], words[rows]),
+        lambda: linearize_words(kinematics, words, (DECIMALS, DECIMALS), TOLERANCE, wanted),
+        lambda: bisected(kinematics, words[rows - 1], words[rows]),
     )
     ours, peers = np.min([[_seconds(call) for call in calls] for _ in range(ROUNDS)], axis=0)  # both are warm; least disturbed
     many, rate, other = halves > 4, count.sum() / ours, halves.sum() / peers
@@ -139,17 +139,19 @@ KINDS = ("table_table", "nutating", "head_table", "head_head")
 def main() -> float:
     """Print the table; returns output blocks a second on the milling program."""
     machine = load_machine("trunnion_ac")
-    links = chain(machine, Setup(machine.origin))
-    words = milling_cuts(links, BLOCKS + 1)
-    table, rates = zip(compare("milling, trunnion", links, words, np.arange(1, len(words))), *map(_random, KINDS), strict=True)
+    kinematics = chain(machine, Setup(machine.origin))
+    words = milling_cuts(kinematics, BLOCKS + 1)
+    table, rates = zip(
+        compare("milling, trunnion", kinematics, words, np.arange(1, len(words))), *map(_random, KINDS), strict=True
+    )
     print_table(f"Blocks divided for {TOLERANCE:g} mm, words of {DECIMALS} decimals, and bisection", HEADS, table)
     return float(rates[0])
 
 
 def _random(kind: str) -> tuple[list[object], float]:
-    links = links_of(kind)
-    words = np.round(interleaved(*random_blocks(links, BLOCKS // 5, 41)), DECIMALS)
-    return compare(f"random, {kind}", links, words, np.arange(1, len(words), 2))
+    kinematics = kinematics_of(kind)
+    words = np.round(interleaved(*random_blocks(kinematics, BLOCKS // 5, 41)), DECIMALS)
+    return compare(f"random, {kind}", kinematics, words, np.arange(1, len(words), 2))
 
 
 if __name__ == "__main__":

@@ -44,12 +44,12 @@ def many_passes() -> OffsetPath:
 def main() -> float:
     """Print the table; returns how many measurements of the path one run of minimax takes."""
     path, (x, y, z) = many_passes(), parts.MACHINE.rotary[1].point
-    links = chain(parts.table_ab(), Setup((x, y, z + 60.0)))
+    kinematics = chain(parts.table_ab(), Setup((x, y, z + 60.0)))
     axis, count = tool_axes(path, "facet_mean", AxisOptions()), len(path.point)
     angles = np.column_stack([np.zeros(count), -np.arctan2(axis[:, 1], axis[:, 2])])
-    words = q_to_words(np.column_stack([linear_words(links, path.centre, angles), angles]))
-    search = min(run_seconds(lambda: minimax_axes(path, axis, links, 0.0, TILT, 1000.0), repeat=1))
-    measured = min(run_seconds(lambda: measure(links, words), repeat=5))
+    words = q_to_words(np.column_stack([linear_words(kinematics, path.centre, angles), angles]))
+    search = min(run_seconds(lambda: minimax_axes(path, axis, kinematics, 0.0, TILT, 1000.0), repeat=1))
+    measured = min(run_seconds(lambda: measure(kinematics, words), repeat=5))
     rows = [(name, f"{count / time:,.0f}") for name, time in (("minimax", search), ("deviation.measure", measured))]
     print_table(f"{PASSES} passes, {count} rows", ("", "rows/s"), rows)
     return search / measured

@@ -23,8 +23,8 @@ from freecad_fiveaxis.core.report.rest_material_map import (
     HeightScale,
     height_colours,
     height_scale,
-    left_patches,
     level_colours,
+    rest_material_patches,
     scale_marks,
 )
 
@@ -47,7 +47,7 @@ def milled(gouge: str) -> Figures:
 def seen(axes: Any, figures: Figures, scale: HeightScale, title: str) -> None:
     """The patch from above, coloured by what is left."""
     assert figures.mesh is not None and figures.left is not None
-    corner, view = left_patches(figures.mesh, figures.left), view_from(-0.5 * np.pi, 0.5 * np.pi)
+    corner, view = rest_material_patches(figures.mesh, figures.left), view_from(-0.5 * np.pi, 0.5 * np.pi)
     low, high = corner.reshape(-1, 3).min(axis=0)[:2], corner.reshape(-1, 3).max(axis=0)[:2]
     wide, tall = np.ceil((high - low) * FINE).astype(int).tolist()
     owner = owners(corner, view, low, FINE, wide, tall)

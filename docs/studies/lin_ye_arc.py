@@ -37,17 +37,17 @@ def trunnion(centre_distance: float) -> Chain:
     return chain(MACHINE, Setup((x, y, z + centre_distance)))
 
 
-def arc_words(links: Chain, radius: float, psi: Floats) -> Floats:
+def arc_words(kinematics: Chain, radius: float, psi: Floats) -> Floats:
     """Words (n, 5), mm and degrees: the driven point on the arc of ``radius`` mm at ``psi`` (n,), the tool normal to it."""
     point = radius * np.stack([0.0 * psi, np.cos(psi), np.sin(psi)], axis=1)
     angles = np.stack([0.0 * psi, psi - np.pi / 2], axis=1)
-    return q_to_words(np.column_stack([linear_words(links, point, angles), angles]))
+    return q_to_words(np.column_stack([linear_words(kinematics, point, angles), angles]))
 
 
-def off_the_arc(links: Chain, radius: float, psi: Floats) -> Floats:
+def off_the_arc(kinematics: Chain, radius: float, psi: Floats) -> Floats:
     """Distance (n - 1, SAMPLES) mm of the real ball centre from the arc, along each step; negative: overcut."""
-    words, u = arc_words(links, radius, psi), np.linspace(0.0, 1.0, SAMPLES)
-    place = tip_at(links, words[:-1], words[1:], np.broadcast_to(u, (len(psi) - 1, SAMPLES)))
+    words, u = arc_words(kinematics, radius, psi), np.linspace(0.0, 1.0, SAMPLES)
+    place = tip_at(kinematics, words[:-1], words[1:], np.broadcast_to(u, (len(psi) - 1, SAMPLES)))
     return np.asarray(np.linalg.norm(place, axis=2) - radius)
 
 
@@ -58,8 +58,8 @@ def shift_measured(centre_distance: float, step: float, beta: float = 0.0) -> fl
     is, so its deviation from that point is the shift.
     """
     psi = np.pi / 2 + beta + 0.5 * np.array([-step, step])
-    links = trunnion(centre_distance)
-    return float(measure(links, arc_words(links, 0.0, psi)).segment[1])
+    kinematics = trunnion(centre_distance)
+    return float(measure(kinematics, arc_words(kinematics, 0.0, psi)).segment[1])
 
 
 def deviation_simulated(centre_distance: float, step: float, beta: float) -> float:
@@ -71,8 +71,8 @@ def deviation_simulated(centre_distance: float, step: float, beta: float) -> flo
 
 def off_the_chords(centre_distance: float, step: float) -> float:
     """What an audit of the half circle's program says, mm: the largest deviation from a commanded chord."""
-    links = trunnion(centre_distance)
-    return float(measure(links, arc_words(links, ARC + BALL, half_circle(step))).segment.max())
+    kinematics = trunnion(centre_distance)
+    return float(measure(kinematics, arc_words(kinematics, ARC + BALL, half_circle(step))).segment.max())
 
 
 def half_circle(step: float) -> Floats:

@@ -44,9 +44,9 @@ def draw_all(folder: Path) -> list[str]:
 def half_circle() -> Any:
     """Figs. 10 and 11: the half circle with the real path, and the deviation along it."""
     psi = arc.half_circle(np.radians(20))
-    links, radius = arc.trunnion(arc.PAPER_R0), arc.ARC + arc.BALL
-    words, u = arc.arc_words(links, radius, psi), np.linspace(0.0, 1.0, arc.SAMPLES)
-    real = tip_at(links, words[:-1], words[1:], np.broadcast_to(u, (len(psi) - 1, arc.SAMPLES))).reshape(-1, 3)
+    kinematics, radius = arc.trunnion(arc.PAPER_R0), arc.ARC + arc.BALL
+    words, u = arc.arc_words(kinematics, radius, psi), np.linspace(0.0, 1.0, arc.SAMPLES)
+    real = tip_at(kinematics, words[:-1], words[1:], np.broadcast_to(u, (len(psi) - 1, arc.SAMPLES))).reshape(-1, 3)
     figure, (left, right) = plt.subplots(1, 2, figsize=(WIDE, 3.3), layout="constrained")
     fine = np.linspace(0.0, np.pi, 500)
     left.plot(radius * np.cos(fine), radius * np.sin(fine), color=GREEN, label="arc that is wanted")
@@ -55,7 +55,7 @@ def half_circle() -> Any:
     left.set(aspect="equal", xlabel="Y, mm", ylabel="Z, mm", title="Half circle, 20 deg steps", ylim=(-5, 75))
     left.legend(loc="lower center")
     angle = (psi[:-1, None] + u * np.diff(psi)[:, None]).ravel()
-    off = arc.off_the_arc(links, radius, psi).ravel()
+    off = arc.off_the_arc(kinematics, radius, psi).ravel()
     right.plot(np.degrees(angle), off, color=BLUE)
     worst = int(np.argmin(off))
     right.annotate(

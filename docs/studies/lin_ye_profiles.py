@@ -43,7 +43,7 @@ SHORT = 1e-9
 class Rig:
     """``first`` rad: the rotary word that stands still; the other one leans the tool by ``sense`` x its word towards +Y."""
 
-    links: Chain
+    kinematics: Chain
     first: float
     sense: float
 
@@ -138,7 +138,9 @@ def deviations(path: OffsetPath, strategy: str, rig: Rig) -> Floats:
     """Deviation (n,) mm of the ball's centre from the chord of each block."""
     lean = leans(path, strategy)
     angles = np.column_stack([np.full(len(lean), rig.first), rig.sense * lean])
-    return measure(rig.links, q_to_words(np.column_stack([linear_words(rig.links, path.centre, angles), angles]))).segment
+    return measure(
+        rig.kinematics, q_to_words(np.column_stack([linear_words(rig.kinematics, path.centre, angles), angles]))
+    ).segment
 
 
 def estimated(path: OffsetPath, strategy: str, axis_z: float) -> Floats:

@@ -58,11 +58,11 @@ def _table() -> tuple[float, float, float]:
 def one_axis(axis_z: float) -> Chain:
     """The A-B table, its A axis at height ``axis_z`` mm and free, its B axis locked."""
     x, y, z = _table()
-    links = chain(parts.table_ab(), Setup((x, y, z - axis_z)))
-    low, high = links.low.copy(), links.high.copy()
+    kinematics = chain(parts.table_ab(), Setup((x, y, z - axis_z)))
+    low, high = kinematics.low.copy(), kinematics.high.copy()
     low[3] = high[3] = 0.0
     low[4], high[4] = -np.pi, np.pi
-    return replace(links, low=low, high=high)
+    return replace(kinematics, low=low, high=high)
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,9 +76,9 @@ class Profile:
 
     def largest(self, lean: Floats) -> float:
         """The largest deviation, mm, by the core's own measure."""
-        links, angles = one_axis(self.axis_z), np.column_stack([0.0 * lean, -lean])
-        words = q_to_words(np.column_stack([linear_words(links, self.path.centre, angles), angles]))
-        return float(measure(links, words).segment.max())
+        kinematics, angles = one_axis(self.axis_z), np.column_stack([0.0 * lean, -lean])
+        words = q_to_words(np.column_stack([linear_words(kinematics, self.path.centre, angles), angles]))
+        return float(measure(kinematics, words).segment.max())
 
 
 @functools.cache

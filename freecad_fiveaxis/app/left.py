@@ -16,7 +16,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import Area, Length, joined, say
-from freecad_fiveaxis.core.collision import Remainder
+from freecad_fiveaxis.core.collision import RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.collision_avoidance import allowed
@@ -81,7 +81,7 @@ class Heights:
 
     fingerprint: str
     mesh: Mesh
-    left: Remainder
+    left: RestMaterial
     tolerance: float
     allowed: float
 
@@ -152,7 +152,7 @@ def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
 
 def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights:
     made = known.result.made
-    left = figures.left or job.what_is_left(made, progress)
+    left = figures.left or job.rest_material_of(made, progress)
     return Heights(known.fingerprint, made.mesh, left, figures.tolerance, allowed(made.settings, made.mesh, made.keep))
 
 

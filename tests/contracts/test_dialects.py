@@ -53,12 +53,12 @@ def machine(first: str, second: str) -> Chain:
 LINKS = machine("C", "A")
 
 
-def some_joints(links: Chain, rows: int = 300, seed: int = 0) -> JointPath:
+def some_joints(kinematics: Chain, rows: int = 300, seed: int = 0) -> JointPath:
     """Moves of every kind, some along one axis alone, some of nothing at all."""
     random = np.random.default_rng(seed)
     step = random.normal(0, 1, (rows, 5)) * (2, 2, 2, 0.05, 0.05) * (random.random((rows, 5)) < 0.6)
     q = np.cumsum(step, axis=0) + (0, 0, 60, 0, 0)
-    tip, axis = forward(links, q)
+    tip, axis = forward(kinematics, q)
     motion = random.choice([Motion.RAPID, Motion.LINK, Motion.CUT, Motion.CUT, Motion.FILL], rows).astype(np.int8)
     motion[0] = Motion.RAPID
     none = np.full(rows, -1)
@@ -66,8 +66,8 @@ def some_joints(links: Chain, rows: int = 300, seed: int = 0) -> JointPath:
     return JointPath(path, np.arange(rows), q, np.zeros(rows, np.int8), np.ones(rows))
 
 
-def some_program(dialect: Dialect, inverse_time: bool, links: Chain = LINKS) -> Program:
-    return build_program(some_joints(links), links, dialect, inverse_time)
+def some_program(dialect: Dialect, inverse_time: bool, kinematics: Chain = LINKS) -> Program:
+    return build_program(some_joints(kinematics), kinematics, dialect, inverse_time)
 
 
 def block_lines(text: bytes, dialect: Dialect) -> list[str]:
@@ -81,10 +81,10 @@ def block_lines(text: bytes, dialect: Dialect) -> list[str]:
 @pytest.mark.parametrize("letters", ["CA", "CB", "AB", "BA"])
 @pytest.mark.parametrize("modal", [True, False], ids=["modal", "all-words"])
 def test_every_word_is_read_back_exactly_as_it_was_rounded(dialect, inverse_time, letters, modal) -> None:
-    links, dialect = machine(*letters), replace(dialect, modal=modal)
-    joints = some_joints(links)
-    program = build_program(joints, links, dialect, inverse_time)
-    again = read_nc(write_nc(program, dialect, "part"), links, dialect)
+    kinematics, dialect = machine(*letters), replace(dialect, modal=modal)
+    joints = some_joints(kinematics)
+    program = build_program(joints, kinematics, dialect, inverse_time)
+    again = read_nc(write_nc(program, dialect, "part"), kinematics, dialect)
     assert np.array_equal(again.words, program.words)
     assert np.array_equal(again.feed, program.feed) and np.array_equal(again.inverse_time, program.inverse_time)
     assert np.array_equal(again.line, program.line)
@@ -316,18 +316,18 @@ EVERY_GUIDE = pytest.mark.parametrize(("dialect", "how"), GUIDED, ids=[f"{d.name
 TOOL = PostOptions(tool=1)
 
 
-def posed(links: Chain, words: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    return forward(links, words_to_q(words))
+def posed(kinematics: Chain, words: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return forward(kinematics, words_to_q(words))
 
 
 @EVERY_GUIDE
 @pytest.mark.parametrize("inverse_time", [True, False], ids=["g93", "g94"])
 @pytest.mark.parametrize("letters", ["CA", "CB", "BA"])
 def test_every_guided_word_is_read_back_exactly_as_it_was_rounded(dialect, how, inverse_time, letters) -> None:
-    links, guided = machine(*letters), dialect.guided(how)
-    joints = some_joints(links)
-    program = build_program(joints, links, guided, inverse_time)
-    again = read_nc(write_nc(program, guided, "part", TOOL), links, guided)
+    kinematics, guided = machine(*letters), dialect.guided(how)
+    joints = some_joints(kinematics)
+    program = build_program(joints, kinematics, guided, inverse_time)
+    again = read_nc(write_nc(program, guided, "part", TOOL), kinematics, guided)
     assert np.array_equal(again.guided.tip, program.guided.tip) and again.guided.on.all()
     assert np.array_equal(again.feed, program.feed) and np.array_equal(again.inverse_time, program.inverse_time)
     assert np.array_equal(again.line, program.line)
@@ -360,7 +360,7 @@ def test_one_changed_digit_of_a_guided_program_is_seen(dialect, how) -> None:
     "machine_name", ["trunnion_ac", "head_b_table_c", "fork_head_bc", "nutating_table_b45", "linuxcnc_xyzbc_trt"]
 )
 def test_the_same_cl_path_through_every_dialect_and_back_is_the_same_path(machine_name) -> None:
-    links = chain(load_machine(machine_name), Setup((10.0, 20.0, 30.0), 100.0))
+    kinematics = chain(load_machine(machine_name), Setup((10.0, 20.0, 30.0), 100.0))
     random = np.random.default_rng(3)
     rows = 200
     lean, round_ = np.radians(random.uniform(1, 25, rows)), np.radians(np.cumsum(random.uniform(-9, 9, rows)))
@@ -369,13 +369,13 @@ def test_the_same_cl_path_through_every_dialect_and_back_is_the_same_path(machin
     motion, none = np.full(rows, Motion.CUT, np.int8), np.full(rows, -1)
     motion[0] = Motion.RAPID
     path = CLPath(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, 500.0), tip, axis, none, none, none)
-    joints = solve(path, links, tip.min(axis=0), tip.max(axis=0), 5.0)
+    joints = solve(path, kinematics, tip.min(axis=0), tip.max(axis=0), 5.0)
     told = {}
     for dialect, how in [(dialect, "") for dialect in DIALECTS.values()] + GUIDED:
         dialect = dialect.guided(how) if how else dialect
-        program = build_program(joints, links, dialect, bool(dialect.inverse_time))
-        again = read_nc(write_nc(program, dialect, "part", TOOL), links, dialect)
-        told[dialect.name, how] = posed(links, again.words)
+        program = build_program(joints, kinematics, dialect, bool(dialect.inverse_time))
+        again = read_nc(write_nc(program, dialect, "part", TOOL), kinematics, dialect)
+        told[dialect.name, how] = posed(kinematics, again.words)
         lever = 700.0 * np.radians(0.5 * 10.0**-dialect.rotary_decimals) * 2
         off = np.linalg.norm(told[dialect.name, how][0] - joints.path.tip[program.row], axis=1).max()
         assert off <= (1e-4 if how else lever + 1e-4), (dialect.name, how)
@@ -396,20 +396,20 @@ def turning(wrap: str) -> Chain:
 @pytest.mark.parametrize("dialect", WRAPPED, ids=[dialect.name for dialect in WRAPPED])
 @pytest.mark.parametrize("how", ["", "angles"])
 def test_modulo_words_are_0_to_360_and_read_back_by_the_shorter_way(dialect, how) -> None:
-    links = turning("modulo")
+    kinematics = turning("modulo")
     dialect = dialect.guided(how) if how else dialect
-    q = some_joints(links, 400).q.copy()
+    q = some_joints(kinematics, 400).q.copy()
     q[:, 3] += np.linspace(-40.0, 40.0, 400)  # many turns to and fro, in steps of 0.2 rad
-    tip, axis = forward(links, q)
-    joints = replace(some_joints(links, 400), q=q)
+    tip, axis = forward(kinematics, q)
+    joints = replace(some_joints(kinematics, 400), q=q)
     joints = replace(joints, path=replace(joints.path, tip=tip, axis=axis))
-    program = build_program(joints, links, dialect, False)
+    program = build_program(joints, kinematics, dialect, False)
     assert program.wrap == ("modulo", "modulo") and np.ptp(program.words[:, 3]) > 3000
     assert not [found for found in program.findings if found.code == "turned-the-shorter-way"]
     text = write_nc(program, dialect, "part", TOOL)
     turns = [float(word) for word in re.findall(r" C(?:=DC\()?([+-]?[0-9.]+)", text.decode())]
     assert len(turns) > 300 and min(turns) >= 0.0 and max(turns) < 360.0
-    again = read_nc(text, links, dialect)
+    again = read_nc(text, kinematics, dialect)
     first = 360.0 * np.round((program.words[0, 3:] - again.words[0, 3:]) / 360.0)  # where the axis came from is not known
     assert np.abs(again.words[:, 3:] + first - program.words[:, 3:]).max() < 1e-8
 
@@ -417,13 +417,13 @@ def test_modulo_words_are_0_to_360_and_read_back_by_the_shorter_way(dialect, how
 @EVERY
 @pytest.mark.parametrize("wrap", ["unwound", "modulo", "rezero"])
 def test_what_is_written_is_read_back_to_the_same_axes_whatever_the_machine_file_says(dialect, wrap) -> None:
-    links = turning(wrap)
-    joints = some_joints(links, 300)
+    kinematics = turning(wrap)
+    joints = some_joints(kinematics, 300)
     q = joints.q.copy()
     q[:, 3] += np.linspace(-40.0, 40.0, 300)
     q[100:, 4] += 4.0  # a block of more than half a turn
-    program = build_program(replace(joints, q=q), links, dialect, False)
-    again = read_nc(write_nc(program, dialect, "part"), links, dialect)
+    program = build_program(replace(joints, q=q), kinematics, dialect, False)
+    again = read_nc(write_nc(program, dialect, "part"), kinematics, dialect)
     first = 360.0 * np.round((program.words[0, 3:] - again.words[0, 3:]) / 360.0)
     assert np.array_equal(again.words[:, :3], program.words[:, :3])
     assert np.abs(again.words[:, 3:] + first - program.words[:, 3:]).max() < 1e-8
@@ -432,12 +432,12 @@ def test_what_is_written_is_read_back_to_the_same_axes_whatever_the_machine_file
 
 
 def test_a_block_of_more_than_half_a_turn_goes_the_shorter_way_and_says_so() -> None:
-    links, dialect = turning("modulo"), DIALECTS["fanuc"]
-    joints = some_joints(links, 4)
+    kinematics, dialect = turning("modulo"), DIALECTS["fanuc"]
+    joints = some_joints(kinematics, 4)
     q = np.zeros((4, 5))
     q[:, 3] = np.radians([0.0, 100.0, 300.0, 310.0])
     q[:, 0] = np.arange(4)
-    program = build_program(replace(joints, q=q), links, dialect, False)
+    program = build_program(replace(joints, q=q), kinematics, dialect, False)
     assert program.words[:, 3].tolist() == [0.0, 100.0, -60.0, -50.0]
     found = [one for one in program.findings if one.code == "turned-the-shorter-way"]
     assert len(found) == 1 and found[0].block == 2 and "1 blocks" in found[0].text
@@ -445,11 +445,11 @@ def test_a_block_of_more_than_half_a_turn_goes_the_shorter_way_and_says_so() -> 
 
 @pytest.mark.parametrize("name", ["linuxcnc", "haas", "mach3", "grbl"])
 def test_a_controller_that_takes_no_shorter_way_gets_unwound_words_and_a_warning(name) -> None:
-    links, dialect = turning("modulo"), DIALECTS[name]
-    program = build_program(some_joints(links), links, dialect, True)
+    kinematics, dialect = turning("modulo"), DIALECTS[name]
+    program = build_program(some_joints(kinematics), kinematics, dialect, True)
     assert program.wrap == ("unwound", "unwound")
     assert [found.code for found in program.findings].count("wrap-not-written") == 2
-    assert np.array_equal(read_nc(write_nc(program, dialect, "part"), links, dialect).words, program.words)
+    assert np.array_equal(read_nc(write_nc(program, dialect, "part"), kinematics, dialect).words, program.words)
 
 
 @pytest.mark.rs274

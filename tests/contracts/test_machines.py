@@ -49,57 +49,57 @@ def test_its_limits_and_rates_make_sense(name):
 @machines
 def test_its_limits_hold_the_upright_tool_at_the_work_zero(name):
     machine = load_machine(name)
-    links = chain(machine, Setup(machine.origin))
-    assert (links.low <= 0.0).all() and (links.high >= 0.0).all()
+    kinematics = chain(machine, Setup(machine.origin))
+    assert (kinematics.low <= 0.0).all() and (kinematics.high >= 0.0).all()
 
 
 @machines
 def test_its_tilt_reaches_at_least_45_degrees_on_some_branch_in_every_direction(name):
     machine = load_machine(name)
-    links = chain(machine, Setup(machine.origin))
+    kinematics = chain(machine, Setup(machine.origin))
     heading = np.linspace(-np.pi, np.pi, 73)
     axis = np.column_stack([np.cos(heading), np.sin(heading), np.ones(73)]) / math.sqrt(2)
-    both, _ = inverse(links, np.zeros((73, 3)), axis)
-    inside = ((both[:, :, 3:] >= links.low[3:]) & (both[:, :, 3:] <= links.high[3:])).all(axis=2)
+    both, _ = inverse(kinematics, np.zeros((73, 3)), axis)
+    inside = ((both[:, :, 3:] >= kinematics.low[3:]) & (both[:, :, 3:] <= kinematics.high[3:])).all(axis=2)
     assert inside.any(axis=0).all()
 
 
 @machines
 @pytest.mark.parametrize("origin, length", [((0.0, 0.0, 0.0), 0.0), ((35.0, -20.0, 80.0), 120.0)])
 def test_forward_of_inverse_is_the_pose_on_both_branches(name, origin, length):
-    links = chain(load_machine(name), Setup(origin, length))
+    kinematics = chain(load_machine(name), Setup(origin, length))
     rng = np.random.default_rng(20)
     q = np.column_stack([rng.uniform(-300, 300, (ROWS, 3)), rng.uniform(-np.pi, np.pi, (ROWS, 2))])
-    tip, axis = forward(links, q)
-    both, _ = inverse(links, tip, axis)
+    tip, axis = forward(kinematics, q)
+    both, _ = inverse(kinematics, tip, axis)
     assert np.isfinite(both).all()
     for branch, rows in enumerate(both):
-        again = forward(links, rows)
+        again = forward(kinematics, rows)
         np.testing.assert_allclose(again[0], tip, rtol=0, atol=CLOSE)
         np.testing.assert_allclose(again[1], axis, rtol=0, atol=CLOSE)
-        np.testing.assert_array_equal(branch_of(links, rows[:, 4]), branch)
+        np.testing.assert_array_equal(branch_of(kinematics, rows[:, 4]), branch)
 
 
 @machines
 def test_inverse_of_forward_holds_the_branch(name):
-    links = chain(load_machine(name), Setup((35.0, -20.0, 80.0), 120.0))
+    kinematics = chain(load_machine(name), Setup((35.0, -20.0, 80.0), 120.0))
     rng = np.random.default_rng(21)
     q = np.column_stack([rng.uniform(-300, 300, (ROWS, 3)), rng.uniform(-3.1, 3.1, (ROWS, 2))])
     q[: ROWS // 2, 4] = rng.choice([-1, 1], ROWS // 2) * 10.0 ** rng.uniform(-15, -3, ROWS // 2)  # next to the pole
-    both, _ = inverse(links, *forward(links, q))
-    back = both[branch_of(links, q[:, 4]), np.arange(ROWS)]
+    both, _ = inverse(kinematics, *forward(kinematics, q))
+    back = both[branch_of(kinematics, q[:, 4]), np.arange(ROWS)]
     np.testing.assert_allclose(back, q, rtol=0, atol=CLOSE)
 
 
 @machines
 def test_at_the_pole_every_first_word_gives_the_same_axis(name):
-    links = chain(load_machine(name), Setup((35.0, -20.0, 80.0), 120.0))
+    kinematics = chain(load_machine(name), Setup((35.0, -20.0, 80.0), 120.0))
     q = np.zeros((9, 5))
     q[:, :3] = (10.0, 20.0, 30.0)
     q[:, 3] = np.linspace(-np.pi, np.pi, 9)
-    tip, axis = forward(links, q)
+    tip, axis = forward(kinematics, q)
     np.testing.assert_array_equal(axis, np.tile((0.0, 0.0, 1.0), (9, 1)))
-    both, sine = inverse(links, tip, axis)
+    both, sine = inverse(kinematics, tip, axis)
     assert not sine.any() and not both[:, :, 3:].any()
     for branch in both:
-        np.testing.assert_allclose(forward(links, branch)[0], tip, rtol=0, atol=CLOSE)
+        np.testing.assert_allclose(forward(kinematics, branch)[0], tip, rtol=0, atol=CLOSE)

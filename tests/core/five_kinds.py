@@ -41,12 +41,12 @@ def nutating(degrees: float, side: str) -> Chain:
     return chain(Machine(f"nutating {degrees:g}", axes), Setup((10.0, 20.0, 30.0), 150.0))
 
 
-def links_of(kind: str) -> Chain:
+def kinematics_of(kind: str) -> Chain:
     """The chain of one of the machines."""
     return chain(Machine(kind, KINDS[kind]), Setup((10.0, 20.0, 30.0), 150.0))
 
 
-def random_blocks(links: Chain, count: int, seed: int) -> tuple[Floats, Floats]:
+def random_blocks(kinematics: Chain, count: int, seed: int) -> tuple[Floats, Floats]:
     """Start and end words (count, 5), mm and deg: turns of 1e-4 to 180 deg or none, of each axis by itself; chords of 1e-3 to
     300 mm or none on the part, and for a quarter of the blocks such moves of the linear axes instead."""
     rng = np.random.default_rng(seed)
@@ -55,7 +55,7 @@ def random_blocks(links: Chain, count: int, seed: int) -> tuple[Floats, Floats]:
     move = rng.normal(size=(count, 3))
     move *= (10 ** rng.uniform(-3, np.log10(300), count) * (rng.random(count) > 0.1) / np.linalg.norm(move, axis=1))[:, None]
     end = start + np.concatenate([move, turns], axis=1)
-    linear = linear_words(links, forward(links, words_to_q(start))[0] + move, words_to_q(end)[:, 3:])
+    linear = linear_words(kinematics, forward(kinematics, words_to_q(start))[0] + move, words_to_q(end)[:, 3:])
     on_part = (rng.random(count) > 0.25) & (np.abs(linear).max(axis=1) < FARTHEST)
     end[on_part, :3] = linear[on_part]
     return start, end
@@ -66,9 +66,9 @@ def interleaved(start: Floats, end: Floats) -> Floats:
     return np.stack([start, end], axis=1).reshape(-1, 5)
 
 
-def sampled_deviation(links: Chain, start: Floats, end: Floats, samples: int = SAMPLES) -> tuple[Floats, Floats]:
+def sampled_deviation(kinematics: Chain, start: Floats, end: Floats, samples: int = SAMPLES) -> tuple[Floats, Floats]:
     """Segment and line deviation (m,) mm by samples of each block and a parabola through the largest and its neighbours."""
-    frame = frames(links)
+    frame = frames(kinematics)
     segment, line = np.empty(len(start)), np.empty(len(start))
     for first in range(0, len(start), 8):
         part = slice(first, first + 8)

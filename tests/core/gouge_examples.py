@@ -159,9 +159,9 @@ def _spread(a, b, c, spacing):
     return np.concatenate(found)
 
 
-def sampled_depth(body, points, course, block, samples=41):
+def sampled_depth(body, points, swept, block, samples=41):
     """The depth (mm) of the deepest of ``points`` (n, 3) at densely sampled poses of one block."""
-    pose = course.pose(np.full(samples, block), np.linspace(0.0, 1.0, samples))
+    pose = swept.pose(np.full(samples, block), np.linspace(0.0, 1.0, samples))
     low, high = pose.tip.min(axis=1) - body.reach, pose.tip.max(axis=1) + body.reach
     points = points[((points >= low) & (points <= high)).all(axis=1)]
     return max(depth_of(body, tip, axis, points).max(initial=0.0) for tip, axis in zip(pose.tip.T, pose.axis.T, strict=True))

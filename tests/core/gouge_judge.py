@@ -62,10 +62,10 @@ def _turned(cutter, reach, height, step):
     return Cloud(np.column_stack([reach * np.cos(turn), reach * np.sin(turn), height]), below)
 
 
-def poses(links, words, blocks, u, back=0.0):
+def poses(kinematics, words, blocks, u, back=0.0):
     """Tips and axes (n, 3) at u (n,) of blocks (n,): the words linearly between their rows."""
     rows = words[blocks] + u[:, None] * (words[blocks + 1] - words[blocks])
-    tip, axis = forward(links, words_to_q(rows))
+    tip, axis = forward(kinematics, words_to_q(rows))
     return tip - back * axis, axis
 
 
@@ -115,15 +115,15 @@ class Verdict:
     dug: float
 
 
-def judged(mesh, cutter, links, words, blocks, back=0.0, finest=33, deepest=12):
+def judged(mesh, cutter, kinematics, words, blocks, back=0.0, finest=33, deepest=12):
     """The verdict over blocks (b,) of a program, the worst of them looked at closely."""
-    way = np.linalg.norm(np.diff(forward(links, words_to_q(words))[0], axis=0), axis=1)[blocks]
+    way = np.linalg.norm(np.diff(forward(kinematics, words_to_q(words))[0], axis=0), axis=1)[blocks]
     count = np.clip(np.ceil(way / (0.1 * cutter.radius)) + 1, 3, 400).astype(int)
     block, u = spread(blocks, count)
-    entry = entries(mesh, *poses(links, words, block, u, back), cloud(cutter))
+    entry = entries(mesh, *poses(kinematics, words, block, u, back), cloud(cutter))
     worst, of = np.argsort(-entry)[:deepest], 1.0 / (np.repeat(count, count) - 1)
     near = np.clip(u[worst, None] + of[worst, None] * np.linspace(-1.0, 1.0, finest), 0.0, 1.0)
-    tip, axis = poses(links, words, np.repeat(block[worst], finest), near.ravel(), back)
+    tip, axis = poses(kinematics, words, np.repeat(block[worst], finest), near.ravel(), back)
     top = np.argsort(-entries(mesh, tip, axis, cloud(cutter, rings=8)))[:8]
     fine = entries(mesh, tip[top], axis[top], cloud(cutter, rings=32))
     most = np.maximum.reduceat(entry, np.cumsum(count) - count)

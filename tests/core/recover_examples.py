@@ -43,15 +43,15 @@ def poses(count, seed, lean=0.8, span=80.0):
 
 def posted(machine, count=50, seed=1, wrong=0.0, shift=(0.0,) * 5, setup=SETUP, **options):
     """Path, program and the rows that are wrong; everything with 4 decimals. ``shift`` of the words, mm and deg."""
-    links = chain(load_machine(machine) if isinstance(machine, str) else machine, setup)
+    kinematics = chain(load_machine(machine) if isinstance(machine, str) else machine, setup)
     tip, axis = poses(count, seed, **options)
-    words = inverse(links, tip, axis)[0][0].copy()
+    words = inverse(kinematics, tip, axis)[0][0].copy()
     words[:, 3:] = np.degrees(words[:, 3:])
     words = np.round(words + shift, 4)
     rng = np.random.default_rng(seed + 1000)
     bad = np.sort(rng.choice(count, int(np.ceil(wrong * count)), replace=False))
     words[bad] += rng.uniform(-30.0, 30.0, (len(bad), 5))
-    return cl_path(tip, np.round(axis, 4)), program(links.letters, np.round(words, 4)), bad
+    return cl_path(tip, np.round(axis, 4)), program(kinematics.letters, np.round(words, 4)), bad
 
 
 def line_errors(machine, truth, setup=SETUP):

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 import pytest
-from five_kinds import KINDS, links_of, random_blocks
+from five_kinds import KINDS, kinematics_of, random_blocks
 
 from freecad_fiveaxis.core.audit import asked_rates, check_limits, feed_findings, rate_findings
 from freecad_fiveaxis.core.audit.rates import DEGREES
@@ -33,8 +33,8 @@ def links_at(*origin):
     return chain(SMALL, Setup(origin or (0.0, 0.0, 0.0)))
 
 
-def read(text, links=None, controller="linuxcnc"):
-    return read_nc(text.encode(), links or links_at(), find_dialect(controller))
+def read(text, kinematics=None, controller="linuxcnc"):
+    return read_nc(text.encode(), kinematics or links_at(), find_dialect(controller))
 
 
 def codes(findings):
@@ -83,46 +83,54 @@ def test_a_word_rounded_onto_its_limit_is_within_it():
 @pytest.mark.parametrize(("wrap", "count"), [("modulo", 0), ("unwound", 1)])
 def test_turns_count_only_where_the_control_does_not_take_the_shorter_way(wrap, count):
     turning = Axis("C", True, "table", (0, 0, 1), (0, 0, 0), math.radians(-190), math.radians(190), 100.0, wrap)
-    links = chain(Machine("m", (turning, A, X, Y, Z)), Setup())
+    kinematics = chain(Machine("m", (turning, A, X, Y, Z)), Setup())
     words = np.zeros((5, 5))
     words[:, 3] = [0, 100, 200, 300, 400]
-    program = program_of(links, words, wrap=(wrap, "unwound"))
-    assert len(check_limits(links, program).findings) == count
+    program = program_of(kinematics, words, wrap=(wrap, "unwound"))
+    assert len(check_limits(kinematics, program).findings) == count
 
 
 # ---------------------------------------------------------------------------------------------- rates and feeds
 
 
-def program_of(links, words, seconds=1.0, feed=1000.0, inverse=False, motion=None, wrap=("unwound", "unwound")):
+def program_of(kinematics, words, seconds=1.0, feed=1000.0, inverse=False, motion=None, wrap=("unwound", "unwound")):
     n = len(words)
     motion = np.zeros(n, np.int8) if motion is None else motion
     times = np.full(n, seconds) * (np.arange(n) > 0)
     return Program(
-        links.letters, words, np.full(n, feed), np.full(n, inverse), motion, times, np.full(n, -1), np.arange(1, n + 1), wrap=wrap
+        kinematics.letters,
+        words,
+        np.full(n, feed),
+        np.full(n, inverse),
+        motion,
+        times,
+        np.full(n, -1),
+        np.arange(1, n + 1),
+        wrap=wrap,
     )
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_rates_and_tip_feed_are_those_of_dense_samples(kind):
-    links = links_of(kind)
-    start, end = random_blocks(links, 40, 5)
+    kinematics = kinematics_of(kind)
+    start, end = random_blocks(kinematics, 40, 5)
     for first, last in zip(start, end, strict=True):
-        program = program_of(links, np.stack([first, last]), 0.7)
-        rates = asked_rates(links, program)
+        program = program_of(kinematics, np.stack([first, last]), 0.7)
+        rates = asked_rates(kinematics, program)
         u = np.linspace(0.0, 1.0, 20_001)[:, None]
         q = words_to_q(first + u * (last - first))
         per_minute = 20_000 * 60.0 / 0.7
         np.testing.assert_allclose(rates.rate[1], np.abs(np.diff(q, axis=0)).max(axis=0) * per_minute, rtol=1e-6, atol=1e-5)
-        way = np.linalg.norm(np.diff(forward_tip(links, q), axis=0), axis=1).sum()
+        way = np.linalg.norm(np.diff(forward_tip(kinematics, q), axis=0), axis=1).sum()
         assert rates.travel[1] == pytest.approx(way, rel=2e-3, abs=1e-6)
         assert rates.tip_feed[1] == pytest.approx(way * 60.0 / 0.7, rel=2e-3, abs=1e-4)
 
 
 def test_the_chord_instead_of_the_path_would_be_noticed():
-    links = links_of("table_table")
+    kinematics = kinematics_of("table_table")
     words = np.array([[100.0, 0, 0, 0, 0], [100.0, 0, 0, 170.0, 0]])
-    rates = asked_rates(links, program_of(links, words))
-    chord = np.linalg.norm(np.diff(forward_tip(links, words_to_q(words)), axis=0))
+    rates = asked_rates(kinematics, program_of(kinematics, words))
+    chord = np.linalg.norm(np.diff(forward_tip(kinematics, words_to_q(words)), axis=0))
     assert rates.travel[1] > 1.3 * chord
 
 
@@ -143,11 +151,11 @@ def test_the_rate_is_that_of_the_dialects_f(controller, line, minutes):
 
 def test_blocks_that_ask_too_much_of_an_axis_are_named_with_the_worst():
     text = "G21 G90 G93\nG0 X0 Y0 Z0 A0 C0\nG1 X1 A10 F300\nG1 X2 A40 F300\nG1 X3 A41 F3500\nM2\n"
-    links = links_at()
-    program = read(text, links)
-    rates = asked_rates(links, program)
+    kinematics = links_at()
+    program = read(text, kinematics)
+    rates = asked_rates(kinematics, program)
     np.testing.assert_allclose(rates.ratio, [0, 3000 / 3600, 9000 / 3600, 3500 / 3600], rtol=1e-9)
-    (found,) = rate_findings(links, program, rates)
+    (found,) = rate_findings(kinematics, program, rates)
     assert (found.code, found.severity, found.line, found.unit) == ("axis-rate", Severity.WARNING, 4, "deg/min")
     assert found.value == pytest.approx(9000) and found.limit == pytest.approx(3600) and "2.5 times" in found.text
 
@@ -159,20 +167,20 @@ def test_a_block_at_exactly_its_rate_is_no_finding_and_one_a_hundredth_above_is(
 
 
 def test_rapids_and_blocks_without_time_ask_for_nothing():
-    links = links_at()
+    kinematics = links_at()
     words = np.cumsum(np.ones((4, 5)), axis=0)
-    program = program_of(links, words, np.array([0.0, 1.0, 0.0, 1.0]), motion=np.array([3, 3, 0, 0], np.int8))
-    rates = asked_rates(links, program)
+    program = program_of(kinematics, words, np.array([0.0, 1.0, 0.0, 1.0]), motion=np.array([3, 3, 0, 0], np.int8))
+    rates = asked_rates(kinematics, program)
     assert (rates.ratio > 0).tolist() == [False, False, False, True]
     assert (rates.tip_feed > 0).tolist() == [False, False, False, True]
 
 
 def test_a_feed_over_the_part_that_is_not_f_is_a_warning():
     text = "G21 G90 G94\nG0 X0 Y0 Z50 A0 C0\nG1 X10 F600\nG1 X10.5 A30 F600\nM2\n"
-    links = links_at()
-    program = read(text, links)
-    rates = asked_rates(links, program)
-    (found,) = feed_findings(links, program, rates)
+    kinematics = links_at()
+    program = read(text, kinematics)
+    rates = asked_rates(kinematics, program)
+    (found,) = feed_findings(kinematics, program, rates)
     assert (found.code, found.severity, found.line, found.limit) == ("feed-over-part", Severity.WARNING, 4, 600.0)
     assert found.value == pytest.approx(rates.tip_feed[2]) and found.value > 10 * 600  # an arc of 30 deg, R 100, in 0.5 / 600 min
     assert rates.travel[2] == pytest.approx(100 * math.radians(30), rel=0.01)
@@ -181,17 +189,17 @@ def test_a_feed_over_the_part_that_is_not_f_is_a_warning():
 def test_under_inverse_time_the_median_is_the_measure():
     words = np.zeros((30, 5))
     words[:, 0] = np.arange(30.0)
-    links = links_at()
+    kinematics = links_at()
     seconds = np.full(30, 0.1)
-    assert feed_findings(links, program_of(links, words, seconds, 600.0, True), even(links, words, seconds)) == ()
+    assert feed_findings(kinematics, program_of(kinematics, words, seconds, 600.0, True), even(kinematics, words, seconds)) == ()
     seconds[17] = 0.01
-    (found,) = feed_findings(links, program_of(links, words, seconds, 600.0, True), even(links, words, seconds))
+    (found,) = feed_findings(kinematics, program_of(kinematics, words, seconds, 600.0, True), even(kinematics, words, seconds))
     assert (found.code, found.severity, found.block) == ("feed-over-part", Severity.NOTE, 17)
     assert found.value == pytest.approx(6000) and found.limit == pytest.approx(600)
 
 
-def even(links, words, seconds):
-    return asked_rates(links, program_of(links, words, seconds, 600.0, True))
+def even(kinematics, words, seconds):
+    return asked_rates(kinematics, program_of(kinematics, words, seconds, 600.0, True))
 
 
 def test_where_the_controller_guides_the_tip_it_goes_straight():

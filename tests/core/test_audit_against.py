@@ -55,8 +55,8 @@ def program_of(words, motion=None, guided=None):
     )  # fmt: skip
 
 
-def words_of(tip, axis, links=LINKS):
-    q = inverse(links, tip, axis)[0][0]
+def words_of(tip, axis, kinematics=LINKS):
+    q = inverse(kinematics, tip, axis)[0][0]
     q[:, 3] = np.unwrap(q[:, 3])
     return np.round(np.column_stack([q[:, :3], np.degrees(q[:, 3:])]), 4)
 

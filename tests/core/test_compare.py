@@ -53,11 +53,11 @@ def halved(path, where, progress):
 
     taken = {name: getattr(joints.path, name)[high] for name in joints.path.__dataclass_fields__ if name != "findings"}
     longer = replace(joints.path, **(taken | {name: middle(getattr(joints.path, name)) for name in ("tip", "contact")}))
-    q = joint_words(where.links, longer.tip, middle(joints.q[:, 3:]))
+    q = joint_words(where.kinematics, longer.tip, middle(joints.q[:, 3:]))
     return JointPath(longer, joints.row[high], q, joints.branch[high], joints.sine[high])
 
 
-def leaned(offset, axis, links, progress):
+def leaned(offset, axis, kinematics, progress):
     """Axes half way to the vertical."""
     axis = axis + (0.0, 0.0, 1.0)
     return axis / np.linalg.norm(axis, axis=1)[:, None]
@@ -66,8 +66,8 @@ def leaned(offset, axis, links, progress):
 def separate(path, where, cure):
     """The figures of one cell, by the street's own calls."""
     joints = cure(path, where, lambda stage, fraction: None)
-    program = job.build_program(joints, where.links, where.posting.dialect, True)
-    deviation, feeds = job.measure(where.links, program.words), feed_blocks(program)
+    program = job.build_program(joints, where.kinematics, where.posting.dialect, True)
+    deviation, feeds = job.measure(where.kinematics, program.words), feed_blocks(program)
     rates = axis_rates(program)[feeds].max(axis=0) * np.array([1.0, 1.0, 1.0, math.pi / 180.0, math.pi / 180.0])
     largest = [column[feeds].max() for column in (deviation.segment, deviation.bound, deviation.axis)]
     return [*largest, len(program.words), len(feeds), program.seconds.sum(), *rates]
@@ -135,21 +135,21 @@ def test_a_solid_compared_is_the_same_as_milled_on_the_first_machine_with_each_c
 
 
 def test_peaks_under_tool_centre_control_are_those_of_dense_sampling():
-    links = chain(load_machine("mikron_ucp710"), Setup())
+    kinematics = chain(load_machine("mikron_ucp710"), Setup())
     rng = np.random.default_rng(7)
     tip, angles = rng.uniform(-60.0, 60.0, (12, 3)), rng.uniform(-1.0, 1.0, (12, 2)) * (2.0, 0.4)
     motion, feed = np.full(12, Motion.CUT, np.int8), np.full(12, 1000.0)
-    course = guide(links, tip, angles, motion, feed)
+    course = guide(kinematics, tip, angles, motion, feed)
     u = np.linspace(0.0, 1.0, 4001)[:, None]
     for row in range(1, 12):
         place, turned = ((1.0 - u) * one[row - 1] + u * one[row] for one in (tip, angles))
-        q = joint_words(links, place, turned)
-        assert np.abs(forward(links, q)[0] - place).max() < 1e-9  # the tip is on its chord
+        q = joint_words(kinematics, place, turned)
+        assert np.abs(forward(kinematics, q)[0] - place).max() < 1e-9  # the tip is on its chord
         slope = np.abs(np.gradient(q, u[:, 0], axis=0)).max(axis=0)
         assert course.peak[row] == pytest.approx(slope, rel=2e-3, abs=1e-6)
-        least = max(np.linalg.norm(tip[row] - tip[row - 1]) / 1000.0, (course.peak[row] / links.rate).max())
+        least = max(np.linalg.norm(tip[row] - tip[row - 1]) / 1000.0, (course.peak[row] / kinematics.rate).max())
         assert course.seconds[row] == pytest.approx(60.0 * least)
-    assert (course.rates(np.arange(1, 12)) <= links.rate * (1.0 + 1e-9)).all()
+    assert (course.rates(np.arange(1, 12)) <= kinematics.rate * (1.0 + 1e-9)).all()
 
 
 def test_with_tool_centre_control_the_tip_stays_on_its_chord_and_the_axes_pay():

@@ -12,8 +12,8 @@ from dome_passes import BOTH_WAYS, MACHINES, dome_passes, least_turn, parts
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.cl.coedge import take_rows
-from freecad_fiveaxis.core.corrections.deform import deform_axes, led_axes, trade_findings, trade_off
+from freecad_fiveaxis.core.cl.coedge import take_path_rows
+from freecad_fiveaxis.core.corrections.deform import deform_axes, rerouted_axes, trade_findings, trade_off
 from freecad_fiveaxis.core.corrections.deform.drive import drive
 from freecad_fiveaxis.core.corrections.deform.meridian import angle_between
 from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
@@ -30,8 +30,8 @@ QUIET = np.radians(1.0)  # a pass on which C turns less has nothing to be cured
 
 @lru_cache(maxsize=64)
 def led(*args, change=CHANGE, **options):
-    offset, axis, links = dome_passes(*args, **dict(options))
-    return led_axes(offset, axis, links, change)
+    offset, axis, kinematics = dome_passes(*args, **dict(options))
+    return rerouted_axes(offset, axis, kinematics, change)
 
 
 def turned(offset, words, shortest=1e-6):
@@ -46,16 +46,16 @@ def turned(offset, words, shortest=1e-6):
     return np.array(peak), np.array(turn)
 
 
-def near_pole(offset, axis, links, angle=CHANGE):
+def near_pole(offset, axis, kinematics, angle=CHANGE):
     """The polylines of which a row's axis stands within that angle of the pole."""
-    tilt = np.linalg.norm(np.cross(axis, links.direction[3]), axis=1)
+    tilt = np.linalg.norm(np.cross(axis, kinematics.direction[3]), axis=1)
     return np.array([tilt[offset.polyline == line].min() <= np.sin(angle) for line in range(offset.polyline.max() + 1)])
 
 
-def short_of_ten(offset, axis, led_axis, links):
+def short_of_ten(offset, axis, led_axis, kinematics):
     """Polylines within 2 deg of the pole on which peak rate or travel of the first word did not fall ten times."""
-    before, after = (turned(offset, drive(offset, part, links)) for part in (axis, led_axis))
-    near = near_pole(offset, axis, links) & (before[1] > QUIET)
+    before, after = (turned(offset, drive(offset, part, kinematics)) for part in (axis, led_axis))
+    near = near_pole(offset, axis, kinematics) & (before[1] > QUIET)
     assert near.any()
     return np.flatnonzero(near & ((10 * after[0] > before[0]) | (10 * after[1] > before[1])))
 
@@ -63,46 +63,46 @@ def short_of_ten(offset, axis, led_axis, links):
 @pytest.mark.parametrize("name", BOTH_WAYS)
 @pytest.mark.parametrize(("stepover", "direction"), [(0.5, 0.0), (1.0, 0.35), (2.0, np.radians(20.0))])
 def test_on_the_dome_c_turns_ten_times_less_and_slower_on_every_pass_within_2_deg_of_the_pole(name, stepover, direction):
-    offset, axis, links = dome_passes(name, stepover, direction)
-    assert not len(short_of_ten(offset, axis, led(name, stepover, direction).axis, links))
+    offset, axis, kinematics = dome_passes(name, stepover, direction)
+    assert not len(short_of_ten(offset, axis, led(name, stepover, direction).axis, kinematics))
 
 
 def test_axes_as_given_would_fail_that():
-    offset, axis, links = dome_passes("trunnion_ac", 0.5)
-    assert len(short_of_ten(offset, axis, axis, links)) == 5
+    offset, axis, kinematics = dome_passes("trunnion_ac", 0.5)
+    assert len(short_of_ten(offset, axis, axis, kinematics)) == 5
 
 
 def test_where_ten_times_is_not_reached_no_way_within_2_deg_reaches_it():
     """Finer passes: of those that only just come within 2 deg some need a turn, whatever way they are led."""
-    offset, axis, links = dome_passes("trunnion_ac", 0.25, 0.0)
+    offset, axis, kinematics = dome_passes("trunnion_ac", 0.25, 0.0)
     found = led("trunnion_ac", 0.25, 0.0)
-    short = short_of_ten(offset, axis, found.axis, links)
+    short = short_of_ten(offset, axis, found.axis, kinematics)
     assert 0 < len(short) <= 2
     for line in short:
-        assert least_turn(links, axis[offset.polyline == line], CHANGE) > 0.2 * found.before.first[line]
+        assert least_turn(kinematics, axis[offset.polyline == line], CHANGE) > 0.2 * found.before.first[line]
         assert found.after.peak[line] < 0.01 * found.before.peak[line]
 
 
 @pytest.mark.parametrize(("name", "stepover"), [("trunnion_ac", 0.5), ("nutating_table_b45", 1.0), ("nutating_head", 1.0)])
 def test_the_turn_left_is_near_the_least_possible(name, stepover):
     """A nutating axis turns C along even through the pole. What more is turned than must be comes from keeping to given axes."""
-    offset, axis, links = dome_passes(name, stepover)
+    offset, axis, kinematics = dome_passes(name, stepover)
     found = led(name, stepover)
-    for line in np.flatnonzero(near_pole(offset, axis, links)):
-        least = least_turn(links, axis[offset.polyline == line], CHANGE)
+    for line in np.flatnonzero(near_pole(offset, axis, kinematics)):
+        least = least_turn(kinematics, axis[offset.polyline == line], CHANGE)
         assert least - 0.02 < found.after.first[line] < least + np.radians(15.0)
 
 
 @pytest.mark.parametrize("name", MACHINES)
 def test_no_pass_is_worse_and_the_axis_keeps_to_its_change_the_part_and_the_limits(name):
-    offset, axis, links = dome_passes(name)
+    offset, axis, kinematics = dome_passes(name)
     found = led(name)
     assert found.led.any()
     assert angle_between(found.axis, axis).max() <= CHANGE
     np.testing.assert_allclose(np.linalg.norm(found.axis, axis=1), 1, atol=1e-12)
     assert ((found.axis * offset.normal).sum(1) >= -1e-6).all()
-    assert axes_within_limits(links, found.axis).all()
-    before, after = (turned(offset, drive(offset, part, links)) for part in (axis, found.axis))
+    assert axes_within_limits(kinematics, found.axis).all()
+    before, after = (turned(offset, drive(offset, part, kinematics)) for part in (axis, found.axis))
     assert (after[0] <= before[0] * (1 + 1e-6) + 1e-6).all() and (after[1] <= before[1] + 1e-6).all()
     np.testing.assert_allclose([found.after.peak, found.after.first], after, rtol=1e-6, atol=1e-9)
     same = np.repeat(~found.led, np.bincount(offset.polyline))
@@ -112,18 +112,18 @@ def test_no_pass_is_worse_and_the_axis_keeps_to_its_change_the_part_and_the_limi
 @pytest.mark.parametrize(("name", "times"), [("nutating_table_b45", 100), ("nutating_head", 100), ("mikron_ucp710", 20)])
 def test_the_peak_rate_falls_on_machines_that_cannot_pass_the_pole_for_nothing(name, times):
     """The mikron leans 30 deg to the other side: no pass goes through, all go around."""
-    offset, axis, links = dome_passes(name, 1.0)
-    found, near = led(name, 1.0), near_pole(offset, axis, links)
+    offset, axis, kinematics = dome_passes(name, 1.0)
+    found, near = led(name, 1.0), near_pole(offset, axis, kinematics)
     assert (found.before.peak[near] > times * found.after.peak[near]).all()
 
 
 @pytest.mark.parametrize("options", [{"strategy": "step_weighted"}, {"lead": 0.02}, {"tilt": -0.03}, {"order": "one_way"}])
 def test_any_axes_are_led(options):
-    offset, axis, links = dome_passes("trunnion_ac", **options)
-    found = led_axes(offset, axis, links, CHANGE)
+    offset, axis, kinematics = dome_passes("trunnion_ac", **options)
+    found = rerouted_axes(offset, axis, kinematics, CHANGE)
     assert found.led.any() and not found.after.worse(found.before)[~found.led].any()
-    for line in short_of_ten(offset, axis, found.axis, links):
-        assert least_turn(links, axis[offset.polyline == line], CHANGE) > 0.1 * found.before.first[line], line
+    for line in short_of_ten(offset, axis, found.axis, kinematics):
+        assert least_turn(kinematics, axis[offset.polyline == line], CHANGE) > 0.1 * found.before.first[line], line
 
 
 def test_a_way_that_the_machine_cannot_drive_as_meant_gives_way_to_one_around():
@@ -134,9 +134,9 @@ def test_a_way_that_the_machine_cannot_drive_as_meant_gives_way_to_one_around():
 
 def test_after_an_odd_number_of_passes_through_the_pole_nothing_else_is_worse_on_a_nutating_axis():
     """On the other branch its C turns further on every pass that follows; so one pass goes around, or the machine swaps back."""
-    offset, axis, links = dome_passes("nutating_table_b45", 0.5)
+    offset, axis, kinematics = dome_passes("nutating_table_b45", 0.5)
     found = led("nutating_table_b45", 0.5)
-    near = near_pole(offset, axis, links)
+    near = near_pole(offset, axis, kinematics)
     assert near.sum() == 5 and found.led[near].all() and not found.after.worse(found.before).any()
     assert (found.after.first[near] < 0.3 * found.before.first[near]).sum() >= 4
     assert (found.before.peak[near] > 4 * found.after.peak[near]).all()
@@ -151,19 +151,19 @@ def test_rows_of_one_contact_point_keep_one_axis_between_them():
 
 
 def test_axes_that_keep_off_the_pole_are_returned_as_they_are():
-    offset, axis, links = dome_passes("trunnion_ac", tilt=0.5)
+    offset, axis, kinematics = dome_passes("trunnion_ac", tilt=0.5)
     for given in (axis, np.repeat([[0.0, 0.0, 1.0]], len(axis), axis=0)):
-        made, findings = deform_axes(offset, given, links, CHANGE)
+        made, findings = deform_axes(offset, given, kinematics, CHANGE)
         np.testing.assert_array_equal(made, given)
         assert not findings
     nothing = np.zeros(0, int)
-    assert deform_axes(take_rows(offset, nothing), axis[nothing], links, CHANGE)[0].shape == (0, 3)
+    assert deform_axes(take_path_rows(offset, nothing), axis[nothing], kinematics, CHANGE)[0].shape == (0, 3)
 
 
 def test_the_findings_say_what_was_led_and_what_is_left():
-    offset, axis, links = dome_passes("mikron_ucp710")
+    offset, axis, kinematics = dome_passes("mikron_ucp710")
     found = led("mikron_ucp710")
-    _, findings = deform_axes(offset, axis, links, CHANGE)
+    _, findings = deform_axes(offset, axis, kinematics, CHANGE)
     assert [finding.code for finding in findings] == ["axis-led-past-pole"]
     assert findings[0].text.startswith(f"{found.led.sum()} passes are turned past the pole: C turns at most")
     assert findings[0].value == pytest.approx(np.degrees(angle_between(found.axis, axis).max())) and findings[0].limit == 2.0
@@ -171,17 +171,17 @@ def test_the_findings_say_what_was_led_and_what_is_left():
 
 @pytest.mark.parametrize("change", [0.0, -0.1, 1e-5, 1.0, np.nan, np.inf])
 def test_a_change_out_of_range_is_refused(change):
-    offset, axis, links = dome_passes("trunnion_ac")
+    offset, axis, kinematics = dome_passes("trunnion_ac")
     with pytest.raises(SettingsError, match=r"give an angle from 0\.01 to 30 deg"):
-        deform_axes(offset, axis, links, change)
+        deform_axes(offset, axis, kinematics, change)
     with pytest.raises(SettingsError, match="give a length above 0"):
-        trade_off(offset, axis, links, [CHANGE], 0.0)
+        trade_off(offset, axis, kinematics, [CHANGE], 0.0)
 
 
 def test_it_says_where_it_stands_and_can_be_stopped():
-    offset, axis, links = dome_passes("trunnion_ac")
+    offset, axis, kinematics = dome_passes("trunnion_ac")
     said = []
-    deform_axes(offset, axis, links, CHANGE, lambda stage, share: said.append((stage, share)))
+    deform_axes(offset, axis, kinematics, CHANGE, lambda stage, share: said.append((stage, share)))
     assert {stage for stage, _ in said} >= {"leading past the pole", "driving what is led"}
     assert all(0 <= share <= 1 for _, share in said)
     for stop in (0, len(said) // 2, len(said) - 1):
@@ -192,48 +192,50 @@ def test_it_says_where_it_stands_and_can_be_stopped():
                 raise Cancelled("stopped")
 
         with pytest.raises(Cancelled):
-            deform_axes(offset, axis, links, CHANGE, cancel)
+            deform_axes(offset, axis, kinematics, CHANGE, cancel)
 
 
 def test_the_trade_is_what_each_angle_gives_by_itself():
-    offset, axis, links = dome_passes("trunnion_ac", half_width=2.5)
+    offset, axis, kinematics = dome_passes("trunnion_ac", half_width=2.5)
     changes = np.radians([0.5, 1.0, 2.0, 4.0])
-    trade = trade_off(offset, axis, links, changes, 0.01, 5.0)
+    trade = trade_off(offset, axis, kinematics, changes, 0.01, 5.0)
     assert trade.allowed.tolist() == [0.0, *changes] and trade.used[0] == 0.0 and trade.passes[0] == 0
-    before = turned(offset, drive(offset, axis, links))
+    before = turned(offset, drive(offset, axis, kinematics))
     assert (trade.peak[0], trade.first[0]) == pytest.approx((before[0].max(), before[1].sum()))
     for row, change in enumerate(changes, 1):
-        found = led_axes(offset, axis, links, change)
-        peak, turn = turned(offset, drive(offset, found.axis, links))
+        found = rerouted_axes(offset, axis, kinematics, change)
+        peak, turn = turned(offset, drive(offset, found.axis, kinematics))
         assert (trade.peak[row], trade.first[row]) == pytest.approx((peak.max(), turn.sum()))
         assert trade.passes[row] == found.led.sum() and trade.used[row] <= change
     assert (np.diff(trade.peak) < 0).all() and (np.diff(trade.first) < 0).all() and (trade.blocks[1:] <= trade.blocks[0]).all()
-    heads, rows = trade.table(links.letters)
+    heads, rows = trade.table(kinematics.letters)
     assert len(heads) == len(rows[0]) and rows[3][0] == pytest.approx(2.0) and heads[3].startswith("peak C")
 
 
 def test_the_number_of_blocks_is_an_estimate_that_bisection_of_real_blocks_confirms():
     """Blocks of a pass cut in 1, 2, 3 ... equal parts along the chord until all parts hold the tolerance."""
-    offset, axis, links = dome_passes("trunnion_ac", half_width=2.5)
-    trade = trade_off(offset, axis, links, [CHANGE], 0.002, 5.0)
-    words = drive(offset, axis, links)
+    offset, axis, kinematics = dome_passes("trunnion_ac", half_width=2.5)
+    trade = trade_off(offset, axis, kinematics, [CHANGE], 0.002, 5.0)
+    words = drive(offset, axis, kinematics)
     tip = offset.centre - 5.0 * axis
     count = 0
     joined = np.flatnonzero(np.diff(offset.polyline) == 0)
-    over = measure(links, q_to_words(joint_words(links, tip, words))).segment[joined + 1] > 0.002
+    over = measure(kinematics, q_to_words(joint_words(kinematics, tip, words))).segment[joined + 1] > 0.002
     for row in joined[over]:
         for pieces in range(2, 200):
             u = np.linspace(0, 1, pieces + 1)[:, None]
-            part = joint_words(links, tip[row] + u * (tip[row + 1] - tip[row]), words[row] + u * (words[row + 1] - words[row]))
-            if measure(links, q_to_words(part)).segment.max() <= 0.002:
+            part = joint_words(
+                kinematics, tip[row] + u * (tip[row + 1] - tip[row]), words[row] + u * (words[row + 1] - words[row])
+            )
+            if measure(kinematics, q_to_words(part)).segment.max() <= 0.002:
                 break
         count += pieces
     assert trade.blocks[0] == pytest.approx((~over).sum() + count, rel=0.02)
 
 
 def test_the_trade_is_told_in_one_note():
-    offset, axis, links = dome_passes("trunnion_ac")
-    (note,) = trade_findings(offset, axis, links, CHANGE, 0.01, 5.0)
+    offset, axis, kinematics = dome_passes("trunnion_ac")
+    (note,) = trade_findings(offset, axis, kinematics, CHANGE, 0.01, 5.0)
     assert note.code == "axis-change-trade" and "the 5 passes that come within 2 deg" in note.text
     assert [part in note.text for part in ("as given", "0.5 deg", "1 deg", "2 deg", "4 deg")] == [True] * 5
     assert trade_findings(*dome_passes("trunnion_ac", tilt=0.5), CHANGE, 0.01) == ()
@@ -336,8 +338,8 @@ def test_a_cl_file_keeps_its_axes(tmp_path):
 
 def test_led_axes_are_within_reach_of_the_machine():
     """The other route to the limits: the inverse of every led axis has a branch within them."""
-    offset, _, links = dome_passes("mikron_ucp710")
-    second = inverse_axis(links, led("mikron_ucp710").axis)[0][:, :, 1]
-    low, high = links.low[4], links.high[4]
+    offset, _, kinematics = dome_passes("mikron_ucp710")
+    second = inverse_axis(kinematics, led("mikron_ucp710").axis)[0][:, :, 1]
+    low, high = kinematics.low[4], kinematics.high[4]
     assert ((second >= low - 1e-9) & (second <= high + 1e-9)).any(0).all()
     assert len(offset.point) == second.shape[1]

@@ -133,13 +133,13 @@ def test_a_million_blocks_are_laid_out_in_a_few_seconds():
     words = np.zeros((count, 5))
     turn = np.linspace(0.0, 200.0, count)
     words[:, 0], words[:, 1], words[:, 4] = 40 * np.cos(turn), 40 * np.sin(turn), 10.0
-    program = examples.program_of(small.links, words)
+    program = examples.program_of(small.kinematics, words)
     zero = np.zeros(count)
     segment = 0.01 * np.abs(np.sin(turn))
     segment[777_777] = 3.0
     made = type(small.deviation)(zero, zero, segment, zero, segment, zero, np.zeros((count, 3)))
     near = type(small.singularity)(zero, zero, zero, zero.astype(bool))
-    figures = type(small)("long", "audit", small.machine, small.links, program, made, near, 0.01)
+    figures = type(small)("long", "audit", small.machine, small.kinematics, program, made, near, 0.01)
     began = time.perf_counter()
     picture = draw(figures)
     assert time.perf_counter() - began < 8.0

@@ -116,7 +116,7 @@ def test_lead_beyond_the_rotary_limits_leaves_out_and_does_not_refuse(stairs):
     made = milled(stairs, machine="linuxcnc_xyzac_trt", lead="-20", tilt="20")
     assert "axis-beyond-limits" in {finding.code for finding in made.findings}
     words = np.radians(made.program.words[:, 3:])
-    assert (words >= made.links.low[3:] - 1e-6).all() and (words <= made.links.high[3:] + 1e-6).all()
+    assert (words >= made.kinematics.low[3:] - 1e-6).all() and (words <= made.kinematics.high[3:] + 1e-6).all()
 
 
 def test_where_nothing_is_left_out_no_row_is_lost(stairs):

@@ -113,9 +113,9 @@ def test_a_rotary_axis_along_the_tool_alone_is_refused_with_the_remedy():
 
 
 def test_a_table_turns_the_part_about_its_pivot_as_by_hand():
-    links = chain(table_a(), Setup())
+    kinematics = chain(table_a(), Setup())
     q = np.array([[3.0, 7.0, 11.0, math.radians(30), 0.0]])
-    tip, axis = forward(links, q)
+    tip, axis = forward(kinematics, q)
     cos, sin = math.cos(math.radians(30)), math.sin(math.radians(30))
     y, z = 7.0 - PIVOT[1], 11.0 - PIVOT[2]
     np.testing.assert_allclose(tip, [[3.0, PIVOT[1] + cos * y - sin * z, PIVOT[2] + sin * y + cos * z]], atol=1e-12)
@@ -123,18 +123,18 @@ def test_a_table_turns_the_part_about_its_pivot_as_by_hand():
 
 
 def test_a_head_swings_the_tool_by_its_length_as_by_hand():
-    links = chain(head_b(), Setup(tool_length=120.0))
-    tip, axis = forward(links, np.array([[0.0, 0.0, 0.0, math.radians(30), 0.0]]))
+    kinematics = chain(head_b(), Setup(tool_length=120.0))
+    tip, axis = forward(kinematics, np.array([[0.0, 0.0, 0.0, math.radians(30), 0.0]]))
     np.testing.assert_allclose(tip, [[-120.0 * 0.5, 0.0, 120.0 * (1.0 - math.cos(math.radians(30)))]], atol=1e-12)
     np.testing.assert_allclose(axis, [[0.5, 0.0, math.cos(math.radians(30))]], atol=1e-12)
 
 
 @pytest.mark.parametrize("name", MACHINES)
 def test_inverse_is_the_way_back_and_never_near_a_pole(name):
-    links = chain(MACHINES[name](), Setup(tool_length=120.0))
+    kinematics = chain(MACHINES[name](), Setup(tool_length=120.0))
     turn = np.zeros(50) if name == "three" else np.linspace(-1.5, 1.5, 50)
     q = np.column_stack([np.linspace(-90, 90, 50), np.linspace(40, -40, 50), np.linspace(0, 30, 50), turn, np.zeros(50)])
-    words, sine = inverse(links, *forward(links, q))
+    words, sine = inverse(kinematics, *forward(kinematics, q))
     assert np.abs(words - q).max(axis=(2)).min(axis=0).max() < 1e-9
     np.testing.assert_allclose(sine, 1.0, atol=1e-12)
 
@@ -156,7 +156,7 @@ def test_a_program_of_four_axes_says_the_one_word_and_the_bound_holds(files):
     q, rows = words_to_q(program.words), range(1, len(program.words))
     for row in rows:
         u = np.linspace(0.0, 1.0, 2001)[:, None]
-        tip, _ = forward(result.made.links, q[row - 1] + u * (q[row] - q[row - 1]))
+        tip, _ = forward(result.made.kinematics, q[row - 1] + u * (q[row] - q[row - 1]))
         chord = tip[-1] - tip[0]
         along = np.clip((tip - tip[0]) @ chord / max(chord @ chord, 1e-30), 0.0, 1.0)[:, None]
         off = np.linalg.norm(tip - tip[0] - along * chord, axis=1).max()
@@ -173,7 +173,7 @@ def test_what_is_posted_is_read_again_by_every_controller(files, name, path, con
             LEANING_APT.replace("0,0.5,0.866025404", "0.5,0,0.866025404").replace("0,0.6,0.8", "0.6,0,0.8")
         )
     made = posted(files, name, path, controller=controller, linearize="on").made
-    read = read_nc(made.nc, made.links, made.dialect)
+    read = read_nc(made.nc, made.kinematics, made.dialect)
     np.testing.assert_allclose(read.words, made.program.words, atol=1e-9)
     assert not [finding for finding in read.findings if finding.code in ("unknown-axis", "position-unknown")]
 
@@ -212,8 +212,8 @@ def test_tool_axes_printed_with_four_decimals_are_within_reach(files):
 
 
 def test_a_word_of_an_axis_that_is_not_there_is_told(files):
-    links = chain(three(), Setup())
-    found = read_nc(b"G21 G90\nG0 X0 Y0 Z10 A0\nG1 X5 A3 F100\nM2\n", links).findings
+    kinematics = chain(three(), Setup())
+    found = read_nc(b"G21 G90\nG0 X0 Y0 Z10 A0\nG1 X5 A3 F100\nM2\n", kinematics).findings
     assert [finding.code for finding in found if finding.severity.name == "ERROR"] == ["unknown-axis"]
 
 
@@ -235,12 +235,12 @@ def test_audit_and_every_output_name_the_real_axes_alone(files, name, path):
 @pytest.mark.parametrize(("name", "path"), [("three", "level"), ("table_a", "leaning")])
 def test_play_moves_what_there_is(files, name, path):
     result = posted(files, name, path)
-    links, program = result.made.links, result.made.program
-    pose = Playback(links, program, result.deviation).at(float(program.seconds.sum()))
-    np.testing.assert_allclose(pose.tip, forward(links, words_to_q(program.words[-1:]))[0][0], atol=1e-9)
-    bodies = sketch(links, np.zeros(3), np.full(3, 20.0), ToolRoom(50.0, 5.0))
+    kinematics, program = result.made.kinematics, result.made.program
+    pose = Playback(kinematics, program, result.deviation).at(float(program.seconds.sum()))
+    np.testing.assert_allclose(pose.tip, forward(kinematics, words_to_q(program.words[-1:]))[0][0], atol=1e-9)
+    bodies = sketch(kinematics, np.zeros(3), np.full(3, 20.0), ToolRoom(50.0, 5.0))
     carriers = {body.carrier for body in bodies} - {None}
-    assert carriers <= set(fitted_columns(links.letters)) and (3 in carriers) == (name == "table_a")
+    assert carriers <= set(fitted_columns(kinematics.letters)) and (3 in carriers) == (name == "table_a")
 
 
 def test_the_dome_is_milled_with_the_tool_along_z(parts, files):

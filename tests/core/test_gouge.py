@@ -7,8 +7,8 @@ from gouge_examples import bowl, brute_distance, corner, dense_points, round_gro
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision import check_course, find_entries, inside, is_closed, real_course, search, straight_course
-from freecad_fiveaxis.core.collision.swept_motion import still_course
+from freecad_fiveaxis.core.collision import check_motion, find_entries, inside, is_closed, real_motion, search, straight_motion
+from freecad_fiveaxis.core.collision.swept_motion import still_positions
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.machine import load_machine
@@ -27,11 +27,11 @@ def ball(radius):
 
 def course_through(*places):
     """Straight blocks of an upright tool."""
-    return straight_course(np.array(places, float), np.broadcast_to(UP, (len(places), 3)))
+    return straight_motion(np.array(places, float), np.broadcast_to(UP, (len(places), 3)))
 
 
-def entries(body, mesh, course, limit=LIMIT, **more):
-    return find_entries(body, facet_tree(mesh), course, limit, **more)
+def entries(body, mesh, swept, limit=LIMIT, **more):
+    return find_entries(body, facet_tree(mesh), swept, limit, **more)
 
 
 def close(found, depth, block=0):
@@ -102,8 +102,8 @@ def test_a_ball_in_a_groove_of_smaller_radius_enters_at_both_rims():
 
 def test_a_step_is_entered_between_two_rows_that_are_free():
     radius = 3.0
-    course = course_through((0, -6.0, radius), (0, -1.0, 6.0 + radius), (0, 9.0, 6.0 + radius))
-    found = entries(ball(radius), step(), course)
+    swept = course_through((0, -6.0, radius), (0, -1.0, 6.0 + radius), (0, 9.0, 6.0 + radius))
+    found = entries(ball(radius), step(), swept)
     way = np.array([0.0, 5.0, 6.0]) / np.hypot(5.0, 6.0)
     edge = np.array([0.0, 6.0, 6.0 - radius])  # from the first centre to the edge
     close(found, radius - np.linalg.norm(edge - (edge @ way) * way))
@@ -128,8 +128,8 @@ def test_a_turning_tool_enters_between_its_ends():
     swing = np.radians(8.0)
     axes = np.array([[0, np.sin(-swing), np.cos(swing)], [0, np.sin(swing), np.cos(swing)]])
     flat = Body((frustum_piece(0.0, 5.0, 20.0, 5.0),))
-    course = straight_course(np.array([[0, -12.0, 0.1], [0, -12.0, 0.1]]), axes)
-    found = entries(flat, step(), course)
+    swept = straight_motion(np.array([[0, -12.0, 0.1], [0, -12.0, 0.1]]), axes)
+    found = entries(flat, step(), swept)
     dip = 5.0 * np.sin(swing) - 0.1
     assert dip / (np.sin(swing) + np.cos(swing)) == pytest.approx(found.depth[0], rel=0.02)  # depth in the tool's right angle
 
@@ -140,7 +140,7 @@ def test_a_turning_tool_enters_between_its_ends():
 def random_course(rng, count, reach, low):
     tips = rng.uniform(-reach, reach, (count, 3)) + (0, 0, low)
     axes = rng.normal(size=(count, 3)) * 0.4 + (0, 0, 1.5)
-    return straight_course(tips, axes / np.linalg.norm(axes, axis=1)[:, None])
+    return straight_motion(tips, axes / np.linalg.norm(axes, axis=1)[:, None])
 
 
 BODIES = {
@@ -154,15 +154,15 @@ BODIES = {
 @pytest.mark.parametrize("name", BODIES)
 def test_depth_and_bound_stand_on_both_sides_of_what_dense_samples_find(name):
     rng = np.random.default_rng(5)
-    mesh, course = round_groove(6.0, 12, 12.0, 16.0), random_course(rng, 12, 8.0, 2.0)
-    found, points = entries(BODIES[name], mesh, course), dense_points(mesh, 0.4)
-    worst = [sampled_depth(BODIES[name], points, course, b, 21) for b in range(len(course))]
+    mesh, swept = round_groove(6.0, 12, 12.0, 16.0), random_course(rng, 12, 8.0, 2.0)
+    found, points = entries(BODIES[name], mesh, swept), dense_points(mesh, 0.4)
+    worst = [sampled_depth(BODIES[name], points, swept, b, 21) for b in range(len(swept))]
     worst = np.array(worst)
     assert (found.bound >= worst - 1e-9).all()
     assert (worst[found.depth == 0.0] <= LIMIT).all() and (found.depth > 0).sum() > 5
     assert (found.bound[found.depth > 0] <= 1.05 * found.depth[found.depth > 0] + 2 * LIMIT).all()
     for block in np.flatnonzero(found.depth):
-        pose = course.pose(np.array([block]), found.u[block : block + 1])
+        pose = swept.pose(np.array([block]), found.u[block : block + 1])
         there = depth_of(BODIES[name], pose.tip[:, 0], pose.axis[:, 0], found.place[block : block + 1])[0]
         assert there == pytest.approx(found.depth[block], abs=1e-9)
 
@@ -176,7 +176,7 @@ def balls_everywhere():
     a, b, c, d = (part.ravel() for part in (row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:]))
     mesh = from_faces(np.stack([x, y, z], -1).reshape(-1, 3), np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]))
     centres = np.random.default_rng(6).uniform((-22, -22, -6), (22, 22, 6), (300, 3))
-    found = entries(ball(3.0), mesh, still_course(centres, np.tile(UP, (300, 1))))
+    found = entries(ball(3.0), mesh, still_positions(centres, np.tile(UP, (300, 1))))
     return mesh, centres, found
 
 
@@ -196,30 +196,30 @@ def test_signed_distances_by_another_library_say_the_same(balls_everywhere):
 
 
 def test_the_judge_would_see_a_depth_that_is_too_small():
-    mesh, course = step(), course_through((0, -6.0, 3.0), (0, -1.0, 9.0))
-    found = entries(ball(3.0), mesh, course)
-    worst = sampled_depth(ball(2.5), dense_points(mesh, 0.2), course, 0)
+    mesh, swept = step(), course_through((0, -6.0, 3.0), (0, -1.0, 9.0))
+    found = entries(ball(3.0), mesh, swept)
+    worst = sampled_depth(ball(2.5), dense_points(mesh, 0.2), swept, 0)
     assert worst < 0.9 * found.depth[0]
 
 
 @pytest.mark.parametrize("name", ["trunnion_ac", "fork_head_bc"])
 def test_the_real_way_of_a_machine_is_checked_not_the_commanded_one(name):
     machine = load_machine(name)
-    links = chain(machine, Setup(machine.origin, tool_length=120.0))
+    kinematics = chain(machine, Setup(machine.origin, tool_length=120.0))
     tips = np.array([[-10.0, -12.0, 3.005], [10.0, -12.0, 3.005]])
     angles = np.radians([[0.0, 0.0], [25.0, 20.0]])
-    words = np.concatenate([linear_words(links, tips, angles), np.degrees(angles)], axis=1)
-    course = real_course(links, words)
-    found = entries(BODIES["ball"], step(), course)
-    worst = sampled_depth(BODIES["ball"], dense_points(step(), 0.2), course, 0, 201)
+    words = np.concatenate([linear_words(kinematics, tips, angles), np.degrees(angles)], axis=1)
+    swept = real_motion(kinematics, words)
+    found = entries(BODIES["ball"], step(), swept)
+    worst = sampled_depth(BODIES["ball"], dense_points(step(), 0.2), swept, 0, 201)
     assert worst <= found.bound[0] and found.depth[0] == pytest.approx(worst, abs=max(0.02 * worst, 0.03))
-    axes = course.pose(np.zeros(2, int), np.array([0.0, 1.0])).axis.T
-    straight = entries(BODIES["ball"], step(), straight_course(tips, axes))
+    axes = swept.pose(np.zeros(2, int), np.array([0.0, 1.0])).axis.T
+    straight = entries(BODIES["ball"], step(), straight_motion(tips, axes))
     assert found.depth[0] > 0.1 and straight.depth[0] == 0.0
 
 
 def test_a_finer_mesh_of_the_same_part_has_the_same_entries():
-    course = course_through((0, -6.0, 3.0), (0, -1.0, 9.0))
+    swept = course_through((0, -6.0, 3.0), (0, -1.0, 9.0))
     coarse, fine = step(), step()
     for _ in range(5):
         a, b, c = fine.face.T
@@ -231,7 +231,7 @@ def test_a_finer_mesh_of_the_same_part_has_the_same_entries():
         )
         fine = from_faces(vertex, row.reshape(-1, 3))
     assert len(fine.face) > 1000 * len(coarse.face) / 2
-    one, two = entries(ball(3.0), coarse, course), entries(ball(3.0), fine, course)
+    one, two = entries(ball(3.0), coarse, swept), entries(ball(3.0), fine, swept)
     assert one.depth[0] == pytest.approx(two.depth[0], rel=0.011)
 
 
@@ -248,8 +248,8 @@ def test_points_are_inside_where_the_profile_says_so():
 
 def test_a_cutter_that_goes_through_the_part_is_buried_in_the_middle():
     mesh = step()
-    course = course_through((0, -10, 8), (0, -10, -1), (0, -10, -5), (1, -10, -5), (0, -10, 8))
-    done = check_course(mesh, ball(1.0), course, np.zeros(4, np.int8), LIMIT)
+    swept = course_through((0, -10, 8), (0, -10, -1), (0, -10, -5), (1, -10, -5), (0, -10, 8))
+    done = check_motion(mesh, ball(1.0), swept, np.zeros(4, np.int8), LIMIT)
     assert done.buried.tolist() == [False, True, True, False] or done.buried.tolist() == [False, False, True, False]
     assert {f.code for f in done.findings} == {"overcut", "buried"}
     assert "at least 1 mm" in done.findings[0].text or "at least 0.99" in done.findings[0].text
@@ -260,15 +260,15 @@ def test_a_cutter_that_goes_through_the_part_is_buried_in_the_middle():
 
 def test_a_cutter_larger_than_the_part_is_found_and_does_not_hang():
     mesh = corner(4.0, 2.0)
-    done = check_course(mesh, ball(60.0), course_through((0, 0, 30.0), (5, 0, 30.0)), np.zeros(1, np.int8), LIMIT)
+    done = check_motion(mesh, ball(60.0), course_through((0, 0, 30.0), (5, 0, 30.0)), np.zeros(1, np.int8), LIMIT)
     assert [f.code for f in done.findings] == ["overcut"] and done.findings[0].value > 20.0
 
 
 def test_a_holder_that_collides_everywhere_is_one_kind_of_finding():
     rows = np.linspace(-15, 15, 400)
-    course = course_through(*np.column_stack([rows, 0 * rows - 12.0, 0 * rows + 2.0]))
+    swept = course_through(*np.column_stack([rows, 0 * rows - 12.0, 0 * rows + 2.0]))
     body = body_of(Cutter(4.0, 6.0), holder=[(40.0, 30.0)])
-    done = check_course(step(height=12.0), body, course, np.zeros(399, np.int8), LIMIT)
+    done = check_motion(step(height=12.0), body, swept, np.zeros(399, np.int8), LIMIT)
     assert {f.code for f in done.findings} == {"holder-collision"} and "399 blocks" in done.findings[0].text
     assert "holder" in done.findings[0].text
 
@@ -276,14 +276,14 @@ def test_a_holder_that_collides_everywhere_is_one_kind_of_finding():
 def test_an_open_mesh_has_no_inside_but_its_surface_is_checked():
     mesh = bowl()
     assert not is_closed(mesh) and is_closed(step())
-    done = check_course(mesh, ball(2.0), course_through((0, 0, -14.0), (1, 0, -14.0)), np.zeros(1, np.int8), LIMIT)
+    done = check_motion(mesh, ball(2.0), course_through((0, 0, -14.0), (1, 0, -14.0)), np.zeros(1, np.int8), LIMIT)
     assert [f.code for f in done.findings] == ["overcut"]
 
 
 def test_facets_that_look_inward_change_nothing():
-    mesh, course = bowl(), course_through((0, 0, -14.0), (1, 0, -14.0))
+    mesh, swept = bowl(), course_through((0, 0, -14.0), (1, 0, -14.0))
     turned = from_faces(mesh.vertex, mesh.face[:, ::-1])
-    assert entries(ball(2.0), mesh, course).depth[0] == pytest.approx(entries(ball(2.0), turned, course).depth[0], rel=0.011)
+    assert entries(ball(2.0), mesh, swept).depth[0] == pytest.approx(entries(ball(2.0), turned, swept).depth[0], rel=0.011)
 
 
 def test_blocks_of_no_length_are_poses():
@@ -294,11 +294,11 @@ def test_blocks_of_no_length_are_poses():
 
 def test_pairs_divided_a_few_at_a_time_find_the_same(monkeypatch):
     mesh, rng = bowl(15.0, 24), np.random.default_rng(5)
-    course = course_through(*np.column_stack([rng.uniform(-6, 6, (30, 2)), rng.uniform(-12, -6, 30)]))
-    whole = entries(ball(4.0), mesh, course)
-    shallow, known = 0.2, find_entries(ball(4.0), facet_tree(mesh), course, 0.2, np.inf)
+    swept = course_through(*np.column_stack([rng.uniform(-6, 6, (30, 2)), rng.uniform(-12, -6, 30)]))
+    whole = entries(ball(4.0), mesh, swept)
+    shallow, known = 0.2, find_entries(ball(4.0), facet_tree(mesh), swept, 0.2, np.inf)
     monkeypatch.setattr(search, "AT_ONCE", 7)
-    parts, told = entries(ball(4.0), mesh, course), find_entries(ball(4.0), facet_tree(mesh), course, shallow, np.inf)
+    parts, told = entries(ball(4.0), mesh, swept), find_entries(ball(4.0), facet_tree(mesh), swept, shallow, np.inf)
     assert (whole.depth > 0.0).sum() > 5 and np.allclose(parts.depth, whole.depth, rtol=0.011, atol=LIMIT / 10)
     assert (parts.bound >= whole.depth - 1e-9).all()
     assert ((told.bound > shallow) == (known.bound > shallow)).all() and 0 < (told.bound > shallow).sum() < 29
@@ -315,9 +315,9 @@ def test_a_mesh_of_one_facet():
 
 
 def test_rapids_that_enter_are_collisions_and_cuts_overcuts():
-    course = course_through((0, -12, 2.0), (1, -12, 2.0), (2, -12, 9.0), (3, -12, 2.0))
+    swept = course_through((0, -12, 2.0), (1, -12, 2.0), (2, -12, 9.0), (3, -12, 2.0))
     motion = np.array([Motion.CUT, Motion.RAPID, Motion.RAPID], np.int8)
-    done = check_course(step(), ball(3.0), course, motion, LIMIT, where=lambda block: (block + 7, block + 100))
+    done = check_motion(step(), ball(3.0), swept, motion, LIMIT, where=lambda block: (block + 7, block + 100))
     by_code = {f.code: f for f in done.findings}
     assert set(by_code) == {"overcut", "rapid-collision"}
     assert (by_code["overcut"].block, by_code["overcut"].line) == (7, 100)
@@ -329,4 +329,4 @@ def test_the_check_can_be_stopped():
         raise Cancelled("stopped")
 
     with pytest.raises(Cancelled):
-        check_course(step(), ball(3.0), course_through((0, -12, 2.5), (5, -12, 2.5)), np.zeros(1, np.int8), LIMIT, progress=stop)
+        check_motion(step(), ball(3.0), course_through((0, -12, 2.5), (5, -12, 2.5)), np.zeros(1, np.int8), LIMIT, progress=stop)

@@ -9,11 +9,11 @@ import pytest
 from gouge_examples import bowl, step
 
 from benchmarks.parts import bumpy
-from freecad_fiveaxis.core.collision import real_course, straight_course
+from freecad_fiveaxis.core.collision import real_motion, straight_motion
 from freecad_fiveaxis.core.collision.bounds import box_bound, facet_bound, least_depth, pared, plate_bound
 from freecad_fiveaxis.core.collision.deepest import deepest, toward
 from freecad_fiveaxis.core.collision.edges import nearest_on_edges
-from freecad_fiveaxis.core.collision.swept_motion import Poses, clusters_of, still_course, stretches_of
+from freecad_fiveaxis.core.collision.swept_motion import Poses, clusters_of, segments_of, still_positions
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.machine import load_machine
@@ -63,17 +63,17 @@ def courses(rng, mesh):
     machine = load_machine("trunnion_ac")
     words = np.column_stack([steps(rng, mesh, 18), np.cumsum(rng.normal(0.0, 4.0, (18, 2)), axis=0)])
     return {
-        "still": still_course(steps(rng, mesh, 17), leaning_axes(rng, 17, 0.5)),
-        "upright": straight_course(steps(rng, mesh, 18), np.broadcast_to((0.0, 0.0, 1.0), (18, 3))),
-        "turning": straight_course(steps(rng, mesh, 18), leaning_axes(rng, 18, 0.15)),
-        "anyhow": straight_course(steps(rng, mesh, 18), directions(rng, 18)),
-        "machine": real_course(chain(machine, Setup()), words),
+        "still": still_positions(steps(rng, mesh, 17), leaning_axes(rng, 17, 0.5)),
+        "upright": straight_motion(steps(rng, mesh, 18), np.broadcast_to((0.0, 0.0, 1.0), (18, 3))),
+        "turning": straight_motion(steps(rng, mesh, 18), leaning_axes(rng, 18, 0.15)),
+        "anyhow": straight_motion(steps(rng, mesh, 18), directions(rng, 18)),
+        "machine": real_motion(chain(machine, Setup()), words),
     }
 
 
-def clusters(course):
-    parts = stretches_of(course, np.arange(len(course)), 30.0, 0.05)
-    return parts, clusters_of(course, parts, 30.0)
+def clusters(swept):
+    parts = segments_of(swept, np.arange(len(swept)), 30.0, 0.05)
+    return parts, clusters_of(swept, parts, 30.0)
 
 
 def stretches_under(table, row):
@@ -92,10 +92,10 @@ def _last(table, row):
     return rows
 
 
-def depths(piece, course, parts, stretches, tree, facets, rng):
+def depths(piece, swept, parts, stretches, tree, facets, rng):
     """How deep the part goes into the piece, by samples of these facets and stretches."""
     u = parts.start[stretches, None] + np.linspace(0.0, 1.0, 9) * (parts.end - parts.start)[stretches, None]
-    pose = course.pose(np.repeat(parts.block[stretches], 9), u.ravel())
+    pose = swept.pose(np.repeat(parts.block[stretches], 9), u.ravel())
     share = np.concatenate([np.eye(3), rng.dirichlet((1.0, 1.0, 1.0), 12)])
     points = np.einsum("sk,kif->sfi", share, tree.corners(facets)).reshape(-1, 3)
     return depth_of(Body((piece,)), pose.tip.T[:, None], pose.axis.T[:, None], points[None])
@@ -123,12 +123,12 @@ def test_no_sample_is_deeper_than_any_of_the_bounds(name):
     rng, piece, near = np.random.default_rng(4), PIECES[name], 0
     for mesh in (bowl(20.0), step(), bumpy(400)):
         tree = facet_tree(mesh)
-        for kind, course in courses(rng, mesh).items():
-            parts, table = clusters(course)
+        for kind, swept in courses(rng, mesh).items():
+            parts, table = clusters(swept)
             way, node = pairs(rng, table, tree)
             bounds = lowest_bounds(piece, table.ways(way), tree, node)
             for k in range(len(way)):
-                found = depths(piece, course, parts, stretches_under(table, way[k]), tree, facets_under(tree, node[k]), rng).max()
+                found = depths(piece, swept, parts, stretches_under(table, way[k]), tree, facets_under(tree, node[k]), rng).max()
                 for bound, most in bounds.items():
                     assert found <= max(most[k], LIMIT) + 1e-9, (kind, bound, k)
                 near += found > LIMIT
@@ -137,15 +137,15 @@ def test_no_sample_is_deeper_than_any_of_the_bounds(name):
 
 def test_the_samples_see_a_bound_that_forgets_what_the_way_bends():
     rng, mesh, piece = np.random.default_rng(4), bumpy(400), PIECES["ball cutter"]
-    tree, course = facet_tree(mesh), courses(rng, mesh)["machine"]
-    parts, table = clusters(course)
+    tree, swept = facet_tree(mesh), courses(rng, mesh)["machine"]
+    parts, table = clusters(swept)
     way, node = np.arange(table.top).repeat(40), rng.integers(tree.leaf, len(tree.size), 40 * table.top)
     ways = table.ways(way)
     ways.column[9:11] = 0.0
     assert not ways.bend_tip.any() and not ways.bend_axis.any()
     most = np.min(list(lowest_bounds(piece, ways, tree, node).values()), axis=0)
     found = [
-        depths(piece, course, parts, stretches_under(table, row), tree, facets_under(tree, leaf), rng).max()
+        depths(piece, swept, parts, stretches_under(table, row), tree, facets_under(tree, leaf), rng).max()
         for row, leaf in zip(way, node, strict=True)
     ]
     assert (np.array(found) > most + 1e-3).any()
@@ -154,8 +154,8 @@ def test_the_samples_see_a_bound_that_forgets_what_the_way_bends():
 def test_a_point_said_to_be_deep_is_so_at_some_pose():
     rng, mesh, piece, deep = np.random.default_rng(5), bumpy(400), PIECES["bull nose"], 0
     tree = facet_tree(mesh)
-    for course in [course for _ in range(12) for course in courses(rng, mesh).values()]:
-        parts, table = clusters(course)
+    for swept in [swept for _ in range(12) for swept in courses(rng, mesh).values()]:
+        parts, table = clusters(swept)
         way, node = pairs(rng, table, tree)
         points = tree.points(node)
         least = least_depth(piece, table.ways(way), points)
@@ -163,7 +163,7 @@ def test_a_point_said_to_be_deep_is_so_at_some_pose():
             u = np.linspace(0.0, 1.0, 40)
             rows = stretches_under(table, way[k])
             share = parts.start[rows, None] + u * (parts.end - parts.start)[rows, None]
-            pose = course.pose(np.repeat(parts.block[rows], 40), share.ravel())
+            pose = swept.pose(np.repeat(parts.block[rows], 40), share.ravel())
             found = depth_of(Body((piece,)), pose.tip.T, pose.axis.T, points[:, k]).max()
             assert found > least[k] - 0.05
             deep += 1
@@ -218,8 +218,8 @@ def clearances(piece, corner):
     best = []
     for k in range(corner.shape[2]):
         mesh = from_faces(corner[:, :, k], np.array([[0, 1, 2]]))
-        tree, course = facet_tree(mesh), still_course(np.zeros((1, 3)), np.array([[0.0, 0.0, 1.0]]))
-        _, table = clusters(course)
+        tree, swept = facet_tree(mesh), still_positions(np.zeros((1, 3)), np.array([[0.0, 0.0, 1.0]]))
+        _, table = clusters(swept)
         row, node = np.array([table.first]), np.array([len(tree.size) - 1])
         best.append(min(float(bound[0]) for bound in lowest_bounds(piece, table.ways(row), tree, node).values()))
     return np.array(best)

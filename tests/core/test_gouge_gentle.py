@@ -49,7 +49,7 @@ def judged(made):
     """The judge's verdict over all cuts."""
     cuts = np.flatnonzero(np.isin(made.program.motion[1:], (Motion.CUT, Motion.FILL)))
     assert len(cuts) > 10
-    return gouge_judge.judged(made.mesh, made.settings.cutter.cutter, made.links, made.program.words, cuts)
+    return gouge_judge.judged(made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, cuts)
 
 
 @pytest.mark.slow

@@ -46,9 +46,9 @@ def milled(mesh, **options):
 def both(made):
     """What the check says of the cuts, which blocks these are, and the judge's verdict on them."""
     program, cutter = made.program, made.settings.cutter.cutter
-    checked = check_program(made.mesh, gouge_free.tool_body(made.settings), made.links, program, TOLERANCE)
+    checked = check_program(made.mesh, gouge_free.tool_body(made.settings), made.kinematics, program, TOLERANCE)
     cuts = np.flatnonzero(np.isin(program.motion[1:], (Motion.CUT, Motion.FILL)))
-    return checked.cutter, cuts, gouge_judge.judged(made.mesh, cutter, made.links, program.words, cuts)
+    return checked.cutter, cuts, gouge_judge.judged(made.mesh, cutter, made.kinematics, program.words, cuts)
 
 
 def agree(made):
@@ -92,7 +92,7 @@ def nearest(made, most=100):
 def test_a_judge_of_a_thinner_cutter_would_disagree():
     made = milled(bowl_block(11.0, cells=36), cutter="ball:10:40", stepover=8, direction=20)
     found, cuts, _ = both(made)
-    thin = gouge_judge.judged(made.mesh, Cutter(6.0, 40.0), made.links, made.program.words, cuts)
+    thin = gouge_judge.judged(made.mesh, Cutter(6.0, 40.0), made.kinematics, made.program.words, cuts)
     assert thin.worst < 0.9 * found.depth.max()
 
 

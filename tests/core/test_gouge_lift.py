@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base.quantity import parse_stack
 from freecad_fiveaxis.core.cl import cl_offset as seating
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cli import main
-from freecad_fiveaxis.core.collision import find_entries, real_course, straight_course
+from freecad_fiveaxis.core.collision import find_entries, real_motion, straight_motion
 from freecad_fiveaxis.core.corrections import lift
 from freecad_fiveaxis.core.corrections.lift import lift_path
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -44,7 +44,7 @@ def cl_path(tips, axis=(0.0, 0.0, 1.0)):
 
 def entering(path, mesh, body, tolerance=TOLERANCE):
     """The depth of cuts, by the check, along the path as it is commanded."""
-    found = find_entries(body, facet_tree(mesh), straight_course(path.tip, path.axis), tolerance)
+    found = find_entries(body, facet_tree(mesh), straight_motion(path.tip, path.axis), tolerance)
     return found.depth[np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))]
 
 
@@ -96,15 +96,15 @@ def test_over_a_step_rows_are_put_in_so_that_no_block_cuts_the_edge():
     demanded = np.where(y > -radius, 6.0 - (radius - np.sqrt(radius**2 - over**2)), 0.0)
     assert (z <= demanded + TOLERANCE).all()  # no row is higher than the edge demands
     points = dense_points(mesh, 0.5)
-    course = straight_course(lifted.path.tip, lifted.path.axis)
-    assert max(sampled_depth(body, points, course, k, 7) for k in range(len(course))) <= TOLERANCE
+    swept = straight_motion(lifted.path.tip, lifted.path.axis)
+    assert max(sampled_depth(body, points, swept, k, 7) for k in range(len(swept))) <= TOLERANCE
 
 
 def test_the_rows_between_are_needed():
     """Without them, the judge finds the edge in the cutter."""
     body, points = body_of(Cutter(6.0, 20.0)), dense_points(step(6.0), 0.5)
-    course = straight_course(np.array([(0, -9.0, 0), (0, 6.0, 6.0)]), np.tile([0.0, 0, 1], (2, 1)))
-    assert sampled_depth(body, points, course, 0, 41) > 1.0
+    swept = straight_motion(np.array([(0, -9.0, 0), (0, 6.0, 6.0)]), np.tile([0.0, 0, 1], (2, 1)))
+    assert sampled_depth(body, points, swept, 0, 41) > 1.0
 
 
 def cuts_of_no_length(path):
@@ -167,8 +167,8 @@ def test_rows_under_a_roof_from_which_no_way_leads_up_are_lifted_above_it():
     over = np.clip(-y, 0.0, 2.0)  # the roof's edge at y = 0 and the ball: no row is higher than they demand
     demanded = np.where(y > -2.0, 16.0 - (2.0 - np.sqrt(4.0 - over**2)), 0.0)
     assert z == pytest.approx(demanded, abs=2 * TOLERANCE)
-    points, course = dense_points(mesh, 0.5), straight_course(lifted.path.tip, lifted.path.axis)
-    assert max(sampled_depth(body, points, course, k, 41) for k in range(len(course))) <= TOLERANCE
+    points, swept = dense_points(mesh, 0.5), straight_motion(lifted.path.tip, lifted.path.axis)
+    assert max(sampled_depth(body, points, swept, k, 41) for k in range(len(swept))) <= TOLERANCE
 
 
 @pytest.mark.slow
@@ -197,8 +197,8 @@ def test_a_cut_that_ends_under_a_roof_is_lifted_above_it_before_the_tool_leaves(
     over = np.clip(-y, 0.0, 2.0)
     demanded = np.where(y > -2.0, 16.0 - (2.0 - np.sqrt(4.0 - over**2)), 0.0)
     assert z == pytest.approx(demanded, abs=2 * TOLERANCE)
-    points, course = dense_points(mesh, 0.5), straight_course(lifted.path.tip, lifted.path.axis)
-    assert max(sampled_depth(body, points, course, k, 41) for k in range(len(course))) <= TOLERANCE
+    points, swept = dense_points(mesh, 0.5), straight_motion(lifted.path.tip, lifted.path.axis)
+    assert max(sampled_depth(body, points, swept, k, 41) for k in range(len(swept))) <= TOLERANCE
 
 
 @pytest.mark.parametrize("direction", [0, pytest.param(90, marks=pytest.mark.slow)])
@@ -206,8 +206,8 @@ def test_a_cut_that_ends_under_a_roof_is_lifted_above_it_before_the_tool_leaves(
 def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
     made = milled(shelf(), cutter="ball:4:6", stepover=4, direction=direction, gouge=gouge)
     assert not {"overcut", "rapid-collision"} & {f.code for f in job.prove(made).findings}
-    body, points, course = body_of(Cutter(4.0, 6.0)), dense_points(shelf(), 0.8), real_course(made.links, made.program.words)
-    assert max(sampled_depth(body, points, course, k, 9) for k in range(len(course))) <= TOLERANCE
+    body, points, swept = body_of(Cutter(4.0, 6.0)), dense_points(shelf(), 0.8), real_motion(made.kinematics, made.program.words)
+    assert max(sampled_depth(body, points, swept, k, 9) for k in range(len(swept))) <= TOLERANCE
     some = made.path.contact[made.path.motion == Motion.CUT]
     assert (some[:, 1] < -3.0).any() and (some[:, 2] > 15.9).any()  # beside the roof and on it all is cut
 
@@ -323,11 +323,11 @@ def test_after_the_cure_the_program_does_not_enter_on_its_real_way(mesh, cutter,
     after = job.prove(made)
     assert not {"overcut", "rapid-collision", "buried"} & {f.code for f in after.findings}
     assert {"lift": "lifted", "leave-out": "left-out"}[gouge] in {f.code for f in after.findings}
-    course = real_course(made.links, made.program.words)
+    swept = real_motion(made.kinematics, made.program.words)
     points = dense_points(mesh, 0.8)
-    blocks = np.random.default_rng(0).choice(len(course), 40, replace=False)
+    blocks = np.random.default_rng(0).choice(len(swept), 40, replace=False)
     cutter = body_of(made.settings.cutter.cutter)
-    assert max(sampled_depth(cutter, points, course, int(k), 5) for k in blocks) <= TOLERANCE
+    assert max(sampled_depth(cutter, points, swept, int(k), 5) for k in blocks) <= TOLERANCE
 
 
 def test_where_the_machine_leaves_a_cured_path_the_overcut_says_so():
@@ -344,11 +344,11 @@ def test_the_worst_overcut_of_a_wavy_patch_is_the_judges_too(parts, diameter):
     mesh = read_stl(str(parts / "freeform_233.stl"))
     made = milled(mesh, tool_axis="facet_mean", cutter=f"ball:{diameter}", stepover=4, gouge="report")
     worst = max((f for f in job.prove(made).findings if f.code == "overcut"), key=lambda f: f.value)
-    body, course = Body(body_of(made.settings.cutter.cutter).pieces[:1]), real_course(made.links, made.program.words)
+    body, swept = Body(body_of(made.settings.cutter.cutter).pieces[:1]), real_motion(made.kinematics, made.program.words)
     points = dense_points(mesh, 0.4)
-    assert sampled_depth(body, points, course, worst.block - 1, 21) == pytest.approx(worst.value, rel=0.02)
-    others = np.random.default_rng(1).choice(len(course), 30, replace=False)
-    assert max(sampled_depth(body, points, course, int(k), 5) for k in others) <= 1.011 * worst.value
+    assert sampled_depth(body, points, swept, worst.block - 1, 21) == pytest.approx(worst.value, rel=0.02)
+    others = np.random.default_rng(1).choice(len(swept), 30, replace=False)
+    assert max(sampled_depth(body, points, swept, int(k), 5) for k in others) <= 1.011 * worst.value
 
 
 @pytest.mark.slow

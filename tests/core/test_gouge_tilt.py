@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.cl.cl_offset import scallop_of
 from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
-from freecad_fiveaxis.core.collision import check_course, straight_course
+from freecad_fiveaxis.core.collision import check_motion, straight_motion
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
@@ -71,7 +71,7 @@ def test_the_tilted_program_is_free_and_a_judge_says_so_too(along):
     holder = body.only(HOLDER)
     for path, free in ((off.path, False), (made.path, True)):
         blocks = [k for k in range(len(path.tip) - 1) if path.motion[k + 1] == 0 and -13.0 < path.contact[k + 1, 1] < -4.0]
-        worst = max(sampled_depth(holder, points, straight_course(path.tip, path.axis), k, 5) for k in blocks)
+        worst = max(sampled_depth(holder, points, straight_motion(path.tip, path.axis), k, 5) for k in blocks)
         assert (worst <= 0.01) == free
 
 
@@ -110,7 +110,7 @@ def test_what_no_tilt_frees_is_told_with_its_place():
 
 def test_tilted_axes_stay_within_the_rotary_limits_and_the_largest_tilt(along):
     made = along[1]
-    assert axes_within_limits(made.links, made.path.axis).all()
+    assert axes_within_limits(made.kinematics, made.path.axis).all()
     assert np.degrees(np.arccos(made.path.axis[:, 2].min())) < 30.0 + 1e-6
 
 
@@ -223,7 +223,7 @@ def test_open_meshes_and_facets_that_look_inward_end_with_a_finding_or_an_error(
 def test_blocks_of_no_length_are_cured_as_others_are():
     """A zigzag whose passes begin where the last one ended has such blocks; the check takes them for poses."""
     tips = np.repeat(np.array([[0.0, -6.0, 0.0], [4.0, -6.0, 0.0]]), 3, axis=0)
-    course = straight_course(tips, np.tile([0.0, 0.0, 1.0], (6, 1)))
+    swept = straight_motion(tips, np.tile([0.0, 0.0, 1.0], (6, 1)))
     body = job.tool_body(build_settings("mill", "part", {**OPTIONS, **LONG}))
-    done = check_course(step(WALL), body, course, np.zeros(5, np.int8), 0.01)
+    done = check_motion(step(WALL), body, swept, np.zeros(5, np.int8), 0.01)
     assert (done.above.depth > 1.0).all() and "5 blocks" in done.findings[0].text

@@ -65,7 +65,7 @@ def meridian(tilts, azimuth=0.4, tip_step=1.0):
     return linked(np.column_stack([np.arange(len(t)) * tip_step, np.zeros(len(t)), np.zeros(len(t))]), axis)
 
 
-def links_of(name, first=None, second=None, **setup):
+def kinematics_of(name, first=None, second=None, **setup):
     machine = load_machine(name)
     limits = dict(zip(machine.rotary, (first, second), strict=True))
     axes = tuple(
@@ -80,11 +80,11 @@ def given_rows(joints):
     return np.flatnonzero(np.append(joints.row[1:] != joints.row[:-1], True))
 
 
-def dense(links, q, count=400):
+def dense(kinematics, q, count=400):
     """Tips (blocks, count, 3) along every block, words going evenly."""
     u = np.linspace(0.0, 1.0, count)[None, :, None]
     words = q[:-1, None] + u * (q[1:] - q[:-1])[:, None]
-    return forward(links, words.reshape(-1, 5))[0].reshape(len(q) - 1, count, 3)
+    return forward(kinematics, words.reshape(-1, 5))[0].reshape(len(q) - 1, count, 3)
 
 
 def off_chord(points):
@@ -103,15 +103,15 @@ MACHINES = shipped_machines()
 
 @pytest.mark.parametrize("name", MACHINES)
 def test_every_row_gives_back_its_tip_and_axis_and_a_cut_goes_on_without_jumps(name):
-    links = links_of(name)
+    kinematics = kinematics_of(name)
     path = dome_zigzag()
-    joints = solve(path, links, LOW, HIGH, CLEARANCE)
-    tip, axis = forward(links, joints.q)
+    joints = solve(path, kinematics, LOW, HIGH, CLEARANCE)
+    tip, axis = forward(kinematics, joints.q)
     np.testing.assert_allclose(tip, joints.path.tip, atol=1e-9)
     np.testing.assert_allclose(axis, joints.path.axis, atol=1e-9)
-    np.testing.assert_allclose(joints.sine, inverse_axis(links, joints.path.axis)[1], atol=1e-9)
+    np.testing.assert_allclose(joints.sine, inverse_axis(kinematics, joints.path.axis)[1], atol=1e-9)
     away = joints.sine > 1e-6
-    assert (joints.branch == branch_of(links, joints.q[:, 4]))[away].all()
+    assert (joints.branch == branch_of(kinematics, joints.q[:, 4]))[away].all()
     assert not [f for f in joints.findings if f.code != "limit"]
     assert (np.abs(np.diff(joints.q[:, 3:], axis=0))[joints.path.motion[1:] != Motion.RAPID] <= math.pi + 1e-9).all()
 
@@ -119,7 +119,7 @@ def test_every_row_gives_back_its_tip_and_axis_and_a_cut_goes_on_without_jumps(n
 @pytest.mark.parametrize("name", MACHINES)
 def test_rows_lead_to_the_rows_of_the_given_path(name):
     path = joined(circling(1.2), circling(1.4, start=2.0))
-    joints = solve(path, links_of(name, first=(-200.0, 200.0)), LOW, HIGH, CLEARANCE)
+    joints = solve(path, kinematics_of(name, first=(-200.0, 200.0)), LOW, HIGH, CLEARANCE)
     at = given_rows(joints)
     assert (np.diff(joints.row) >= 0).all() and joints.row[0] == 0
     np.testing.assert_array_equal(joints.row[at], np.arange(len(path.tip)))
@@ -132,7 +132,7 @@ def test_rows_lead_to_the_rows_of_the_given_path(name):
 @pytest.mark.parametrize("name", ["trunnion_ac", "head_b_table_c"])
 @pytest.mark.parametrize("tilts", [[-9, -6, -3, 0, 3, 6, 9], [-9, -6, -2, 1, 4, 7]])
 def test_straight_over_the_pole_the_first_axis_stands_still_and_the_second_changes_sides(name, tilts):
-    joints = solve(meridian(tilts), links_of(name), LOW, HIGH, CLEARANCE)
+    joints = solve(meridian(tilts), kinematics_of(name), LOW, HIGH, CLEARANCE)
     assert np.ptp(joints.q[:, 3]) < 1e-9
     assert np.ptp(joints.q[:, 4]) == pytest.approx(math.radians(tilts[-1] - tilts[0]), abs=1e-12)
     assert {0, 1} == set(joints.branch.tolist())
@@ -145,7 +145,7 @@ def test_past_the_pole_at_a_distance_the_first_axis_turns_on_one_branch(degrees)
     t = np.radians(np.arange(-9.0, 10.0, 2.0))
     side = math.radians(degrees)
     axis = np.column_stack([np.sin(t), np.full(len(t), math.sin(side)), np.cos(t)])
-    joints = solve(linked(np.column_stack([t, 0 * t, 0 * t]) * 50.0, axis), links_of("trunnion_ac"), LOW, HIGH, CLEARANCE)
+    joints = solve(linked(np.column_stack([t, 0 * t, 0 * t]) * 50.0, axis), kinematics_of("trunnion_ac"), LOW, HIGH, CLEARANCE)
     assert len(set(joints.branch.tolist())) == 1
     assert np.ptp(joints.q[:, 3]) > math.radians(120.0)
 
@@ -153,13 +153,13 @@ def test_past_the_pole_at_a_distance_the_first_axis_turns_on_one_branch(degrees)
 def test_so_near_to_the_pole_that_no_one_sees_it_the_branch_changes():
     t = np.radians(np.arange(-9.0, 10.0, 2.0))
     axis = np.column_stack([np.sin(t), np.full(len(t), math.sin(math.radians(0.08))), np.cos(t)])
-    joints = solve(linked(np.column_stack([t, 0 * t, 0 * t]) * 50.0, axis), links_of("trunnion_ac"), LOW, HIGH, CLEARANCE)
+    joints = solve(linked(np.column_stack([t, 0 * t, 0 * t]) * 50.0, axis), kinematics_of("trunnion_ac"), LOW, HIGH, CLEARANCE)
     assert set(joints.branch.tolist()) == {0, 1} and np.abs(np.diff(joints.q[:, 3])).max() < math.radians(10.0)
 
 
 def test_with_one_side_of_the_tilt_only_the_first_axis_turns_at_the_pole_in_one_step():
-    links = links_of("trunnion_ac", second=(-0.001, 90.0))
-    joints = solve(meridian([-9, -6, -3, 0, 0, 3, 6, 9]), links, LOW, HIGH, CLEARANCE)
+    kinematics = kinematics_of("trunnion_ac", second=(-0.001, 90.0))
+    joints = solve(meridian([-9, -6, -3, 0, 0, 3, 6, 9]), kinematics, LOW, HIGH, CLEARANCE)
     turns = np.abs(np.diff(joints.q[:, 3]))
     assert turns.sum() == pytest.approx(math.pi, abs=1e-9)
     assert (turns > 1e-9).sum() == 1
@@ -169,7 +169,7 @@ def test_with_one_side_of_the_tilt_only_the_first_axis_turns_at_the_pole_in_one_
 def test_the_turn_at_the_pole_is_made_on_a_rapid_where_there_is_one():
     up = path_of([[0, 0, 60.0], [30, 0, 60.0]], [[0, 0, 1.0]] * 2, [Motion.RAPID] * 2)
     path = joined(meridian([-9, -5, 0]), up, meridian([0, 5, 9], azimuth=1.3))
-    joints = solve(path, links_of("trunnion_ac", second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
+    joints = solve(path, kinematics_of("trunnion_ac", second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
     turning = np.flatnonzero(np.abs(np.diff(joints.q[:, 3])) > 1e-9) + 1
     assert len(turning) and (joints.path.motion[turning] == Motion.RAPID).all()
 
@@ -180,7 +180,7 @@ def test_the_turn_at_the_pole_is_made_on_the_longest_cut_rather_than_on_a_link()
     path = joined(first, second)
     motion = path.motion.copy()
     motion[len(first.motion)] = Motion.LINK  # from retract to approach, at the pole
-    joints = solve(replace(path, motion=motion), links_of("trunnion_ac", second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
+    joints = solve(replace(path, motion=motion), kinematics_of("trunnion_ac", second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
     turning = np.flatnonzero(np.abs(np.diff(joints.q[:, 3])) > 1e-9) + 1
     assert joints.path.motion[turning].tolist() == [Motion.CUT]
     assert joints.path.tip[turning[0]] == pytest.approx((3.0, 0.0, 0.0), abs=1e-9)
@@ -190,7 +190,7 @@ def test_a_turn_at_the_pole_that_no_cut_could_make_is_made_on_the_rapid():
     """C from 160 deg to -160 deg, the short way barred by the limits: 320 deg, but never on a cut or a link."""
     up = path_of([[0, 0, 60.0], [30, 0, 60.0]], [[0, 0, 1.0]] * 2, [Motion.RAPID] * 2)
     path = joined(meridian([9, 5, 0], azimuth=math.radians(70)), up, meridian([0, 5, 9], azimuth=math.radians(110)))
-    joints = solve(path, links_of("trunnion_ac", first=(-175.0, 175.0), second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
+    joints = solve(path, kinematics_of("trunnion_ac", first=(-175.0, 175.0), second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
     turning = np.flatnonzero(np.abs(np.diff(joints.q[:, 3])) > 1e-9) + 1
     assert np.abs(np.diff(joints.q[:, 3])).sum() == pytest.approx(math.radians(320.0), abs=1e-9)
     assert (joints.path.motion[turning] == Motion.RAPID).all() and joints.findings == ()
@@ -198,14 +198,14 @@ def test_a_turn_at_the_pole_that_no_cut_could_make_is_made_on_the_rapid():
 
 def test_pole_rows_cost_no_needless_travel():
     """Against trying the first word of every other row, both branches, on the pole rows."""
-    links = links_of("trunnion_ac", first=(-1e5, 1e5))
+    kinematics = kinematics_of("trunnion_ac", first=(-1e5, 1e5))
     rng = np.random.default_rng(3)
     for _ in range(20):
         tilt, azimuth = rng.uniform(0.1, 0.5, 4), rng.uniform(-math.pi, math.pi, 4)
         tilt[[1, 2]] = 0.0
         axis = np.column_stack([np.sin(tilt) * np.cos(azimuth), np.sin(tilt) * np.sin(azimuth), np.cos(tilt)])
-        joints = solve(linked(rng.uniform(-20, 20, (4, 3)), axis), links, LOW, HIGH, CLEARANCE)
-        angles = inverse_axis(links, axis)[0]
+        joints = solve(linked(rng.uniform(-20, 20, (4, 3)), axis), kinematics, LOW, HIGH, CLEARANCE)
+        angles = inverse_axis(kinematics, axis)[0]
         least = min(
             abs(math.remainder(angles[b, 3, 0] - angles[a, 0, 0], 2 * math.pi)) + abs(angles[a, 0, 1]) + abs(angles[b, 3, 1])
             for a in range(2)
@@ -216,20 +216,20 @@ def test_pole_rows_cost_no_needless_travel():
 
 def test_a_path_that_stands_at_the_pole_keeps_the_first_axis_where_it_is():
     tip = [[0, 0, 50], [0, 0, 0], [5, 3, 0], [0, 0, 50]]
-    joints = solve(path_of(tip, [[0, 0, 1]] * 4, [3, 2, 0, 2]), links_of("mikron_ucp710"), LOW, HIGH, CLEARANCE)
+    joints = solve(path_of(tip, [[0, 0, 1]] * 4, [3, 2, 0, 2]), kinematics_of("mikron_ucp710"), LOW, HIGH, CLEARANCE)
     np.testing.assert_array_equal(joints.q[:, 3:], 0.0)
     np.testing.assert_allclose(joints.q[:, :3], tip, atol=1e-9)
 
 
 def test_five_turns_are_cut_in_one_where_nothing_limits_them():
-    joints = solve(circling(5), links_of("mikron_ucp710"), LOW, HIGH, CLEARANCE)
+    joints = solve(circling(5), kinematics_of("mikron_ucp710"), LOW, HIGH, CLEARANCE)
     assert np.ptp(joints.q[:, 3]) == pytest.approx(10.0 * math.pi)
     assert len(joints.q) == len(circling(5).tip) and joints.findings == ()
 
 
 @pytest.mark.parametrize(("limit", "rewinds"), [(360.0, 2), (540.0, 1), (900.0, 1), (1080.0, 0)])
 def test_five_turns_within_limits_rewind_as_seldom_as_possible(limit, rewinds):
-    joints = solve(circling(5), links_of("head_b_table_c", first=(-limit, limit)), LOW, HIGH, CLEARANCE)
+    joints = solve(circling(5), kinematics_of("head_b_table_c", first=(-limit, limit)), LOW, HIGH, CLEARANCE)
     single = [f for f in joints.findings if f.code == "rewind"]
     assert len(single) == rewinds
     assert all(f.severity == Severity.WARNING and f.block is not None and f.unit == "deg" for f in single)
@@ -241,7 +241,7 @@ def test_five_turns_within_limits_rewind_as_seldom_as_possible(limit, rewinds):
 
 def test_a_rewind_leaves_along_the_axis_and_comes_back_to_the_same_place():
     path = circling(1.5)
-    joints = solve(path, links_of("head_b_table_c", first=(-180.0, 180.0)), LOW, HIGH, CLEARANCE)
+    joints = solve(path, kinematics_of("head_b_table_c", first=(-180.0, 180.0)), LOW, HIGH, CLEARANCE)
     motion, tip, axis = joints.path.motion, joints.path.tip, joints.path.axis
     link = np.flatnonzero(motion == Motion.LINK)[1:-1].reshape(-1, 2)
     assert len(link) >= 1
@@ -262,10 +262,10 @@ def test_a_rewind_leaves_along_the_axis_and_comes_back_to_the_same_place():
 @pytest.mark.parametrize("name", MACHINES)
 def test_rapids_stay_by_their_chord_and_out_of_the_part(name):
     path = joined(circling(1.3), circling(0.4, tilt=0.9, start=4.0), circling(1.2, tilt=0.2, start=1.0))
-    links = links_of(name, first=(-185.0, 185.0))
-    joints = solve(path, links, LOW, HIGH, CLEARANCE)
+    kinematics = kinematics_of(name, first=(-185.0, 185.0))
+    joints = solve(path, kinematics, LOW, HIGH, CLEARANCE)
     rapid = np.flatnonzero(joints.path.motion[1:] == Motion.RAPID)
-    tips = dense(links, joints.q)[rapid]
+    tips = dense(kinematics, joints.q)[rapid]
     assert off_chord(tips).max() <= 0.5 * CLEARANCE
     own = joints.row[rapid + 1]
     inserted = ~np.isin(rapid + 1, given_rows(joints)) & (path.motion[own] != Motion.RAPID)
@@ -276,54 +276,54 @@ def test_rapids_stay_by_their_chord_and_out_of_the_part(name):
 def test_a_rapid_in_one_block_would_leave_its_chord():
     """The comparison above can fail: without the blocks in between the tip swings far out."""
     path = joined(circling(0.3), circling(0.3, tilt=0.9, start=3.0))
-    links = links_of("trunnion_ac")
-    joints = solve(path, links, LOW, HIGH, CLEARANCE)
+    kinematics = kinematics_of("trunnion_ac")
+    joints = solve(path, kinematics, LOW, HIGH, CLEARANCE)
     assert len(joints.q) > len(path.tip)
-    assert off_chord(dense(links, joints.q[given_rows(joints)])).max() > CLEARANCE
+    assert off_chord(dense(kinematics, joints.q[given_rows(joints)])).max() > CLEARANCE
 
 
 def test_where_no_side_of_a_rewind_reaches_the_axis_the_rest_is_reported_as_uncut():
     a = np.radians([60.0, 80.0, 100.0, 120.0])
     axis = np.column_stack([0.5 * np.cos(a), 0.5 * np.sin(a), np.full(4, math.sqrt(0.75))])
     tip = np.column_stack([np.arange(4) * 2.0, np.zeros(4), np.zeros(4)])
-    links = links_of("mikron_ucp710", first=(-175.0, 175.0), second=(1.0, 90.0))
-    joints = solve(linked(tip, axis), links, LOW, HIGH, CLEARANCE)
+    kinematics = kinematics_of("mikron_ucp710", first=(-175.0, 175.0), second=(1.0, 90.0))
+    joints = solve(linked(tip, axis), kinematics, LOW, HIGH, CLEARANCE)
     (uncut,) = (f for f in joints.findings if f.code == "uncut")
     assert uncut.value == pytest.approx(2.0 * 10.0 / 20.0, rel=0.1)
     assert uncut.severity == Severity.WARNING
-    whole = solve(linked(tip, axis), links_of("mikron_ucp710", second=(1.0, 90.0)), LOW, HIGH, CLEARANCE)
+    whole = solve(linked(tip, axis), kinematics_of("mikron_ucp710", second=(1.0, 90.0)), LOW, HIGH, CLEARANCE)
     assert whole.findings == ()
 
 
 def test_an_axis_out_of_reach_is_named_with_its_place():
     path = meridian([0, 30, 60])
     with pytest.raises(ReachError, match=r"2 of 5 points .* at \(2, 0, 0\).*max-axis-angle") as caught:
-        solve(path, links_of("trunnion_ac", second=(-45.0, 45.0)), LOW, HIGH, CLEARANCE)
+        solve(path, kinematics_of("trunnion_ac", second=(-45.0, 45.0)), LOW, HIGH, CLEARANCE)
     assert caught.value.value == pytest.approx(tuple(path.axis[3]))
 
 
 def test_a_linear_axis_beyond_its_limits_is_an_error_with_the_worst_value():
-    links = links_of("trunnion_ac")
+    kinematics = kinematics_of("trunnion_ac")
     path = linked([[0, 0, 0], [700.0, 0, 0], [600.0, 0, 0]], [[0, 0, 1.0]] * 3)
-    joints = solve(path, links, LOW, HIGH, CLEARANCE)
+    joints = solve(path, kinematics, LOW, HIGH, CLEARANCE)
     (finding,) = joints.findings
     assert (finding.severity, finding.code, finding.unit, finding.block) == (Severity.ERROR, "limit", "mm", 2)
     assert finding.value == pytest.approx(700.0)
-    assert finding.limit == pytest.approx(links.high[0])
+    assert finding.limit == pytest.approx(kinematics.high[0])
     assert finding.place == (700.0, 0.0, 0.0)
 
 
 def test_no_clearance_is_refused():
     with pytest.raises(SettingsError, match="clearance 0"):
-        solve(circling(0.1), links_of("trunnion_ac"), LOW, HIGH, 0.0)
+        solve(circling(0.1), kinematics_of("trunnion_ac"), LOW, HIGH, 0.0)
 
 
 def test_an_empty_path_and_a_single_row_are_driven():
-    links = links_of("trunnion_ac")
+    kinematics = kinematics_of("trunnion_ac")
     empty = circling(0.1)
     empty = CLPath(**{n: getattr(empty, n)[:0] for n in CLPath.__dataclass_fields__ if n != "findings"})
-    assert solve(empty, links, LOW, HIGH, CLEARANCE).q.shape == (0, 5)
-    single = solve(path_of([[1, 2, 3.0]], [[0, 0, 1.0]], [Motion.CUT]), links, LOW, HIGH, CLEARANCE)
+    assert solve(empty, kinematics, LOW, HIGH, CLEARANCE).q.shape == (0, 5)
+    single = solve(path_of([[1, 2, 3.0]], [[0, 0, 1.0]], [Motion.CUT]), kinematics, LOW, HIGH, CLEARANCE)
     np.testing.assert_allclose(single.q, [[1, 2, 3, 0, 0]], atol=1e-12)
     assert single.path.motion[0] == Motion.RAPID
 
@@ -333,4 +333,4 @@ def test_the_work_can_be_stopped():
         raise Cancelled("stopped")
 
     with pytest.raises(Cancelled):
-        solve(circling(1), links_of("trunnion_ac"), LOW, HIGH, CLEARANCE, progress=stop)
+        solve(circling(1), kinematics_of("trunnion_ac"), LOW, HIGH, CLEARANCE, progress=stop)

@@ -108,17 +108,17 @@ def test_maxkins_inverse_agrees_with_linuxcnc():
     check_against(chain(machine, Setup()), np.column_stack([joints, angles]), tip, axis)
 
 
-def check_against(links, q, tip, axis):
+def check_against(kinematics, q, tip, axis):
     """Forward gives tip and axis; inverse gives q back on its branch, and the same pose on both."""
-    got_tip, got_axis = forward(links, q)
+    got_tip, got_axis = forward(kinematics, q)
     np.testing.assert_allclose(got_tip, tip, rtol=0, atol=CLOSE)
     np.testing.assert_allclose(got_axis, axis, rtol=0, atol=CLOSE)
-    both, _ = inverse(links, tip, axis)
-    back = both[branch_of(links, q[:, 4]), np.arange(len(q))]
+    both, _ = inverse(kinematics, tip, axis)
+    back = both[branch_of(kinematics, q[:, 4]), np.arange(len(q))]
     np.testing.assert_allclose(back[:, :3], q[:, :3], rtol=0, atol=CLOSE)
     assert angle_between(back[:, 3:], q[:, 3:]).max() < CLOSE
     for words_of_branch in both:
-        again = forward(links, words_of_branch)
+        again = forward(kinematics, words_of_branch)
         np.testing.assert_allclose(again[0], tip, rtol=0, atol=CLOSE)
         np.testing.assert_allclose(again[1], axis, rtol=0, atol=CLOSE)
 
@@ -143,10 +143,10 @@ NC_ROWS = np.array([(-90.9595, 7.3103, 227.6341, 148.9685, 1.0664), (-82.0656, -
 
 
 def test_table_2_of_so_et_al_goes_both_ways():
-    links = chain(load_machine("mikron_ucp710"), Setup())
-    both, _ = inverse(links, CL_ROWS[:, :3], CL_ROWS[:, 3:])
+    kinematics = chain(load_machine("mikron_ucp710"), Setup())
+    both, _ = inverse(kinematics, CL_ROWS[:, :3], CL_ROWS[:, 3:])
     np.testing.assert_allclose(kinematics.q_to_words(both[0]), NC_ROWS, atol=1e-3)
-    tip, axis = forward(links, kinematics.words_to_q(NC_ROWS))
+    tip, axis = forward(kinematics, kinematics.words_to_q(NC_ROWS))
     np.testing.assert_allclose(tip, CL_ROWS[:, :3], atol=1e-3)
     np.testing.assert_allclose(axis, CL_ROWS[:, 3:], atol=1e-6)
 
@@ -228,17 +228,17 @@ def test_any_chain_forward_is_the_motion_of_the_iron(seed):
 def test_any_chain_inverse_gives_the_pose_back_on_both_branches(seed):
     rng = np.random.default_rng(seed)
     machine = random_machine(rng)
-    links = chain(machine, Setup(tuple(rng.uniform(-90, 90, 3)), rng.uniform(0, 90)))
+    kinematics = chain(machine, Setup(tuple(rng.uniform(-90, 90, 3)), rng.uniform(0, 90)))
     q = words(rng, 200)
-    tip, axis = forward(links, q)
-    both, sine = inverse(links, tip, axis)
-    back = both[branch_of(links, q[:, 4]), np.arange(len(q))]
+    tip, axis = forward(kinematics, q)
+    both, sine = inverse(kinematics, tip, axis)
+    back = both[branch_of(kinematics, q[:, 4]), np.arange(len(q))]
     plain = sine > 1e-3  # the angles are ill-conditioned next to the pole and the rim of the reach, the pose never is
     assert angle_between(back[plain, 3:], q[plain, 3:]).max() < 1e-9
     for branch in both:
         flat = np.isnan(branch[:, 0])
         assert not flat.any()
-        again_tip, again_axis = forward(links, branch)
+        again_tip, again_axis = forward(kinematics, branch)
         np.testing.assert_allclose(again_axis, axis, rtol=0, atol=1e-14)
         largest = np.abs(branch[:, :3]).max()  # nearly flat linear axes make long words
         np.testing.assert_allclose(again_tip, tip, rtol=0, atol=1e-12 * largest)
@@ -247,12 +247,12 @@ def test_any_chain_inverse_gives_the_pose_back_on_both_branches(seed):
 def test_measure_is_how_fast_the_axis_leaves_the_cone_of_the_first_axis():
     rng = np.random.default_rng(8)
     for seed in range(10):
-        links = chain(random_machine(np.random.default_rng(seed)), Setup())
+        kinematics = chain(random_machine(np.random.default_rng(seed)), Setup())
         q = words(rng, 100)
-        axis = forward(links, q)[1]
-        a1, k = links.direction[3], axis
-        a2 = turn_about(a1, q[:, 3]).apply(links.direction[4])
-        np.testing.assert_allclose(inverse_axis(links, axis)[1], np.abs(np.cross(a2, k) @ a1), rtol=0, atol=1e-7)
+        axis = forward(kinematics, q)[1]
+        a1, k = kinematics.direction[3], axis
+        a2 = turn_about(a1, q[:, 3]).apply(kinematics.direction[4])
+        np.testing.assert_allclose(inverse_axis(kinematics, axis)[1], np.abs(np.cross(a2, k) @ a1), rtol=0, atol=1e-7)
 
 
 # At the pole and next to it.
@@ -261,40 +261,40 @@ def test_measure_is_how_fast_the_axis_leaves_the_cone_of_the_first_axis():
 @pytest.mark.parametrize("name", shipped_machines())
 @pytest.mark.parametrize("exponent", range(-15, -5))
 def test_next_to_the_pole_inverse_is_exact(name, exponent):
-    links = chain(load_machine(name), Setup((3.0, -4.0, 5.0), 60.0))
+    kinematics = chain(load_machine(name), Setup((3.0, -4.0, 5.0), 60.0))
     rng = np.random.default_rng(9)
     q = words(rng, 200)
     q[:, 4] = np.where(rng.random(200) < 0.5, 1, -1) * rng.uniform(1, 10, 200) * 10.0**exponent
-    tip, axis = forward(links, q)
-    both, sine = inverse(links, tip, axis)
-    back = both[branch_of(links, q[:, 4]), np.arange(200)]
-    assert np.array_equal(branch_of(links, q[:, 4]), (q[:, 4] < 0).astype(int))
+    tip, axis = forward(kinematics, q)
+    both, sine = inverse(kinematics, tip, axis)
+    back = both[branch_of(kinematics, q[:, 4]), np.arange(200)]
+    assert np.array_equal(branch_of(kinematics, q[:, 4]), (q[:, 4] < 0).astype(int))
     np.testing.assert_allclose(back[:, 4], q[:, 4], rtol=1e-9)
     assert angle_between(back[:, 3], q[:, 3]).max() < 1e-9
     np.testing.assert_allclose(back[:, :3], q[:, :3], rtol=0, atol=1e-9)
     assert (sine > 0).all()
     for branch in both:
-        np.testing.assert_allclose(forward(links, branch)[1], axis, rtol=0, atol=UNIT_ROUNDING)
-        np.testing.assert_allclose(forward(links, branch)[0], tip, rtol=0, atol=ROUNDING)
+        np.testing.assert_allclose(forward(kinematics, branch)[1], axis, rtol=0, atol=UNIT_ROUNDING)
+        np.testing.assert_allclose(forward(kinematics, branch)[0], tip, rtol=0, atol=ROUNDING)
 
 
 @pytest.mark.parametrize("name", shipped_machines())
 def test_axes_with_tiny_components_keep_their_direction(name):
-    links = chain(load_machine(name), Setup())
+    kinematics = chain(load_machine(name), Setup())
     heading = np.linspace(-np.pi, np.pi, 101)
     for tilt in (1e-6, 1e-9, 1e-12, 1e-15, 1e-100):
         axis = np.column_stack([tilt * np.cos(heading), tilt * np.sin(heading), np.ones(101)])
-        for angles in inverse_axis(links, axis)[0]:
-            got = forward(links, np.column_stack([np.zeros((101, 3)), angles]))[1]
+        for angles in inverse_axis(kinematics, axis)[0]:
+            got = forward(kinematics, np.column_stack([np.zeros((101, 3)), angles]))[1]
             np.testing.assert_allclose(got[:, :2], axis[:, :2], rtol=0, atol=1e-12 * tilt)
             np.testing.assert_allclose(got[:, 2], 1.0, rtol=0, atol=tilt * tilt + UNIT_ROUNDING)
 
 
 @pytest.mark.parametrize("name", shipped_machines())
 def test_at_the_pole_the_first_word_is_zero_and_both_branches_agree(name):
-    links = chain(load_machine(name), Setup((1.0, 2.0, 3.0), 40.0))
+    kinematics = chain(load_machine(name), Setup((1.0, 2.0, 3.0), 40.0))
     tip = np.array([(10.0, 20.0, 30.0)])
-    both, sine = inverse(links, tip, np.array([(0.0, 0.0, 1.0)]))
+    both, sine = inverse(kinematics, tip, np.array([(0.0, 0.0, 1.0)]))
     assert sine[0] == 0.0
     np.testing.assert_allclose(both[0], [(10.0, 20.0, 30.0, 0.0, 0.0)], rtol=0, atol=ROUNDING)
     np.testing.assert_array_equal(both[:, :, 3:], 0.0)
@@ -303,8 +303,8 @@ def test_at_the_pole_the_first_word_is_zero_and_both_branches_agree(name):
 
 
 def test_a_tool_pointing_up_is_the_other_pole_of_a_straight_machine():
-    links = chain(load_machine("trunnion_ac"), Setup())
-    both, sine = inverse(links, np.zeros((1, 3)), np.array([(0.0, 0.0, -1.0)]))
+    kinematics = chain(load_machine("trunnion_ac"), Setup())
+    both, sine = inverse(kinematics, np.zeros((1, 3)), np.array([(0.0, 0.0, -1.0)]))
     assert sine[0] == 0.0
     np.testing.assert_array_equal(both[:, 0, 3:], [(0.0, np.pi)] * 2)
 
@@ -325,32 +325,32 @@ def test_rotary_words_lie_in_the_half_open_turn():
 def test_a_machine_whose_pole_is_off_zero_tilt():
     """A carries B, both on the table: the tool axis is parallel to the first rotary axis B at A = 90 deg only."""
     machine = make(("B", "table", Y, (0, 0, 10)), ("A", "table", X, (0, 0, -10)), *linear("head"))
-    links = chain(machine, Setup())
-    both, sine = inverse(links, np.zeros((1, 3)), Y[None])
+    kinematics = chain(machine, Setup())
+    both, sine = inverse(kinematics, np.zeros((1, 3)), Y[None])
     assert sine[0] == 0.0
     assert both[0, 0, 4] == pytest.approx(-np.pi / 2, abs=1e-15)
-    assert branch_of(links, np.radians([-80.0, -100.0, 280.0, 260.0])).tolist() == [0, 1, 0, 1]
+    assert branch_of(kinematics, np.radians([-80.0, -100.0, 280.0, 260.0])).tolist() == [0, 1, 0, 1]
 
 
 def test_branches_hold_over_windings():
-    links = chain(load_machine("trunnion_ac"), Setup())
+    kinematics = chain(load_machine("trunnion_ac"), Setup())
     turns = 2 * np.pi * np.arange(-3, 4)
-    assert branch_of(links, 0.3 + turns).tolist() == [0] * 7
-    assert branch_of(links, -0.3 + turns).tolist() == [1] * 7
+    assert branch_of(kinematics, 0.3 + turns).tolist() == [0] * 7
+    assert branch_of(kinematics, -0.3 + turns).tolist() == [1] * 7
 
 
 # Beyond reach, and other rows without an answer.
 
 
 def test_the_nutating_table_reaches_the_upper_half_and_nothing_else():
-    links = chain(load_machine("nutating_table_b45"), Setup())
+    kinematics = chain(load_machine("nutating_table_b45"), Setup())
     tilt = np.radians([0, 45, 89.9, 90, 90.1, 135, 180])
     axis = np.column_stack([np.sin(tilt), np.zeros(7), np.cos(tilt)])
-    both, sine = inverse(links, np.ones((7, 3)), axis)
+    both, sine = inverse(kinematics, np.ones((7, 3)), axis)
     assert np.isnan(both).all(axis=(0, 2)).tolist() == [False] * 4 + [True] * 3
     assert np.isnan(both).any(axis=(0, 2)).tolist() == [False] * 4 + [True] * 3
     assert np.isnan(sine).tolist() == [False] * 4 + [True] * 3
-    np.testing.assert_allclose(forward(links, both[0, :4])[1], axis[:4], atol=UNIT_ROUNDING)
+    np.testing.assert_allclose(forward(kinematics, both[0, :4])[1], axis[:4], atol=UNIT_ROUNDING)
     b = np.arccos(2 * np.cos(tilt[:3]) - 1)  # by hand: a cone of 45 deg has cos tilt = (1 + cos b) / 2
     np.testing.assert_allclose(both[0, :3, 4], b, rtol=0, atol=1e-12)
     assert both[0, 3, 4] == pytest.approx(np.pi, abs=1e-7)  # on the rim of the reach the angle is free to first order
@@ -361,45 +361,45 @@ def test_the_nutating_table_reaches_the_upper_half_and_nothing_else():
 )
 def test_an_axis_beyond_the_rim_of_the_reach_by_more_than_rounding_is_out_of_reach(beyond, reached):
     """On the rim a table of 45 deg leans the tool by 90 deg; an axis beyond it by ``beyond`` rad is another axis."""
-    links = chain(load_machine("nutating_table_b45"), Setup())
+    kinematics = chain(load_machine("nutating_table_b45"), Setup())
     axis = np.array([[np.cos(beyond), 0.0, -np.sin(beyond)]])
-    words, _ = inverse_axis(links, axis)
+    words, _ = inverse_axis(kinematics, axis)
     assert np.isfinite(words).all() == reached and np.isfinite(words).any() == reached
     if reached:
         place = np.column_stack([np.zeros((1, 3)), words[0]])
-        assert forward(links, place)[1] == pytest.approx(axis, abs=1e-12)
+        assert forward(kinematics, place)[1] == pytest.approx(axis, abs=1e-12)
 
 
 @pytest.mark.parametrize("name", shipped_machines())
 def test_rows_of_nan_stay_nan_and_leave_the_others_alone(name):
-    links = chain(load_machine(name), Setup())
+    kinematics = chain(load_machine(name), Setup())
     tip, axis = np.ones((3, 3)), np.tile((0.6, 0.0, 0.8), (3, 1))
     axis[1] = np.nan
-    both, sine = inverse(links, tip, axis)
+    both, sine = inverse(kinematics, tip, axis)
     assert np.isnan(both[:, 1]).all() and np.isnan(sine[1])
     np.testing.assert_array_equal(both[:, 0], both[:, 2])
     assert np.isfinite(both[:, 0]).all()
     axis[1] = 0.0  # no direction at all
-    assert np.isnan(inverse(links, tip, axis)[0][:, 1]).all()
-    assert np.isnan(forward(links, both[0])[0][1]).all()
+    assert np.isnan(inverse(kinematics, tip, axis)[0][:, 1]).all()
+    assert np.isnan(forward(kinematics, both[0])[0][1]).all()
 
 
 def test_linear_axes_that_lie_flat_give_nan():
     """Z between the rotary axes, X before them: at B = 90 deg the table has brought Z along X."""
     machine = make(("X", "table", X, (0, 0, 0)), ("B", "table", Y, (0, 0, 0)), ("Z", "table", Z, (0, 0, 0)),
                    ("Y", "head", Y, (0, 0, 0)), ("A", "head", X, (0, 0, 0)))  # fmt: skip
-    links = chain(machine, Setup())
-    assert links.slot == (0, 1, 1)
-    got = linear_words(links, np.ones((2, 3)), np.array([(0.0, 0.3), (np.pi / 2, 0.3)]))
+    kinematics = chain(machine, Setup())
+    assert kinematics.slot == (0, 1, 1)
+    got = linear_words(kinematics, np.ones((2, 3)), np.array([(0.0, 0.3), (np.pi / 2, 0.3)]))
     assert np.isfinite(got[0]).all() and np.isnan(got[1]).all()
 
 
 def test_empty_input_is_empty_output():
-    links = chain(load_machine("fork_head_bc"), Setup())
+    kinematics = chain(load_machine("fork_head_bc"), Setup())
     none = np.empty((0, 3))
-    assert forward(links, np.empty((0, 5)))[0].shape == (0, 3)
-    assert inverse(links, none, none)[0].shape == (2, 0, 5)
-    assert linear_words(links, none, np.empty((0, 2))).shape == (0, 3)
+    assert forward(kinematics, np.empty((0, 5)))[0].shape == (0, 3)
+    assert inverse(kinematics, none, none)[0].shape == (2, 0, 5)
+    assert linear_words(kinematics, none, np.empty((0, 2))).shape == (0, 3)
 
 
 # The pieces that other modules use.
@@ -407,14 +407,14 @@ def test_empty_input_is_empty_output():
 
 @pytest.mark.parametrize("name", shipped_machines())
 def test_linear_words_are_those_of_inverse_at_any_winding(name):
-    links = chain(load_machine(name), Setup((5.0, 6.0, 7.0), 90.0))
+    kinematics = chain(load_machine(name), Setup((5.0, 6.0, 7.0), 90.0))
     rng = np.random.default_rng(10)
-    tip, axis = forward(links, words(rng, 300))
-    both, _ = inverse(links, tip, axis)
+    tip, axis = forward(kinematics, words(rng, 300))
+    both, _ = inverse(kinematics, tip, axis)
     for branch in both:
         turned = branch[:, 3:] + 2 * np.pi * rng.integers(-3, 4, (300, 2))
-        np.testing.assert_allclose(linear_words(links, tip, turned), branch[:, :3], rtol=0, atol=1e-10)
-        np.testing.assert_array_equal(inverse_axis(links, axis)[0][0], both[0][:, 3:])
+        np.testing.assert_allclose(linear_words(kinematics, tip, turned), branch[:, :3], rtol=0, atol=1e-10)
+        np.testing.assert_array_equal(inverse_axis(kinematics, axis)[0][0], both[0][:, 3:])
 
 
 def test_with_rotary_words_zero_the_linear_words_are_the_work_coordinates():
@@ -426,14 +426,14 @@ def test_with_rotary_words_zero_the_linear_words_are_the_work_coordinates():
 
 
 def test_memory_order_and_chunks_make_no_difference():
-    links = chain(load_machine("trunnion_bc"), Setup())
+    kinematics = chain(load_machine("trunnion_bc"), Setup())
     q = words(np.random.default_rng(11), CHUNK + 7)
-    tip, axis = forward(links, q)
+    tip, axis = forward(kinematics, q)
     for order in "CF":
-        again = forward(links, np.array(q, order=order))
+        again = forward(kinematics, np.array(q, order=order))
         np.testing.assert_array_equal(again, (tip, axis))
-        both = inverse(links, np.array(tip, order=order), np.array(axis, order=order))[0]
-        one = inverse(links, tip[-9:], axis[-9:])[0]
+        both = inverse(kinematics, np.array(tip, order=order), np.array(axis, order=order))[0]
+        one = inverse(kinematics, tip[-9:], axis[-9:])[0]
         np.testing.assert_allclose(both[:, -9:], one, rtol=0, atol=ROUNDING)
     assert tip.flags.f_contiguous and both[0].flags.f_contiguous
 
@@ -450,10 +450,10 @@ def test_limits_are_of_the_words():
     axes = list(make(("C", "table", Z, (0, 0, 0)), ("A", "table", X, (0, 0, 0)), *linear("head")).axes)
     axes[4] = Axis("Z", False, "head", (0, 0, 1), low=-400.0, high=0.0)
     axes[1] = Axis("A", True, "table", (1, 0, 0), low=-1.0, high=2.0)
-    links = chain(Machine("test", tuple(axes), gauge_point=(0, 0, 500)), Setup((10.0, 20.0, 30.0), 100.0))
-    assert links.letters == "XYZCA"
-    assert (links.low[2], links.high[2]) == (-400 + 500 - 100 - 30, 500 - 100 - 30)
-    assert (links.low[4], links.high[4]) == (-1.0, 2.0)
+    kinematics = chain(Machine("test", tuple(axes), gauge_point=(0, 0, 500)), Setup((10.0, 20.0, 30.0), 100.0))
+    assert kinematics.letters == "XYZCA"
+    assert (kinematics.low[2], kinematics.high[2]) == (-400 + 500 - 100 - 30, 500 - 100 - 30)
+    assert (kinematics.low[4], kinematics.high[4]) == (-1.0, 2.0)
 
 
 @pytest.mark.parametrize(
@@ -478,8 +478,8 @@ def test_turn_is_rodrigues():
 
 def test_a_quarter_turn_by_hand():
     """ISO 841: C90 takes the tool from the work's x to its y side; A90 lays the tool's axis from z to -y of the work."""
-    links = chain(make(("C", "table", Z, (0, 0, 0)), ("A", "table", X, (0, 0, 0)), *linear("head")), Setup())
-    tip, axis = forward(links, np.array([(10.0, 0.0, 0.0, math.pi / 2, 0.0), (0.0, 0.0, 5.0, 0.0, math.pi / 2)]))
+    kinematics = chain(make(("C", "table", Z, (0, 0, 0)), ("A", "table", X, (0, 0, 0)), *linear("head")), Setup())
+    tip, axis = forward(kinematics, np.array([(10.0, 0.0, 0.0, math.pi / 2, 0.0), (0.0, 0.0, 5.0, 0.0, math.pi / 2)]))
     np.testing.assert_allclose(tip, [(0, 10, 0), (0, -5, 0)], atol=ROUNDING)
     np.testing.assert_allclose(axis, [(0, 0, 1), (0, -1, 0)], atol=ROUNDING)
 
@@ -496,10 +496,10 @@ def test_cosine_and_sine_through_the_tangent_are_right_to_rounding_at_any_angle(
 
 @pytest.mark.parametrize("name", shipped_machines())
 def test_the_tip_alone_and_all_words_are_those_of_forward_and_linear_words(name):
-    links = chain(load_machine(name), Setup((1.0, 2.0, 3.0), 100.0))
+    kinematics = chain(load_machine(name), Setup((1.0, 2.0, 3.0), 100.0))
     q = np.random.default_rng(3).uniform(-1.0, 1.0, (50, 5)) * [100.0, 100.0, 100.0, 3.0, 1.0]
-    tip = forward_tip(links, q)
-    np.testing.assert_array_equal(tip, forward(links, q)[0])
-    words = joint_words(links, tip, q[:, 3:])
+    tip = forward_tip(kinematics, q)
+    np.testing.assert_array_equal(tip, forward(kinematics, q)[0])
+    words = joint_words(kinematics, tip, q[:, 3:])
     np.testing.assert_array_equal(words[:, 3:], q[:, 3:])
     np.testing.assert_allclose(words, q, rtol=0, atol=1e-9)

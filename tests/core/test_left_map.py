@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from gouge_examples import step
 
-from freecad_fiveaxis.core.collision import find_remainder, straight_course
+from freecad_fiveaxis.core.collision import find_rest_material, straight_motion
 from freecad_fiveaxis.core.report.raster import owners, png, view_from
 from freecad_fiveaxis.core.report.rest_material_map import (
     NEUTRAL,
@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.report.rest_material_map import (
     height_colours,
     height_levels,
     height_scale,
-    left_patches,
+    rest_material_patches,
     round_values,
     scale_marks,
 )
@@ -30,9 +30,9 @@ BALL = Body((round_piece(0.0, 3.0, 3.0),))
 def left():
     """One cut 0.2 mm too deep along the floor of a step."""
     mesh = step()
-    course = straight_course(np.array([(-20.0, -12.0, -0.2), (20.0, -12.0, -0.2)]), np.tile([0.0, 0.0, 1.0], (2, 1)))
+    course = straight_motion(np.array([(-20.0, -12.0, -0.2), (20.0, -12.0, -0.2)]), np.tile([0.0, 0.0, 1.0], (2, 1)))
     floor = (mesh.vertex[mesh.face][..., 2] == 0.0).all(axis=1)
-    return mesh, floor, find_remainder(mesh, BALL, course, np.array([0]), 0.5, floor)
+    return mesh, floor, find_rest_material(mesh, BALL, course, np.array([0]), 0.5, floor)
 
 
 def test_the_height_of_a_facet_is_that_of_its_worst_sample_and_others_have_none(left):
@@ -48,7 +48,7 @@ def test_the_height_of_a_facet_is_that_of_its_worst_sample_and_others_have_none(
 
 def test_the_patches_are_those_of_the_samples(left):
     mesh, _, remainder = left
-    patch = left_patches(mesh, remainder)
+    patch = rest_material_patches(mesh, remainder)
     area = 0.5 * np.linalg.norm(np.cross(patch[:, 1] - patch[:, 0], patch[:, 2] - patch[:, 0]), axis=1)
     assert patch.mean(axis=1) == pytest.approx(remainder.point) and area == pytest.approx(remainder.area)
 

@@ -51,7 +51,7 @@ def walks(made, samples):
     q = words_to_q(made.program.words)
     u = np.linspace(0.0, 1.0, samples)[None, :, None]
     way = q[:-1, None] + u * np.diff(q, axis=0)[:, None]
-    return forward(made.links, way.reshape(-1, 5))[0].reshape(len(way), samples, 3)
+    return forward(made.kinematics, way.reshape(-1, 5))[0].reshape(len(way), samples, 3)
 
 
 @pytest.mark.parametrize(("part", "machine"), CASES)
@@ -117,7 +117,7 @@ def test_the_tip_keeps_the_programmed_feed_over_the_part_in_divided_blocks(mode,
         moved = np.diff(program.words, axis=0)
         linear = np.linalg.norm(moved[:, :3], axis=1)
         minutes = np.where(linear > 0.0, linear, np.linalg.norm(moved[:, 3:], axis=1)) / np.where(fed, program.feed[1:], 1.0)
-    least = least_minutes(made.links.rate, np.diff(words_to_q(program.words), axis=0))
+    least = least_minutes(made.kinematics.rate, np.diff(words_to_q(program.words), axis=0))
     asked = path.feed[program.row[1:]]
     free = fed & (length > 0.05) & (least < 0.99 * length / np.where(fed, asked, 1.0))
     inserted = np.diff(made.joints.path.tip[program.row] @ np.ones(3)) != 0.0
@@ -146,9 +146,9 @@ def test_off_is_the_street_without_it_byte_for_byte(part, machine, milled):
     assert milled(part, machine, linearize="off", singularity="report").made.nc == made.nc
     settings = made.settings
     low, high = made.mesh.vertex.min(axis=0), made.mesh.vertex.max(axis=0)
-    bare = job.solve(made.path, made.links, low, high, settings.links.clearance, settings.cutter.cutter.radius)
-    program = build_program(bare, made.links, made.dialect, True)
-    height, _ = start_plane(settings, made.machine, made.links, program, (low, high))
+    bare = job.solve(made.path, made.kinematics, low, high, settings.kinematics.clearance, settings.cutter.cutter.radius)
+    program = build_program(bare, made.kinematics, made.dialect, True)
+    height, _ = start_plane(settings, made.machine, made.kinematics, program, (low, high))
     title, options = asked.nc_title(settings, made.machine), asked.post_options(settings)
     assert write_nc(program, made.dialect, title, options, height=height) == made.nc
     assert milled(part, machine, linearize="on").made.nc != made.nc
@@ -158,7 +158,7 @@ def test_off_is_the_street_without_it_byte_for_byte(part, machine, milled):
 def test_at_the_pole_only_blocks_that_pass_the_cone_are_divided(machine, milled):
     result, whole = milled("saddle", machine, singularity="linearize"), milled("saddle", machine).made
     made = result.made
-    near = in_cone(made.links, q_to_words(whole.joints.q), made.machine.singular_cone)
+    near = in_cone(made.kinematics, q_to_words(whole.joints.q), made.machine.singular_cone)
     pieces = np.diff(own_rows(made.joints, whole.joints), prepend=-1)
     assert (pieces[~near] == 1).all()
     assert (pieces[near] > 1).any()
@@ -176,7 +176,7 @@ def test_what_rounding_makes_impossible_is_named_with_its_block_its_line_and_wha
     (finding,) = (finding for finding in result.findings if finding.code == "linearize-rounding")
     assert finding.severity is Severity.WARNING and finding.limit == 5e-5 and 5e-5 < finding.value < 3e-4
     assert finding.line == program.line[finding.block]
-    assert np.linalg.norm(forward(result.made.links, words_to_q(program.words[[finding.block]]))[0] - finding.place) < 1e-9
+    assert np.linalg.norm(forward(result.made.kinematics, words_to_q(program.words[[finding.block]]))[0] - finding.place) < 1e-9
     feed = program.motion != Motion.RAPID
     assert result.deviation.bound[feed].max() <= finding.value
     text = f"X{finding.place[0]:.3f} Y{finding.place[1]:.3f} Z{finding.place[2]:.3f}"
@@ -187,7 +187,7 @@ def test_findings_of_the_joint_path_come_to_their_blocks_and_lines(milled):
     made = milled("saddle", "trunnion_ac", linearize="on").made
     row = int(made.program.row[100])
     joints = replace(made.joints, q=np.insert(made.joints.q, row, made.joints.q[row], axis=0)[: len(made.joints.q)])
-    program = build_program(joints, made.links, made.dialect, True)  # row + 1 has the words of row, and no block
+    program = build_program(joints, made.kinematics, made.dialect, True)  # row + 1 has the words of row, and no block
     given = [Finding(Severity.NOTE, "x", "", block=at) for at in (row, row + 1, row + 2)] + [Finding(Severity.NOTE, "x", "")]
     told = block_findings(tuple(given), program)
     assert [finding.block for finding in told] == [100, 100, 101, None]

@@ -49,7 +49,7 @@ def load_or_refuse(content, folder):
     path.write_bytes(content)
     try:
         machine = load_machine(path)
-        links = chain(machine, Setup(machine.origin, 50.0))
+        kinematics = chain(machine, Setup(machine.origin, 50.0))
     except (MachineError, FileError) as error:
         text = str(error)
         assert text and "\n" not in text
@@ -58,9 +58,9 @@ def load_or_refuse(content, folder):
     again = folder / "again.fcm"
     save_machine(machine, again, overwrite=True)
     assert load_machine(again) == machine
-    tip, axis = forward(links, np.array([(1.0, 2.0, 3.0, 0.4, 0.5)]))
+    tip, axis = forward(kinematics, np.array([(1.0, 2.0, 3.0, 0.4, 0.5)]))
     assert np.isfinite(tip).all() and np.isfinite(axis).all()
-    inverse(links, tip, axis)
+    inverse(kinematics, tip, axis)
 
 
 @QUICK

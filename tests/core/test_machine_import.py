@@ -93,12 +93,12 @@ def test_the_tip_is_where_the_modules_formula_puts_it(kind, sense, write) -> Non
     pins = dict(zip(("x-rot-point", "y-rot-point", "z-rot-point"), r, strict=True)) | {"conventional-directions": int(sense > 0)}
     hal = OFFSETS[kind] + "".join(f"setp {{m}}.{pin} {value}\n" for pin, value in pins.items())
     machine = import_machine(str(write(kind, hal))).machine
-    links = chain(machine, Setup(machine.origin))
+    kinematics = chain(machine, Setup(machine.origin))
     joints = np.random.default_rng(2).uniform(-1, 1, (200, 5)) * (100, 100, 100, 3, 3)
     for q in joints:
         tilt, turn = q[3], q[4]
         expected = r + _turn("z", sense * turn) @ (d + _turn("x" if kind == "xyzac" else "y", sense * tilt) @ (q[:3] - r - d))
-        tip, axis = forward(links, np.array([[*q[:3], q[4], q[3]]]))
+        tip, axis = forward(kinematics, np.array([[*q[:3], q[4], q[3]]]))
         assert np.abs(tip[0] - expected).max() < 1e-11
         assert (
             np.abs(axis[0] - _turn("z", sense * turn) @ _turn("x" if kind == "xyzac" else "y", sense * tilt) @ (0, 0, 1)).max()

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from five_kinds import KINDS, links_of
+from five_kinds import KINDS, kinematics_of
 from test_playback import random_words, shipped
 
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
@@ -28,10 +28,10 @@ REVERSED = {  # a table on a table whose platter stands upright; a head that swi
 
 
 @pytest.fixture(params=[*sorted(shipped_machines()), *KINDS, *REVERSED])
-def links(request):
+def kinematics(request):
     if request.param in REVERSED:
         return chain(Machine(request.param, REVERSED[request.param]), Setup((0.0, 0.0, 0.0), 150.0))
-    return links_of(request.param) if request.param in KINDS else shipped(request.param)
+    return kinematics_of(request.param) if request.param in KINDS else shipped(request.param)
 
 
 def holds(shape, points, skin=1e-6):
@@ -55,40 +55,40 @@ def about(line, direction, angle):
     return placement
 
 
-def test_what_an_axis_carries_moves_as_the_axes_below_it(links):
+def test_what_an_axis_carries_moves_as_the_axes_below_it(kinematics):
     """From the base outwards: a table axis moves what it carries the other way round than its word says (ISO 841)."""
-    words = random_words(links)
-    carried = placements(links, words)["machine_from_carried"]
+    words = random_words(kinematics)
+    carried = placements(kinematics, words)["machine_from_carried"]
     for row in range(len(words)):
-        for side, sign in zip(sides(links), (-1.0, 1.0), strict=True):
+        for side, sign in zip(sides(kinematics), (-1.0, 1.0), strict=True):
             placement = np.eye(4)
             for axis in side[::-1] if sign < 0.0 else side:
                 if axis < 3:
                     move = np.eye(4)
-                    move[:3, 3] = sign * words[row, axis] * links.direction[axis]
+                    move[:3, 3] = sign * words[row, axis] * kinematics.direction[axis]
                 else:
-                    point = (links.point1, links.point2)[axis - 3]
-                    move = about(point, links.direction[axis], sign * np.radians(words[row, axis]))
+                    point = (kinematics.point1, kinematics.point2)[axis - 3]
+                    move = about(point, kinematics.direction[axis], sign * np.radians(words[row, axis]))
                 placement = placement @ move
                 assert np.abs(carried[row, axis] - placement).max() < CLOSE
 
 
-def test_the_platter_carries_the_work_and_the_spindle_the_tool(links):
-    words = random_words(links)
-    placed = placements(links, words)
-    bodies = {body.name: body for body in reversed(sketch(links, *PART, TOOL))}
+def test_the_platter_carries_the_work_and_the_spindle_the_tool(kinematics):
+    words = random_words(kinematics)
+    placed = placements(kinematics, words)
+    bodies = {body.name: body for body in reversed(sketch(kinematics, *PART, TOOL))}
     for name, last, whole in (
-        ("spindle", sides(links)[1], "machine_from_tool"), ("platter", sides(links)[0][:1], "machine_from_work"),
+        ("spindle", sides(kinematics)[1], "machine_from_tool"), ("platter", sides(kinematics)[0][:1], "machine_from_work"),
     ):  # fmt: skip
         if name in bodies and last and (name == "spindle" or bodies[name].carrier == last[0]):
             assert bodies[name].carrier == last[-1]
             assert np.abs(placed["machine_from_carried"][:, last[-1]] - placed[whole]).max() < CLOSE
 
 
-def test_every_machine_has_a_spindle_and_a_table_and_the_bodies_its_rotary_axes_ask_for(links):
-    bodies = sketch(links, *PART, TOOL)
+def test_every_machine_has_a_spindle_and_a_table_and_the_bodies_its_rotary_axes_ask_for(kinematics):
+    bodies = sketch(kinematics, *PART, TOOL)
     names = {body.name for body in bodies}
-    table, head = ([axis for axis in side if axis >= 3] for side in sides(links))
+    table, head = ([axis for axis in side if axis >= 3] for side in sides(kinematics))
     assert {"spindle", "ram"} <= names
     assert ("table" in names) == (not table) and ("platter" in names) == bool(table)
     assert ("cradle" in names) == (len(table) == 2) and ("fork" in names) == bool(head)
@@ -103,11 +103,11 @@ def test_every_machine_has_a_spindle_and_a_table_and_the_bodies_its_rotary_axes_
         assert min(size) > 0.1
 
 
-def test_a_rotary_body_of_revolution_lies_on_its_line(links):
+def test_a_rotary_body_of_revolution_lies_on_its_line(kinematics):
     """The platter about the table axis next to the work, the cradle's pins about its own."""
-    for body in sketch(links, *PART, TOOL):
+    for body in sketch(kinematics, *PART, TOOL):
         if body.name == "platter" or (body.name == "cradle" and isinstance(body.shape, Cylinder) and body.carrier == 4):
-            line, direction = (links.point1, links.point2)[body.carrier - 3], links.direction[body.carrier]
+            line, direction = (kinematics.point1, kinematics.point2)[body.carrier - 3], kinematics.direction[body.carrier]
             if (
                 body.name == "cradle"
                 and abs(direction @ (body.shape.end - body.shape.start))
@@ -118,16 +118,16 @@ def test_a_rotary_body_of_revolution_lies_on_its_line(links):
                 assert np.linalg.norm(np.cross(end - line, direction)) < 1e-9
 
 
-def test_the_table_meets_its_part_nowhere_between_the_limits(links):
+def test_the_table_meets_its_part_nowhere_between_the_limits(kinematics):
     """The part as a cloud of points, which the platter carries; cradle and base as they stand against it."""
     rng = np.random.default_rng(11)
     cloud = PART[0] + rng.random((4000, 3)) * (PART[1] - PART[0])
-    bodies = [body for body in sketch(links, *PART, TOOL) if body.name in ("platter", "table", "cradle", "base")]
-    low, high = (np.clip(limit[3:], -np.pi, np.pi) for limit in (links.low, links.high))
+    bodies = [body for body in sketch(kinematics, *PART, TOOL) if body.name in ("platter", "table", "cradle", "base")]
+    low, high = (np.clip(limit[3:], -np.pi, np.pi) for limit in (kinematics.low, kinematics.high))
     words = np.zeros((40, 5))
     words[1:, 3:] = np.degrees(low + rng.random((39, 2)) * (high - low))
-    words[:, 3:][:, [axis not in sides(links)[0] for axis in (3, 4)]] = 0.0
-    placed = placements(links, words)
+    words[:, 3:][:, [axis not in sides(kinematics)[0] for axis in (3, 4)]] = 0.0
+    placed = placements(kinematics, words)
     for row in range(len(words)):
         part = cloud @ placed["machine_from_work"][row, :3, :3].T + placed["machine_from_work"][row, :3, 3]
         for body in bodies:
@@ -142,9 +142,9 @@ def test_a_body_in_the_part_would_be_noticed():
 
 
 def test_the_platter_lies_under_the_part_and_has_room_for_it_wherever_it_is_clamped():
-    links = shipped("trunnion_ac")
+    kinematics = shipped("trunnion_ac")
     for shift in (np.zeros(3), np.array([150.0, -80.0, 30.0])):
-        body = next(one for one in sketch(links, PART[0] + shift, PART[1] + shift, TOOL) if one.name == "platter")
+        body = next(one for one in sketch(kinematics, PART[0] + shift, PART[1] + shift, TOOL) if one.name == "platter")
         assert body.shape.end == pytest.approx([0.0, 0.0, PART[0][2] + shift[2]])
         assert body.shape.radius > np.linalg.norm((PART[1] + np.abs(shift))[:2])
 

@@ -51,13 +51,13 @@ def given(machine, **others):
     """The offset path, facet_mean's axes, the chain, and reach of a job."""
     made = job.make(settings(machine, **others))
     reach = 5.0 if others.get("control_point") == "tip" else 0.0
-    return made.offset, tool_axes(made.offset, "facet_mean", AxisOptions()), made.links, reach
+    return made.offset, tool_axes(made.offset, "facet_mean", AxisOptions()), made.kinematics, reach
 
 
 @cache
 def found(machine, **others):
-    offset, axis, links, reach = given(machine, **others)
-    return minimax_axes(offset, axis, links, reach, TILT, FEED)
+    offset, axis, kinematics, reach = given(machine, **others)
+    return minimax_axes(offset, axis, kinematics, reach, TILT, FEED)
 
 
 def beyond(path, axis, samples=2001):
@@ -137,9 +137,9 @@ MACHINES = [
 
 @pytest.mark.parametrize("machine", MACHINES)
 def test_no_run_is_worse_and_those_not_better_are_the_same_to_the_last_bit(machine):
-    offset, axis, links, reach = given(machine)
+    offset, axis, kinematics, reach = given(machine)
     new = found(machine)
-    before, after = _driven(offset, axis, links, reach)[1], _driven(offset, new, links, reach)[1]
+    before, after = _driven(offset, axis, kinematics, reach)[1], _driven(offset, new, kinematics, reach)[1]
     assert after.max() < before.max() / 3.0
     assert (after <= before * (1 + 1e-9) + 1e-9).all()
     run = np.cumsum(run_begins(offset)) - 1
@@ -158,20 +158,20 @@ def test_every_axis_is_within_the_tilt_of_its_range(machine):
 
 @pytest.mark.parametrize("machine", MACHINES)
 def test_no_rotary_axis_exceeds_its_rate_where_it_did_not_before(machine):
-    offset, axis, links, reach = given(machine)
+    offset, axis, kinematics, reach = given(machine)
     minutes = np.linalg.norm(np.diff(offset.centre, axis=0), axis=1) / FEED
     inside = ~run_begins(offset)[1:]
-    turn = [np.abs(np.diff(_driven(offset, ways, links, reach)[0], axis=0)) for ways in (axis, found(machine))]
-    most = np.maximum(links.rate[3:] * minutes[:, None], turn[0])
+    turn = [np.abs(np.diff(_driven(offset, ways, kinematics, reach)[0], axis=0)) for ways in (axis, found(machine))]
+    most = np.maximum(kinematics.rate[3:] * minutes[:, None], turn[0])
     assert (turn[1] <= 1.01 * most + 2e-6)[inside].all()
 
 
 def test_a_slow_axis_bounds_the_gain():
     case = cases.profile("hill", 1, 150.0)
-    links = cases.one_axis(case.axis_z)
-    rate = links.rate.copy()
+    kinematics = cases.one_axis(case.axis_z)
+    rate = kinematics.rate.copy()
     rate[3:] = 1e-3
-    slow = replace(links, rate=rate)
+    slow = replace(kinematics, rate=rate)
     axis = tool_axes(case.path, "facet_mean", AxisOptions())
     new = minimax_axes(case.path, axis, slow, 0.0, TILT, FEED)
     lean = np.arctan2(new[:, 1], new[:, 2])
@@ -181,13 +181,13 @@ def test_a_slow_axis_bounds_the_gain():
 
 def test_the_limits_of_the_rotary_axes_hold():
     case = cases.profile("wavy", 0, None)
-    links = cases.one_axis(case.axis_z)
+    kinematics = cases.one_axis(case.axis_z)
     most = np.abs(case.mean).max() + np.radians(0.5)
     assert np.abs(case.found).max() > most
-    low, high = links.low.copy(), links.high.copy()
+    low, high = kinematics.low.copy(), kinematics.high.copy()
     low[4], high[4] = -most, most
     axis = tool_axes(case.path, "facet_mean", AxisOptions())
-    new = minimax_axes(case.path, axis, replace(links, low=low, high=high), 0.0, TILT)
+    new = minimax_axes(case.path, axis, replace(kinematics, low=low, high=high), 0.0, TILT)
     lean = np.arctan2(new[:, 1], new[:, 2])
     assert np.abs(lean).max() <= most + 1e-9
     assert case.largest(lean) < case.largest(case.mean) / 2.0
@@ -211,8 +211,8 @@ def test_the_surface_is_cut_as_before(control_point):
 
 @pytest.mark.slow
 def test_the_axes_are_the_same_on_every_run():
-    offset, axis, links, reach = given("trunnion_ac")
-    assert np.array_equal(minimax_axes(offset, axis, links, reach, TILT, FEED), found("trunnion_ac"))
+    offset, axis, kinematics, reach = given("trunnion_ac")
+    assert np.array_equal(minimax_axes(offset, axis, kinematics, reach, TILT, FEED), found("trunnion_ac"))
 
 
 def test_polylines_that_touch_are_one_run():
@@ -226,21 +226,21 @@ def test_polylines_that_touch_are_one_run():
 
 
 def test_an_empty_path_and_a_flat_one_keep_their_axes():
-    offset, axis, links, reach = given("trunnion_ac")
+    offset, axis, kinematics, reach = given("trunnion_ac")
     none = replace(offset, **{name: value[:0] for name, value in vars(offset).items() if isinstance(value, np.ndarray)})
-    assert minimax_axes(none, axis[:0], links, reach, TILT).shape == (0, 3)
+    assert minimax_axes(none, axis[:0], kinematics, reach, TILT).shape == (0, 3)
     flat = profiles.offset_path(np.column_stack([np.arange(6.0), np.zeros(6)]))
     up = tool_axes(flat, "facet_mean", AxisOptions())
-    assert np.array_equal(minimax_axes(flat, up, links, 0.0, TILT), up)
+    assert np.array_equal(minimax_axes(flat, up, kinematics, 0.0, TILT), up)
 
 
 # ------------------------------------------------------------------------------------------------ how it is told
 
 
 def test_it_says_where_it_stands_and_can_be_stopped():
-    offset, axis, links, reach = given("trunnion_ac")
+    offset, axis, kinematics, reach = given("trunnion_ac")
     said = []
-    minimax_axes(offset, axis, links, reach, TILT, FEED, lambda stage, share: said.append((stage, share)))
+    minimax_axes(offset, axis, kinematics, reach, TILT, FEED, lambda stage, share: said.append((stage, share)))
     assert len(said) > 5 and all(0.0 <= share <= 1.0 for _, share in said)
     assert any(abs(40.0 * share - round(40.0 * share)) > 0.1 for _, share in said), "it speaks within a round, too"
 
@@ -248,14 +248,14 @@ def test_it_says_where_it_stands_and_can_be_stopped():
         raise Cancelled("enough")
 
     with pytest.raises(Cancelled):
-        minimax_axes(offset, axis, links, reach, TILT, FEED, stop)
+        minimax_axes(offset, axis, kinematics, reach, TILT, FEED, stop)
 
 
 @pytest.mark.parametrize("tilt", [0.0, -0.1, 1.0, np.nan])
 def test_a_tilt_of_zero_or_beyond_all_sense_is_refused(tilt):
-    offset, axis, links, reach = given("trunnion_ac")
+    offset, axis, kinematics, reach = given("trunnion_ac")
     with pytest.raises(SettingsError, match=r"max-tilt .* is out of range; give 0.001 to 30 deg"):
-        minimax_axes(offset, axis, links, reach, tilt)
+        minimax_axes(offset, axis, kinematics, reach, tilt)
 
 
 @pytest.mark.parametrize(
@@ -300,20 +300,20 @@ def test_what_is_allowed_is_what_dense_sampling_of_the_range_says(angle):
 @pytest.mark.parametrize("machine", MACHINES)
 def test_bows_are_those_of_the_real_path(machine):
     record = load_machine(machine)
-    links = chain(record, Setup(record.origin, 120.0 if record.has_head else 0.0))
+    kinematics = chain(record, Setup(record.origin, 120.0 if record.has_head else 0.0))
     rng = np.random.default_rng(5)
     angles, centre = rng.uniform(-0.5, 0.5, (2, 3, 4)), rng.uniform(-40, 40, (4, 3))
-    there = states(links, angles, centre, 5.0)
-    got = bow(links, there.ends.take(slice(0, 3)), there.ends.take(slice(1, 4)), (0.25, 0.5, 0.75))
+    there = states(kinematics, angles, centre, 5.0)
+    got = bow(kinematics, there.ends.take(slice(0, 3)), there.ends.take(slice(1, 4)), (0.25, 0.5, 0.75))
     axis = np.moveaxis(there.axis, 0, -1)
     for row, one, two in itertools.product(range(3), range(3), range(3)):
         place = [centre[row] - 5.0 * axis[one, row], centre[row + 1] - 5.0 * axis[two, row + 1]]
         turn = [angles[:, one, row], angles[:, two, row + 1]]
         words = [
-            q_to_words(np.column_stack([linear_words(links, p[None], a[None]), a[None]]))
+            q_to_words(np.column_stack([linear_words(kinematics, p[None], a[None]), a[None]]))
             for p, a in zip(place, turn, strict=True)
         ]
-        real = tip_at(links, words[0], words[1], np.array([[0.25, 0.5, 0.75]]))[0]
+        real = tip_at(kinematics, words[0], words[1], np.array([[0.25, 0.5, 0.75]]))[0]
         chord = place[1] - place[0]
         foot = np.clip((real - place[0]) @ chord / (chord @ chord), 0, 1)
         assert got[one, two, row] == pytest.approx(

@@ -37,36 +37,36 @@ NUTATING = machine(TURNTABLE, Axis("B", True, "table", (0, 0.5**0.5, 0.5**0.5), 
 MACHINES = {"trunnion": TRUNNION, "mixed": MIXED, "fork": FORK}
 
 
-def read(text: str, controller: str, links: Chain = TRUNNION) -> Program:
-    return read_nc(text.encode(), links, DIALECTS[controller])
+def read(text: str, controller: str, kinematics: Chain = TRUNNION) -> Program:
+    return read_nc(text.encode(), kinematics, DIALECTS[controller])
 
 
-def iso(plane: str, points: str = "", links: Chain = TRUNNION, align: str = "G53.1\n") -> Program:
-    first = " ".join(f"{letter}0" for letter in links.letters[:3]) + f" {links.letters[3]}0 {links.letters[4]}0"
+def iso(plane: str, points: str = "", kinematics: Chain = TRUNNION, align: str = "G53.1\n") -> Program:
+    first = " ".join(f"{letter}0" for letter in kinematics.letters[:3]) + f" {kinematics.letters[3]}0 {kinematics.letters[4]}0"
     points = points or "".join(f"G1 X{x} Y{y} Z{z}\n" for x, y, z in POINTS)
-    return read(f"G21 G90 G94 F300\nG0 {first}\nG0 Z100\n{plane}\n{align}{points}G69\n", "fanuc", links)
+    return read(f"G21 G90 G94 F300\nG0 {first}\nG0 Z100\n{plane}\n{align}{points}G69\n", "fanuc", kinematics)
 
 
-def klartext(plane: str, links: Chain = TRUNNION, points: str = "") -> Program:
-    first = f"L X+0 Y+0 Z+100 {links.letters[3]}+0 {links.letters[4]}+0 R0 FMAX"
+def klartext(plane: str, kinematics: Chain = TRUNNION, points: str = "") -> Program:
+    first = f"L X+0 Y+0 Z+100 {kinematics.letters[3]}+0 {kinematics.letters[4]}+0 R0 FMAX"
     points = points or "".join(f"L X{x:+} Y{y:+} Z{z:+} F300\n" for x, y, z in POINTS)
-    return read(f"BEGIN PGM T MM\n{first}\n{plane}\n{points}PLANE RESET STAY\nEND PGM T MM\n", "heidenhain", links)
+    return read(f"BEGIN PGM T MM\n{first}\n{plane}\n{points}PLANE RESET STAY\nEND PGM T MM\n", "heidenhain", kinematics)
 
 
-def swivel(call: str, links: Chain = TRUNNION) -> Program:
-    first = f"G0 X0 Y0 Z100 {links.letters[3]}0 {links.letters[4]}0"
+def swivel(call: str, kinematics: Chain = TRUNNION) -> Program:
+    first = f"G0 X0 Y0 Z100 {kinematics.letters[3]}0 {kinematics.letters[4]}0"
     points = "".join(f"G1 X{x} Y={y} Z{z}\n" for x, y, z in POINTS)
-    return read(f"G71 G90 G94 F300\n{first}\n{call}\n{points}CYCLE800()\n", "siemens840d", links)
+    return read(f"G71 G90 G94 F300\n{first}\n{call}\n{points}CYCLE800()\n", "siemens840d", kinematics)
 
 
-def poses(program: Program, links: Chain) -> tuple[np.ndarray, np.ndarray]:
-    return forward(links, words_to_q(program.words))
+def poses(program: Program, kinematics: Chain) -> tuple[np.ndarray, np.ndarray]:
+    return forward(kinematics, words_to_q(program.words))
 
 
-def lies(program: Program, links: Chain, origin: tuple[float, ...], turn: np.ndarray) -> None:
+def lies(program: Program, kinematics: Chain, origin: tuple[float, ...], turn: np.ndarray) -> None:
     """The last five blocks lead to the points in that plane, the tool along its normal, and the rotary axes rest."""
     assert not errors(program), program.findings
-    tip, axis = poses(program, links)
+    tip, axis = poses(program, kinematics)
     np.testing.assert_allclose(tip[-5:], np.array(origin) + POINTS @ turn.T, atol=1e-9)
     np.testing.assert_allclose(axis[-5:], np.tile(turn[:, 2], (5, 1)), atol=1e-9)
     assert (program.words[-5:, 3:] == program.words[-1, 3:]).all()
@@ -76,27 +76,27 @@ def lies(program: Program, links: Chain, origin: tuple[float, ...], turn: np.nda
 @pytest.mark.parametrize("name", MACHINES)
 @pytest.mark.parametrize("angles", [(0, 0, 0), (30, 0, 0), (0, 30, 0), (0, 0, 30), (20, 40, 0), (90, -35, -20), (200, 50, 170)])
 def test_fanucs_euler_angles_are_about_z_then_x_then_z(name: str, angles: tuple[float, float, float]) -> None:
-    links, (i, j, k) = MACHINES[name], angles
-    program = iso(f"G68.2 X1 Y-2 Z3 I{i} J{j} K{k}", links=links)
-    lies(program, links, (1, -2, 3), Rotation.from_euler("ZXZ", angles, degrees=True).as_matrix())
+    kinematics, (i, j, k) = MACHINES[name], angles
+    program = iso(f"G68.2 X1 Y-2 Z3 I{i} J{j} K{k}", kinematics=kinematics)
+    lies(program, kinematics, (1, -2, 3), Rotation.from_euler("ZXZ", angles, degrees=True).as_matrix())
 
 
 @pytest.mark.parametrize("name", MACHINES)
 @pytest.mark.parametrize("angles", [(0, 0, 0), (30, 0, 0), (0, 30, 0), (0, 0, 30), (20, -40, 0), (10, 20, 30), (-15, 5, 100)])
 def test_spatial_angles_are_about_the_axes_of_the_work(name: str, angles: tuple[float, float, float]) -> None:
-    links, (a, b, c) = MACHINES[name], angles
+    kinematics, (a, b, c) = MACHINES[name], angles
     turn = Rotation.from_euler("xyz", angles, degrees=True).as_matrix()
-    lies(klartext(f"PLANE SPATIAL SPA{a:+} SPB{b:+} SPC{c:+} TURN FMAX", links), links, (0, 0, 0), turn)
-    lies(klartext(f"PLANE SPATIAL SPA{a:+} SPB{b:+} SPC{c:+} TURN F2000 COORD ROT", links), links, (0, 0, 0), turn)
+    lies(klartext(f"PLANE SPATIAL SPA{a:+} SPB{b:+} SPC{c:+} TURN FMAX", kinematics), kinematics, (0, 0, 0), turn)
+    lies(klartext(f"PLANE SPATIAL SPA{a:+} SPB{b:+} SPC{c:+} TURN F2000 COORD ROT", kinematics), kinematics, (0, 0, 0), turn)
 
 
 @pytest.mark.parametrize("name", MACHINES)
 @pytest.mark.parametrize(("mode", "order"), [(57, "XYZ"), (54, "YXZ"), (45, "XZY"), (39, "ZXY"), (30, "YZX"), (27, "ZYX")])
 def test_cycle800_turns_axis_by_axis(name: str, mode: int, order: str) -> None:
-    links = MACHINES[name]
-    program = swivel(f'CYCLE800(0,"TC1",0,{mode},1,2,3,10,-25,40,4,5,6,1,100,1)', links)
+    kinematics = MACHINES[name]
+    program = swivel(f'CYCLE800(0,"TC1",0,{mode},1,2,3,10,-25,40,4,5,6,1,100,1)', kinematics)
     turn = Rotation.from_euler(order, [10, -25, 40], degrees=True).as_matrix()
-    lies(program, links, tuple(np.array([1, 2, 3]) + turn @ [4, 5, 6]), turn)
+    lies(program, kinematics, tuple(np.array([1, 2, 3]) + turn @ [4, 5, 6]), turn)
 
 
 def test_planes_by_hand() -> None:
@@ -175,9 +175,9 @@ def test_fanuc_takes_the_least_way_of_the_master_axis() -> None:
 def test_what_cannot_be_taken_up_is_named() -> None:
     seq = klartext("PLANE SPATIAL SPA+30 SPB+0 SPC+0 TURN FMAX SEQ+", NARROW)
     assert "axis-not-reachable" in errors(seq) and any("SEQ asks" in found.text and found.line == 3 for found in seq.findings)
-    steep = iso("G68.2 I0 J130 K0", links=TRUNNION)
+    steep = iso("G68.2 I0 J130 K0", kinematics=TRUNNION)
     assert "axis-not-reachable" in errors(steep)
-    nutating = iso("G68.2 I0 J120 K0", links=NUTATING)
+    nutating = iso("G68.2 I0 J120 K0", kinematics=NUTATING)
     assert any("cannot take up" in found.text for found in nutating.findings)
 
 
@@ -283,11 +283,11 @@ def test_a_safe_start_in_a_plane_and_the_axes_in_rows_of_their_own() -> None:
 
 def test_random_planes_on_random_places_by_all_three_controls() -> None:
     rng = np.random.default_rng(5)
-    for links in MACHINES.values():
+    for kinematics in MACHINES.values():
         for _ in range(10):
             a, b, c = rng.uniform(-60, 60, 3).round(3)
             turn = Rotation.from_euler("xyz", [a, b, c], degrees=True).as_matrix()
             z1, x, z2 = Rotation.from_matrix(turn).as_euler("ZXZ", degrees=True)
-            lies(klartext(f"PLANE SPATIAL SPA{a:+} SPB{b:+} SPC{c:+} TURN FMAX", links), links, (0, 0, 0), turn)
-            lies(iso(f"G68.2 I{z1:.12f} J{x:.12f} K{z2:.12f}", links=links), links, (0, 0, 0), turn)
-            lies(swivel(f'CYCLE800(0,"TC",200000,27,0,0,0,{c},{b},{a},0,0,0,1)', links), links, (0, 0, 0), turn)
+            lies(klartext(f"PLANE SPATIAL SPA{a:+} SPB{b:+} SPC{c:+} TURN FMAX", kinematics), kinematics, (0, 0, 0), turn)
+            lies(iso(f"G68.2 I{z1:.12f} J{x:.12f} K{z2:.12f}", kinematics=kinematics), kinematics, (0, 0, 0), turn)
+            lies(swivel(f'CYCLE800(0,"TC",200000,27,0,0,0,{c},{b},{a},0,0,0,1)', kinematics), kinematics, (0, 0, 0), turn)

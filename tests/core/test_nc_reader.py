@@ -296,19 +296,19 @@ FAR_AXIS = b"""0 BEGIN PGM 1 MM
 
 @pytest.mark.parametrize("machine", shipped_machines())
 def test_an_axis_beyond_the_limits_comes_to_an_end_and_stands_where_it_is_told(machine: str) -> None:
-    links = chain(load_machine(machine), Setup((0.0, 0.0, 0.0), 100.0))
-    program = read_nc(FAR_AXIS, links, DIALECTS["heidenhain"])
+    kinematics = chain(load_machine(machine), Setup((0.0, 0.0, 0.0), 100.0))
+    program = read_nc(FAR_AXIS, kinematics, DIALECTS["heidenhain"])
     lost = [found for found in program.findings if found.code == "axis-not-reachable"]
     told = np.array([[0, 0, 1], [-0.1765610, 0.2881214, -1], [-0.18, 0.28, 0.94]])
     told /= np.linalg.norm(told, axis=1)[:, None]
-    off = np.linalg.norm(forward(links, words_to_q(program.words))[1] - told, axis=1)
+    off = np.linalg.norm(forward(kinematics, words_to_q(program.words))[1] - told, axis=1)
     assert off[[0, 2]].max() < 1e-9 and (off[1] < 1e-9 or lost)
 
 
 def test_a_vector_that_only_leads_beyond_the_limits_comes_to_an_end_in_iso_too() -> None:
-    links = chain(load_machine("fork_head_bc"), Setup((0.0, 0.0, 0.0), 100.0))
+    kinematics = chain(load_machine("fork_head_bc"), Setup((0.0, 0.0, 0.0), 100.0))
     text = b"G21 G90 G94\nG43.5 H1\nG1 X0 Y0 Z50 I0 J0 K1 F500\nX1 I-0.1765610 J0.2881214 K-1\nX2 I-0.18 J0.28 K0.94\n"
-    assert len(read_nc(text, links, DIALECTS["fanuc"]).words) == 3
+    assert len(read_nc(text, kinematics, DIALECTS["fanuc"]).words) == 3
 
 
 @pytest.mark.parametrize("controller", ["haas", "linuxcnc", "fanuc"])

@@ -8,9 +8,9 @@ import warnings
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.base import chunks as room
+from freecad_fiveaxis.core.base import chunks as chunks_module
 from freecad_fiveaxis.core.base import number_text
-from freecad_fiveaxis.core.base.chunks import meanwhile, on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads, meanwhile
 from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.core.cl.coedge import junction
 from freecad_fiveaxis.core.jobs import job
@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.jobs.settings import build_settings
 @pytest.fixture(autouse=True)
 def two_threads(monkeypatch):
     """Also where the tests have one processor; and nothing may live longer than the call."""
-    monkeypatch.setattr(room, "ALONE", False)
+    monkeypatch.setattr(chunks_module, "ALONE", False)
     before = threading.active_count()
     yield
     assert threading.active_count() == before
@@ -28,10 +28,10 @@ def two_threads(monkeypatch):
 
 @pytest.mark.parametrize("count", [0, 1, 6, 7, 8, 21, 23])
 def test_portions_make_up_all_rows_in_order(monkeypatch, count):
-    monkeypatch.setattr(room, "PORTION", 7)
-    rows = [row for part in portions(count) for row in range(part.start, part.stop)]
+    monkeypatch.setattr(chunks_module, "PORTION", 7)
+    rows = [row for part in chunks(count) for row in range(part.start, part.stop)]
     assert rows == list(range(count))
-    assert all(part.stop - part.start <= 7 for part in portions(count))
+    assert all(part.stop - part.start <= 7 for part in chunks(count))
 
 
 def test_results_stand_in_the_order_of_the_parts_and_both_threads_took_some():
@@ -42,27 +42,27 @@ def test_results_stand_in_the_order_of_the_parts_and_both_threads_took_some():
         time.sleep(0.002)
         return part * part
 
-    assert on_all(work, range(20)) == [k * k for k in range(20)]
+    assert in_threads(work, range(20)) == [k * k for k in range(20)]
     assert len(seen) == 2
 
 
 @pytest.mark.parametrize("count", [0, 1])
 def test_what_has_one_part_or_none_stays_on_the_calling_thread(count):
-    assert on_all(lambda part: threading.get_ident(), range(count)) == [threading.get_ident()] * count
+    assert in_threads(lambda part: threading.get_ident(), range(count)) == [threading.get_ident()] * count
 
 
 def test_with_one_processor_all_stays_on_the_calling_thread(monkeypatch):
-    monkeypatch.setattr(room, "ALONE", True)
-    assert set(on_all(lambda part: threading.get_ident(), range(9))) == {threading.get_ident()}
+    monkeypatch.setattr(chunks_module, "ALONE", True)
+    assert set(in_threads(lambda part: threading.get_ident(), range(9))) == {threading.get_ident()}
 
 
 def test_within_work_another_on_all_keeps_to_its_thread_and_afterwards_there_are_two_again():
     def work(part):
         time.sleep(0.002)
-        return {threading.get_ident(), *on_all(lambda inner: threading.get_ident(), range(5))}
+        return {threading.get_ident(), *in_threads(lambda inner: threading.get_ident(), range(5))}
 
-    assert all(len(threads) == 1 for threads in on_all(work, range(6)))
-    assert len(set.union(*on_all(work, range(6)))) == 2
+    assert all(len(threads) == 1 for threads in in_threads(work, range(6)))
+    assert len(set.union(*in_threads(work, range(6)))) == 2
 
 
 def test_progress_is_told_on_the_calling_thread_and_only_grows():
@@ -73,7 +73,7 @@ def test_progress_is_told_on_the_calling_thread_and_only_grows():
         told.append(done)
 
     caller = threading.current_thread()
-    on_all(lambda part: time.sleep(0.001), range(20), tell)
+    in_threads(lambda part: time.sleep(0.001), range(20), tell)
     assert told == sorted(told) and told[0] > 0.0 and told[-1] <= 1.0
 
 
@@ -88,7 +88,7 @@ def test_an_exception_of_either_thread_passes_through_and_ends_both(where):
         done.append(part)
 
     with pytest.raises(ValueError, match="part"):
-        on_all(work, range(1000))
+        in_threads(work, range(1000))
     assert len(done) < 100
 
 
@@ -103,9 +103,9 @@ def test_cancelled_from_progress_passes_through_and_ends_both():
         done.append(part)
 
     with pytest.raises(Cancelled):
-        on_all(work, range(1000), tell)
+        in_threads(work, range(1000), tell)
     assert len(done) < 100
-    assert on_all(abs, [-1, -2, -3]) == [1, 2, 3]  # and nothing of it stays
+    assert in_threads(abs, [-1, -2, -3]) == [1, 2, 3]  # and nothing of it stays
 
 
 def test_the_rules_for_floating_point_errors_hold_on_both_threads():
@@ -116,9 +116,9 @@ def test_the_rules_for_floating_point_errors_hold_on_both_threads():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         with np.errstate(invalid="ignore"):
-            assert np.isnan(on_all(work, range(8))).all()
+            assert np.isnan(in_threads(work, range(8))).all()
         with np.errstate(invalid="raise"), pytest.raises(FloatingPointError):
-            on_all(work, range(8))
+            in_threads(work, range(8))
 
 
 def test_meanwhile_gives_what_work_gives_and_raises_what_the_helper_raises():
@@ -130,13 +130,13 @@ def test_meanwhile_gives_what_work_gives_and_raises_what_the_helper_raises():
 
 @pytest.mark.parametrize("part, machine", [("blade", "trunnion_ac"), ("saddle", "nutating_table_b45")])
 def test_the_street_gives_the_same_bits_with_one_thread_and_two(monkeypatch, parts, part, machine):
-    monkeypatch.setattr(room, "PORTION", 97)
+    monkeypatch.setattr(chunks_module, "PORTION", 97)
     monkeypatch.setattr(junction, "GROUP", 50)
     monkeypatch.setattr(number_text, "CHUNK", 60)
     settings = build_settings("mill", str(parts / f"{part}.stl"), {"machine": machine, "stepover": 2.0})
     made = []
     for alone in (True, False):
-        monkeypatch.setattr(room, "ALONE", alone)
+        monkeypatch.setattr(chunks_module, "ALONE", alone)
         made.append(job.make(settings))
     one, two = made
     assert len(one.program.words) > 5 * 97 and one.nc == two.nc

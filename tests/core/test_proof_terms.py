@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from five_kinds import interleaved, links_of
+from five_kinds import interleaved, kinematics_of
 
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.motion.deviation.bound import ROUNDINGS, Levers, bending, close_levers, end_levers
@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.motion.deviation.search import Chords, _local, _Piece
 from freecad_fiveaxis.core.motion.trajectory import Motion, at, axis_at, frames, inner, motion, tip
 
 U = np.linspace(0.0, 1.0, 1001)
-FRAME = frames(links_of("table_table"))  # the second axis, A, is the first frame's x
+FRAME = frames(kinematics_of("table_table"))  # the second axis, A, is the first frame's x
 
 
 def columns(*values):
@@ -102,7 +102,7 @@ class Counted:
 @pytest.mark.parametrize("kind", ["table_table", "nutating", "head_head", "linear_axes_everywhere"])
 def test_every_distance_comes_through_fewer_roundings_than_are_allowed_for(kind):
     """The distance of a node's tip from the chord, on numbers that count: the constants are exact, the words too."""
-    frame = frames(links_of(kind))
+    frame = frames(kinematics_of(kind))
     rows = [[Counted(x) for x in row] for row in ((110.0, -70.0, 55.0, 20.0, 35.0), (113.0, -64.0, 54.0, 29.0, 31.0))]
     words = np.array(rows, object)
     move = motion(frame, words[:1], words[1:])
@@ -189,11 +189,11 @@ def turning_point(x, y, speed, turn):
 
 def test_the_widest_of_many_swings_of_the_axis_is_found():
     """Blocks of several turns: samples as far apart as a swing is long would miss the widest."""
-    links, rng = links_of("table_table"), np.random.default_rng(32)
+    kinematics, rng = kinematics_of("table_table"), np.random.default_rng(32)
     start = rng.uniform(-1.0, 1.0, (40, 5)) * (100, 100, 100, 180, 60)
     end = start + rng.uniform(0.5, 1.0, (40, 5)) * (0, 0, 0, 3000, 700)
-    axes = axis_at(links, start, end, np.linspace(0.0, 1.0, 4001)[None])
+    axes = axis_at(kinematics, start, end, np.linspace(0.0, 1.0, 4001)[None])
     normal = np.cross(axes[:, 0], axes[:, -1])
     normal /= np.linalg.norm(normal, axis=1)[:, None]
     off = np.arcsin(np.minimum(np.abs(np.einsum("ijk,ik->ij", axes, normal)).max(axis=1), 1.0))
-    assert measure(links, interleaved(start, end)).axis[1::2] == pytest.approx(off, abs=2e-3)
+    assert measure(kinematics, interleaved(start, end)).axis[1::2] == pytest.approx(off, abs=2e-3)

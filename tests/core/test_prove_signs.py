@@ -66,7 +66,7 @@ def mirrored(name, letters):
 def test_every_move_keeps_the_gap_and_the_limits_whatever_the_signs(name):
     made, program, _ = posted(name)
     q, letters = along(program.words), program.letters[3:]
-    assert (q <= made.links.high + 1e-9).all() and (q >= made.links.low - 1e-9).all()
+    assert (q <= made.kinematics.high + 1e-9).all() and (q >= made.kinematics.low - 1e-9).all()
     swapped = q[:, [0, 1, 2, 4, 3]]
     tips = [forward(mirrored(name, which), q)[0] for which in ("", letters[0], letters[1], letters)]
     tips.append(forward(mirrored(name, ""), swapped)[0])
@@ -78,7 +78,7 @@ def test_without_that_care_a_wrong_sign_would_come_too_near():
     made, machine = plan("mikron_ucp710"), load_machine("mikron_ucp710")
     assert made.distance > WISHES.gap
     both = made.stops[-2].q[-1, 3:]
-    near = _last_pose(made.links, WISHES, both, WISHES.gap)[None]
+    near = _last_pose(made.kinematics, WISHES, both, WISHES.gap)[None]
     assert min(one.reached(near)[0][0, 2] for one in wrong_machines(machine, SETUP)) < WISHES.gap - 3.0
 
 
@@ -139,7 +139,7 @@ def test_without_a_mark_the_first_line_says_that_nothing_may_stand_there():
 
 def test_the_tip_keeps_the_gap_to_the_mark_s_height():
     made = plan("trunnion_ac", mark=(30.0, 20.0, 40.0))
-    tips = forward(made.links, along(proof_program(made, find_dialect("linuxcnc")).words))[0]
+    tips = forward(made.kinematics, along(proof_program(made, find_dialect("linuxcnc")).words))[0]
     assert 40.0 + WISHES.gap - 1e-3 <= tips[:, 2].min() < 40.0 + WISHES.gap + 1e-3
 
 
@@ -151,7 +151,7 @@ def test_at_the_last_stop_the_tool_points_at_the_mark(name):
     made, program, _ = posted(name)
     last = rows(made, program)[-1]
     words = np.array([[last["words"][letter] for letter in program.letters]])
-    tip, axis = forward(made.links, words_to_q(words))
+    tip, axis = forward(made.kinematics, words_to_q(words))
     np.testing.assert_allclose(tip[0] - made.distance * axis[0], WISHES.place, rtol=0, atol=1e-3)
 
 
@@ -215,12 +215,12 @@ VIEWS = {"above": PLACES["up"], "front": PLACES["front"], "right": PLACES["right
 @pytest.mark.parametrize("turn", [0.3, -0.3])
 def test_what_goes_where_agrees_with_the_forward_kinematics(name, turn):
     machine = load_machine(name)
-    links = chain(machine, SETUP)
+    kinematics = chain(machine, SETUP)
     for k, axis in enumerate(machine.rotary):
         q = np.zeros((4, 5))
         q[:, 3 + k] = turn
         q[1:, :3] = np.eye(3)
-        tip, tool = forward(links, q)
+        tip, tool = forward(kinematics, q)
         see, _ = rotary_seen(axis, "?", turn)
         edge, goes, size = re.search(
             r"(?:its (\w+) edge goes|tip swings) (?:to the )?(\w+)(?: and [a-z ]+)?, ([\d.]+) mm",
@@ -252,7 +252,7 @@ def test_a_table_goes_the_other_way_than_the_tool_seen_from_the_part():
 @pytest.mark.parametrize("controller", sorted(DIALECTS))
 def test_the_program_is_read_back_word_by_word_and_waits_at_every_stop(name, controller):
     made, program, text = posted(name, controller)
-    again = read_nc(text, made.links, find_dialect(controller))
+    again = read_nc(text, made.kinematics, find_dialect(controller))
     np.testing.assert_allclose(again.words, program.words, rtol=0, atol=1e-9)
     np.testing.assert_array_equal(again.line, program.line)
     lines = text.decode().splitlines()

@@ -113,12 +113,12 @@ def test_words_by_5axiskins_give_its_pivot_length_and_a_fork():
 @pytest.mark.parametrize("name", shipped_machines())
 def test_the_model_is_the_kinematics_and_its_derivative_that_of_differences(name):
     machine = load_machine(name)
-    links = chain(machine, SETUP)
+    kinematics = chain(machine, SETUP)
     path, made, _ = posted(name, 12)
     q = np.column_stack([made.words[:, :3], np.radians(made.words[:, 3:])])
-    tip, axis = forward(links, q)
+    tip, axis = forward(kinematics, q)
     pairs = in_order(sequences(replace(path, tip=tip, axis=axis), made, 1e-4))
-    layout, base = start_layout(machine), np.array([links.point1, links.point2])
+    layout, base = start_layout(machine), np.array([kinematics.point1, kinematics.point2])
     rows = rows_of(layout, pairs, base, np.zeros(UNKNOWNS))
     assert np.abs(rows.residual).max() < 1e-10
     rng = np.random.default_rng(1)
@@ -149,17 +149,17 @@ def test_certainties_are_what_many_roundings_show():
 def test_whitened_residuals_of_rounded_numbers_have_unit_covariance(coarse):
     """2000 roundings of one column each, of random poses: each of the six whitened residuals, and any two of them."""
     machine = load_machine("trunnion_ac")
-    links, layout = chain(machine, SETUP), start_layout(machine)
+    kinematics, layout = chain(machine, SETUP), start_layout(machine)
     fine = {"tip": 1e-4, "axis": 1e-7, "linear": 1e-4, "rotary": 1e-7}  # the least that keeps the covariance regular
     steps = Steps(**{**fine, coarse: {"tip": 0.1, "axis": 1e-3, "linear": 0.1, "rotary": 1e-4}[coarse]})
     rng = np.random.default_rng(8)
     q = np.column_stack([rng.uniform(-100, 100, (2000, 3)), rng.uniform(-1, 1, (2000, 2))])
-    tip, axis = forward(links, q)
+    tip, axis = forward(kinematics, q)
     tip, axis = (np.round(column / step) * step for column, step in ((tip, steps.tip), (axis, steps.axis)))
     linear, rotary = (np.round(column / step) * step for column, step in ((q[:, :3], steps.linear), (q[:, 3:], steps.rotary)))
-    order = [links.letters[3:].index(letter) for letter in sorted(links.letters[3:])]
+    order = [kinematics.letters[3:].index(letter) for letter in sorted(kinematics.letters[3:])]
     pairs = Pairs("AC", tip, axis, linear, rotary[:, order], np.arange(2000), np.arange(2000), steps, np.arange(2000))
-    rows = rows_of(layout, pairs, np.array([links.point1, links.point2]), np.zeros(UNKNOWNS))
+    rows = rows_of(layout, pairs, np.array([kinematics.point1, kinematics.point2]), np.zeros(UNKNOWNS))
     white = np.einsum("nij,nj->ni", rows.whitener, rows.residual)
     assert white.T @ white / 2000 == pytest.approx(np.eye(6), abs=0.15)
 
@@ -247,11 +247,11 @@ def test_a_lean_that_is_not_among_the_layouts_comes_from_the_machine_given():
 
 def test_what_the_rows_do_not_determine_is_said_and_kept_as_given():
     path, made, _ = posted("trunnion_ac")
-    links = chain(load_machine("trunnion_ac"), SETUP)
+    kinematics = chain(load_machine("trunnion_ac"), SETUP)
     words = made.words.copy()
     words[:, 4] = 0.0  # A never turns: its line cannot be known
     q = np.column_stack([words[:, :3], np.radians(words[:, 3:])])
-    tip, axis = forward(links, q)
+    tip, axis = forward(kinematics, q)
     found = recover(
         replace(path, tip=np.round(tip, 4), axis=axis), program(made.letters, words), load_machine("trunnion_ac"), SETUP
     )

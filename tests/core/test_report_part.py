@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from gouge_examples import step
 
-from freecad_fiveaxis.core.collision import program_course
+from freecad_fiveaxis.core.collision import program_motion
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, html_page, listed, markers, summary
@@ -48,7 +48,7 @@ def test_the_summary_has_the_deepest_entries_and_the_judge_finds_them_too(entere
     assert told["max_overcut"] == pytest.approx(entered.gouge.cutter.depth.max()) and told["overcut_blocks"] > 0
     assert told["max_overcut"] <= told["cutter_bound"] and told["max_holder_collision"] > 1.0
     row = entered.made.program.line.tolist().index(told["overcut_line"])
-    course = program_course(entered.made.links, entered.made.program)
+    course = program_motion(entered.made.kinematics, entered.made.program)
     pose = course.pose(np.full(200, row - 1), np.linspace(0, 1, 200))
     place = np.tile(entered.gouge.cutter.place[row - 1], (200, 1))
     body = body_of(entered.made.settings.cutter.cutter)

@@ -54,7 +54,7 @@ def test_the_words_are_the_tip_and_the_axis_of_the_cl_path_within_half_a_step(pa
     program, path = made.program, made.joints.path
     rows = program.row
     assert np.abs(program.guided.tip - path.tip[rows]).max() <= 0.5 * 10.0**-made.dialect.linear_decimals * (1 + 1e-9)
-    tip, axis = forward(made.links, words_to_q(program.words))
+    tip, axis = forward(made.kinematics, words_to_q(program.words))
     assert np.abs(tip - program.guided.tip).max() < 1e-9  # where the axes stand puts the tip exactly there
     if how == "vectors":
         assert np.abs(program.guided.vector - path.axis[rows]).max() <= 0.5e-7 * (1 + 1e-6)
@@ -84,7 +84,7 @@ def test_nothing_is_claimed_of_a_block_that_the_controller_guides(path_file):
 
 def test_the_rounding_that_is_said_to_be_proven_is_that_of_the_words(path_file):
     made = posted(path_file, rtcp="angles").made
-    tip, _ = forward(made.links, words_to_q(made.program.words))
+    tip, _ = forward(made.kinematics, words_to_q(made.program.words))
     off = np.linalg.norm(tip - made.joints.path.tip[made.program.row], axis=1).max()
     said = next(one for one in made.program.findings if one.code == "tip-guided-by-controller").value
     assert said == pytest.approx(off, abs=1e-12)

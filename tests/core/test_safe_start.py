@@ -63,10 +63,10 @@ def test_the_plane_is_above_the_part_wherever_the_rotary_axes_stand(name):
 
 
 def test_the_plane_is_not_below_the_places_where_the_program_begins_and_ends():
-    links = chain(load_machine("trunnion_ac"), Setup())
+    kinematics = chain(load_machine("trunnion_ac"), Setup())
     ends = np.zeros((2, 5))
     ends[:, 2] = 40.0, 321.5
-    assert plane_above(links, LOW, HIGH, 5.0, ends) == 322.0
+    assert plane_above(kinematics, LOW, HIGH, 5.0, ends) == 322.0
 
 
 def test_a_z_that_does_not_lift_the_tool_is_refused():
@@ -198,7 +198,7 @@ def test_linuxcnc_drives_z_then_the_rotary_axes_then_x_and_y_then_z(start, z, tm
 )  # fmt: skip
 def test_the_written_file_is_read_again_as_the_same_blocks_and_without_a_word_of_its_start(start, options, tmp_path):
     made = posted(tmp_path, start, tool=3, spindle=9000.0, **options)
-    again = read_nc(made.nc, made.links, made.dialect)
+    again = read_nc(made.nc, made.kinematics, made.dialect)
     own = np.isin(again.line, made.program.line)
     assert np.abs(again.words[own] - made.program.words).max() < 1e-9 and np.array_equal(again.line[own], made.program.line)
     assert {found.code for found in again.findings} <= {"tip-guided-by-controller"}
@@ -262,7 +262,7 @@ def test_a_start_from_below_through_the_part_is_an_error(tmp_path):
     lean = math.radians(-20.0)
     down = (math.cos(lean), 0.0, math.sin(lean))
     made = posted(tmp_path, SafeStart(), axes=(down, down))
-    said = partial(start_findings, made.settings, made.machine, made.dialect, made.links, made.program)
+    said = partial(start_findings, made.settings, made.machine, made.dialect, made.kinematics, made.program)
     for side, errors in ((25.0, 2), (-25.0, 0)):  # the tool comes from +X, and a little from below
         box = (np.array([side - 5.0, -20.0, -100.0]), np.array([side + 20.0, 40.0, 58.0]))
         found = [one for one in said(box) if one.code == "start-through-part"]

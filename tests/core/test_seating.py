@@ -76,17 +76,17 @@ def test_a_heel_in_a_hollow_is_told_as_deep_as_it_is(cutter, milled, points):
 @pytest.mark.parametrize("cutter", CUTTERS)
 def test_the_program_is_the_path_and_its_deviation_that_of_a_dense_walk(part, lead, cutter, milled):
     result = milled(part, "trunnion_ac", cutter=cutter, lead=lead)
-    words, links, path = result.made.program.words, result.made.links, result.made.joints.path
-    read = read_nc(result.made.nc, links, result.made.dialect)
+    words, kinematics, path = result.made.program.words, result.made.kinematics, result.made.joints.path
+    read = read_nc(result.made.nc, kinematics, result.made.dialect)
     own = np.isin(read.line, result.made.program.line)  # the others are those of the safe start and end
     assert (~own).sum() == 2
-    tip, axis = forward(links, words_to_q(read.words[own]))
+    tip, axis = forward(kinematics, words_to_q(read.words[own]))
     row = result.made.program.row
     assert np.linalg.norm(tip - path.tip[row], axis=1).max() < 2e-3 and np.linalg.norm(axis - path.axis[row], axis=1).max() < 1e-5
     block = np.argsort(result.deviation.segment)[[-1, -2, -30, -100, 40]]
     q, u = words_to_q(words), np.linspace(0, 1, 2001)[:, None]
     for b in block[block > 0]:
-        walk, _ = forward(links, q[b - 1] + u * (q[b] - q[b - 1]))
+        walk, _ = forward(kinematics, q[b - 1] + u * (q[b] - q[b - 1]))
         chord = walk[-1] - walk[0]
         foot = np.clip((walk - walk[0]) @ chord / max(chord @ chord, 1e-30), 0, 1)
         dense = np.linalg.norm(walk - walk[0] - foot[:, None] * chord, axis=1).max()
@@ -149,7 +149,7 @@ def test_on_a_plane_every_tip_is_that_of_its_contact(shape, lead, tilt, tmp_path
 def test_a_ball_is_not_seated():
     """Its path comes back as it is, whatever its axes."""
     path, axis = object(), np.zeros((3, 3))
-    assert seating.seated(path, axis, Cutter(10.0), 0.01) == (path, axis)
+    assert seating.cl_offset_path(path, axis, Cutter(10.0), 0.01) == (path, axis)
 
 
 # ------------------------------------------------------------------------------------------------ edges
@@ -360,7 +360,7 @@ def test_rows_between_lie_on_the_facet_and_turn_evenly(milled):
     made = milled("saddle", "trunnion_ac", cutter="bull:10:2", stepover=20).made
     bent = made.axis + np.where(np.arange(len(made.axis)) % 2, 0.3, -0.3)[:, None] * np.array([0.0, 1.0, 0.0])
     bent /= np.linalg.norm(bent, axis=1)[:, None]
-    sat, axis = seating.seated(made.offset, bent, parse_cutter("bull:10:2"), 0.01)
+    sat, axis = seating.cl_offset_path(made.offset, bent, parse_cutter("bull:10:2"), 0.01)
     assert len(axis) > 2 * len(bent)
     np.testing.assert_allclose(np.linalg.norm(axis, axis=1), 1.0, atol=1e-12)
     out = replace(sat, findings=()).centre - sat.point

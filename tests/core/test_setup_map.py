@@ -47,12 +47,12 @@ COARSE = {"stepover": 12.0, "rings": 8}
 
 def full_run(made, machine, origin, turn):
     """Deviation mm, rotary travel rad, time s and excess over limits mm of one setup, by the street's own calls."""
-    links = chain(machine, Setup(tuple(origin), made.settings.machine.tool_length or 0.0))
+    kinematics = chain(machine, Setup(tuple(origin), made.settings.machine.tool_length or 0.0))
     path, how = turned_path(made.path, turn), posting(made)
-    joints = solve(path, links, *part_box(path, how.part, turn), how.clearance, how.radius)
-    program = build_program(joints, links, how.dialect, how.inverse_time)
-    segment = measure(links, program.words).segment[feed_blocks(program)]
-    over = np.maximum(joints.q[:, :3] - links.high[:3], links.low[:3] - joints.q[:, :3]).max()
+    joints = solve(path, kinematics, *part_box(path, how.part, turn), how.clearance, how.radius)
+    program = build_program(joints, kinematics, how.dialect, how.inverse_time)
+    segment = measure(kinematics, program.words).segment[feed_blocks(program)]
+    over = np.maximum(joints.q[:, :3] - kinematics.high[:3], kinematics.low[:3] - joints.q[:, :3]).max()
     travel = np.abs(np.diff(np.radians(program.words[:, 3:]), axis=0)).sum()
     return segment.max(), travel, program.seconds.sum(), max(over, 0.0)
 
@@ -113,13 +113,13 @@ def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
     row = int(np.flatnonzero((chart.kind == Kind.FOUND) & (np.abs(chart.turn - turn) < 1e-9))[0])
     given |= {"direction": 120.0, "origin": chart.origin[row].tolist()}
     made = job.make(build_settings("mill", "cap.stl", {**given, **UNCURED}), mesh=from_faces(turned(off.vertex, turn), off.face))
-    segment = measure(made.links, made.program.words).segment[feed_blocks(made.program)]
+    segment = measure(made.kinematics, made.program.words).segment[feed_blocks(made.program)]
     assert segment.max() == pytest.approx(chart.max_deviation[row], abs=1e-6)
 
 
 def test_the_present_row_is_what_mill_reports(chart):
     made = milled(**COARSE, origin=(60.0, 10.0, -20.0))
-    segment = measure(made.links, made.program.words).segment[feed_blocks(made.program)]
+    segment = measure(made.kinematics, made.program.words).segment[feed_blocks(made.program)]
     assert chart.max_deviation[0] == pytest.approx(segment.max(), abs=1e-9)
     assert chart.time[0] == pytest.approx(made.program.seconds.sum(), abs=1e-9)
 
@@ -317,15 +317,17 @@ def test_progress_runs_from_0_to_1_and_may_be_cancelled():
 def test_the_worst_block_is_found_behind_many_whose_bound_promises_more():
     """Turns that the linear axes make up for deviate by a third of their quick bound, a turn alone by all of it."""
     machine = load_machine("trunnion_ac")
-    links = chain(machine, Setup(machine.origin))
+    kinematics = chain(machine, Setup(machine.origin))
     made_up, alone, count = np.radians(7.0), np.radians(9.5), FIRST_BATCH + 40
-    place = links.point1 + (200.0, 0.0, 20.0)
+    place = kinematics.point1 + (200.0, 0.0, 20.0)
     turns = np.array([[0.0, 0.0], [made_up, 0.0]])
-    pair = np.column_stack([linear_words(links, np.tile(place, (2, 1)), turns), np.degrees(turns)])
-    still = np.column_stack([linear_words(links, links.point1[None] + (120.0, 0.0, 20.0), np.zeros((1, 2))), np.zeros((1, 2))])
+    pair = np.column_stack([linear_words(kinematics, np.tile(place, (2, 1)), turns), np.degrees(turns)])
+    still = np.column_stack(
+        [linear_words(kinematics, kinematics.point1[None] + (120.0, 0.0, 20.0), np.zeros((1, 2))), np.zeros((1, 2))]
+    )
     words = np.concatenate([np.tile(pair, (count, 1)), still, still + (0.0, 0.0, 0.0, np.degrees(alone), 0.0)])
     feeds = np.arange(1, len(words), 2)
-    bound, segment = quick_bound(links, words)[feeds], measure(links, words).segment[feeds]
+    bound, segment = quick_bound(kinematics, words)[feeds], measure(kinematics, words).segment[feeds]
     assert segment.argmax() == count and (bound[:-1] > bound[-1]).all() and segment[:-1].max() > 0.3 * bound[-1]
-    worst = worst_blocks(links, words, feeds)
+    worst = worst_blocks(kinematics, words, feeds)
     assert worst.row[0] == feeds[-1] and worst.segment[0] == pytest.approx(120.0 * (1.0 - np.cos(0.5 * alone)), rel=1e-6)

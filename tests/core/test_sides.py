@@ -10,7 +10,7 @@ from mesh_shapes import box, sphere
 from test_verdict import filleted
 
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.collision import find_remainder, program_course
+from freecad_fiveaxis.core.collision import find_rest_material, program_motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
@@ -77,8 +77,8 @@ def left_at(result, place):
     facets = np.linalg.norm(result.mesh.vertex[result.mesh.face].mean(axis=1) - place, axis=1) < 1e-9
     assert facets.sum() == 1
     cuts = np.flatnonzero(result.program.motion[1:] <= 1)
-    course, body = program_course(result.links, result.program), body_of(result.settings.cutter.cutter)
-    left = find_remainder(result.mesh, body, course, cuts, 1.0, facets)
+    course, body = program_motion(result.kinematics, result.program), body_of(result.settings.cutter.cutter)
+    left = find_rest_material(result.mesh, body, course, cuts, 1.0, facets)
     return left.height[np.linalg.norm(left.point - place, axis=1).argmin()]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from five_kinds import KINDS, TABLE_2, interleaved, links_of, mikron_links
+from five_kinds import KINDS, TABLE_2, interleaved, kinematics_of, mikron_links
 
 from freecad_fiveaxis.core.machine.kinematics import linear_words
 from freecad_fiveaxis.core.motion.deviation import measure, so2008
@@ -14,8 +14,8 @@ from freecad_fiveaxis.core.motion.trajectory import chained_motion, frames, inne
 
 
 @pytest.fixture(params=KINDS)
-def links(request):
-    return links_of(request.param)
+def kinematics(request):
+    return kinematics_of(request.param)
 
 
 @pytest.fixture(scope="module")
@@ -23,16 +23,16 @@ def mikron():
     return mikron_links()
 
 
-def blocks_at(links, tilt, count=300, turn=30.0, seed=1, level=False):
+def blocks_at(kinematics, tilt, count=300, turn=30.0, seed=1, level=False):
     """Blocks with 1 mm chords, across U where ``level``, V within ``tilt`` deg of the pole and turning by up to 0.2 deg, U turning by up to ``turn``."""
     rng = np.random.default_rng(seed)
     first = np.stack([rng.uniform(-180, 180, count), rng.uniform(-tilt, tilt, count)], axis=1)
     last = first + np.stack([rng.uniform(10, turn, count) * rng.choice((-1, 1), count), rng.uniform(-0.2, 0.2, count)], axis=1)
     tips, step = rng.uniform(-80, 80, (count, 3)), rng.normal(size=(count, 3))
-    step -= level * (step @ links.direction[3])[:, None] * links.direction[3]
+    step -= level * (step @ kinematics.direction[3])[:, None] * kinematics.direction[3]
     step /= np.linalg.norm(step, axis=1)[:, None]
     ends = [(tips, np.radians(first)), (tips + step, np.radians(last))]
-    start, end = (np.concatenate([linear_words(links, p, q), np.degrees(q)], axis=1) for p, q in ends)
+    start, end = (np.concatenate([linear_words(kinematics, p, q), np.degrees(q)], axis=1) for p, q in ends)
     return interleaved(start, end)
 
 
@@ -111,24 +111,24 @@ def test_polar_form_of_equation_4_is_the_same_path(mikron):
     assert np.stack([r * np.cos(theta), r * np.sin(theta)], axis=1) == pytest.approx(path[:, :2], abs=1e-10)
 
 
-def test_near_the_pole_it_agrees_with_the_exact_deviation(links):
-    words = blocks_at(links, tilt=1.0)
-    exact, model = measure(links, words).line[1::2], measure(links, words, method="so2008").line[1::2]
+def test_near_the_pole_it_agrees_with_the_exact_deviation(kinematics):
+    words = blocks_at(kinematics, tilt=1.0)
+    exact, model = measure(kinematics, words).line[1::2], measure(kinematics, words, method="so2008").line[1::2]
     assert np.median((exact - model) / exact) < 2e-3
     assert (model <= exact * (1 + 1e-5) + 1e-6).all()  # a distance of the real path, so never more
 
 
-def shortfall(links, words, method):
-    exact, model = measure(links, words).line[1::2], measure(links, words, method=method).line[1::2]
+def shortfall(kinematics, words, method):
+    exact, model = measure(kinematics, words).line[1::2], measure(kinematics, words, method=method).line[1::2]
     assert (model <= exact * (1 + 1e-5) + 1e-6).all()
     return np.percentile((exact - model) / exact, 95)
 
 
 @pytest.mark.parametrize("kind", ["table_table", "nutating", "head_table"])
 def test_with_level_chords_the_form_with_n_is_right_and_with_climbing_ones_the_printed_form_is_nearer(kind):
-    links = links_of(kind)
-    level, climbing = (blocks_at(links, tilt=1.0, count=600, level=level) for level in (True, False))
-    one, two = ([shortfall(links, words, method) for words in (level, climbing)] for method in ("so2008", "so2008-printed"))
+    kinematics = kinematics_of(kind)
+    level, climbing = (blocks_at(kinematics, tilt=1.0, count=600, level=level) for level in (True, False))
+    one, two = ([shortfall(kinematics, words, method) for words in (level, climbing)] for method in ("so2008", "so2008-printed"))
     assert one[0] < 1e-4 < 0.05 < two[0]
     assert 5.0 * two[1] < one[1]
 
@@ -153,48 +153,48 @@ def test_samples_as_printed_are_those_of_table_1_wherever_they_differ():
 
 @pytest.mark.parametrize("kind", ["head_table", "head_head"])
 def test_its_path_near_the_pole_follows_heads_too(kind):
-    links = links_of(kind)
-    words = blocks_at(links, tilt=1.0)
+    kinematics = kinematics_of(kind)
+    words = blocks_at(kinematics, tilt=1.0)
     start, end = words[0::2], words[1::2]
     u = np.linspace(0, 1, 101)
-    real, model = tip_at(links, start, end, u[None]), model_tip(links, words, u)[0::2]
+    real, model = tip_at(kinematics, start, end, u[None]), model_tip(kinematics, words, u)[0::2]
     off = np.linalg.norm(real - model, axis=2).max(axis=1)
     reach = np.linalg.norm(real - real[:, :1], axis=2).max(axis=1)
     assert np.median(off / reach) < 1e-3
 
 
 def test_it_fails_where_the_second_axis_turns_much():
-    links = links_of("table_table")
+    kinematics = kinematics_of("table_table")
     rng = np.random.default_rng(3)
     start = np.concatenate([rng.uniform(-100, 100, (200, 3)), np.zeros((200, 1)), rng.uniform(-80, 0, (200, 1))], axis=1)
     words = interleaved(start, start + [0, 0, 0, 60.0, 90.0])
-    exact, model = measure(links, words), measure(links, words, method="so2008")
+    exact, model = measure(kinematics, words), measure(kinematics, words, method="so2008")
     assert (exact.line - model.line)[1::2].max() > 1.0
     assert (exact.bound >= exact.segment).all()  # whatever the model says, the bound is the exact one
     assert np.array_equal(exact.bound, model.bound)
 
 
 def test_a_circle_about_the_pole_has_its_farthest_point_in_the_middle():
-    links = links_of("table_table")
-    line, u, _ = line_deviation(links, np.array([[75.0, -14, 0, 0, 0], [75, -14, 0, 40, 0]]))
+    kinematics = kinematics_of("table_table")
+    line, u, _ = line_deviation(kinematics, np.array([[75.0, -14, 0, 0, 0], [75, -14, 0, 40, 0]]))
     assert u[1] == 0.5
     assert line[1] == pytest.approx(80 * (1 - np.cos(np.radians(20))))
 
 
 def test_straight_moves_and_empty_programs_have_no_deviation():
-    links = links_of("head_table")
+    kinematics = kinematics_of("head_table")
     for words in (np.zeros((0, 5)), np.zeros((1, 5)), np.array([[0.0, 0, 0, 20, 30], [5, 6, 7, 20, 30], [5, 6, 7, 20, 30]])):
-        found = measure(links, words, method="so2008")
+        found = measure(kinematics, words, method="so2008")
         assert len(found.line) == len(words)
         assert not (found.line > 1e-11).any()
         assert found.findings == ()
 
 
 def test_blocks_without_a_root_are_named(monkeypatch):
-    links = links_of("table_table")
+    kinematics = kinematics_of("table_table")
     monkeypatch.setattr(so2008, "_quartic_roots", lambda u, f: np.full((4, f.shape[1]), 2.0 + 0.0j))
-    words = blocks_at(links, tilt=1.0, count=5)
-    found = measure(links, words, method="so2008")
+    words = blocks_at(kinematics, tilt=1.0, count=5)
+    found = measure(kinematics, words, method="so2008")
     assert [finding.code for finding in found.findings] == ["so2008-no-root"]
     assert found.findings[0].value == 9.0
     assert (found.u_line[1:] == 0.5).all()

@@ -22,12 +22,12 @@ PARTS = ("dome", "blade", "saddle", "half_cylinder", "freeform_233")
 
 def largest_miss(result):
     """Distance mm of the re-read, forwarded words from the driven CL path, and angle rad of the axes."""
-    read = read_nc(result.made.nc, result.made.links, result.made.dialect)
+    read = read_nc(result.made.nc, result.made.kinematics, result.made.dialect)
     own = np.isin(read.line, result.made.program.line)  # a plane above the part is one row before them, and one after
     assert (~own).sum() == (2 if load_machine(result.made.settings.machine.machine).safe_start.retract == "clearance" else 0)
     np.testing.assert_allclose(read.words[own], result.made.program.words, atol=1e-9)
     np.testing.assert_array_equal(read.line[own], result.made.program.line)
-    tip, axis = forward(result.made.links, words_to_q(read.words[own]))
+    tip, axis = forward(result.made.kinematics, words_to_q(read.words[own]))
     path, row = result.made.joints.path, result.made.program.row
     return np.linalg.norm(tip - path.tip[row], axis=1).max(), np.linalg.norm(axis - path.axis[row], axis=1).max()
 
@@ -56,7 +56,7 @@ def test_every_part_comes_back_through_every_controller(part, controller, milled
 def test_a_wrong_sign_would_be_noticed(milled):
     result = milled("dome", "trunnion_ac")
     words = result.made.program.words * (1, 1, 1, 1, -1)
-    tip, _ = forward(result.made.links, words_to_q(words))
+    tip, _ = forward(result.made.kinematics, words_to_q(words))
     assert np.linalg.norm(tip - result.made.joints.path.tip[result.made.program.row], axis=1).max() > 1.0
 
 
@@ -69,7 +69,7 @@ def test_the_deviation_of_the_program_is_that_of_a_dense_walk(machine, milled):
     u = np.linspace(0, 1, 2001)
     q = words_to_q(words)
     for b in block:  # plain on purpose: the second route shares nothing with the first
-        tip, _ = forward(result.made.links, q[b - 1] + u[:, None] * (q[b] - q[b - 1]))
+        tip, _ = forward(result.made.kinematics, q[b - 1] + u[:, None] * (q[b] - q[b - 1]))
         chord = tip[-1] - tip[0]
         k = np.clip((tip - tip[0]) @ chord / max(chord @ chord, 1e-30), 0, 1)
         dense = np.linalg.norm(tip - tip[0] - k[:, None] * chord, axis=1).max()
@@ -91,7 +91,7 @@ def least_ball_clearance(made, radius):
     end = np.flatnonzero(rapid)[1:]
     u = np.linspace(0, 1, 101)[None, :, None]
     walk = q[end - 1][:, None] * (1 - u) + q[end][:, None] * u
-    tip, axis = forward(made.links, walk.reshape(-1, 5))
+    tip, axis = forward(made.kinematics, walk.reshape(-1, 5))
     centre = tip + radius * axis
     return np.linalg.norm(np.maximum(0, np.maximum(low - centre, centre - high)), axis=1).min() - radius
 

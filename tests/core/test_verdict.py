@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.apt import write_apt
 from freecad_fiveaxis.core.cl.apt.head import of_cl_file
 from freecad_fiveaxis.core.cl.coedge import trimming
-from freecad_fiveaxis.core.collision import Entries, GougeCheck, program_course
+from freecad_fiveaxis.core.collision import Entries, GougeCheck, program_motion
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
@@ -92,7 +92,7 @@ def test_the_step_by_default_is_entered_nowhere_by_dense_sampling(made):
     result, points = made(step, tool_axis="fixed"), dense_points(step(), 0.5)
     uncured = made(step, tool_axis="fixed", **{**UNCURED, "gouge": "report"})
     for one, most in ((result, 0.0101), (uncured, np.inf)):
-        course, body = program_course(one.made.links, one.made.program), body_of(one.made.settings.cutter.cutter)
+        course, body = program_motion(one.made.kinematics, one.made.program), body_of(one.made.settings.cutter.cutter)
         deepest = max(sampled_depth(body, points, course, block, 9) for block in range(0, len(course), 5))
         assert deepest <= most
     assert deepest > 1.0, "the judge sees what the cure has cured"

@@ -70,8 +70,8 @@ def test_the_add_on_is_installed(unpacked):
         PATH=without_freecad(unpacked),
     )
     assert done.returncode == 0, done.stderr
-    links = [path for path in (unpacked / "home").rglob("FiveAxis") if path.is_symlink()]
-    assert [link.resolve() for link in links] == [unpacked.resolve()]
+    kinematics = [path for path in (unpacked / "home").rglob("FiveAxis") if path.is_symlink()]
+    assert [link.resolve() for link in kinematics] == [unpacked.resolve()]
 
 
 def without_freecad(folder):

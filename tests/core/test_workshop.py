@@ -90,8 +90,8 @@ def test_prove_signs_writes_a_program_and_a_sheet(controller, tmp_path, capsys):
     assert run("prove-signs", *words, "-o", nc, "--report", sheet, "--report", tmp_path / "s.json") == cli.DONE
     assert "stop 8" in capsys.readouterr().out and "Proving the signs" in sheet.read_text(encoding="utf-8")
     record = json.loads((tmp_path / "s.json").read_text())
-    links = milled("trunnion_bc", stepover=12.0, rings=8).links
-    program = read_nc(nc.read_bytes(), links)
+    kinematics = milled("trunnion_bc", stepover=12.0, rings=8).kinematics
+    program = read_nc(nc.read_bytes(), kinematics)
     assert {row["line"] for row in record["stops"]} <= set(program.line.tolist())
     assert b"T7 M6" in nc.read_bytes()
     (tmp_path / "job.json").write_text(json.dumps(record["inputs"] | {"output": "again.ngc", "report": []}))

@@ -42,7 +42,7 @@ def golden_text(name: str, mode: str, how: str = "", retract: str = "") -> bytes
     linear = [Axis(letter, False, "head", tuple(row), max_rate=8000.0) for letter, row in zip("XYZ", np.eye(3), strict=True)]
     c = Axis("C", True, "table", (0, 0, 1), max_rate=float(np.radians(7200.0)))
     a = Axis("A", True, "table", (1, 0, 0), (0, 0, -50), max_rate=float(np.radians(3600.0)))
-    links = chain(Machine("trunnion", (c, a, *linear)), Setup())
+    kinematics = chain(Machine("trunnion", (c, a, *linear)), Setup())
     words = np.array(
         [
             [0, 0, 80, 0, 0], [10, -5, 80, 30, -20], [10, -5, 12.5, 30, -20], [11.25, -5.125, 12.4375, 31.5, -19.75],
@@ -51,7 +51,7 @@ def golden_text(name: str, mode: str, how: str = "", retract: str = "") -> bytes
         ]
     )  # fmt: skip
     q = np.concatenate([words[:, :3], np.radians(words[:, 3:])], axis=1)
-    tip, axis = forward(links, q)
+    tip, axis = forward(kinematics, q)
     r, link, cut, fill = Motion.RAPID, Motion.LINK, Motion.CUT, Motion.FILL
     motion = np.array([r, r, link, cut, fill, cut, cut, cut, r], np.int8)
     feed = np.where(motion == r, 0.0, np.where(motion == link, 300.0, 1000.0))
@@ -60,7 +60,7 @@ def golden_text(name: str, mode: str, how: str = "", retract: str = "") -> bytes
     joints = JointPath(path, np.arange(len(q)), q, np.zeros(len(q), np.int8), np.ones(len(q)))
     dialect = with_start(DIALECTS[name], SafeStart(retract) if retract else SafeStart(BY_MACHINE, -1.0))
     dialect = dialect.guided(how) if how else dialect
-    program = build_program(joints, links, dialect, mode == "g93")
+    program = build_program(joints, kinematics, dialect, mode == "g93")
     options = PostOptions(tool=2, speed=12000, coolant=True, cutter="ball 10 mm", length=120.0)
     return write_nc(program, dialect, "golden", options, height=PLANE)
 

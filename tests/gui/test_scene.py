@@ -17,7 +17,7 @@ from scipy.spatial import cKDTree
 pytest.importorskip("pivy")
 
 from freecad_fiveaxis.app.units import area_text
-from freecad_fiveaxis.core.collision import Remainder
+from freecad_fiveaxis.core.collision import RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.report import draw
 from freecad_fiveaxis.core.report.rest_material_map import height_scale
@@ -417,7 +417,7 @@ def surface(side):
     mesh = from_triangles(vertex[face])
     middle = vertex[face].mean(axis=1)
     height = 0.2 * np.sin(middle[:, 0] / 5.0)
-    remainder = Remainder(middle, np.arange(len(face)), np.ones(len(face)), height, np.zeros(len(face), np.int64), 1e3)
+    remainder = RestMaterial(middle, np.arange(len(face)), np.ones(len(face)), height, np.zeros(len(face), np.int64), 1e3)
     return mesh, remainder
 
 

@@ -70,19 +70,19 @@ def peak(values: np.ndarray) -> float:
     return float(top - (before - after) ** 2 / (8.0 * bend)) if bend < 0.0 else float(top)
 
 
-def links_of(kinematics: str, folder: Path, **changed: float) -> Chain:
+def chain_of(kinematics: str, folder: Path, **changed: float) -> Chain:
     """The chain of the machine that is imported from the ring's own configuration."""
     ini = write_configuration(folder, kinematics, {**PINS[kinematics], **changed})
     machine = import_machine(str(ini)).machine
     return chain(machine, Setup(machine.origin))
 
 
-def some_joints(links: Chain, blocks: int = 9, seed: int = 5) -> JointPath:
+def some_joints(chain_: Chain, blocks: int = 9, seed: int = 5) -> JointPath:
     """Blocks with every axis moving, the rotary ones up to 40 degrees at a time; each takes 0.7 s or so."""
     random = np.random.default_rng(seed)
     step = random.uniform(-1, 1, (blocks + 1, 5)) * (15, 15, 15, np.radians(30), np.radians(40))
     q = np.cumsum(step, axis=0) * (1, 1, 1, 0.5, 1) + (0, 0, 30, 0, 0)
-    tip, axis = forward(links, q)
+    tip, axis = forward(chain_, q)
     motion, none = np.full(len(q), Motion.CUT, np.int8), np.full(len(q), -1)
     motion[0] = Motion.RAPID
     feed = np.where(motion == Motion.RAPID, 0.0, 1800.0)
@@ -121,15 +121,15 @@ def axes_of(program: Program) -> str:
 def travelled(request, tmp_path_factory):
     """One start of the controller for each kinematics: the joint program, then the same poses with tool centre point control."""
     kinematics = request.param
-    links = links_of(kinematics, tmp_path_factory.mktemp("ring"))
-    program = build_program(some_joints(links), links, LINUXCNC, inverse_time=True)
-    tip = np.round(forward(links, words_to_q(program.words))[0], 6)
+    chain_ = chain_of(kinematics, tmp_path_factory.mktemp("ring"))
+    program = build_program(some_joints(chain_), chain_, LINUXCNC, inverse_time=True)
+    tip = np.round(forward(chain_, words_to_q(program.words))[0], 6)
     text = write_nc(program, LINUXCNC, "ring", PostOptions(tool=TOOL)).decode()
     rtcp = rtcp_text(program, tip)
     joints, controlled = run_programs(kinematics, PINS[kinematics], [text, rtcp])
     for samples in (joints, controlled):
         samples[:, 3] -= LENGTH  # from the spindle's gauge point to the tip
-    return kinematics, links, program, joints, controlled, rtcp, tip
+    return kinematics, chain_, program, joints, controlled, rtcp, tip
 
 
 def blocks_of(samples: np.ndarray, lines: list[int]) -> list[np.ndarray]:
@@ -141,12 +141,12 @@ def blocks_of(samples: np.ndarray, lines: list[int]) -> list[np.ndarray]:
 
 
 def test_a_joint_program_travels_the_deviation_that_is_predicted_for_every_block(travelled) -> None:
-    kinematics, links, program, samples, *_ = travelled
-    predicted = measure(links, program.words).segment[1:]
+    kinematics, chain_, program, samples, *_ = travelled
+    predicted = measure(chain_, program.words).segment[1:]
     real = real_deviations(kinematics, program, samples)
     assert predicted.max() > 1.0  # there is something to predict
     assert np.abs(real - predicted).max() < JOINT_TOLERANCE
-    again = read_nc(write_nc(program, LINUXCNC, "ring", PostOptions(tool=TOOL)), links, LINUXCNC)
+    again = read_nc(write_nc(program, LINUXCNC, "ring", PostOptions(tool=TOOL)), chain_, LINUXCNC)
     assert np.array_equal(again.words, program.words)
 
 
@@ -167,7 +167,7 @@ def test_the_controller_moves_the_joints_straight_and_ends_where_the_words_say(t
 
 
 def test_with_tool_centre_point_control_the_tip_stays_on_the_chord(travelled) -> None:
-    kinematics, links, program, joints, samples, rtcp, tip = travelled
+    kinematics, chain_, program, joints, samples, rtcp, tip = travelled
     first = rtcp.split("\n").index("G93") + 3
     blocks = blocks_of(samples, list(range(first, first + len(tip) - 1)))
     off = [
@@ -176,7 +176,7 @@ def test_with_tool_centre_point_control_the_tip_stays_on_the_chord(travelled) ->
     ]
     assert max(off) < CHORD_TOLERANCE
     for block, start, end in zip(blocks, tip[:-1], tip[1:], strict=True):
-        ours = forward(links, words_to_q(block[:, [0, 1, 2, 4, 3]]))[0]
+        ours = forward(chain_, words_to_q(block[:, [0, 1, 2, 4, 3]]))[0]
         assert from_segment(ours, start, end).max() < CHORD_TOLERANCE  # our chain says the same of its joints
     assert real_deviations(kinematics, program, joints).max() > 1000 * CHORD_TOLERANCE  # joints alone leave it far behind
 
@@ -184,7 +184,7 @@ def test_with_tool_centre_point_control_the_tip_stays_on_the_chord(travelled) ->
 @pytest.mark.parametrize("wrong", ["z-offset", "z-rot-point"])
 def test_an_offset_wrong_by_a_hundredth_of_a_millimetre_would_be_seen(travelled, wrong, tmp_path) -> None:
     kinematics, _, program, samples, *_ = travelled
-    others = links_of(kinematics, tmp_path, **{wrong: PINS[kinematics][wrong] + 0.01})
+    others = chain_of(kinematics, tmp_path, **{wrong: PINS[kinematics][wrong] + 0.01})
     predicted = measure(others, program.words).segment[1:]
     assert np.abs(real_deviations(kinematics, program, samples) - predicted).max() > 3 * JOINT_TOLERANCE
 

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.columns import chunks
+from freecad_fiveaxis.core.base.columns import cache_chunks
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -75,14 +75,14 @@ class AgainstPath:
 
 
 def against_path(
-    links: Chain, program: Program, deviation: Deviation, path: CLPath, tolerance: float, axis_tolerance: float,
+    kinematics: Chain, program: Program, deviation: Deviation, path: CLPath, tolerance: float, axis_tolerance: float,
     progress: Progress = silent,
 ) -> AgainstPath:  # fmt: skip
     """The program against the CL path. ``tolerance`` mm, ``axis_tolerance`` rad. Raises ProgramError for a path of one row."""
     if len(path.tip) < 2:
         raise ProgramError(say("the CL file holds fewer than two rows: there is no path to compare with"), len(path.tip))
     lines = Segments(path.tip[:-1], path.tip[1:])
-    pieces, rows, real = lines.pieces(), feed_blocks(program), RealPath(links, program)
+    pieces, rows, real = lines.pieces(), feed_blocks(program), RealPath(kinematics, program)
 
     def measured(place: Floats) -> Floats:
         return search(place, pieces, lines.squared, nearest, 2, ROUGH, progress)
@@ -93,7 +93,7 @@ def against_path(
         else Peaks(np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros(0))
     )
     ends, ones = real.places(rows, np.ones(len(rows))), np.ones(len(rows))
-    stands = axis_at(links, program.words[rows - 1], program.words[rows], ones) if len(rows) else np.zeros((0, 3))
+    stands = axis_at(kinematics, program.words[rows - 1], program.words[rows], ones) if len(rows) else np.zeros((0, 3))
     at_end = _at_ends(path, lines, pieces, ends, stands, tolerance, progress)
     missed, distance = _missed(real, rows, deviation, path, tolerance, progress)
     told = AgainstPath(
@@ -108,7 +108,7 @@ def _bound(lines: Segments) -> Callable[[Ends], Floats]:
 
     def upper(ends: Ends) -> Floats:
         least: Floats = ends.value[:, :, 0].sum(axis=0) / 2.0 + ends.travel / 2.0
-        for rows in chunks(len(least)):
+        for rows in cache_chunks(len(least)):
             part = ends.take(rows)
             near = part.value[:, :, 1].astype(np.int64)
             tried = np.clip(np.concatenate([near + step for step in (-1, 0, 1)]).T, 0, last)

@@ -55,12 +55,12 @@ class AgainstPart:
 
 
 def against_part(
-    links: Chain, program: Program, mesh: Mesh, radius: float, tolerance: float, progress: Progress = silent
+    kinematics: Chain, program: Program, mesh: Mesh, radius: float, tolerance: float, progress: Progress = silent
 ) -> AgainstPart:
     """The program's ball of ``radius`` mm against the part, in the work frame."""
     facets = Facets(np.ascontiguousarray(mesh.vertex[mesh.face.T]), mesh.normal)
     pieces, rows = facets.pieces(), feed_blocks(program)
-    real = RealPath(links, program, radius)
+    real = RealPath(kinematics, program, radius)
 
     def measured(place: Floats) -> Floats:
         return radius - _distance(place, facets, pieces, (1.0 + NEAR) * radius, progress)[:, None]

@@ -57,24 +57,24 @@ class Audit:
 
 
 def audit_program(
-    links: Chain, program: Program, deviation: Deviation, against: CLPath | Mesh | None, options: AuditOptions,
+    kinematics: Chain, program: Program, deviation: Deviation, against: CLPath | Mesh | None, options: AuditOptions,
     progress: Progress = silent,
 ) -> Audit:  # fmt: skip
     """The audit of a program whose deviation is measured, against a CL path, a part, or neither."""
-    rates, limits = asked_rates(links, program, progress), check_limits(links, program)
-    found = (*limits.findings, *rate_findings(links, program, rates), *feed_findings(links, program, rates))
+    rates, limits = asked_rates(kinematics, program, progress), check_limits(kinematics, program)
+    found = (*limits.findings, *rate_findings(kinematics, program, rates), *feed_findings(kinematics, program, rates))
     path = part = None
     if isinstance(against, CLPath):
-        path = against_path(links, program, deviation, against, options.tolerance, options.axis_tolerance, progress)
+        path = against_path(kinematics, program, deviation, against, options.tolerance, options.axis_tolerance, progress)
         found += path.findings
     elif against is not None:
-        part = _in_part(links, program, against, options, progress)
+        part = _in_part(kinematics, program, against, options, progress)
         found += part.findings
     return Audit(rates, limits, path, part, found)
 
 
-def _in_part(links: Chain, program: Program, mesh: Mesh, options: AuditOptions, progress: Progress) -> AgainstPart:
+def _in_part(kinematics: Chain, program: Program, mesh: Mesh, options: AuditOptions, progress: Progress) -> AgainstPart:
     cutter, body, tolerance = options.cutter, options.body, options.tolerance
     if body is None and is_ball(cutter):
-        return against_part(links, program, mesh, cutter.radius, tolerance, progress)
-    return tool_in_part(links, program, mesh, cutter, body or body_of(cutter), tolerance, progress)
+        return against_part(kinematics, program, mesh, cutter.radius, tolerance, progress)
+    return tool_in_part(kinematics, program, mesh, cutter, body or body_of(cutter), tolerance, progress)

@@ -41,34 +41,34 @@ class Limits:
         freeze(self, None, excess="f", axis="m")
 
 
-def check_limits(links: Chain, program: Program) -> Limits:
+def check_limits(kinematics: Chain, program: Program) -> Limits:
     """The excess of every block, rapids and the first position too, and an error for each limit that is exceeded."""
     count = len(program.words)
     excess, axis, found = np.zeros(count), np.zeros(count, np.int8), []
     for k in range(5):
-        word = _nearest_turn(links, program, k)
-        for sign, limits in ((-1.0, links.low), (1.0, links.high)):
+        word = _nearest_turn(kinematics, program, k)
+        for sign, limits in ((-1.0, kinematics.low), (1.0, kinematics.high)):
             limit = float(limits[k] * DEGREES[k])
             beyond = sign * (word - limit)
             rows = np.flatnonzero(beyond > SLACK)
             if len(rows):
-                found.append(_finding(links, program, k, limit, beyond, word))
+                found.append(_finding(kinematics, program, k, limit, beyond, word))
                 larger = rows[beyond[rows] > excess[rows]]
                 excess[larger], axis[larger] = beyond[larger], k
     return Limits(excess, axis, tuple(found))
 
 
-def _nearest_turn(links: Chain, program: Program, k: int) -> Floats:
+def _nearest_turn(kinematics: Chain, program: Program, k: int) -> Floats:
     """The words (m,) of one axis, mm or degrees; modulo ones by the turn nearest to the middle of the limits."""
     word: Floats = program.words[:, k]
-    low, high = float(links.low[k]), float(links.high[k])
+    low, high = float(kinematics.low[k]), float(kinematics.high[k])
     if k < 3 or program.wrap[k - 3] != "modulo" or not np.isfinite([low, high]).all():
         return word
     middle = (low + high) * float(DEGREES[k]) / 2.0
     return np.asarray(word - CIRCLE * np.rint((word - middle) / CIRCLE))
 
 
-def _finding(links: Chain, program: Program, k: int, limit: float, beyond: Floats, word: Floats) -> Finding:
+def _finding(kinematics: Chain, program: Program, k: int, limit: float, beyond: Floats, word: Floats) -> Finding:
     rows = np.flatnonzero(beyond > SLACK)
     worst, letter, unit = int(beyond.argmax()), program.letters[k], "mm" if k < 3 else "deg"
     blocks = plural(len(rows), "1 block leads", "{count} blocks lead")
@@ -93,6 +93,6 @@ def _finding(links: Chain, program: Program, k: int, limit: float, beyond: Float
         first=program.line[rows[0]],
         help=help_,
     )
-    x, y, z = forward_tip(links, words_to_q(program.words[worst : worst + 1]))[0].tolist()
+    x, y, z = forward_tip(kinematics, words_to_q(program.words[worst : worst + 1]))[0].tolist()
     value, line = float(word[worst]), int(program.line[worst])
     return Finding(Severity.ERROR, "limit", text, value, limit, unit, worst, line, (x, y, z))

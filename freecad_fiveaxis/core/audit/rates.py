@@ -52,7 +52,7 @@ class Rates:
         freeze(self, None, rate="f5", ratio="f", axis="m", tip_feed="f", travel="f")
 
 
-def asked_rates(links: Chain, program: Program, progress: Progress = silent) -> Rates:
+def asked_rates(kinematics: Chain, program: Program, progress: Progress = silent) -> Rates:
     """What the F words of ``program`` ask for, block by block."""
     count = len(program.words)
     rate, ratio, tip_feed, travel = np.zeros((5, count)).T, np.zeros(count), np.zeros(count), np.zeros(count)
@@ -66,23 +66,23 @@ def asked_rates(links: Chain, program: Program, progress: Progress = silent) -> 
         timed = minutes > 0.0
         per_minute = np.divide(1.0, minutes, out=np.zeros(len(minutes)), where=timed)
         rate[rows] = np.abs(np.diff(q, axis=0)) * per_minute[:, None]
-        shares = rate[rows] / links.rate
+        shares = rate[rows] / kinematics.rate
         axis[rows] = shares.argmax(axis=1)
         ratio[rows] = shares.max(axis=1)
-        travel[rows] = np.where(feeding, _tip_travel(links, program, q, rows), 0.0)
+        travel[rows] = np.where(feeding, _tip_travel(kinematics, program, q, rows), 0.0)
         tip_feed[rows] = travel[rows] * per_minute
     progress("axis rates", 1.0)
     return Rates(rate, ratio, axis, tip_feed, travel)
 
 
-def _tip_travel(links: Chain, program: Program, q: Floats, rows: slice) -> Floats:
+def _tip_travel(kinematics: Chain, program: Program, q: Floats, rows: slice) -> Floats:
     """Length (n,) mm of the tip's path in the blocks ``rows``, ``q`` (n + 1, 5) their ends: straight where it is guided."""
     wanted = program.motion[rows] != Motion.RAPID
     if program.guided is None:
-        return tip_travel(links, q, wanted)
+        return tip_travel(kinematics, q, wanted)
     on = program.guided.on[rows]
-    straight: Floats = np.linalg.norm(np.diff(forward_tip(links, q), axis=0), axis=1)
-    return np.where(on, straight, tip_travel(links, q, wanted & ~on))
+    straight: Floats = np.linalg.norm(np.diff(forward_tip(kinematics, q), axis=0), axis=1)
+    return np.where(on, straight, tip_travel(kinematics, q, wanted & ~on))
 
 
 def timed_feeds(program: Program) -> Ints:
@@ -91,15 +91,15 @@ def timed_feeds(program: Program) -> Ints:
     return feeds[program.seconds[feeds] > 0.0]
 
 
-def rate_findings(links: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
+def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
     """A warning for each axis of which feed blocks ask more than its maximum rate."""
     found = []
     for k, letter in enumerate(program.letters):
-        rows = np.flatnonzero(rates.rate[:, k] > links.rate[k] * (1.0 + SAME))
+        rows = np.flatnonzero(rates.rate[:, k] > kinematics.rate[k] * (1.0 + SAME))
         if not len(rows):
             continue
         worst = int(rows[rates.rate[rows, k].argmax()])
-        asked, most = float(rates.rate[worst, k] * DEGREES[k]), float(links.rate[k] * DEGREES[k])
+        asked, most = float(rates.rate[worst, k] * DEGREES[k]), float(kinematics.rate[k] * DEGREES[k])
         unit = "mm/min" if k < 3 else "deg/min"
         text = say(
             "{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its "
@@ -114,18 +114,18 @@ def rate_findings(links: Chain, program: Program, rates: Rates) -> tuple[Finding
             most=measure(most, unit, ".5g", bare=True),
             first=program.line[rows[0]],
         )
-        found.append(_finding(Severity.WARNING, "axis-rate", text, asked, most, unit, links, program, worst))
+        found.append(_finding(Severity.WARNING, "axis-rate", text, asked, most, unit, kinematics, program, worst))
     return tuple(found)
 
 
-def feed_findings(links: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
+def feed_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
     """A finding where the tip moves over the part at quite another speed than F says (G94), or than elsewhere (G93)."""
     rows = timed_feeds(program)
     rows = rows[rates.travel[rows] > STILL]
     inverse = program.inverse_time[rows]
     return (
-        *_unlike(links, program, rates, rows[~inverse], program.feed[rows[~inverse]], OTHER_THAN_F),
-        *_unlike(links, program, rates, rows[inverse], _median(rates.tip_feed[rows[inverse]]), OTHER_THAN_MEDIAN),
+        *_unlike(kinematics, program, rates, rows[~inverse], program.feed[rows[~inverse]], OTHER_THAN_F),
+        *_unlike(kinematics, program, rates, rows[inverse], _median(rates.tip_feed[rows[inverse]]), OTHER_THAN_MEDIAN),
     )
 
 
@@ -133,7 +133,7 @@ def _median(values: Floats) -> Floats:
     return np.full(len(values), np.median(values)) if len(values) else values
 
 
-def _unlike(links: Chain, program: Program, rates: Rates, rows: Ints, wanted: Floats, factor: float) -> tuple[Finding, ...]:
+def _unlike(kinematics: Chain, program: Program, rates: Rates, rows: Ints, wanted: Floats, factor: float) -> tuple[Finding, ...]:
     """``wanted`` (n,) mm/min: what the tip feed of ``rows`` (n,) should be, within ``factor`` to either side."""
     share = rates.tip_feed[rows] / wanted
     off = np.maximum(share, 1.0 / share)
@@ -169,7 +169,7 @@ def _unlike(links: Chain, program: Program, rates: Rates, rows: Ints, wanted: Fl
         else say("Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.")
     )
     severity = Severity.WARNING if by_f else Severity.NOTE
-    return (_finding(severity, "feed-over-part", text, feed, float(wanted[at]), "mm/min", links, program, row),)
+    return (_finding(severity, "feed-over-part", text, feed, float(wanted[at]), "mm/min", kinematics, program, row),)
 
 
 def _blocks(rows: Ints) -> Sentence:
@@ -177,7 +177,7 @@ def _blocks(rows: Ints) -> Sentence:
 
 
 def _finding(
-    severity: Severity, code: str, text: str, value: float, limit: float, unit: str, links: Chain, program: Program, row: int
+    severity: Severity, code: str, text: str, value: float, limit: float, unit: str, kinematics: Chain, program: Program, row: int
 ) -> Finding:
-    x, y, z = forward_tip(links, words_to_q(program.words[row : row + 1]))[0].tolist()
+    x, y, z = forward_tip(kinematics, words_to_q(program.words[row : row + 1]))[0].tolist()
     return Finding(severity, code, text, value, limit, unit, row, int(program.line[row]), (x, y, z))

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.columns import chunks
+from freecad_fiveaxis.core.base.columns import cache_chunks
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -35,14 +35,14 @@ MOST_OPEN = 2_000_000
 class RealPath:
     """The driven point of all blocks of ``program``."""
 
-    links: Chain
+    kinematics: Chain
     program: Program
     height: float = 0.0
 
     def places(self, row: Ints, u: Floats) -> Floats:
         """The driven point (n, 3) mm, work frame, at ``u`` (n,) of the blocks ``row`` (n,)."""
         place = np.empty((len(row), 3))
-        for part in chunks(len(row)):
+        for part in cache_chunks(len(row)):
             place[part] = self._places(row[part], u[part])
         return place
 
@@ -56,13 +56,13 @@ class RealPath:
     def _driven(self, row: Ints, u: Floats) -> Floats:
         words = self.program.words
         start, end = words[np.maximum(row - 1, 0)], words[row]
-        tip = tip_at(self.links, start, end, u)
-        return tip + self.height * axis_at(self.links, start, end, u) if self.height else tip
+        tip = tip_at(self.kinematics, start, end, u)
+        return tip + self.height * axis_at(self.kinematics, start, end, u) if self.height else tip
 
     def bend(self, row: Ints) -> Floats:
         """A bound (n,) mm of the driven point's second derivative by u in the blocks ``row`` (n,)."""
-        bent, words, frame = np.empty(len(row)), self.program.words, frames(self.links)
-        for part in chunks(len(row)):
+        bent, words, frame = np.empty(len(row)), self.program.words, frames(self.kinematics)
+        for part in cache_chunks(len(row)):
             move = motion(frame, words[row[part] - 1], words[row[part]])
             levers = quick_levers(move)
             bent[part] = bending(levers, 2) + self.height * levers.turn**2

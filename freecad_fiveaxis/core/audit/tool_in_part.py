@@ -30,17 +30,17 @@ ASKED = say(
 
 
 def tool_in_part(
-    links: Chain, program: Program, mesh: Mesh, cutter: Cutter, body: Body, tolerance: float, progress: Progress = silent
+    kinematics: Chain, program: Program, mesh: Mesh, cutter: Cutter, body: Body, tolerance: float, progress: Progress = silent
 ) -> AgainstPart:
     """Every block of the program, rapids too, against the part, in the work frame; the rows are those of its feed blocks.
 
     ``body``: cutter, shank and holder. Of a cutter that is no ball the depth is never below 0, ``clearance`` not known (NaN) and
     ``place`` that of the part's deepest point.
     """
-    check = check_program(mesh, body, links, program, tolerance, progress=progress, remedy="")
+    check = check_program(mesh, body, kinematics, program, tolerance, progress=progress, remedy="")
     findings = _asked(check.findings)
     if is_ball(cutter):
-        return replace(against_part(links, program, mesh, cutter.radius, tolerance, progress), findings=findings)
+        return replace(against_part(kinematics, program, mesh, cutter.radius, tolerance, progress), findings=findings)
     rows, entries = feed_blocks(program), check.cutter
     depth, u, place, bound = (column[rows - 1] for column in (entries.depth, entries.u, entries.place, entries.bound))
     return AgainstPart(rows, depth, u, place, bound, float("nan"), findings)

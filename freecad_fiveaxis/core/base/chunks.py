@@ -34,7 +34,7 @@ ALONE = (os.cpu_count() or 1) < 2
 _inside = threading.local()
 
 
-def portions(count: int, most: int | None = None) -> list[slice]:
+def chunks(count: int, most: int | None = None) -> list[slice]:
     """Slices of nearly the same length, at most ``most`` rows (None: PORTION), that make up ``count`` rows: one for up to PORTION
     rows, else an even number, so that both threads have as much to do."""
     if not count:
@@ -44,7 +44,7 @@ def portions(count: int, most: int | None = None) -> list[slice]:
     return [slice(*pair) for pair in pairwise(ends)]
 
 
-def on_all(work: Callable[[P], R], parts: Sequence[P], progress: Callable[[float], None] | None = None) -> list[R]:
+def in_threads(work: Callable[[P], R], parts: Sequence[P], progress: Callable[[float], None] | None = None) -> list[R]:
     """What ``work`` gives for each of ``parts``, in their order; two of them at a time where there are several.
 
     ``progress`` gets the share that is done, always on the calling thread. An exception in ``work`` or from ``progress``

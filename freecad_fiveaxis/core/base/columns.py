@@ -29,7 +29,7 @@ Columns = Sequence[Column]
 Matrix = list[list[float]]
 
 
-def chunks(count: int) -> Iterator[slice]:
+def cache_chunks(count: int) -> Iterator[slice]:
     """Slices of at most CHUNK rows that make up ``count`` rows."""
     return (slice(start, min(start + CHUNK, count)) for start in range(0, count, CHUNK))
 

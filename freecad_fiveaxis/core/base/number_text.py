@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .chunks import on_all
+from .chunks import in_threads
 from .progress import Progress, silent
 from .records import Bools, Floats, Ints
 
@@ -92,7 +92,7 @@ def table_parts(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = 
 
     for first in range(0, rows, HELD):
         stop = min(first + HELD, rows)
-        yield from on_all(text, range(first, stop, CHUNK), partial(_tell, progress, first, stop, rows))
+        yield from in_threads(text, range(first, stop, CHUNK), partial(_tell, progress, first, stop, rows))
 
 
 def _tell(progress: Progress, first: int, stop: int, rows: int, done: float) -> None:

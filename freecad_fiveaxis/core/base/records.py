@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .chunks import on_all, portions
+from .chunks import chunks, in_threads
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -42,18 +42,18 @@ def freeze(record: object, rows: int | None, **columns: str) -> None:
         object.__setattr__(record, name, array)
 
 
-def picked(table: Floats, rows: Ints) -> Floats:
+def take_rows(table: Floats, rows: Ints) -> Floats:
     """Rows (k,) of a long ``table`` (n, w), in Fortran order: column by column, at memory speed."""
     columns, made = np.ascontiguousarray(table.T), np.empty((table.shape[1], len(rows)), table.dtype)
 
     def fill(part: slice) -> None:
         made[:, part] = columns.take(rows[part], axis=1)
 
-    on_all(fill, portions(len(rows)))
+    in_threads(fill, chunks(len(rows)))
     return made.T
 
 
-def owners(count: Ints) -> Ints:
+def run_ids(count: Ints) -> Ints:
     """Of the runs of ``count`` (k,) rows, at least 1 each, the one of each row: ``np.repeat(np.arange(k), count)``, which would
     keep a second thread waiting."""
     begins = np.zeros(int(count.sum()), np.int64)
@@ -77,12 +77,12 @@ class Insertion:
         whole, size = end - begin >= SHORTEST, end - begin
         self._stretches = np.stack([begin, end, shift])[:, whole].T.tolist()
         rest = np.flatnonzero(~whole & (size > 0))
-        owner = owners(size[rest])
+        owner = run_ids(size[rest])
         head = np.cumsum(size[rest]) - size[rest]
         self._rows = np.arange(len(owner)) + (begin[rest] - head).take(owner)
         self._moved = self._rows + shift[rest].take(owner)
 
-    def woven(self, own: NDArray[Any], rows: NDArray[Any] | int) -> Any:
+    def interleave(self, own: NDArray[Any], rows: NDArray[Any] | int) -> Any:
         """The table ``own`` (count, ...) with ``rows`` (m, ...) put in, in Fortran order.
 
         Whole stretches between the cuts go at a time: at the speed of the memory, where picking row by row is half as fast.

@@ -72,7 +72,7 @@ def corner_radius(cutter: Cutter) -> float:
     return max(cutter.corner, min(SHARP, cutter.radius))
 
 
-def hubs(path: OffsetPath, axis: Floats, ring: float) -> Floats:
+def hub_positions(path: OffsetPath, axis: Floats, ring: float) -> Floats:
     """The hubs (n, 3) mm of a cutter with that ring (mm) and tool axes (n, 3); ``path.centre`` itself for a ball (ring 0)."""
     if ring == 0.0 or not len(axis):
         return path.centre
@@ -94,7 +94,7 @@ def seat_normal(path: OffsetPath, ring: float) -> Floats:
     return np.asarray(np.where(smooth[:, None], mean, path.normal) / length[:, None])
 
 
-def seated(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
+def cl_offset_path(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
     """The path with the cutter's hubs for its centres, and its axes; what it says of hollows is in the findings.
 
     A block in which the axis turns so much that the bottom, half-way, would leave the surface by more than ``tolerance`` mm
@@ -103,7 +103,7 @@ def seated(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> 
     if cutter.ring == 0.0 or not len(axis):
         return path, axis
     path, axis = _swung(*_divided(path, axis, cutter, tolerance), cutter.ring, tolerance)
-    hub = hubs(path, axis, cutter.ring)
+    hub = hub_positions(path, axis, cutter.ring)
     sat = replace(path, centre=hub, findings=path.findings + _heel_findings(path, hub, axis, cutter))
     rows = np.flatnonzero(~_stands_still(sat, axis))
     return (sat, axis) if len(rows) == len(axis) else (keep_rows(sat, rows), axis[rows])

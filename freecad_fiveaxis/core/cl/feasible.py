@@ -13,14 +13,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.findings import Finding, Severity
-from freecad_fiveaxis.core.base.records import Bools, Floats, picked
+from freecad_fiveaxis.core.base.records import Bools, Floats, take_rows
 from freecad_fiveaxis.core.base.sentences import Length, Point, Template
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.passes import axes_within_limits
 
-from .coedge import OffsetPath, lasting_rows, take_rows
+from .coedge import OffsetPath, lasting_rows, take_path_rows
 
 LEAN = 1e-6
 """rad below the surface that rounding may make of an axis that lies in it."""
@@ -40,15 +40,15 @@ _BEYOND = Template(
 )
 
 
-def feasible_rows(path: OffsetPath, axis: Floats, links: Chain, taper: float = 0.0) -> tuple[OffsetPath, Floats]:
+def feasible_rows(path: OffsetPath, axis: Floats, kinematics: Chain, taper: float = 0.0) -> tuple[OffsetPath, Floats]:
     """The rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is left out. ``taper`` rad of
     the cutter's flank."""
     rise = np.empty(len(axis))
-    on_all(lambda rows: (path.normal[rows] * axis[rows]).sum(axis=1, out=rise[rows]), portions(len(axis)))
+    in_threads(lambda rows: (path.normal[rows] * axis[rows]).sum(axis=1, out=rise[rows]), chunks(len(axis)))
     leaning = rise < -LEAN
     leaning[path.beside] |= (path.wall * axis[path.beside]).sum(axis=1) < -LEAN  # it would retract through that wall
     flank = ~leaning & (rise < np.sin(taper) - LEAN)
-    beyond = ~(leaning | flank) & ~axes_within_limits(links, axis)
+    beyond = ~(leaning | flank) & ~axes_within_limits(kinematics, axis)
     out = leaning | flank | beyond
     if not out.any():
         return path, axis
@@ -57,9 +57,9 @@ def feasible_rows(path: OffsetPath, axis: Floats, links: Chain, taper: float = 0
         _left_out(path, beyond, "axis-beyond-limits", _BEYOND),
     )  # fmt: skip
     rows = lasting_rows(path, np.flatnonzero(~out))
-    left = take_rows(path, rows)
+    left = take_path_rows(path, rows)
     findings = path.findings + tuple(finding for finding in found if finding is not None)
-    return replace(left, findings=findings), picked(axis, rows)
+    return replace(left, findings=findings), take_rows(axis, rows)
 
 
 def _left_out(path: OffsetPath, out: Bools, code: str, text: Template) -> Finding | None:

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
@@ -71,7 +71,7 @@ def facet_mean(path: OffsetPath, options: AxisOptions) -> Floats:
     def fill(rows: slice) -> None:
         axis[rows] = _unit(path.before[rows] + path.after[rows], path.normal[rows])
 
-    on_all(fill, portions(len(axis)))
+    in_threads(fill, chunks(len(axis)))
     return axis
 
 

@@ -1,34 +1,34 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cutter, shank and holder against the whole part, along the way that they really go."""
 
-from .check import CURES, DIVIDE, GOUGES, GougeCheck, check_course, check_program, program_course, spots
+from .check import CURES, DIVIDE, GOUGES, GougeCheck, check_motion, check_program, program_motion, spots
 from .inside import inside, is_closed
 from .outline import Outline, outline
-from .rest_material import Remainder, find_remainder, too_deep_finding, uncut_finding
+from .rest_material import RestMaterial, find_rest_material, too_deep_finding, uncut_finding
 from .search import Entries, find_entries, which_enter
-from .swept_motion import Course, real_course, still_course, straight_course
+from .swept_motion import SweptMotion, real_motion, still_positions, straight_motion
 
 __all__ = [
     "CURES",
     "DIVIDE",
     "GOUGES",
-    "Course",
     "Entries",
     "GougeCheck",
     "Outline",
-    "Remainder",
-    "check_course",
+    "RestMaterial",
+    "SweptMotion",
+    "check_motion",
     "check_program",
     "find_entries",
-    "find_remainder",
+    "find_rest_material",
     "inside",
     "is_closed",
     "outline",
-    "program_course",
-    "real_course",
+    "program_motion",
+    "real_motion",
     "spots",
-    "still_course",
-    "straight_course",
+    "still_positions",
+    "straight_motion",
     "too_deep_finding",
     "uncut_finding",
     "which_enter",

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.tool.body import Piece, distance_off, support
 
 from .deepest import nearest_on_facet, toward
 from .edges import along, nearest_on_edges
-from .swept_motion import Way
+from .swept_motion import StraightSweep
 
 NEAR = 1e-12
 """mm; what is nearer to a core than this is taken to be in it."""
@@ -40,56 +40,58 @@ def pared(piece: Piece, by: float) -> tuple[Piece, float]:
     return piece._replace(low=piece.low + more, low_radius=radius, high=piece.high - more, high_radius=radius, round=round_), by
 
 
-def box_bound(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
+def box_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
     """The bound (n,) mm in the direction from the piece to the nearest place of the nodes' boxes."""
     box = tree.boxes(node)
-    arm = box.middle - way.tip
-    height = (arm * way.unit).sum(axis=0)
-    core = np.minimum(np.maximum(height, piece.low), piece.high) * way.unit - arm  # its place on the axis, from the box's middle
+    arm = box.middle - sweep.tip
+    height = (arm * sweep.unit).sum(axis=0)
+    core = (
+        np.minimum(np.maximum(height, piece.low), piece.high) * sweep.unit - arm
+    )  # its place on the axis, from the box's middle
     off = np.minimum(np.maximum(along(box.ways, core), -box.half), box.half)
-    g = _away(piece, way.unit, arm + np.einsum("kn,kin->in", off, box.ways))
+    g = _away(piece, sweep.unit, arm + np.einsum("kn,kin->in", off, box.ways))
     begins = (g * arm).sum(axis=0) - (np.abs(along(box.ways, g)) * box.half).sum(axis=0)
-    return np.asarray(_reached(piece, way, g) - begins)
+    return np.asarray(_reached(piece, sweep, g) - begins)
 
 
-def plate_bound(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
+def plate_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
     """The smaller one of the bounds (n,) mm along the nodes' normals, both ways."""
     plate = tree.plates(node)
-    place, go = (plate.normal * way.tip).sum(axis=0), (plate.normal * way.travel).sum(axis=0)
-    lean, turn = (plate.normal * way.unit).sum(axis=0), _dot(plate.normal, way.turn)
-    up = _swept(piece, way, go, lean, turn) + place - plate.bottom
-    down = _swept(piece, way, -go, -lean, None if turn is None else -turn) - place + plate.top
+    place, go = (plate.normal * sweep.tip).sum(axis=0), (plate.normal * sweep.travel).sum(axis=0)
+    lean, turn = (plate.normal * sweep.unit).sum(axis=0), _dot(plate.normal, sweep.turn)
+    up = _swept(piece, sweep, go, lean, turn) + place - plate.bottom
+    down = _swept(piece, sweep, -go, -lean, None if turn is None else -turn) - place + plate.top
     return np.asarray(np.minimum(up, down))
 
 
-def facet_bound(piece: Piece, way: Way, tree: FacetTree, node: Ints) -> Floats:
+def facet_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
     """The bound (n,) mm for nodes that are facets; infinite for others."""
     bound, rows = np.full(len(node), np.inf), np.flatnonzero(node >= tree.leaf)
-    some = way.take(rows)
+    some = sweep.take(rows)
     bound[rows] = _triangle_bound(piece, some, tree.corners(node.take(rows) - tree.leaf) - some.tip)
     return bound
 
 
-def _triangle_bound(piece: Piece, way: Way, arm: Floats) -> Floats:
+def _triangle_bound(piece: Piece, sweep: StraightSweep, arm: Floats) -> Floats:
     """The bound (n,) mm for triangles, corners (3, 3, n) from the tip in the middle of the way."""
     if piece.low_radius == piece.high_radius:
-        place = nearest_on_edges(piece, way.unit, arm)
+        place = nearest_on_edges(piece, sweep.unit, arm)
     else:
-        height = (arm.mean(axis=0) * way.unit).sum(axis=0)
-        place = nearest_on_facet(arm, np.clip(height, piece.low, piece.high) * way.unit)
-    g = _away(piece, way.unit, place)
+        height = (arm.mean(axis=0) * sweep.unit).sum(axis=0)
+        place = nearest_on_facet(arm, np.clip(height, piece.low, piece.high) * sweep.unit)
+    g = _away(piece, sweep.unit, place)
     begins = along(arm, g).min(axis=0)
-    return np.asarray(_reached(piece, way, g) - begins)
+    return np.asarray(_reached(piece, sweep, g) - begins)
 
 
-def least_depth(piece: Piece, way: Way, point: Floats) -> Floats:
+def least_depth(piece: Piece, sweep: StraightSweep, point: Floats) -> Floats:
     """(n,) mm: these points (3, n) of the part are that deep at a pose of the way, or negative."""
-    arm = point - way.tip
-    height = (arm * way.unit).sum(axis=0)
-    out = arm - height * way.unit
+    arm = point - sweep.tip
+    height = (arm * sweep.unit).sum(axis=0)
+    out = arm - height * sweep.unit
     off = distance_off(piece, np.sqrt((out * out).sum(axis=0)), height)
-    short = 0.0 if way.cosine is None else np.abs(1.0 - way.cosine)
-    return np.asarray(-off - way.bend_tip - (piece.reach + piece.round) * (way.bend_axis + short))
+    short = 0.0 if sweep.cosine is None else np.abs(1.0 - sweep.cosine)
+    return np.asarray(-off - sweep.bend_tip - (piece.reach + piece.round) * (sweep.bend_axis + short))
 
 
 def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
@@ -113,19 +115,19 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
     return np.asarray(g)
 
 
-def _reached(piece: Piece, way: Way, g: Floats) -> Floats:
+def _reached(piece: Piece, sweep: StraightSweep, g: Floats) -> Floats:
     """The support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's middle tip."""
-    go, lean = (g * way.travel).sum(axis=0), (g * way.unit).sum(axis=0)
-    return _swept(piece, way, go, lean, _dot(g, way.turn))
+    go, lean = (g * sweep.travel).sum(axis=0), (g * sweep.unit).sum(axis=0)
+    return _swept(piece, sweep, go, lean, _dot(g, sweep.turn))
 
 
-def _swept(piece: Piece, way: Way, go: Floats, lean: Floats, turn: Floats | None) -> Floats:
+def _swept(piece: Piece, sweep: StraightSweep, go: Floats, lean: Floats, turn: Floats | None) -> Floats:
     """:func:`_reached` from what travel, unit axis and turn are along g; it is largest at one of the ends."""
-    if turn is None or way.cosine is None:
-        return np.asarray(support(piece, lean, way.bend_axis) + np.abs(go) + way.bend_tip)
-    middle = way.cosine * lean
-    start, end = (support(piece, there, way.bend_axis) for there in (middle - turn, middle + turn))
-    return np.asarray(np.maximum(start - go, end + go) + way.bend_tip)
+    if turn is None or sweep.cosine is None:
+        return np.asarray(support(piece, lean, sweep.bend_axis) + np.abs(go) + sweep.bend_tip)
+    middle = sweep.cosine * lean
+    start, end = (support(piece, there, sweep.bend_axis) for there in (middle - turn, middle + turn))
+    return np.asarray(np.maximum(start - go, end + go) + sweep.bend_tip)
 
 
 def _dot(one: Floats, two: Floats | None) -> Floats | None:

@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, PARTS, SHANK, Body
 
 from .inside import buried_blocks, crossing_depth, is_closed
 from .search import Entries, find_entries
-from .swept_motion import Course, real_course, straight_course
+from .swept_motion import SweptMotion, real_motion, straight_motion
 
 ROUGHLY = 0.1
 """mm; so well is known how deep shank and holder are in the part. Whether they are is known to the tolerance all the same."""
@@ -96,8 +96,8 @@ def _cases(cutter: Entries, above: Entries, motion: Bytes) -> tuple[tuple[str, E
     )
 
 
-def check_course(
-    mesh: Mesh, body: Body, course: Course, motion: Bytes, tolerance: float, where: Where | None = None,
+def check_motion(
+    mesh: Mesh, body: Body, swept: SweptMotion, motion: Bytes, tolerance: float, where: Where | None = None,
     progress: Progress = silent, remedy: str = CURES,
 ) -> GougeCheck:  # fmt: skip
     """Check every block of a course against the whole mesh.
@@ -107,50 +107,50 @@ def check_course(
     where nothing can be changed here.
     """
     tree = facet_tree(mesh)
-    cutter = find_entries(body.only(CUTTER), tree, course, tolerance, progress=progress)
-    above = find_entries(body.only(SHANK, HOLDER), tree, course, tolerance, ROUGHLY, progress=progress)
-    buried = np.zeros(len(course), np.bool_)
+    cutter = find_entries(body.only(CUTTER), tree, swept, tolerance, progress=progress)
+    above = find_entries(body.only(SHANK, HOLDER), tree, swept, tolerance, ROUGHLY, progress=progress)
+    buried = np.zeros(len(swept), np.bool_)
     if is_closed(mesh):
-        buried = buried_blocks(tree, body.only(CUTTER), course, cutter.depth)
+        buried = buried_blocks(tree, body.only(CUTTER), swept, cutter.depth)
     whole = crossing_depth(body.only(CUTTER)) if is_closed(mesh) else np.inf
-    findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), course, whole, remedy)
+    findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), swept, whole, remedy)
     return GougeCheck(cutter, above, buried, findings)
 
 
-def program_course(links: Chain, program: Program, back: float = 0.0) -> Course:
+def program_motion(kinematics: Chain, program: Program, back: float = 0.0) -> SweptMotion:
     """The way that the machine really goes: block i of the course leads to row i + 1 of the program.
 
     ``back`` mm: how far above the tip the point lies that the words drive. Where the controller guides the tip, its way is taken
     to be straight and the axis to turn on great arcs.
     """
     if program.guided is None:
-        return real_course(links, program.words, back)
-    tips, axes = forward(links, words_to_q(program.words))
-    return straight_course(tips - back * axes, axes)
+        return real_motion(kinematics, program.words, back)
+    tips, axes = forward(kinematics, words_to_q(program.words))
+    return straight_motion(tips - back * axes, axes)
 
 
 def check_program(
-    mesh: Mesh, body: Body, links: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent,
+    mesh: Mesh, body: Body, kinematics: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent,
     remedy: str = CURES,
 ) -> GougeCheck:  # fmt: skip
     """Check every block of a program, along the way that the machine really goes; see :func:`check_course` and
     :func:`program_course`."""
-    course = program_course(links, program, back)
+    swept = program_motion(kinematics, program, back)
 
     def where(block: int) -> tuple[int | None, int | None]:
         return block + 1, int(program.line[block + 1])
 
-    return check_course(mesh, body, course, program.motion[1:], tolerance, where, progress=progress, remedy=remedy)
+    return check_motion(mesh, body, swept, program.motion[1:], tolerance, where, progress=progress, remedy=remedy)
 
 
 def _findings(
-    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, course: Course, whole: float,
+    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, swept: SweptMotion, whole: float,
     remedy: str,
 ) -> tuple[Finding, ...]:  # fmt: skip
     found: list[Finding] = []
     for code, entries, depth in _cases(cutter, above, motion):
         found += _spots(code, remedy, entries, depth, tolerance, where, whole if entries is cutter else np.inf)
-    return (*found, *_buried(buried, where, course))
+    return (*found, *_buried(buried, where, swept))
 
 
 def _spots(
@@ -186,11 +186,11 @@ def spots(depth: Floats) -> tuple[Ints, int]:
     return worst[np.argsort(-depth[worst], kind="stable")], len(rows)
 
 
-def _buried(buried: Bools, where: Where, course: Course) -> tuple[Finding, ...]:
+def _buried(buried: Bools, where: Where, swept: SweptMotion) -> tuple[Finding, ...]:
     rows = np.flatnonzero(buried)
     if not len(rows):
         return ()
-    x, y, z = course.pose(rows[:1], np.zeros(1)).tip[:, 0].tolist()
+    x, y, z = swept.pose(rows[:1], np.zeros(1)).tip[:, 0].tolist()
     told, line = where(int(rows[0]))
     text = say(
         "In {count} blocks the whole cutter is inside the part, the first at {place}. Check the work zero and"

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool.body import Body, round_piece
 
 from .search import RELATIVE, Entries, find_entries
-from .swept_motion import still_course
+from .swept_motion import still_positions
 
 EDGE = math.radians(40.0)
 """Facets that differ by more meet in an edge of the part; by less, they stand for one curved surface."""
@@ -66,7 +66,7 @@ def _standing(point: Floats, faces: Mesh, reach: float, tolerance: float, progre
     upward = np.tile([0.0, 0.0, 1.0], (len(point), 1))
     ball = Body((round_piece(0.0, reach, 0.0),))
     return find_entries(
-        ball, facet_tree(faces), still_course(point, upward), 1e-6 * tolerance, 0.01 * tolerance, progress=progress
+        ball, facet_tree(faces), still_positions(point, upward), 1e-6 * tolerance, 0.01 * tolerance, progress=progress
     )
 
 

@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool.body import Body, Piece
 
-from .swept_motion import Course
+from .swept_motion import SweptMotion
 
 ASIDE = (3.1e-8, 1.7e-8)
 """Shares of the part's size by which points are moved in x and y, so that the ray up from them meets no edge."""
@@ -66,16 +66,16 @@ def _above(tree: FacetTree, x: Floats, y: Floats, z: Floats, row: Ints, leaf: In
     return np.asarray(np.bincount(row, weights=np.where(over & (height > pz), np.sign(total), 0.0), minlength=len(x)), float)
 
 
-def buried_blocks(tree: FacetTree, body: Body, course: Course, depth: Floats) -> Bools:
+def buried_blocks(tree: FacetTree, body: Body, swept: SweptMotion, depth: Floats) -> Bools:
     """Which blocks (m,) of a course through a closed part are buried; ``depth`` (m,) mm: their entries' depth."""
-    m = len(course)
+    m = len(swept)
     if not m or not body.pieces:
         return np.zeros(m, np.bool_)
     height, _ = _middle(body.pieces[0])
     crosses = depth >= crossing_depth(body)
     run = np.cumsum(crosses | np.append(True, crosses[:-1])) - 1
     first = np.flatnonzero(np.diff(run, prepend=-1))
-    pose = course.pose(first, np.zeros(len(first)))
+    pose = swept.pose(first, np.zeros(len(first)))
     within = inside(tree, (pose.tip + height * pose.axis).T)
     return np.asarray(within[run] & ~crosses)
 

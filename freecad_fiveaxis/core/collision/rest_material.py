@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.base.sentences import Area, Choice, Length, Point, Vo
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool.body import Body, Piece, off_piece
 
-from .swept_motion import Course, Poses
+from .swept_motion import Poses, SweptMotion
 
 NEAREST = 12
 """Sampled poses that are looked at for each point, at least."""
@@ -64,7 +64,7 @@ GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 
 @dataclass(frozen=True, eq=False)
-class Remainder:
+class RestMaterial:
     """``point`` (k, 3) mm on the surface; ``facet`` (k,); ``area`` (k,) mm2; ``height`` (k,) mm; ``block`` (k,) of the course
     that comes nearest; ``spacing`` mm of the samples."""
 
@@ -86,9 +86,15 @@ class Remainder:
         return float(self.area[more].sum()), float(((-self.height - below) * self.area)[more].sum())
 
 
-def find_remainder(
-    mesh: Mesh, body: Body, course: Course, blocks: Ints, spacing: float, facets: Bools | None = None, progress: Progress = silent
-) -> Remainder:
+def find_rest_material(
+    mesh: Mesh,
+    body: Body,
+    swept: SweptMotion,
+    blocks: Ints,
+    spacing: float,
+    facets: Bools | None = None,
+    progress: Progress = silent,
+) -> RestMaterial:
     """The heights over samples at most about ``spacing`` mm apart, of these ``facets`` (f,) of the mesh (None: all).
 
     ``body``: the cutter; ``blocks`` (b,): those of the course that cut. Raises SettingsError where none does.
@@ -97,14 +103,14 @@ def find_remainder(
         raise SettingsError(say("no block cuts, so nothing can be said of what is left"), 0)
     point, facet, area = surface_samples(mesh, spacing, facets)
     progress("what is left", 0.0)
-    way, near = _sampled_enough(body, course, blocks, point)
+    way, near = _sampled_enough(body, swept, blocks, point)
     height, nearest = np.empty(len(point)), np.empty(len(point), np.int64)
     for first in range(0, len(point), CHUNK // near):
         progress("what is left", first / len(point))
         rows = slice(first, first + CHUNK // near)
         height[rows], nearest[rows] = _lowest(body, way, point[rows], near)
     progress("what is left", 1.0)
-    return Remainder(point, facet, area, height, nearest, spacing)
+    return RestMaterial(point, facet, area, height, nearest, spacing)
 
 
 def surface_parts(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints]:
@@ -147,7 +153,7 @@ class _Way:
     run of blocks that each is in. ``at`` (s,) mm: where the samples are, ``pose`` theirs, ``tree`` over their middles;
     ``spacing`` mm."""
 
-    course: Course
+    swept: SweptMotion
     block: Ints
     length: Floats
     low: Floats
@@ -168,8 +174,8 @@ def _place(length: Floats, at: Floats) -> tuple[Ints, Floats]:
     return row, np.clip((at - length[row]) / whole, 0.0, 1.0)
 
 
-def _sampled(lowest: Piece, course: Course, blocks: Ints, spacing: float) -> _Way:
-    poses = [course.pose(blocks, np.full(len(blocks), u)) for u in (0.0, 0.5, 1.0)]
+def _sampled(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float) -> _Way:
+    poses = [swept.pose(blocks, np.full(len(blocks), u)) for u in (0.0, 0.5, 1.0)]
     steps = [
         np.linalg.norm(_middle(lowest, q) - _middle(lowest, p), axis=0)
         + lowest.low_radius * np.linalg.norm(q.axis - p.axis, axis=0)
@@ -186,9 +192,9 @@ def _sampled(lowest: Piece, course: Course, blocks: Ints, spacing: float) -> _Wa
     part = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
     at = length[first][of] + (part + 0.5) * (size / count)[of]
     row, u = _place(length, at)
-    pose = course.pose(blocks[row], u)
+    pose = swept.pose(blocks[row], u)
     tree = cKDTree(_middle(lowest, pose).T)
-    return _Way(course, blocks, length, length[first][run], length[ends][run], at, pose, tree, spacing)
+    return _Way(swept, blocks, length, length[first][run], length[ends][run], at, pose, tree, spacing)
 
 
 def _middle(piece: Piece, pose: Poses) -> Floats:
@@ -196,17 +202,17 @@ def _middle(piece: Piece, pose: Poses) -> Floats:
     return np.asarray(pose.tip + piece.low * pose.axis)
 
 
-def _sampled_enough(body: Body, course: Course, blocks: Ints, point: Floats) -> tuple[_Way, int]:
+def _sampled_enough(body: Body, swept: SweptMotion, blocks: Ints, point: Floats) -> tuple[_Way, int]:
     """The sampled way, and how many samples must be looked at for all that could touch one of some points (n, 3) to be among
     them; where that is too many, the samples lie farther apart."""
     lowest = _lowest_piece(body)
     wide = lowest.low_radius + lowest.round
-    way, count = _sampled(lowest, course, blocks, CLOSE * wide), NEAREST
+    way, count = _sampled(lowest, swept, blocks, CLOSE * wide), NEAREST
     if lowest.low_radius > 0.0:
         some = point[:: max(len(point) // SOME, 1)]
         count = int(way.tree.query_ball_point(some, wide + way.spacing, return_length=True).max())
         if count > MOST_NEAREST:
-            way = _sampled(lowest, course, blocks, way.spacing * count / MOST_NEAREST)
+            way = _sampled(lowest, swept, blocks, way.spacing * count / MOST_NEAREST)
     return way, min(max(count, NEAREST), MOST_NEAREST, len(way.at))
 
 
@@ -238,7 +244,7 @@ def _lowest(body: Body, way: _Way, point: Floats, count: int) -> tuple[Floats, I
 
     def height(at: Floats) -> Floats:
         row, u = way.place(at)
-        return _height(body, way.course.pose(way.block[row], u), place)
+        return _height(body, way.swept.pose(way.block[row], u), place)
 
     one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     first, second = height(one), height(two)
@@ -261,7 +267,7 @@ def _height(body: Body, pose: Poses, place: Floats) -> Floats:
     return np.asarray(np.min([off_piece(piece, across, along).distance for piece in body.pieces], axis=0))
 
 
-def uncut_finding(remainder: Remainder, above: float) -> tuple[Finding, ...]:
+def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
     """A finding where more than ``above`` mm is left somewhere: area, largest height and its place."""
     area, volume = remainder.left(above)
     if area == 0.0:
@@ -280,7 +286,7 @@ def uncut_finding(remainder: Remainder, above: float) -> tuple[Finding, ...]:
     return (Finding(Severity.WARNING, "uncut", text, area, 0.0, "mm2", place=(x, y, z)),)
 
 
-def too_deep_finding(remainder: Remainder, tolerance: float) -> tuple[Finding, ...]:
+def too_deep_finding(remainder: RestMaterial, tolerance: float) -> tuple[Finding, ...]:
     """A finding where the cutter takes off more than ``tolerance`` mm too much somewhere: area, depth and its place."""
     area, volume = remainder.taken(tolerance)
     if area == 0.0:

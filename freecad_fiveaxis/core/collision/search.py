@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.tool.body import Body, Piece
 
 from .bounds import box_bound, facet_bound, least_depth, pared, plate_bound
 from .deepest import deepest, end_and_side, least_mixed, support_at
-from .swept_motion import Clusters, Course, Poses, Stretches, Way, clusters_of, stretches_of
+from .swept_motion import Clusters, MotionSegments, Poses, StraightSweep, SweptMotion, clusters_of, segments_of
 
 BATCH = 16384
 """Blocks at a time: their table stays in the processor's cache."""
@@ -72,18 +72,18 @@ class Entries:
 
 
 def find_entries(
-    body: Body, tree: FacetTree, course: Course, limit: float, accuracy: float | None = None, blocks: Ints | None = None,
+    body: Body, tree: FacetTree, swept: SweptMotion, limit: float, accuracy: float | None = None, blocks: Ints | None = None,
     progress: Progress = silent,
 ) -> Entries:  # fmt: skip
     """The entries deeper than ``limit`` mm in these ``blocks`` (k,), all where None is given; the others' stay empty.
 
     Depth and bound differ by at most ``accuracy`` mm (a tenth of the limit) or RELATIVE, but for blocks that bend too much.
     """
-    m = len(course)
+    m = len(swept)
     found = Entries(np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64))
     wanted = np.arange(m) if blocks is None else blocks
     floors = np.full(m + 1, limit)
-    search = _Search(tree, course, limit, 0.1 * limit if accuracy is None else accuracy, body.reach, found, np.zeros(m), floors)
+    search = _Search(tree, swept, limit, 0.1 * limit if accuracy is None else accuracy, body.reach, found, np.zeros(m), floors)
     for first in range(0, len(wanted), BATCH):
         progress("gouge", first / len(wanted))
         search.batch(body, wanted[first : first + BATCH], _now_and_then(progress, first / len(wanted)))
@@ -92,9 +92,11 @@ def find_entries(
     return found
 
 
-def which_enter(body: Body, tree: FacetTree, course: Course, limit: float, blocks: Ints, progress: Progress = silent) -> Bools:
+def which_enter(
+    body: Body, tree: FacetTree, swept: SweptMotion, limit: float, blocks: Ints, progress: Progress = silent
+) -> Bools:
     """Which blocks (m,) of the course enter by more than ``limit`` mm, of these ``blocks`` (k,); how deep is not asked."""
-    return np.asarray(find_entries(body, tree, course, limit, np.inf, blocks, progress).bound > limit)
+    return np.asarray(find_entries(body, tree, swept, limit, np.inf, blocks, progress).bound > limit)
 
 
 def _now_and_then(progress: Progress, fraction: float) -> Callable[[], None]:
@@ -134,7 +136,7 @@ class _Search:
     must be able to exceed; that of a cluster, in the last place, is the limit."""
 
     tree: FacetTree
-    course: Course
+    swept: SweptMotion
     limit: float
     accuracy: float
     reach: float
@@ -144,8 +146,8 @@ class _Search:
 
     def batch(self, body: Body, blocks: Ints, tick: Callable[[], None]) -> None:
         """Fill in the entries of these blocks; ``tick`` is called again and again."""
-        parts = stretches_of(self.course, blocks, self.reach, BENT * self.limit)
-        clusters = clusters_of(self.course, parts, self.reach)
+        parts = segments_of(self.swept, blocks, self.reach, BENT * self.limit)
+        clusters = clusters_of(self.swept, parts, self.reach)
         try:
             for piece in sorted(body.pieces, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
                 if piece.most > self.limit:
@@ -165,34 +167,34 @@ class _Search:
             floor = np.where(placed > 0.0, np.maximum(floor, placed + np.maximum(self.accuracy, RELATIVE * placed)), floor)
         self.floors[block] = floor
 
-    def _traverse(self, piece: Piece, clusters: Clusters, parts: Stretches, tick: Callable[[], None]) -> _Left:
-        way, node = np.arange(clusters.top), np.zeros(clusters.top, np.int64)
+    def _traverse(self, piece: Piece, clusters: Clusters, parts: MotionSegments, tick: Callable[[], None]) -> _Left:
+        sweep, node = np.arange(clusters.top), np.zeros(clusters.top, np.int64)
         owner = np.concatenate([np.full(clusters.first, len(self.known)), parts.block])
         done: list[tuple[Ints, Ints]] = []
-        while len(way):
+        while len(sweep):
             tick()
-            way, node, enters = self._pruned(piece, clusters, owner, way, node)
-            whole = (clusters.arity.take(way) == 0) & (node >= self.tree.leaf)
-            done.append((way[whole] - clusters.first, node[whole]))
-            way, node = _divided(clusters, self.tree, way[~whole], node[~whole], enters[~whole])
-            if len(way) > MOST_PAIRS and len(parts.block) > 1 and parts.block[0] != parts.block[-1]:
+            sweep, node, enters = self._pruned(piece, clusters, owner, sweep, node)
+            whole = (clusters.arity.take(sweep) == 0) & (node >= self.tree.leaf)
+            done.append((sweep[whole] - clusters.first, node[whole]))
+            sweep, node = _divided(clusters, self.tree, sweep[~whole], node[~whole], enters[~whole])
+            if len(sweep) > MOST_PAIRS and len(parts.block) > 1 and parts.block[0] != parts.block[-1]:
                 raise _TooMany
-        stretch, leaf = (np.concatenate(column) for column in zip(*done, strict=True))
+        segment, leaf = (np.concatenate(column) for column in zip(*done, strict=True))
         leaf = leaf - self.tree.leaf
-        return _Left(parts.block[stretch], parts.start[stretch], parts.end[stretch], self.tree.corners(leaf), leaf)
+        return _Left(parts.block[segment], parts.start[segment], parts.end[segment], self.tree.corners(leaf), leaf)
 
-    def _pruned(self, piece: Piece, clusters: Clusters, owner: Ints, way: Ints, node: Ints) -> tuple[Ints, Ints, Bools]:
+    def _pruned(self, piece: Piece, clusters: Clusters, owner: Ints, sweep: Ints, node: Ints) -> tuple[Ints, Ints, Bools]:
         """The pairs that may hold more than is known, and which of them do enter; ``owner`` (n,) the place of their floors."""
         kept, deep = [], []
-        for first in range(0, len(way), SLICE):
-            some, place = way[first : first + SLICE], owner.take(way[first : first + SLICE])
+        for first in range(0, len(sweep), SLICE):
+            some, place = sweep[first : first + SLICE], owner.take(sweep[first : first + SLICE])
             rows, enters = self._stay(piece, clusters.ways(some), place, node[first : first + SLICE])
             kept.append(first + rows)
             deep.append(enters)
         rows = np.concatenate(kept)
-        return way[rows], node[rows], np.concatenate(deep)
+        return sweep[rows], node[rows], np.concatenate(deep)
 
-    def _stay(self, piece: Piece, ways: Way, place: Ints, node: Ints) -> tuple[Ints, Bools]:
+    def _stay(self, piece: Piece, ways: StraightSweep, place: Ints, node: Ints) -> tuple[Ints, Bools]:
         """:meth:`_pruned` for so many that they stay in the processor's cache: which rows stay."""
         core, off = pared(piece, self.limit)
         rows, floor = np.arange(len(node)), self.floors.take(place) - off
@@ -228,7 +230,7 @@ class _Search:
             if not len(left.block):
                 return
             middle = 0.5 * (left.start + left.end)
-            pose = self.course.pose(left.block, middle)
+            pose = self.swept.pose(left.block, middle)
             deep = deepest(piece, pose, left.corner)
             self._note(piece, left, middle, -deep.distance, deep.point)
             most, in_time, half_way = self._most(piece, left, pose, deep.point, deep.g)
@@ -247,9 +249,9 @@ class _Search:
         Only along g do both shrink as the pair is divided; the normal's bound may be the better one, but it does not become
         better.
         """
-        start, end = self.course.pose(left.block, left.start), self.course.pose(left.block, left.end)
+        start, end = self.swept.pose(left.block, left.start), self.swept.pose(left.block, left.end)
         share = 0.125 * (left.end - left.start) ** 2
-        bend, loose = share * self.course.bend_tip[left.block], share * self.course.bend_axis[left.block]
+        bend, loose = share * self.swept.bend_tip[left.block], share * self.swept.bend_axis[left.block]
 
         def bound(g: Floats) -> tuple[Floats, Floats, Floats]:
             over = np.maximum(support_at(piece, start, g, loose), support_at(piece, end, g, loose)) + bend
@@ -281,15 +283,15 @@ class _Search:
         self._raise(block)
 
 
-def _divided(clusters: Clusters, tree: FacetTree, way: Ints, node: Ints, enters: Bools) -> tuple[Ints, Ints]:
+def _divided(clusters: Clusters, tree: FacetTree, sweep: Ints, node: Ints, enters: Bools) -> tuple[Ints, Ints]:
     """The larger partner of each pair replaced by its children; the cluster where it does enter, because only blocks can tell
     that they know of deeper places."""
-    by_way = clusters.arity.take(way) > 0
-    by_way &= enters | (node >= tree.leaf) | (LONGER * clusters.size.take(way) > tree.size.take(node))
+    by_way = clusters.arity.take(sweep) > 0
+    by_way &= enters | (node >= tree.leaf) | (LONGER * clusters.size.take(sweep) > tree.size.take(node))
     one, two = np.flatnonzero(by_way), np.flatnonzero(~by_way)
-    first, count = clusters.child.take(way[one]), clusters.arity.take(way[one])
+    first, count = clusters.child.take(sweep[one]), clusters.arity.take(sweep[one])
     below, many = tree.child.take(node[two]), tree.arity.take(node[two])
-    ways = np.concatenate([_family(first, count), np.repeat(way[two], many)])
+    ways = np.concatenate([_family(first, count), np.repeat(sweep[two], many)])
     nodes = np.concatenate([np.repeat(node[one], count), _family(below, many)])
     return ways, nodes
 

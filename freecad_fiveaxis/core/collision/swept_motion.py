@@ -44,7 +44,7 @@ class Poses(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
+class SweptMotion:
     """``pose`` gives the poses of blocks (n,) at u (n,); ``bend_tip`` (m,) mm and ``bend_axis`` (m,) bound the second derivatives
     by u of tip and axis in each of the m blocks."""
 
@@ -56,7 +56,7 @@ class Course:
         return len(self.bend_tip)
 
 
-def straight_course(tips: Floats, axes: Floats) -> Course:
+def straight_motion(tips: Floats, axes: Floats) -> SweptMotion:
     """The course as it is commanded: the tip (n, 3) mm on straight lines, the unit axis (n, 3) on great arcs."""
     start, end = _columns(tips[:-1]), _columns(tips[1:])
     first, last = _columns(axes[:-1]), _columns(axes[1:])
@@ -66,17 +66,17 @@ def straight_course(tips: Floats, axes: Floats) -> Course:
         p, q = start.take(block, axis=1), end.take(block, axis=1)
         return Poses(p + u * (q - p), _on_arc(first.take(block, axis=1), last.take(block, axis=1), angle.take(block), u))
 
-    return Course(pose, np.zeros(len(angle)), angle * angle)
+    return SweptMotion(pose, np.zeros(len(angle)), angle * angle)
 
 
-def still_course(tips: Floats, axes: Floats) -> Course:
+def still_positions(tips: Floats, axes: Floats) -> SweptMotion:
     """Blocks that only stand: one for each tip (n, 3) mm and unit axis (n, 3)."""
     place, pointing = _columns(tips), _columns(axes)
 
     def pose(block: Ints, u: Floats) -> Poses:
         return Poses(place.take(block, axis=1), pointing.take(block, axis=1))
 
-    return Course(pose, np.zeros(len(tips)), np.zeros(len(tips)))
+    return SweptMotion(pose, np.zeros(len(tips)), np.zeros(len(tips)))
 
 
 def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
@@ -91,13 +91,13 @@ def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
     return np.asarray(np.cos(u * angle) * first + (np.sin(u * angle) / length) * across)
 
 
-def real_course(links: Chain, words: Floats, back: float = 0.0) -> Course:
+def real_motion(kinematics: Chain, words: Floats, back: float = 0.0) -> SweptMotion:
     """The course on the machine, all axes moving linearly between rows of ``words`` (n, 5), mm and **degrees**.
 
     ``back`` mm: the point that the words drive lies so far above the tip (the ball's centre is driven). Raises ProgramError for
     words that cannot be used.
     """
-    rows, frame = checked_words(words), frames(links)
+    rows, frame = checked_words(words), frames(kinematics)
     move = motion(frame, rows[:-1], rows[1:])
     turn = np.broadcast_to(np.abs(move.a_step) + np.abs(move.b_step), (len(rows) - 1,)) ** 2
 
@@ -106,7 +106,7 @@ def real_course(links: Chain, words: Floats, back: float = 0.0) -> Course:
         k = _stacked(to_work(frame, axis(frame, there)), len(block))
         return Poses(_stacked(to_work(frame, tip(frame, there)), len(block)) - back * k, k)
 
-    return Course(pose, np.broadcast_to(bending(quick_levers(move), 2), turn.shape) + back * turn, turn)
+    return SweptMotion(pose, np.broadcast_to(bending(quick_levers(move), 2), turn.shape) + back * turn, turn)
 
 
 def _stacked(vector: Vectors, count: int) -> Floats:
@@ -120,7 +120,7 @@ def _columns(rows: Floats) -> Floats:
 # ------------------------------------------------------------------------------------------------ stretches
 
 
-class Stretches(NamedTuple):
+class MotionSegments(NamedTuple):
     """``block`` (n,), from ``start`` to ``end`` (n,), the u of that block."""
 
     block: Ints
@@ -128,17 +128,17 @@ class Stretches(NamedTuple):
     end: Floats
 
 
-def stretches_of(course: Course, blocks: Ints, reach: float, least: float) -> Stretches:
+def segments_of(swept: SweptMotion, blocks: Ints, reach: float, least: float) -> MotionSegments:
     """These blocks (k,) in stretches in which no point up to ``reach`` mm from the tip leaves the straight way by more than
     ``least`` mm, as far as MOST_PARTS allow."""
-    bent = 0.125 * (course.bend_tip[blocks] + reach * course.bend_axis[blocks])
+    bent = 0.125 * (swept.bend_tip[blocks] + reach * swept.bend_axis[blocks])
     count = np.clip(np.ceil(np.sqrt(bent / least)), 1, MOST_PARTS).astype(np.int64)
     block, share = np.repeat(blocks, count), np.repeat(1.0 / count, count)
     part = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
-    return Stretches(block, part * share, (part + 1) * share)
+    return MotionSegments(block, part * share, (part + 1) * share)
 
 
-class Way(NamedTuple):
+class StraightSweep(NamedTuple):
     """The straight way between two poses, from ``tip`` - ``travel`` to ``tip`` + ``travel`` with the axes ``cosine unit`` -+
     ``turn`` (None where no axis turns: 1 and 0). ``bend_tip`` (mm), ``bend_axis``: what the way itself leaves this one by. All
     are rows of ``column`` (15 or 11, n)."""
@@ -153,38 +153,38 @@ class Way(NamedTuple):
     cosine: Floats | None
 
     @classmethod
-    def of(cls, column: Floats) -> Way:
+    def of(cls, column: Floats) -> StraightSweep:
         """The way whose rows these are."""
         turn, cosine = (column[11:14], column[14]) if len(column) > 11 else (None, None)
         return cls(column, column[0:3], column[3:6], column[6:9], column[9], column[10], turn, cosine)
 
-    def take(self, rows: Ints) -> Way:
+    def take(self, rows: Ints) -> StraightSweep:
         """Some of them."""
-        return Way.of(self.column.take(rows, axis=1))
+        return StraightSweep.of(self.column.take(rows, axis=1))
 
 
 class Clusters(NamedTuple):
-    """Stretches and their clusters in one table, the largest first: ``way`` (n, 11 or 15), one in a row, columns as in
+    """Stretches and their clusters in one table, the largest first: ``sweep`` (n, 11 or 15), one in a row, columns as in
     :class:`Way`; ``size`` (n,) mm, half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the row of the
     first stretch, ``top`` how many clusters stand at the head."""
 
-    way: Floats
+    sweep: Floats
     size: Floats
     child: Ints
     arity: Ints
     first: int
     top: int
 
-    def ways(self, rows: Ints) -> Way:
+    def ways(self, rows: Ints) -> StraightSweep:
         """Those of these clusters (k,)."""
-        return Way.of(np.ascontiguousarray(self.way.take(rows, axis=0).T))
+        return StraightSweep.of(np.ascontiguousarray(self.sweep.take(rows, axis=0).T))
 
 
-def clusters_of(course: Course, parts: Stretches, reach: float, levels: int = 3) -> Clusters:
+def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels: int = 3) -> Clusters:
     """The table over stretches that follow one another; ``reach`` mm from the tip to the farthest point of the body."""
-    start, end = course.pose(parts.block, parts.start), course.pose(parts.block, parts.end)
+    start, end = swept.pose(parts.block, parts.start), swept.pose(parts.block, parts.end)
     share = 0.125 * (parts.end - parts.start) ** 2
-    bend_tip, bend_axis = share * course.bend_tip[parts.block], share * course.bend_axis[parts.block]
+    bend_tip, bend_axis = share * swept.bend_tip[parts.block], share * swept.bend_axis[parts.block]
     rows = [(*_straight(start, end), bend_tip, bend_axis)]
     counts = [len(share)]
     for _ in range(levels):
@@ -198,11 +198,11 @@ def clusters_of(course: Course, parts: Stretches, reach: float, levels: int = 3)
     tip, travel, axis, turn, bend_tip, bend_axis = (np.concatenate(column, axis=-1) for column in zip(*rows, strict=True))
     cosine, turned = _length(axis), _length(turn)
     unit = np.where(cosine > STRAIGHT, axis / np.maximum(cosine, STRAIGHT), np.eye(3)[:, 2:])
-    way = [tip, unit, travel, bend_tip[None], bend_axis[None]]
+    sweep = [tip, unit, travel, bend_tip[None], bend_axis[None]]
     if turned.any():
-        way += [turn, cosine[None]]
+        sweep += [turn, cosine[None]]
     size = _length(travel) + bend_tip + reach * (turned + bend_axis)
-    table, (child, arity) = np.ascontiguousarray(np.concatenate(way).T), _family(counts)
+    table, (child, arity) = np.ascontiguousarray(np.concatenate(sweep).T), _family(counts)
     return Clusters(table, size, child, arity, sum(counts[:-1]), counts[0])
 
 

@@ -11,12 +11,12 @@ import numpy as np
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, picked
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, take_rows
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Point, Sentence, say
 from freecad_fiveaxis.core.cl.cl_offset import rows_between
-from freecad_fiveaxis.core.cl.coedge import OffsetPath, lasting_rows, take_rows
+from freecad_fiveaxis.core.cl.coedge import OffsetPath, lasting_rows, take_path_rows
 from freecad_fiveaxis.core.collision.search import Entries, find_entries
-from freecad_fiveaxis.core.collision.swept_motion import straight_course
+from freecad_fiveaxis.core.collision.swept_motion import straight_motion
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import Body
 
@@ -95,8 +95,8 @@ class _Without:
         return _left(path, axis, out, why, None, (x, y, z), say("Turn the part, or use another tool axis there."))
 
     def _entries(self, path: OffsetPath, axis: Floats, blocks: Ints) -> Entries:
-        course = straight_course(self._tips(path, axis), axis)
-        return find_entries(self.body, self.tree, course, self.tolerance, blocks=blocks, progress=self.progress)
+        swept = straight_motion(self._tips(path, axis), axis)
+        return find_entries(self.body, self.tree, swept, self.tolerance, blocks=blocks, progress=self.progress)
 
     def _trapped_ends(self, path: OffsetPath, axis: Floats) -> Ints:
         first = np.diff(path.polyline, prepend=-1) != 0
@@ -139,7 +139,7 @@ def _left(
             why=why(say("on every pass")),
         )
         raise SettingsError(text, value)
-    left = take_rows(path, rows)
+    left = take_path_rows(path, rows)
     text = say(
         "{length} of the passes are left out, because {why}. {remedy}",
         length=Length(length, ".4g"),
@@ -147,7 +147,7 @@ def _left(
         remedy=remedy,
     )
     finding = Finding(Severity.WARNING, "left-out", text, length, 0.0, "mm", place=place)
-    return replace(left, findings=(*path.findings, finding)), picked(axis, rows)
+    return replace(left, findings=(*path.findings, finding)), take_rows(axis, rows)
 
 
 def _divided(path: OffsetPath, axis: Floats, deep: Bools, part: float) -> tuple[OffsetPath, Floats, Ints]:

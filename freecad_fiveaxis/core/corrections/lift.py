@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Point, say
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.collision.search import find_entries, which_enter
-from freecad_fiveaxis.core.collision.swept_motion import Course, still_course, straight_course
+from freecad_fiveaxis.core.collision.swept_motion import SweptMotion, still_positions, straight_motion
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import CUTTER, Body, way_out
 
@@ -92,16 +92,16 @@ def lift_path(
     cutter, aim = body.only(CUTTER), AIM * tolerance
     tips = path.tip - back * path.axis
     cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
-    course, blocks = straight_course(tips, path.axis), np.flatnonzero(cuts)
+    swept, blocks = straight_motion(tips, path.axis), np.flatnonzero(cuts)
     going = _Going(progress)
-    lifter, none = _Lifter(course, cutter, tree, aim, tolerance, going), np.zeros(len(tips), np.bool_)
+    lifter, none = _Lifter(swept, cutter, tree, aim, tolerance, going), np.zeros(len(tips), np.bool_)
     way = _Way(tips, path.axis, np.arange(len(tips), dtype=float), np.zeros(len(tips)), cuts, none)
     trapped = len(lifter.trapped(way)) > 0
     rocks = min(cutter.pieces, key=lambda piece: piece.low - piece.round).low_radius > 0.0
-    if rocks and not trapped and not which_enter(cutter, tree, course, tolerance, blocks, going).any():
+    if rocks and not trapped and not which_enter(cutter, tree, swept, tolerance, blocks, going).any():
         return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), 0.0)
     limit, accuracy = (aim, ROUGHLY) if rocks else (GRAZE * tolerance, None)
-    first = find_entries(cutter, tree, course, limit, accuracy, blocks, going.stage(0.0, 0.2))
+    first = find_entries(cutter, tree, swept, limit, accuracy, blocks, going.stage(0.0, 0.2))
     deep = (first.depth > 0.0) & (first.bound > aim)
     if not deep.any() and not trapped:
         left = float(first.bound[first.depth > 0.0].max(initial=0.0))
@@ -174,7 +174,7 @@ class _Lifter:
     """``given``: the way before anything is lifted; ``aim`` mm, what may be left of an entry; ``tolerance`` mm, what a link may
     enter by; ``going`` is told that it goes on."""
 
-    given: Course
+    given: SweptMotion
     cutter: Body
     tree: FacetTree
     aim: float
@@ -184,9 +184,9 @@ class _Lifter:
     def trapped(self, way: _Way) -> Ints:
         """The rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves, meets the part. Where the
         next cut goes on from the same place nothing comes or leaves."""
-        links = np.flatnonzero(~way.cuts & (np.abs(np.diff(way.tip, axis=0)).max(axis=1) > SAME))
+        link_moves = np.flatnonzero(~way.cuts & (np.abs(np.diff(way.tip, axis=0)).max(axis=1) > SAME))
         cut = np.append(way.cuts, False) | np.append(False, way.cuts)
-        ends: Ints = np.unique(np.concatenate([links, links + 1]))
+        ends: Ints = np.unique(np.concatenate([link_moves, link_moves + 1]))
         ends = ends[cut[ends]]
         under = is_under(self.cutter, self.tree, way.tip[ends], way.axis[ends], self.tolerance, self.going)
         return ends[under]
@@ -199,7 +199,7 @@ class _Lifter:
         tip, axis = pose.tip.T.copy(), pose.axis.T.copy()
         start, left = tip.copy(), np.arange(len(key))
         for _ in range(LIFTS):
-            still = still_course(tip[left], axis[left])
+            still = still_positions(tip[left], axis[left])
             entries = find_entries(self.cutter, self.tree, still, ROOM * self.aim, ROUGHLY, progress=self.going)
             deep = np.flatnonzero(entries.depth > 0.0)
             if not len(deep):
@@ -237,9 +237,9 @@ class _Lifter:
         given, least = len(way.tip), (1.0 - ROOM) * self.aim
         for k in range(ROUNDS):
             self.going.round(k, ROUNDS)
-            course, length = straight_course(way.tip, way.axis), _aside(way)
+            swept, length = straight_motion(way.tip, way.axis), _aside(way)
             blocks = np.flatnonzero(dirty & (length > least))
-            entries = find_entries(self.cutter, self.tree, course, self.aim, ROUGHLY, blocks, self.going)
+            entries = find_entries(self.cutter, self.tree, swept, self.aim, ROUGHLY, blocks, self.going)
             blocks = np.flatnonzero(entries.depth > 0.0)
             if not len(blocks) or len(way.tip) > MOST_ROWS * given + FEW:
                 break
@@ -271,8 +271,8 @@ class _Lifter:
         """The rows (n,) from which the way up meets the part, in unbroken groups beside blocks to lifted rows that enter, or up
         to trapped ends."""
         lifted = np.flatnonzero(way.cuts & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0)))
-        course = straight_course(way.tip, way.axis)
-        enters = which_enter(self.cutter, self.tree, course, self.aim, lifted, self.going)
+        swept = straight_motion(way.tip, way.axis)
+        enters = which_enter(self.cutter, self.tree, swept, self.aim, lifted, self.going)
         blocks = lifted[enters[lifted]]
         beside = blocks + (way.lift[blocks] > way.lift[blocks + 1])
         rows = np.concatenate([beside, self.trapped(way)])

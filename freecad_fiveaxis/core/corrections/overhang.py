@@ -13,7 +13,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.collision.search import find_entries, which_enter
-from freecad_fiveaxis.core.collision.swept_motion import Course, straight_course
+from freecad_fiveaxis.core.collision.swept_motion import SweptMotion, straight_motion
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import Body, way_out
 
@@ -32,8 +32,8 @@ def rise_above(cutter: Body, tree: FacetTree, tip: Floats, axis: Floats, aim: fl
     enough = ROUGHLY * max(piece.most for piece in cutter.pieces)
     for _ in range(LAYERS):
         start, up, way = tip[left] + rise[left, None] * axis[left], axis[left], np.maximum(far[left] - rise[left], 0.0)
-        course, blocks = _ways_up(start, up, way)
-        entries = find_entries(cutter, tree, course, aim, enough, blocks, progress)
+        swept, blocks = _ways_up(start, up, way)
+        entries = find_entries(cutter, tree, swept, aim, enough, blocks, progress)
         deep = np.flatnonzero(entries.depth[blocks] > 0.0)
         if not len(deep):
             break
@@ -46,14 +46,14 @@ def rise_above(cutter: Body, tree: FacetTree, tip: Floats, axis: Floats, aim: fl
 
 def is_under(cutter: Body, tree: FacetTree, tip: Floats, axis: Floats, aim: float, progress: Progress = silent) -> Bools:
     """Which cutters (n,) at tips and axes (n, 3) enter the part by more than ``aim`` mm on their way up out of its box."""
-    course, blocks = _ways_up(tip, axis, _out_of_box(tree, tip, axis))
-    return which_enter(cutter, tree, course, aim, blocks, progress)[blocks]
+    swept, blocks = _ways_up(tip, axis, _out_of_box(tree, tip, axis))
+    return which_enter(cutter, tree, swept, aim, blocks, progress)[blocks]
 
 
-def _ways_up(tip: Floats, axis: Floats, way: Floats) -> tuple[Course, Ints]:
+def _ways_up(tip: Floats, axis: Floats, way: Floats) -> tuple[SweptMotion, Ints]:
     """The course of tips (n, 3) that go ``way`` (n,) mm along their axes, and which of its blocks (n,) these ways are."""
     ends = np.stack([tip, tip + way[:, None] * axis], axis=1).reshape(-1, 3)
-    return straight_course(ends, np.repeat(axis, 2, axis=0)), 2 * np.arange(len(tip))
+    return straight_motion(ends, np.repeat(axis, 2, axis=0)), 2 * np.arange(len(tip))
 
 
 def _out_of_box(tree: FacetTree, tip: Floats, axis: Floats) -> Floats:

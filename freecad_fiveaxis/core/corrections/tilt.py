@@ -27,11 +27,11 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, Point, say
-from freecad_fiveaxis.core.cl.cl_offset import hubs, keep_rows, rows_between
-from freecad_fiveaxis.core.cl.coedge import OffsetPath, take_rows
+from freecad_fiveaxis.core.cl.cl_offset import hub_positions, keep_rows, rows_between
+from freecad_fiveaxis.core.cl.coedge import OffsetPath, take_path_rows
 from freecad_fiveaxis.core.cl.tool_axis import feed_direction
 from freecad_fiveaxis.core.collision.search import Entries, find_entries, which_enter
-from freecad_fiveaxis.core.collision.swept_motion import Course, straight_course
+from freecad_fiveaxis.core.collision.swept_motion import SweptMotion, straight_motion
 from freecad_fiveaxis.core.corrections.minimax.sweep import cheapest
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -76,16 +76,16 @@ LEAN = 1e-6
 
 
 def tilt_free(
-    path: OffsetPath, axis: Floats, cutter: Cutter, body: Body, tree: FacetTree, links: Chain, max_tilt: float,
+    path: OffsetPath, axis: Floats, cutter: Cutter, body: Body, tree: FacetTree, kinematics: Chain, max_tilt: float,
     tolerance: float, progress: Progress = silent,
 ) -> tuple[OffsetPath, Floats]:  # fmt: skip
     """The path, with rows put in, and axes turned by at most ``max_tilt`` rad so that the body stays out of the part but for
     ``tolerance`` mm wherever that can be; findings say what was turned, and what could not be freed.
 
-    ``axis`` (n, 3) unit, one for each row. Axes stay within the rotary limits of ``links``. Where nothing enters that a tilt
+    ``axis`` (n, 3) unit, one for each row. Axes stay within the rotary limits of ``kinematics``. Where nothing enters that a tilt
     could free, the very path and axes given come back.
     """
-    task = _Task(cutter, body, tree, links, max_tilt, tolerance, max(cutter.diameter, SPREAD))
+    task = _Task(cutter, body, tree, kinematics, max_tilt, tolerance, max(cutter.diameter, SPREAD))
     hit = task.entering(path, axis)
     if not hit.any():
         return path, axis
@@ -102,9 +102,9 @@ def tilt_free(
     kept = np.flatnonzero(beside | np.append(row[1:] != row[:-1], True))
     fine, made = keep_rows(fine, kept), np.where(turned[:, None], _turned(given, offset), given)[kept]
     fine, made, offset = (fine, made, offset[kept]) if turned.any() else (path, axis, np.zeros_like(axis))
-    course = straight_course(task.tips(fine, made), made)
+    swept = straight_motion(task.tips(fine, made), made)
     joined = np.flatnonzero(np.diff(fine.polyline) == 0)
-    left = find_entries(body.only(SHANK, HOLDER), tree, course, tolerance, ROUGHLY, joined)
+    left = find_entries(body.only(SHANK, HOLDER), tree, swept, tolerance, ROUGHLY, joined)
     findings = (*path.findings, *_findings(fine, offset, left, max_tilt))
     return replace(fine, findings=findings), made
 
@@ -121,34 +121,34 @@ class _Task:
     cutter: Cutter
     body: Body
     tree: FacetTree
-    links: Chain
+    kinematics: Chain
     max_tilt: float
     tolerance: float
     spread: float
 
     def tips(self, path: OffsetPath, axis: Floats) -> Floats:
         """Where the tips (n, 3) stand under these axes (n, 3)."""
-        return np.asarray(hubs(path, axis, self.cutter.ring) - self.cutter.corner * axis)
+        return np.asarray(hub_positions(path, axis, self.cutter.ring) - self.cutter.corner * axis)
 
     def entering(self, path: OffsetPath, axis: Floats) -> Bools:
         """The blocks (n - 1,) along the path under these axes (n, 3) where something enters that a tilt might free."""
-        course, joined = straight_course(self.tips(path, axis), axis), np.flatnonzero(np.diff(path.polyline) == 0)
-        hits = self.hits(course, joined, self.hopeless(course, joined))
+        swept, joined = straight_motion(self.tips(path, axis), axis), np.flatnonzero(np.diff(path.polyline) == 0)
+        hits = self.hits(swept, joined, self.hopeless(swept, joined))
         return np.asarray(hits.above | hits.cutter)
 
-    def hopeless(self, course: Course, blocks: Ints) -> Ints:
+    def hopeless(self, swept: SweptMotion, blocks: Ints) -> Ints:
         """Those of the blocks where a ball itself enters: no axis frees that."""
         if self.cutter.ring > 0.0:
             return blocks[:0]
         ball = Body((round_piece(0.0, self.cutter.corner, self.cutter.corner),))
-        return np.flatnonzero(which_enter(ball, self.tree, course, AIM * self.tolerance, blocks))
+        return np.flatnonzero(which_enter(ball, self.tree, swept, AIM * self.tolerance, blocks))
 
-    def hits(self, course: Course, blocks: Ints, hopeless: Ints, margin: float = 0.0) -> _Hits:
+    def hits(self, swept: SweptMotion, blocks: Ints, hopeless: Ints, margin: float = 0.0) -> _Hits:
         """What enters these blocks; ``hopeless``: where the cutter is not looked at; ``margin`` mm for shank and holder."""
         limit = self.tolerance
         above = tuple(piece._replace(round=piece.round + margin) for piece in self.body.only(SHANK, HOLDER).pieces)
-        lower = which_enter(self.body.only(CUTTER), self.tree, course, limit, np.setdiff1d(blocks, hopeless))
-        return _Hits(which_enter(Body(above), self.tree, course, limit, blocks), lower)
+        lower = which_enter(self.body.only(CUTTER), self.tree, swept, limit, np.setdiff1d(blocks, hopeless))
+        return _Hits(which_enter(Body(above), self.tree, swept, limit, blocks), lower)
 
 
 def _turned(axis: Floats, offset: Floats) -> Floats:
@@ -180,7 +180,7 @@ def _offsets(task: _Task, path: OffsetPath, axis: Floats, window: Bools, progres
     for number, group in enumerate(np.split(start, np.flatnonzero(np.diff(part)) + 1)):
         end = np.append(start, len(rows))[np.searchsorted(start, group[-1]) + 1]
         some = rows[group[0] : end]
-        run = _Runs.of(task, take_rows(path, some), axis[some], window[np.minimum(some, len(window) - 1)])
+        run = _Runs.of(task, take_path_rows(path, some), axis[some], window[np.minimum(some, len(window) - 1)])
         offset[some] = run.found(partial(_tell, progress, number, int(part[-1]) + 1))
     progress("tilt", 1.0)
     return offset
@@ -212,7 +212,7 @@ class _Runs:
         feed = feed_direction(path, axis)
         first = np.flatnonzero(np.diff(path.polyline, prepend=-1))
         blocks = np.flatnonzero(window[:-1] & (np.diff(path.polyline) == 0))
-        hopeless = task.hopeless(straight_course(task.tips(path, axis), axis), blocks)
+        hopeless = task.hopeless(straight_motion(task.tips(path, axis), axis), blocks)
         frame = np.stack([feed, np.cross(axis, feed)])
         weight = np.maximum(step, SHORTEST * task.spread)
         return cls(task, path, axis, blocks, hopeless, weight, frame, first, np.diff(first, append=len(axis)))
@@ -256,7 +256,7 @@ class _Runs:
         count, n = axes.shape[:2]
         inner = np.zeros(n, np.bool_)
         inner[self.window] = inner[self.window + 1] = True
-        good = axes_within_limits(self.task.links, axes.reshape(-1, 3)).reshape(count, n) & inner
+        good = axes_within_limits(self.task.kinematics, axes.reshape(-1, 3)).reshape(count, n) & inner
         good &= (axes * self.path.normal).sum(axis=2) >= math.sin(self.task.cutter.taper) - LEAN
         good[0] = True
         return np.asarray(good)
@@ -271,8 +271,8 @@ class _Runs:
         count, n = axes.shape[:2]
         every = (np.arange(count) * n)[:, None]
         blocks, hopeless = (every + self.window).ravel(), (every + self.hopeless).ravel()
-        course = straight_course(tips.reshape(-1, 3), axes.reshape(-1, 3))
-        hits = self.task.hits(course, blocks, hopeless, MARGIN)
+        swept = straight_motion(tips.reshape(-1, 3), axes.reshape(-1, 3))
+        hits = self.task.hits(swept, blocks, hopeless, MARGIN)
         return _Hits(*(np.append(column, False).reshape(count, n)[:, :-1] for column in hits))
 
     def share(self, block: Floats) -> Floats:

@@ -24,12 +24,12 @@ from freecad_fiveaxis.core.collision import (
     CURES,
     DIVIDE,
     GougeCheck,
-    Remainder,
+    RestMaterial,
     check_program,
-    find_remainder,
-    program_course,
-    real_course,
-    straight_course,
+    find_rest_material,
+    program_motion,
+    real_motion,
+    straight_motion,
     too_deep_finding,
     uncut_finding,
     which_enter,
@@ -44,7 +44,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of
 
-from .options import axis_options, back, scallop_asked
+from .options import axis_options, tip_to_driven, wanted_scallop
 from .settings import Settings
 
 LEFT_SPACING = 0.1
@@ -79,13 +79,13 @@ def tool_body(settings: Settings) -> Body:
 
 
 def tilted(
-    settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, links: Chain, progress: Progress
+    settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, kinematics: Chain, progress: Progress
 ) -> tuple[OffsetPath, Floats]:
     """The path with the tool tilted free of the part, where the settings ask for that; else what is given."""
     if settings.gouge.gouge != "tilt":
         return offset, axis
     cutter, most, tolerance = settings.cutter.cutter, settings.tool_axis.max_tilt, settings.proof.tolerance
-    return tilt_free(offset, axis, cutter, tool_body(settings), facet_tree(mesh), links, most, tolerance, progress)
+    return tilt_free(offset, axis, cutter, tool_body(settings), facet_tree(mesh), kinematics, most, tolerance, progress)
 
 
 def left_out_rows(settings: Settings, sat: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress) -> tuple[OffsetPath, Floats]:
@@ -102,13 +102,13 @@ def lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> 
     what a cure leaves of entries may still be."""
     tolerance = settings.proof.tolerance
     if settings.gouge.gouge in ("lift", "tilt"):
-        lifted = lift_path(path, facet_tree(mesh), tool_body(settings), tolerance, back(settings), progress)
+        lifted = lift_path(path, facet_tree(mesh), tool_body(settings), tolerance, tip_to_driven(settings), progress)
         return lifted.path, lifted.left
     return path, AIM * tolerance if any(finding.code == "left-out" for finding in path.findings) else 0.0
 
 
 def driven_free(
-    settings: Settings, path: CLPath, mesh: Mesh, links: Chain, drive: Callable[[CLPath], JointPath], progress: Progress
+    settings: Settings, path: CLPath, mesh: Mesh, kinematics: Chain, drive: Callable[[CLPath], JointPath], progress: Progress
 ) -> tuple[CLPath, JointPath]:
     """The path and its joint path, which ``drive`` makes. Where a cure is asked for and blocks may be divided, rows are put in
     half-way where the tool still enters on its real way though the path itself does not: the machine turns the axis otherwise
@@ -117,7 +117,7 @@ def driven_free(
     if settings.cure.linearize != "on" or settings.gouge.gouge in ("off", "report"):
         return path, joints
     for _ in range(HALVINGS):
-        rows = _entering(settings, path, joints, mesh, links, progress)
+        rows = _entering(settings, path, joints, mesh, kinematics, progress)
         if not len(rows):
             break
         path = _halved(path, rows)
@@ -125,20 +125,20 @@ def driven_free(
     return path, joints
 
 
-def _entering(settings: Settings, path: CLPath, joints: JointPath, mesh: Mesh, links: Chain, progress: Progress) -> Ints:
+def _entering(settings: Settings, path: CLPath, joints: JointPath, mesh: Mesh, kinematics: Chain, progress: Progress) -> Ints:
     """The rows (k,) of the path to which the machine leads the cutter through the part, and the path itself does not."""
     cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(mesh), NEARLY * settings.proof.tolerance
-    real = real_course(links, q_to_words(joints.q), back(settings))
+    real = real_motion(kinematics, q_to_words(joints.q), tip_to_driven(settings))
     blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, cutting(joints.path.motion), progress))
     rows = np.unique(joints.row[blocks + 1])
     rows = rows[rows > 0]
-    commanded = straight_course(path.tip - back(settings) * path.axis, path.axis)
+    commanded = straight_motion(path.tip - tip_to_driven(settings) * path.axis, path.axis)
     return rows[~which_enter(cutter, tree, commanded, limit, rows - 1, progress)[rows - 1]]
 
 
 def _halved(path: CLPath, rows: Ints) -> CLPath:
     """The path with a row half-way to each of these rows (k,), of which it takes all but its place and axis."""
-    pose = straight_course(path.tip, path.axis).pose(rows - 1, np.full(len(rows), 0.5))
+    pose = straight_motion(path.tip, path.axis).pose(rows - 1, np.full(len(rows), 0.5))
     given = {name: getattr(path, name) for name in ("motion", "feed", "contact", "normal", "face", "coedge", "pass_")}
     columns = {name: np.insert(column, rows, column[rows], axis=0) for name, column in given.items()}
     tip, axis = np.insert(path.tip, rows, pose.tip.T, axis=0), np.insert(path.axis, rows, pose.axis.T, axis=0)
@@ -151,9 +151,9 @@ def uncut_by_cure(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, pro
     if settings.gouge.left == "on" or not CURED & {finding.code for finding in path.findings}:
         return ()
     cutter = settings.cutter.cutter
-    course = straight_course(path.tip - back(settings) * path.axis, path.axis)
+    swept = straight_motion(path.tip - tip_to_driven(settings) * path.axis, path.axis)
     spacing = LEFT_SPACING * cutter.diameter
-    left = find_remainder(mesh, body_of(cutter), course, cutting(path.motion), spacing, keep, progress)
+    left = find_rest_material(mesh, body_of(cutter), swept, cutting(path.motion), spacing, keep, progress)
     return uncut_finding(left, allowed(settings, mesh, keep))
 
 
@@ -166,7 +166,7 @@ def _left_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
     """The scallop, mm, that the passes leave: the one asked for, or that of the stepover."""
     cutter, passes, tool = settings.cutter.cutter, settings.passes, settings.tool_axis
     if passes.stepover is None:
-        return scallop_asked(settings) or 0.0
+        return wanted_scallop(settings) or 0.0
     turned = tool.max_tilt if settings.gouge.gouge == "tilt" else 0.0
     stand = (tool.tool_axis, replace(axis_options(settings), tilt=max(abs(tool.tilt), turned)))
     return scallop_of(cutter, mesh, keep, passes.direction, *stand, passes.stepover)
@@ -180,12 +180,12 @@ def cutting(motion: Bytes) -> Ints:
     return np.flatnonzero(np.isin(motion[1:], (Motion.CUT, Motion.FILL)))
 
 
-def entered(settings: Settings, mesh: Mesh, links: Chain, program: Program, progress: Progress) -> GougeCheck | None:
+def entered(settings: Settings, mesh: Mesh, kinematics: Chain, program: Program, progress: Progress) -> GougeCheck | None:
     """What the tool enters of the part on its real way, where the settings ask for the check."""
     if settings.gouge.gouge == "off":
         return None
     tolerance, remedy = settings.proof.tolerance, _remedy(settings)
-    return check_program(mesh, tool_body(settings), links, program, tolerance, back(settings), progress, remedy)
+    return check_program(mesh, tool_body(settings), kinematics, program, tolerance, tip_to_driven(settings), progress, remedy)
 
 
 def _remedy(settings: Settings) -> str:
@@ -215,15 +215,17 @@ def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> 
     return (out + max(area("uncut"), area("side-not-machined"))) / whole
 
 
-def left_by(settings: Settings, mesh: Mesh, keep: Bools, links: Chain, program: Program, progress: Progress) -> Remainder:
+def find_left(
+    settings: Settings, mesh: Mesh, keep: Bools, kinematics: Chain, program: Program, progress: Progress
+) -> RestMaterial:
     """What the cutter leaves on the facets ``keep`` (f,) on its real way. Raises SettingsError where no block cuts."""
-    cutter, course = settings.cutter.cutter, program_course(links, program, back(settings))
+    cutter, swept = settings.cutter.cutter, program_motion(kinematics, program, tip_to_driven(settings))
     even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
     spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
-    return find_remainder(mesh, body_of(cutter), course, cutting(program.motion), spacing, keep, progress)
+    return find_rest_material(mesh, body_of(cutter), swept, cutting(program.motion), spacing, keep, progress)
 
 
-def said_of(left: Remainder | None, settings: Settings, mesh: Mesh, keep: Bools) -> tuple[Finding, ...]:
+def said_of(left: RestMaterial | None, settings: Settings, mesh: Mesh, keep: Bools) -> tuple[Finding, ...]:
     """Where more stays than may, and, where no check tells it, where too much is taken off."""
     if left is None:
         return ()

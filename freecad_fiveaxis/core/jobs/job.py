@@ -19,12 +19,12 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.cl.apt import cutter_note, cutter_taken, of_cl_file, read_cl_file
-from freecad_fiveaxis.core.cl.cl_offset import corner_radius, seated, spacing_radius
+from freecad_fiveaxis.core.cl.cl_offset import cl_offset_path, corner_radius, spacing_radius
 from freecad_fiveaxis.core.cl.cl_path import CLPath, LinkOptions, Motion, link_passes
 from freecad_fiveaxis.core.cl.coedge import OffsetPath, close_gaps
 from freecad_fiveaxis.core.cl.feasible import feasible_rows
 from freecad_fiveaxis.core.cl.tool_axis import find_strategy, tool_axes
-from freecad_fiveaxis.core.collision import GougeCheck, Remainder
+from freecad_fiveaxis.core.collision import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.collision.faces import facets_on
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.corrections.deform import deform_axes, trade_findings
@@ -42,9 +42,9 @@ from freecad_fiveaxis.core.nc.reader import Assumed, dialect_of_text, read_nc
 from freecad_fiveaxis.core.nc.writer import write_nc
 from freecad_fiveaxis.core.passes import (
     ContactPath,
+    facets_within_limits,
     flat_interval,
     place_planes,
-    reachable_facets,
     side_findings,
     slice_mesh,
     untouched_sides,
@@ -56,7 +56,7 @@ from .collision_avoidance import (
     cutting,
     driven_free,
     entered,
-    left_by,
+    find_left,
     left_out_rows,
     lifted,
     said_of,
@@ -67,7 +67,17 @@ from .collision_avoidance import (
     unfinished_share,
 )
 from .fewer_axes import keeps_its_axis
-from .options import axis_options, cl_reading, machine_of, nc_title, post_options, reach, scallop_asked, title_of, with_head
+from .options import (
+    axis_options,
+    cl_reading,
+    driven_to_hub,
+    machine_of,
+    nc_title,
+    post_options,
+    title_of,
+    wanted_scallop,
+    with_head,
+)
 from .part_size import unit_suspected
 from .safe_start import Box, start_findings, start_plane, started
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
@@ -79,7 +89,7 @@ class Made:
 
     settings: Settings
     machine: Machine
-    links: Chain
+    kinematics: Chain
     dialect: Dialect
     program: Program
     findings: tuple[Finding, ...]
@@ -117,7 +127,7 @@ class Result:
     findings: tuple[Finding, ...]
     audit: Audit | None = None
     gouge: GougeCheck | None = None
-    left: Remainder | None = None
+    left: RestMaterial | None = None
 
 
 def run(settings: Settings, progress: Progress = silent) -> Result:
@@ -128,21 +138,21 @@ def run(settings: Settings, progress: Progress = silent) -> Result:
 def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None) -> Made:
     """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name;
     ``faces`` (f,): the facets of it that are to be cut, None: all. Raises FiveAxisError for input that cannot be used."""
-    machine, links, dialect = machine_of(settings)
+    machine, kinematics, dialect = machine_of(settings)
     if settings.task in (MILL, POST):
         dialect = _told(settings, machine, dialect)
     if settings.task == MILL:
         find_strategy(settings.tool_axis.tool_axis)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
         faces, said = _faces(settings, mesh, faces, progress)
-        milled = mill(settings, mesh, machine, links, dialect, progress, faces)
+        milled = mill(settings, mesh, machine, kinematics, dialect, progress, faces)
         return replace(milled, findings=said + milled.findings) if said else milled
     if settings.task == POST:
-        return post(settings, machine, links, dialect, progress)
+        return post(settings, machine, kinematics, dialect, progress)
     text = read_bytes(settings.source, "NC file")
     dialect, found = (dialect, ()) if settings.machine.controller else dialect_of_text(text, dialect)
-    program = read_nc(text, links, dialect, progress, Assumed(settings.reading.units, settings.reading.decimal))
-    return Made(settings, machine, links, dialect, program, found + program.findings)
+    program = read_nc(text, kinematics, dialect, progress, Assumed(settings.reading.units, settings.reading.decimal))
+    return Made(settings, machine, kinematics, dialect, program, found + program.findings)
 
 
 def _faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> tuple[Bools | None, tuple[Finding, ...]]:
@@ -164,41 +174,41 @@ def _told(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
 
 
 def mill(
-    settings: Settings, mesh: Mesh, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent,
+    settings: Settings, mesh: Mesh, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress = silent,
     faces: Bools | None = None,
 ) -> Milled:  # fmt: skip
     """From a mesh to a program: the street itself. ``faces`` (f,): the facets to cut; the others are still kept clear of."""
     passes, cutter = settings.passes, settings.cutter.cutter
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
-    followed = None if keeps_its_axis(settings, machine) else links
-    keep, left_out = reachable_facets(mesh, followed, passes.max_axis_angle, faces)
+    followed = None if keeps_its_axis(settings, machine) else kinematics
+    keep, left_out = facets_within_limits(mesh, followed, passes.max_axis_angle, faces)
     planes, spacing = _planes(settings, mesh, keep, progress)
-    contact = slice_mesh(mesh, planes, passes.direction, progress=progress, plain=~keep, order=settings.links.order)
+    contact = slice_mesh(mesh, planes, passes.direction, progress=progress, plain=~keep, order=settings.kinematics.order)
     spacing = _with_sides(settings, mesh, keep, planes, contact, spacing)
     closed = close_gaps(
         contact, mesh, corner_radius(cutter), settings.cutter.coedge_tolerance, None if keep.all() else keep, progress
     )
     axis = tool_axes(closed, settings.tool_axis.tool_axis, axis_options(settings))
-    offset, axis = feasible_rows(closed, axis, links, cutter.taper)
-    led, said = _led(settings, offset, axis, links, progress)
-    turned, led = tilted(settings, offset, led, mesh, links, progress)
+    offset, axis = feasible_rows(closed, axis, kinematics, cutter.taper)
+    led, said = _led(settings, offset, axis, kinematics, progress)
+    turned, led = tilted(settings, offset, led, mesh, kinematics, progress)
     way = linked(settings, turned, led, mesh, progress)
     path, entering = lifted(settings, way, mesh, progress)
 
     def drive(path: CLPath) -> JointPath:
-        return _driven(settings, path, low, high, machine, links, dialect, progress, entering)
+        return _driven(settings, path, low, high, machine, kinematics, dialect, progress, entering)
 
-    path, joints = driven_free(settings, path, mesh, links, drive, progress)
+    path, joints = driven_free(settings, path, mesh, kinematics, drive, progress)
     uncut = uncut_by_cure(settings, path, mesh, keep, progress)
     sized = mesh.findings + unit_suspected(mesh, cutter)
     found = sized + left_out + spacing + contact.findings + turned.findings + said + path.findings + uncut
-    posted = _posted(settings, path, joints, machine, links, dialect, (low, high), found, progress)
+    posted = _posted(settings, path, joints, machine, kinematics, dialect, (low, high), found, progress)
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis, keep=keep)
 
 
 def _planes(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Floats, tuple[Finding, ...]]:
     """Where the planes lie. For what is no ball: at most as far apart as on a flat, for beyond that its bottom ends."""
-    passes, cutter, scallop = settings.passes, settings.cutter.cutter, scallop_asked(settings)
+    passes, cutter, scallop = settings.passes, settings.cutter.cutter, wanted_scallop(settings)
     radius, more = cutter.radius, {}
     if scallop is not None and cutter.ring > 0.0:
         stand = (settings.tool_axis.tool_axis, axis_options(settings))
@@ -213,7 +223,7 @@ def _with_sides(
     settings: Settings, mesh: Mesh, keep: Bools, planes: Floats, contact: ContactPath, spacing: tuple[Finding, ...]
 ) -> tuple[Finding, ...]:
     """What was poor about the planes, and the sides of the part that they leave out."""
-    passes, scallop, radius = settings.passes, scallop_asked(settings), settings.cutter.cutter.radius
+    passes, scallop, radius = settings.passes, wanted_scallop(settings), settings.cutter.cutter.radius
     interval = passes.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
     sides = untouched_sides(mesh, keep, contact.face, planes, passes.direction, interval)
     finer = say("a smaller stepover")
@@ -226,77 +236,83 @@ def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, pro
     """The CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``: the cutter sits anew on
     each of them, whatever led its axis there."""
     options = LinkOptions(
-        clearance=settings.links.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
+        clearance=settings.kinematics.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
         control_point=settings.machine.control_point,
     )  # fmt: skip
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
-    sat, axis = seated(offset, axis, settings.cutter.cutter, settings.cutter.coedge_tolerance)
+    sat, axis = cl_offset_path(offset, axis, settings.cutter.cutter, settings.cutter.coedge_tolerance)
     sat, axis = left_out_rows(settings, sat, axis, mesh, progress)
     path = link_passes(sat, axis, settings.cutter.cutter, low, high, options, progress)
     return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)
 
 
 def _led(
-    settings: Settings, offset: OffsetPath, axis: Floats, links: Chain, progress: Progress
+    settings: Settings, offset: OffsetPath, axis: Floats, kinematics: Chain, progress: Progress
 ) -> tuple[Floats, tuple[Finding, ...]]:
     """The strategy's axes, led where the settings ask for it: to the least deviation, then past the pole."""
-    tool, cure, distance, ring = settings.tool_axis, settings.cure, reach(settings), settings.cutter.cutter.ring
+    tool, cure, distance, ring = settings.tool_axis, settings.cure, driven_to_hub(settings), settings.cutter.cutter.ring
     if tool.tool_axis == "minimax":
-        axis = minimax_axes(offset, axis, links, distance, tool.max_tilt, settings.feeds.feed, progress, ring)
+        axis = minimax_axes(offset, axis, kinematics, distance, tool.max_tilt, settings.feeds.feed, progress, ring)
     if cure.singularity != "deform":
         return axis, ()
-    made, led = deform_axes(offset, axis, links, cure.max_axis_change, progress)
+    made, led = deform_axes(offset, axis, kinematics, cure.max_axis_change, progress)
     tolerance = settings.proof.tolerance
     if not led:
         return made, led
-    return made, led + trade_findings(offset, axis, links, cure.max_axis_change, tolerance, distance, progress, ring)
+    return made, led + trade_findings(offset, axis, kinematics, cure.max_axis_change, tolerance, distance, progress, ring)
 
 
-def post(settings: Settings, machine: Machine, links: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:
+def post(settings: Settings, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:
     """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the feed moves."""
     file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
     given, path = settings, file.path
     settings = with_head(given, file.head)
     feeding = path.tip[path.motion != Motion.RAPID] if (path.motion != Motion.RAPID).any() else path.tip
     low, high = feeding.min(axis=0), feeding.max(axis=0)
-    joints = _driven(settings, path, low, high, machine, links, dialect, progress)
+    joints = _driven(settings, path, low, high, machine, kinematics, dialect, progress)
     taken = settings.cutter is not given.cutter
     found = path.findings + (cutter_taken(settings.cutter.cutter) if taken else cutter_note(file.head, settings.cutter.cutter))
-    return _posted(settings, path, joints, machine, links, dialect, (low, high), found, progress)
+    return _posted(settings, path, joints, machine, kinematics, dialect, (low, high), found, progress)
 
 
 def _posted(
-    settings: Settings, path: CLPath, joints: JointPath, machine: Machine, links: Chain, dialect: Dialect,
+    settings: Settings, path: CLPath, joints: JointPath, machine: Machine, kinematics: Chain, dialect: Dialect,
     box: Box, found: tuple[Finding, ...], progress: Progress,
 ) -> Posted:  # fmt: skip
-    program = build_program(joints, links, dialect, settings.feeds.feed_mode == "g93", progress)
-    height, said = start_plane(settings, machine, links, program, box)
+    program = build_program(joints, kinematics, dialect, settings.feeds.feed_mode == "g93", progress)
+    height, said = start_plane(settings, machine, kinematics, program, box)
     nc = write_nc(program, dialect, nc_title(settings, machine), post_options(settings), progress, height)
-    said += start_findings(settings, machine, dialect, links, program, box)
+    said += start_findings(settings, machine, dialect, kinematics, program, box)
     findings = found + block_findings(joints.findings, program) + program.findings + said
-    return Posted(settings, machine, links, dialect, program, findings, path, joints, nc)
+    return Posted(settings, machine, kinematics, dialect, program, findings, path, joints, nc)
 
 
 def _driven(
-    settings: Settings, path: CLPath, low: Floats, high: Floats, machine: Machine, links: Chain, dialect: Dialect,
+    settings: Settings, path: CLPath, low: Floats, high: Floats, machine: Machine, kinematics: Chain, dialect: Dialect,
     progress: Progress, entering: float = 0.0,
 ) -> JointPath:  # fmt: skip
     """The joint path through ``path``, its blocks divided where the settings ask for that. ``low``, ``high`` (3,) mm: the part's
     box; ``entering`` mm: so much of the tolerance the path itself uses up."""
-    joints = solve(path, links, low, high, settings.links.clearance, settings.cutter.cutter.radius, progress)
-    return _linearized(settings, joints, machine, links, dialect, settings.proof.tolerance - entering, progress)
+    joints = solve(path, kinematics, low, high, settings.kinematics.clearance, settings.cutter.cutter.radius, progress)
+    return _linearized(settings, joints, machine, kinematics, dialect, settings.proof.tolerance - entering, progress)
 
 
 def _linearized(
-    settings: Settings, joints: JointPath, machine: Machine, links: Chain, dialect: Dialect, tolerance: float, progress: Progress
+    settings: Settings,
+    joints: JointPath,
+    machine: Machine,
+    kinematics: Chain,
+    dialect: Dialect,
+    tolerance: float,
+    progress: Progress,
 ) -> JointPath:
     """The joint path with the blocks divided that the settings name: all feed blocks over tolerance, or those in the cone."""
     cure = settings.cure
     if cure.linearize == "on":
-        return linearize(joints, links, dialect, tolerance, None, progress)
+        return linearize(joints, kinematics, dialect, tolerance, None, progress)
     if cure.singularity == "linearize":
-        near = in_cone(links, q_to_words(joints.q), machine.singular_cone)
-        return linearize(joints, links, dialect, tolerance, near, progress)
+        near = in_cone(kinematics, q_to_words(joints.q), machine.singular_cone)
+        return linearize(joints, kinematics, dialect, tolerance, near, progress)
     return joints
 
 
@@ -306,11 +322,11 @@ def prove(made: Made, progress: Progress = silent) -> Result:
     Where the controller guides the tip there is nothing to measure, and nothing is proven but the blocks' ends.
     """
     proof, words = made.settings.proof, made.program.words
-    deviation = measure(made.links, words, proof.method, progress)
+    deviation = measure(made.kinematics, words, proof.method, progress)
     if (guided := made.program.guided) is not None:
         deviation = without_guided(deviation, guided.on, guided.tip)
-    singularity = find_singular(made.links, words, made.machine.singular_cone)
-    judged = judge(made.links, made.program, deviation, singularity, proof.tolerance)
+    singularity = find_singular(made.kinematics, words, made.machine.singular_cone)
+    judged = judge(made.kinematics, made.program, deviation, singularity, proof.tolerance)
     gouge, left, entries = _against_part(made, progress)
     found = still_true(made.findings, gouge) + deviation.findings + entries + judged
     if made.settings.task != AUDIT:
@@ -327,7 +343,7 @@ def _audited(made: Made, deviation: Deviation, against: CLPath | Mesh | None, pr
     gouge = settings.gouge
     body = tool_body(settings) if gouge.gouge != "off" or gouge.shank or gouge.holder else None
     options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body)
-    return audit_program(made.links, made.program, deviation, against, options, progress)
+    return audit_program(made.kinematics, made.program, deviation, against, options, progress)
 
 
 def _compared(settings: Settings, progress: Progress) -> CLPath | Mesh | None:
@@ -340,26 +356,26 @@ def _compared(settings: Settings, progress: Progress) -> CLPath | Mesh | None:
     return read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress).path
 
 
-def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, Remainder | None, tuple[Finding, ...]]:
+def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, RestMaterial | None, tuple[Finding, ...]]:
     """What enters the part, what is left on it, and what is to be said of both; of a program made from a mesh."""
     if not isinstance(made, Milled):
         return None, None, ()
     settings, mesh, keep = made.settings, made.mesh, made.keep
-    gouge = entered(settings, mesh, made.links, made.program, progress)
-    left = what_is_left(made, progress) if settings.gouge.left == "on" and len(cutting(made.program.motion)) else None
+    gouge = entered(settings, mesh, made.kinematics, made.program, progress)
+    left = rest_material_of(made, progress) if settings.gouge.left == "on" and len(cutting(made.program.motion)) else None
     return gouge, left, (gouge.findings if gouge else ()) + said_of(left, settings, mesh, keep)
 
 
-def what_is_left(made: Milled, progress: Progress = silent) -> Remainder:
+def rest_material_of(made: Milled, progress: Progress = silent) -> RestMaterial:
     """What the cutter leaves on the machined facets on its real way. Raises SettingsError where no block cuts."""
-    return left_by(made.settings, made.mesh, made.keep, made.links, made.program, progress)
+    return find_left(made.settings, made.mesh, made.keep, made.kinematics, made.program, progress)
 
 
 def figures(result: Result) -> Figures:
     """What the report is made from."""
     made = result.made
     return Figures(
-        title=title_of(made.settings), kind=made.settings.task, machine=made.machine, links=made.links,
+        title=title_of(made.settings), kind=made.settings.task, machine=made.machine, kinematics=made.kinematics,
         program=made.program, deviation=result.deviation, singularity=result.singularity,
         tolerance=made.settings.proof.tolerance, findings=result.findings, inputs=flat_options(made.settings),
         audit=result.audit, gouge=result.gouge, left=result.left,

@@ -65,7 +65,7 @@ def stood(settings: Settings, machine: Machine) -> tuple[Machine, Setup, Dialect
     return machine, Setup(machine.origin if given.origin is None else given.origin, length), dialect
 
 
-def scallop_asked(settings: Settings) -> float | None:
+def wanted_scallop(settings: Settings) -> float | None:
     """The scallop asked for, mm; None where a stepover is."""
     passes = settings.passes
     return DEFAULT_SCALLOP if passes.scallop is None and passes.stepover is None else passes.scallop
@@ -77,14 +77,14 @@ def axis_options(settings: Settings) -> AxisOptions:
     return AxisOptions(fixed=tool.axis, lead=tool.lead, tilt=tool.tilt)
 
 
-def reach(settings: Settings) -> float:
+def driven_to_hub(settings: Settings) -> float:
     """From the driven point to the hub (the ball's centre), mm."""
     return settings.cutter.cutter.corner if settings.machine.control_point == "tip" else 0.0
 
 
-def back(settings: Settings) -> float:
+def tip_to_driven(settings: Settings) -> float:
     """How far above the tip the point lies that the words drive, mm."""
-    return settings.cutter.cutter.corner - reach(settings)
+    return settings.cutter.cutter.corner - driven_to_hub(settings)
 
 
 def post_options(settings: Settings) -> PostOptions:

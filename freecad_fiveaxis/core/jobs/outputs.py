@@ -94,7 +94,7 @@ def _report_files(result: Result, progress: Progress) -> dict[str, bytes]:
     if output.blocks:
         files[output.blocks] = blocks_csv(result.made.program, result.deviation, result.singularity, progress, result.gouge)
     if (rates := output.rates) and result.audit is not None:
-        files[rates] = rates_csv(result.made.links, result.made.program, result.audit, progress)
+        files[rates] = rates_csv(result.made.kinematics, result.made.program, result.audit, progress)
     if output.report:
         sheets = figures(result)
         files |= {path: REPORTS[Path(path).suffix.lower()](sheets).encode("utf-8", "backslashreplace") for path in output.report}

@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_t
 from freecad_fiveaxis.core.motion.program import Program, plane_above, upwards, within_travel
 from freecad_fiveaxis.core.nc.start import UPRIGHT, by_reference, with_start
 
-from .options import back
+from .options import tip_to_driven
 from .settings import Settings
 
 Box = tuple[Floats, Floats]
@@ -32,18 +32,18 @@ def started(dialect: Dialect, machine: Machine) -> Dialect:
 
 
 def start_plane(
-    settings: Settings, machine: Machine, links: Chain, program: Program, box: Box
+    settings: Settings, machine: Machine, kinematics: Chain, program: Program, box: Box
 ) -> tuple[float, tuple[Finding, ...]]:
     """The word of Z at which the program begins and ends above the part, where the machine file asks for that, else 0."""
     if machine.safe_start.retract != BY_CLEARANCE or not len(program.words):
         return 0.0, ()
     body = settings.cutter.cutter.top_radius if machine.has_head else 0.0  # a tool that lies level reaches down by its radius
-    margin = settings.links.clearance + back(settings) + body
-    return within_travel(links, plane_above(links, *box, margin, program.words))
+    margin = settings.kinematics.clearance + tip_to_driven(settings) + body
+    return within_travel(kinematics, plane_above(kinematics, *box, margin, program.words))
 
 
 def start_findings(
-    settings: Settings, machine: Machine, dialect: Dialect, links: Chain, program: Program, box: Box
+    settings: Settings, machine: Machine, dialect: Dialect, kinematics: Chain, program: Program, box: Box
 ) -> tuple[Finding, ...]:
     """What there is to say of spindle, start and end."""
     found = _spindle_off() if settings.head.spindle == 0.0 else ()
@@ -56,7 +56,7 @@ def start_findings(
         found += (Finding(Severity.NOTE, "starts-at-reference", text),)
     if machine.safe_start.retract == BY_NOTHING or not len(program.words):
         return found
-    return found + _through_part(links, program, box)
+    return found + _through_part(kinematics, program, box)
 
 
 def _spindle_off() -> tuple[Finding, ...]:
@@ -69,12 +69,12 @@ def _spindle_off() -> tuple[Finding, ...]:
     )
 
 
-def _through_part(links: Chain, program: Program, box: Box) -> tuple[Finding, ...]:
+def _through_part(kinematics: Chain, program: Program, box: Box) -> tuple[Finding, ...]:
     """An error where the straight way of Z to the first place, or from the last, meets the part's box."""
     found, ends = [], (0, len(program.words) - 1)
     for row, what in zip(ends, (say("comes down to its first place"), say("rises from its last place")), strict=True):
         words = program.words[row : row + 1]
-        place, up = forward_tip(links, words_to_q(words))[0], upwards(links, np.radians(words[:, 3:]))[0]
+        place, up = forward_tip(kinematics, words_to_q(words))[0], upwards(kinematics, np.radians(words[:, 3:]))[0]
         if _meets(place, up, *box):
             text = say(
                 "The tool {what} along Z through the part, because the tool axis points downwards there. Begin and "

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.columns import chunks, cos_sin
+from freecad_fiveaxis.core.base.columns import cache_chunks, cos_sin
 from freecad_fiveaxis.core.base.records import Bools, Floats, freeze
 from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair
 
@@ -50,13 +50,13 @@ class Singularity:
         freeze(self, None, least_sine="f", rotary_travel="f", axis_travel="f", singular="b")
 
 
-def find_singular(links: Chain, words: Floats, cone: float) -> Singularity:
+def find_singular(kinematics: Chain, words: Floats, cone: float) -> Singularity:
     """The singular blocks among ``words`` (m, 5) mm and **degrees**; ``cone`` half angle of the singular cone, rad."""
-    pair = RotaryPair.of(links.direction[3], links.direction[4])
+    pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     count = len(words)
     least, rotary, axis, singular = np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count, bool)
     measure = _cone_measure(pair, cone)
-    for rows in chunks(max(count - 1, 0)):
+    for rows in cache_chunks(max(count - 1, 0)):
         ends = slice(rows.start, rows.stop + 1)
         first, second = np.deg2rad(words[ends, 3]), np.deg2rad(words[ends, 4]) - pair.best
         blocks = slice(rows.start + 1, rows.stop + 1)
@@ -70,11 +70,11 @@ def find_singular(links: Chain, words: Floats, cone: float) -> Singularity:
     return Singularity(least, rotary, axis, singular)
 
 
-def in_cone(links: Chain, words: Floats, cone: float) -> Bools:
+def in_cone(kinematics: Chain, words: Floats, cone: float) -> Bools:
     """The blocks (m,) among ``words`` (m, 5) mm and **degrees** whose real tool axis comes inside the singular cone, however far
     they turn; ``cone`` half angle, rad. Row 0 is no block: False."""
-    pair = RotaryPair.of(links.direction[3], links.direction[4])
-    inside = find_singular(links, words, cone).least_sine < _cone_measure(pair, cone)
+    pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
+    inside = find_singular(kinematics, words, cone).least_sine < _cone_measure(pair, cone)
     inside[:1] = False
     return inside
 

@@ -87,15 +87,17 @@ class Motion:
         return Motion(arm, arm_step, pick(self.a), pick(self.a_step), pick(self.b), pick(self.b_step))
 
 
-def frames(links: Chain) -> Frames:
+def frames(kinematics: Chain) -> Frames:
     """The chain's constants in its two rotary frames."""
     x, z = np.array((1.0, 0.0, 0.0)), np.array((0.0, 0.0, 1.0))
-    first, second = _basis(links.direction[3], x), _basis(links.direction[4], z)
+    first, second = _basis(kinematics.direction[3], x), _basis(kinematics.direction[4], z)
     gain = np.zeros((9, 3))
-    for j, slot in enumerate(links.slot):
+    for j, slot in enumerate(kinematics.slot):
         basis = second if slot == 2 else first
-        gain[3 * slot : 3 * slot + 3, j] = basis @ links.direction[j]
-    offset = np.concatenate([first @ links.point1, first @ (links.point2 - links.point1), -(second @ links.point2)])
+        gain[3 * slot : 3 * slot + 3, j] = basis @ kinematics.direction[j]
+    offset = np.concatenate(
+        [first @ kinematics.point1, first @ (kinematics.point2 - kinematics.point1), -(second @ kinematics.point2)]
+    )
     return Frames(first, _cleaned(first @ second.T), _cleaned(second @ z), _cleaned(gain), offset)
 
 
@@ -270,26 +272,26 @@ def axis_motion(frame: Frames, move: Motion) -> Motion:
 # ------------------------------------------------------------------------------------------------ rows in, rows out
 
 
-def tip_at(links: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> Floats:
+def tip_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> Floats:
     """The real tip, work frame, mm: (m, 3) for ``u`` (m,) or a number, (m, k, 3) for ``u`` (m, k) or (1, k).
 
     ``start``, ``end`` (m, 5): the words at u = 0 and u = 1, mm and **degrees**.
     """
-    frame = frames(links)
+    frame = frames(kinematics)
     move, at_u = _laid_out(frame, start, end, u)
     return _rows(to_work(frame, tip(frame, at(move, at_u))), move, at_u)
 
 
-def axis_at(links: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> Floats:
+def axis_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> Floats:
     """The real unit tool axis, work frame; shapes as in :func:`tip_at`."""
-    frame = frames(links)
+    frame = frames(kinematics)
     move, at_u = _laid_out(frame, start, end, u)
     return _rows(to_work(frame, axis(frame, at(move, at_u))), move, at_u)
 
 
-def tip_derivatives_at(links: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> tuple[Floats, Floats, Floats]:
+def tip_derivatives_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> tuple[Floats, Floats, Floats]:
     """The real tip and its first and second derivative by u, work frame, mm; shapes as in :func:`tip_at`."""
-    frame = frames(links)
+    frame = frames(kinematics)
     move, at_u = _laid_out(frame, start, end, u)
     p, first, second = (_rows(to_work(frame, v), move, at_u) for v in derivatives(frame, move, at_u))
     return p, first, second

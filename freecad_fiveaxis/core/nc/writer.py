@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.number_text import EXACT, Choice, Column, Part, Units, nearest_whole, rounded, table_parts
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -113,7 +113,7 @@ def _axis_word(program: Program, column: int, linear: Floats, dialect: Dialect) 
 
 def _modal(words: list[Column | Units], vector: bool) -> list[Column | Units]:
     """Only the words that change; a tool vector always whole; where nothing changes, the first word."""
-    shows = on_all(lambda word: _changed(word.values), words)
+    shows = in_threads(lambda word: _changed(word.values), words)
     if vector:
         shows[-3:] = [np.logical_or.reduce(shows[-3:])] * 3
     shows[0] = shows[0] | ~np.logical_or.reduce(shows)  # a block without any change still needs an axis word
@@ -142,7 +142,7 @@ def _word(said: _Said, rows: int) -> Column | Units:
         nearest_whole(step)
         return exact
 
-    if not all(on_all(count, portions(rows))):
+    if not all(in_threads(count, chunks(rows))):
         return Column(prefix, rounded(said.values, said.decimals), said.decimals)
     counted = steps.view(np.int64)
     return Units(prefix, counted % (360 * 10**said.decimals) if said.fold else counted, said.decimals)

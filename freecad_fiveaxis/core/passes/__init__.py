@@ -6,10 +6,22 @@ from .passes import ContactPath, direction, slice_mesh
 from .scallop import CREASE, facet_curvature, flat_interval, turned_along
 from .sides import side_findings, untouched_sides
 from .spacing import place_planes
-from .within_limits import axes_within_limits, reachable_facets
+from .within_limits import axes_within_limits, facets_within_limits
 
 __all__ = [
-    "CREASE", "ContactPath", "arc_centre", "arc_curvature", "axes_within_limits", "direction", "facet_curvature",
-    "flat_interval", "pass_curvature", "place_planes", "reachable_facets", "side_findings", "slice_mesh", "turned_along",
+    "CREASE",
+    "ContactPath",
+    "arc_centre",
+    "arc_curvature",
+    "axes_within_limits",
+    "direction",
+    "facet_curvature",
+    "facets_within_limits",
+    "flat_interval",
+    "pass_curvature",
+    "place_planes",
+    "side_findings",
+    "slice_mesh",
+    "turned_along",
     "untouched_sides",
 ]  # fmt: skip

@@ -17,11 +17,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, owners
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, run_ids
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
@@ -141,7 +141,7 @@ def _joined(mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, plain: Bo
         one, two = (mesh.normal.T.take(facet.take(between + side), axis=1) for side in (0, 1))
         stays[part.start + between[np.abs(one - two).max(axis=0, initial=0.0) <= LEVEL]] = False
 
-    on_all(look, portions(len(crossing)))
+    in_threads(look, chunks(len(crossing)))
     stays[first] = stays[first[1:] - 1] = True
     before = np.cumsum(stays)
     return crossing[stays], before[first] - 1
@@ -176,14 +176,14 @@ def _zigzag(chains: _Chains, cross: Crossings, plain: Bools | None) -> _Chains:
 def _contact_path(mesh: Mesh, cross: Crossings, chains: _Chains, planes: Floats, heading: tuple[float, float]) -> ContactPath:
     """Entry and exit of each segment from the chains of crossings."""
     crossing, first, plane, back = chains
-    along, height = on_all(lambda column: column.take(crossing), (cross.along, cross.height))
+    along, height = in_threads(lambda column: column.take(crossing), (cross.along, cross.height))
     end, number = _segment_ends(along, height, first)
     used = np.flatnonzero(number)
     number, plane = 2 * number.take(used), plane.take(used)
     # one block for the labels and one for the rest: numpy asks for large memory pages where an array is large
     face, coedge, segment, polyline, pass_ = label = np.empty((5, 2 * len(end)), dtype=np.int64)
     point, normal = np.empty((2, 3, 2 * len(end)))
-    polyline[:] = owners(number)
+    polyline[:] = run_ids(number)
 
     def fill(part: slice) -> None:
         rows = slice(2 * part.start, 2 * part.stop)
@@ -199,7 +199,7 @@ def _contact_path(mesh: Mesh, cross: Crossings, chains: _Chains, planes: Floats,
             both[0::2] = both[1::2] = values
         segment[rows] = np.arange(rows.start, rows.stop) >> 1
 
-    on_all(fill, portions(len(end)))
+    in_threads(fill, chunks(len(end)))
     return ContactPath(point.T, normal.T, *label)
 
 

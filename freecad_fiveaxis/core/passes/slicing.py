@@ -21,10 +21,10 @@ import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import depth_first_order
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.memory import check_memory
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, owners
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
@@ -104,7 +104,7 @@ def levels(distance: Floats, offsets: Floats) -> Ints:
     def fill(part: slice) -> None:
         level[part] = np.searchsorted(offsets, distance[part], side="right")
 
-    on_all(fill, portions(len(distance)))
+    in_threads(fill, chunks(len(distance)))
     return level
 
 
@@ -123,8 +123,8 @@ def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]
         np.subtract(last - number, low, out=base[:-1][part])
         return int(last[-1])
 
-    parts = portions(len(mesh.face))
-    counts = on_all(count, parts)
+    parts = chunks(len(mesh.face))
+    counts = in_threads(count, parts)
     for part, before in zip(parts, np.cumsum([0, *counts]).tolist(), strict=False):
         base[:-1][part] += before
     base[-1] = NOWHERE
@@ -153,16 +153,16 @@ def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> list[_Piece]:
         lower = 2 * cut + number - upper
         low = np.minimum(one, two)
         count = np.maximum(one, two) - low
-        row = owners(count)
+        row = run_ids(count)
         plane = np.arange(len(row)) + (low + count - np.cumsum(count)).take(row)
         made = []
-        for piece in portions(len(row)):
+        for piece in chunks(len(row)):
             at = row[piece]
             up, down = upper.take(at), lower.take(at)
             made.append(_Piece(cut.take(at), ends.take(up), ends.take(down), sides.take(down), sides.take(up), plane[piece]))
         return made
 
-    return [piece for pieces in on_all(of, portions(number)) for piece in pieces]
+    return [piece for pieces in in_threads(of, chunks(number)) for piece in pieces]
 
 
 def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats, keep: Bools | None) -> Crossings:
@@ -196,7 +196,7 @@ def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats,
     pieces = _pieces(mesh, level, keep)
     bounds = np.cumsum([0, *(len(piece.plane) for piece in pieces)]).tolist()
     total, none = bounds[-1], Starts.none()
-    starts = on_all(lambda at: fill(pieces[at], slice(bounds[at], bounds[at + 1])), range(len(pieces)))
+    starts = in_threads(lambda at: fill(pieces[at], slice(bounds[at], bounds[at + 1])), range(len(pieces)))
     opening, turning = ([none, *(pair[end] for pair in starts)] for end in (0, 1))
     coedge, left, at, height = label[0, :total], label[1, :total], place[0, :total], place[1, :total]
     return Crossings(coedge, left, at, height, next_node, exit_, base, Starts.joined(opening), Starts.joined(turning))

@@ -22,7 +22,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -141,7 +141,7 @@ def _extent(mesh: Mesh, across: Floats, rows: Ints) -> tuple[float, float]:
         cut = high > low
         return float(low.min(where=cut, initial=math.inf)), float(high.max(where=cut, initial=-math.inf))
 
-    lows, highs = zip((math.inf, -math.inf), *on_all(of, portions(len(rows))), strict=True)
+    lows, highs = zip((math.inf, -math.inf), *in_threads(of, chunks(len(rows))), strict=True)
     return min(lows), max(highs)
 
 

@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
-from freecad_fiveaxis.core.base.columns import chunks, dot
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
+from freecad_fiveaxis.core.base.columns import cache_chunks, dot
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats
@@ -52,14 +52,14 @@ _BEYOND = Template(
 )
 
 
-def reachable_facets(
-    mesh: Mesh, links: Chain | None, max_axis_angle: float, wanted: Bools | None = None
+def facets_within_limits(
+    mesh: Mesh, kinematics: Chain | None, max_axis_angle: float, wanted: Bools | None = None
 ) -> tuple[Bools, tuple[Finding, ...]]:
     """Mask (f,) of the facets that can be cut with the tool along their normal, and what of the wanted ones is left out.
 
     ``max_axis_angle`` rad: the largest axis angle that is wanted, over 0 and at most pi; facets that look down are out
     whatever it is. Vertical walls count as 90 deg.
-    ``links`` None: the tool axis does not follow the facets. ``wanted`` (f,): the facets that were chosen, None: all of them.
+    ``kinematics`` None: the tool axis does not follow the facets. ``wanted`` (f,): the facets that were chosen, None: all of them.
     Raises SettingsError for another angle, ReachError where no facet is left.
     """
     if not 0.0 < max_axis_angle <= math.pi:
@@ -77,50 +77,54 @@ def reachable_facets(
 
     def check(part: slice) -> None:
         rows = rest[part]
-        beyond[rows] = ~axes_within_limits(links, mesh.normal.T.take(rows, axis=1).T) if links is not None else False
+        beyond[rows] = ~axes_within_limits(kinematics, mesh.normal.T.take(rows, axis=1).T) if kinematics is not None else False
 
-    on_all(check, portions(len(rest)))
+    in_threads(check, chunks(len(rest)))
     keep: Bools = wanted & ~(down | steep | beyond)
     if np.array_equal(keep, wanted) and keep.any():
         return keep, ()
     area = mesh.area
     if not keep.any():
         raise ReachError(_nothing_left(area, down, steep, beyond, max_axis_angle), math.degrees(max_axis_angle))
-    found = (_looking_down(mesh, area, down), _too_steep(mesh, area, steep, max_axis_angle), _beyond(mesh, area, beyond, links))
+    found = (
+        _looking_down(mesh, area, down),
+        _too_steep(mesh, area, steep, max_axis_angle),
+        _beyond(mesh, area, beyond, kinematics),
+    )
     return keep, tuple(finding for finding in found if finding is not None)
 
 
-def axes_within_limits(links: Chain, axis: Floats) -> Bools:
+def axes_within_limits(kinematics: Chain, axis: Floats) -> Bools:
     """True (n,) where the machine can take up the unit tool axis (n, 3) with both rotary words within their limits."""
-    ends = _second_alone(links)
+    ends = _second_alone(kinematics)
     if ends is not None:
         least, most = ends
-        along = np.asarray(dot(links.direction[3].tolist(), list(axis.T)))
+        along = np.asarray(dot(kinematics.direction[3].tolist(), list(axis.T)))
         return (along >= least) & (along <= most)
     within = np.empty(len(axis), dtype=np.bool_)
-    for part in chunks(len(axis)):
-        words, sine = inverse_axis(links, axis[part])
-        first = _turned_within(words[:, :, 0], links.low[3], links.high[3])
+    for part in cache_chunks(len(axis)):
+        words, sine = inverse_axis(kinematics, axis[part])
+        first = _turned_within(words[:, :, 0], kinematics.low[3], kinematics.high[3])
         first |= sine == 0.0  # at the pole any first word will do
-        second = _turned_within(words[:, :, 1], links.low[4], links.high[4])
+        second = _turned_within(words[:, :, 1], kinematics.low[4], kinematics.high[4])
         within[part] = (first & second).any(axis=0)
     return within
 
 
-def _second_alone(links: Chain) -> tuple[float, float] | None:
+def _second_alone(kinematics: Chain) -> tuple[float, float] | None:
     """Least and largest component along the first rotary axis that the second one can give the tool axis within its limits.
 
     Where the first axis turns all the way, an axis with such a component is within reach, and no other: the first never
     changes the component, and turns the rest anywhere. By Rodrigues it is ``mean + reach cos(word - top)``. None where the
     first axis is limited, or the second one's limit lies where the cosine is too flat to tell.
     """
-    if links.high[3] - links.low[3] < TURN or links.low[4] > links.high[4]:
+    if kinematics.high[3] - kinematics.low[3] < TURN or kinematics.low[4] > kinematics.high[4]:
         return None
-    first, second = links.direction[3], links.direction[4]
+    first, second = kinematics.direction[3], kinematics.direction[4]
     mean = float(first @ second) * float(second[2])
     cosine, sine = float(first[2]) - mean, float(first[0] * second[1] - first[1] * second[0])
     reach, top = math.hypot(cosine, sine), math.atan2(sine, cosine)
-    low, high = links.low[4] - WORD_ERROR - top, links.high[4] + WORD_ERROR - top
+    low, high = kinematics.low[4] - WORD_ERROR - top, kinematics.high[4] + WORD_ERROR - top
     if high - low >= TURN:
         return mean - (1.0 + BEYOND) * reach, mean + (1.0 + BEYOND) * reach
     at_top = math.floor(high / TURN) >= low / TURN  # a whole turn lies between
@@ -163,19 +167,19 @@ def _too_steep(mesh: Mesh, area: Floats, out: Bools, most: float) -> Finding | N
     return _left_out(Severity.WARNING, "facets-beyond-axis-angle", _STEEP, mesh, area, out, most=angle)
 
 
-def _beyond(mesh: Mesh, area: Floats, out: Bools, links: Chain | None) -> Finding | None:
-    if links is None:
+def _beyond(mesh: Mesh, area: Floats, out: Bools, kinematics: Chain | None) -> Finding | None:
+    if kinematics is None:
         return None
-    return _left_out(Severity.WARNING, "facets-beyond-machine", _BEYOND, mesh, area, out, limits=_limits(links))
+    return _left_out(Severity.WARNING, "facets-beyond-machine", _BEYOND, mesh, area, out, limits=_limits(kinematics))
 
 
-def _limits(links: Chain) -> Sentence:
-    spans = np.degrees([links.low[3:], links.high[3:]]).T.tolist()
+def _limits(kinematics: Chain) -> Sentence:
+    spans = np.degrees([kinematics.low[3:], kinematics.high[3:]]).T.tolist()
     one, other = (
         say("{letter} ({low} to {high})", letter=letter, low=Angle(low, bare=True), high=Angle(high))
-        for letter, (low, high) in zip(links.letters[3:], spans, strict=True)
+        for letter, (low, high) in zip(kinematics.letters[3:], spans, strict=True)
     )
-    if not links.axes[4].fitted:
+    if not kinematics.axes[4].fitted:
         return one
     return say("{one} or {other}", one=one, other=other)
 

@@ -243,7 +243,7 @@ def _real_ways(figures: Figures, rows: Ints, points: int) -> Floats:
     if not len(rows):
         return np.zeros((0, points, 3))
     words = figures.program.words
-    return tip_at(figures.links, words[rows - 1], words[rows], np.linspace(0.0, 1.0, points)[None])
+    return tip_at(figures.kinematics, words[rows - 1], words[rows], np.linspace(0.0, 1.0, points)[None])
 
 
 def _rapids(figures: Figures) -> Floats:

@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.audit.rates import SAME
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision import GougeCheck, Remainder
+from freecad_fiveaxis.core.collision import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
@@ -48,7 +48,7 @@ _CHUNK = 16384
 class Figures:
     """All that a report shows. ``tolerance`` mm; ``findings`` those of every stage.
 
-    ``program``, ``deviation`` and ``singularity`` have one row a block; ``links`` is the chain that ``program`` is for. ``audit``
+    ``program``, ``deviation`` and ``singularity`` have one row a block; ``kinematics`` is the chain that ``program`` is for. ``audit``
     where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
     ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
     1, of the surface asked for that stays unfinished.
@@ -57,7 +57,7 @@ class Figures:
     title: str
     kind: str
     machine: Machine
-    links: Chain
+    kinematics: Chain
     program: Program
     deviation: Deviation
     singularity: Singularity
@@ -66,7 +66,7 @@ class Figures:
     inputs: Mapping[str, object] = field(default_factory=dict)
     audit: Audit | None = None
     gouge: GougeCheck | None = None
-    left: Remainder | None = None
+    left: RestMaterial | None = None
     allowed: float = 0.0
     mesh: Mesh | None = None
     unfinished: float = 0.0
@@ -99,7 +99,7 @@ class Figures:
         tip, axis = np.empty((3, len(q))).T, np.empty((3, len(q))).T
         for start in range(0, len(q), _CHUNK):
             part = slice(start, start + _CHUNK)
-            tip[part], axis[part] = forward(self.links, inner_words(q[part]))
+            tip[part], axis[part] = forward(self.kinematics, inner_words(q[part]))
         return tip, axis
 
 
@@ -226,16 +226,16 @@ def _travelled(figures: Figures) -> dict[str, object]:
 
 
 def _axes(figures: Figures, order: list[int], moved: Floats) -> dict[str, dict[str, object]]:
-    program, links = figures.program, figures.links
+    program, kinematics = figures.program, figures.kinematics
     inner = np.array([1.0, 1.0, 1.0, math.degrees(1.0), math.degrees(1.0)])
     columns = {
         "least": np.array([word.min(initial=math.inf) for word in program.words.T]),
         "largest": np.array([word.max(initial=-math.inf) for word in program.words.T]),
-        "low_limit": links.low * inner,
-        "high_limit": links.high * inner,
+        "low_limit": kinematics.low * inner,
+        "high_limit": kinematics.high * inner,
         "travel": moved,
         "peak_rate": np.array([rate[figures.feeds].max(initial=0.0) for rate in axis_rates(program).T]),
-        "max_rate": links.rate * inner,
+        "max_rate": kinematics.rate * inner,
     }
     return {
         program.letters[i]: {"unit": "mm" if i < 3 else "deg"} | {name: float(values[i]) for name, values in columns.items()}

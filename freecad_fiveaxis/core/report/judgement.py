@@ -45,14 +45,14 @@ _GUIDE = say("A controller with tool tip control (RTCP) guides the tip along the
 
 
 def judge(
-    links: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float
+    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float
 ) -> tuple[Finding, ...]:
     """The findings of all feed blocks; ``tolerance`` mm. All records have one row a block."""
     feeds = feed_blocks(program)
     over = ~(deviation.segment[feeds] <= tolerance)  # so a NaN counts as over
     unproven = ~over & ~(deviation.bound[feeds] <= tolerance)
     return (
-        *_over_tolerance(links, program, deviation, singularity, tolerance, feeds[over]),
+        *_over_tolerance(kinematics, program, deviation, singularity, tolerance, feeds[over]),
         *_unproven(program, deviation, tolerance, feeds[unproven]),
         *_near_pole(program, deviation, singularity, feeds[singularity.singular[feeds]]),
     )
@@ -91,7 +91,7 @@ def _finding(kind: _Kind, program: Program, deviation: Deviation, row: int, text
 
 
 def _over_tolerance(
-    links: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float, rows: Ints
+    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float, rows: Ints
 ) -> list[Finding]:
     near = int(singularity.singular[rows].sum())
 
@@ -105,7 +105,7 @@ def _over_tolerance(
             line=program.line[row],
             deviation=Length(deviation.segment[row], ".5g"),
             turns=_turns(program, row),
-            step=Length(_chord(links, program, row), ".3f"),
+            step=Length(_chord(kinematics, program, row), ".3f"),
         )
         return joined((lead, _near(near, len(rows), program), _SPLIT, _AWAY if near else "", _GUIDE))
 
@@ -116,7 +116,7 @@ def _over_tolerance(
             deviation=Length(deviation.segment[row], ".5g"),
             tolerance=Length(tolerance),
             turns=_turns(program, row),
-            step=Length(_chord(links, program, row), ".3f"),
+            step=Length(_chord(kinematics, program, row), ".3f"),
         )
         keep = singularity.singular[row]
         return joined((lead, say("Split it, or keep the tool off the pole.") if keep else say("Split it.")))
@@ -203,6 +203,6 @@ def _turns(program: Program, row: int) -> Sentence:
     )
 
 
-def _chord(links: Chain, program: Program, row: int) -> float:
-    start, end = forward(links, inner_words(program.words[row - 1 : row + 1]))[0]
+def _chord(kinematics: Chain, program: Program, row: int) -> float:
+    start, end = forward(kinematics, inner_words(program.words[row - 1 : row + 1]))[0]
     return math.dist(start, end)

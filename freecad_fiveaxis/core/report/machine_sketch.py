@@ -80,14 +80,14 @@ class ToolRoom:
     radius: float
 
 
-def sketch(links: Chain, low: Floats, high: Floats, tool: ToolRoom, table: float | None = None) -> tuple[Body, ...]:
+def sketch(kinematics: Chain, low: Floats, high: Floats, tool: ToolRoom, table: float | None = None) -> tuple[Body, ...]:
     """The bodies of a machine that has a part with the box ``low``, ``high`` (3,) mm, work frame, on its table.
 
     ``table`` mm: height of the table's face, work frame, where it is known; the face never stands in the part.
     """
     low, high = np.asarray(low, float), np.asarray(high, float)
     spindle = max(1.25 * tool.radius, LEAST_RADIUS)
-    return (*_table(links, low, high, WIDER * spindle, table), *_head(links, tool.height, spindle))
+    return (*_table(kinematics, low, high, WIDER * spindle, table), *_head(kinematics, tool.height, spindle))
 
 
 def corners(shape: Box | Cylinder) -> Floats:
@@ -127,8 +127,8 @@ def _frame(up: Floats, first: Floats | None = None) -> Floats:
     return np.stack([side, np.cross(up, side), up])
 
 
-def _point(links: Chain, axis: int) -> Floats:
-    return links.point1 if axis == 3 else links.point2
+def _point(kinematics: Chain, axis: int) -> Floats:
+    return kinematics.point1 if axis == 3 else kinematics.point2
 
 
 def _nearest(point: Floats, line: Floats, direction: Floats) -> Floats:
@@ -145,20 +145,20 @@ def _beyond(order: list[int], axis: int | None) -> int | None:
 # ------------------------------------------------------------------------------------------------ the table's side
 
 
-def _table(links: Chain, low: Floats, high: Floats, least: float, table: float | None) -> list[Body]:
-    order = sides(links)[0][::-1]
-    turning = [axis for axis in reversed(order) if axis >= 3 and links.axes[axis].fitted]
+def _table(kinematics: Chain, low: Floats, high: Floats, least: float, table: float | None) -> list[Body]:
+    order = sides(kinematics)[0][::-1]
+    turning = [axis for axis in reversed(order) if axis >= 3 and kinematics.axes[axis].fitted]
     stand = low if table is None else np.array([low[0], low[1], min(low[2], table)])
     part = corners(Box(0.5 * (stand + high), np.eye(3), 0.5 * (high - stand)))
     if not turning:
         return [_plain_table(part, order[-1] if order else None, least)]
     first = turning[0]
-    up, radius = _upwards(links, first, turning[1:], part), max(_swept_radius(links, first, part), least)
+    up, radius = _upwards(kinematics, first, turning[1:], part), max(_swept_radius(kinematics, first, part), least)
     if len(turning) > 1:
-        line = _nearest(_point(links, first), _point(links, turning[1]), links.direction[turning[1]])
-        middle = _nearest(0.5 * (low + high), _point(links, first), up)
+        line = _nearest(_point(kinematics, first), _point(kinematics, turning[1]), kinematics.direction[turning[1]])
+        middle = _nearest(0.5 * (low + high), _point(kinematics, first), up)
         radius = max(radius, 0.5 * float(np.linalg.norm(line - middle)))
-    base = _point(links, first)
+    base = _point(kinematics, first)
     face = base + float(((part - base) @ up).min()) * up
     thick = WALL * radius
     platter = Body("platter", first, Cylinder(face - thick * up, face, radius))
@@ -167,9 +167,9 @@ def _table(links: Chain, low: Floats, high: Floats, least: float, table: float |
         foot = frame.box((-1.1 * radius, -1.1 * radius, -0.5 * radius), (1.1 * radius, 1.1 * radius, -GAP * radius))
         return [platter, Body("base", _beyond(order, first), foot)]
     second = turning[1]
-    made = _cradle if abs(float(links.direction[second] @ up)) <= ACROSS else _table_knuckle
+    made = _cradle if abs(float(kinematics.direction[second] @ up)) <= ACROSS else _table_knuckle
     ring = _ring(face, up, radius, float(((part - face) @ up).max()))
-    return [platter, *made(links, second, _beyond(order, second), face - thick * up, up, radius, ring)]
+    return [platter, *made(kinematics, second, _beyond(order, second), face - thick * up, up, radius, ring)]
 
 
 def _plain_table(part: Floats, carrier: int | None, least: float) -> Body:
@@ -179,20 +179,20 @@ def _plain_table(part: Floats, carrier: int | None, least: float) -> Body:
     return Body("table", carrier, frame.box((-half[0], -half[1], -WALL * half[:2].max()), (half[0], half[1], 0.0)))
 
 
-def _upwards(links: Chain, first: int, others: list[int], part: Floats) -> Floats:
+def _upwards(kinematics: Chain, first: int, others: list[int], part: Floats) -> Floats:
     """The direction of the platter's axis that points out of its face: upwards, or for a level one from the next line to the
     part."""
-    axis = links.direction[first]
+    axis = kinematics.direction[first]
     if abs(axis[2]) > ACROSS or not others:
         return np.asarray(axis if axis[2] >= 0.0 else -axis)
-    away = part.mean(axis=0) - _point(links, others[0])
+    away = part.mean(axis=0) - _point(kinematics, others[0])
     return np.asarray(axis if away @ axis >= 0.0 else -axis)
 
 
-def _swept_radius(links: Chain, axis: int, part: Floats) -> float:
+def _swept_radius(kinematics: Chain, axis: int, part: Floats) -> float:
     """The radius of a platter that has room for the part."""
-    offset = part - _point(links, axis)
-    across = offset - (offset @ links.direction[axis])[:, None] * links.direction[axis]
+    offset = part - _point(kinematics, axis)
+    across = offset - (offset @ kinematics.direction[axis])[:, None] * kinematics.direction[axis]
     return ROOM * float(np.linalg.norm(across, axis=1).max())
 
 
@@ -203,11 +203,13 @@ def _ring(face: Floats, up: Floats, radius: float, height: float) -> Floats:
     return np.concatenate([face + circle, face + circle + height * up])
 
 
-def _cradle(links: Chain, axis: int, carrier: int | None, under: Floats, up: Floats, radius: float, ring: Floats) -> list[Body]:
+def _cradle(
+    kinematics: Chain, axis: int, carrier: int | None, under: Floats, up: Floats, radius: float, ring: Floats
+) -> list[Body]:
     """A U about the platter, in the coordinates (along its line, across, up) of the platter's underside, and its bearings."""
-    direction, wall, gap = links.direction[axis], WALL * radius, GAP * radius
+    direction, wall, gap = kinematics.direction[axis], WALL * radius, GAP * radius
     frame = _Frame(under, _frame(up, direction))
-    _, across, height = frame.of(_point(links, axis)[None])[0].tolist()
+    _, across, height = frame.of(_point(kinematics, axis)[None])[0].tolist()
     inner, boss, deep = radius + gap, max(0.26 * radius, 1.5 * wall), -gap - wall
     outer = inner + wall
     ends = (-1.0, 1.0) if abs(direction[2]) < 0.7 else (-float(np.sign(direction[2])),)
@@ -224,7 +226,7 @@ def _cradle(links: Chain, axis: int, carrier: int | None, under: Floats, up: Flo
     ]
     cradle: list[Box | Cylinder] = [plate, *arms, *pins]
     swing = np.concatenate([ring, *(corners(shape) for shape in cradle)])
-    floor = height - ROOM * _deepest(links, axis, frame, swing, across, height)
+    floor = height - ROOM * _deepest(kinematics, axis, frame, swing, across, height)
     near, far, wide = outer + gap, outer + 2.0 * wall, 1.2 * boss
     bearings = [
         frame.box(*_ordered((end * near, across - wide, floor), (end * far, across + wide, height + wide))) for end in ends
@@ -240,20 +242,20 @@ def _ordered(one: tuple[float, float, float], other: tuple[float, float, float])
     return np.minimum(one, other), np.maximum(one, other)
 
 
-def _deepest(links: Chain, axis: int, frame: _Frame, points: Floats, across: float, height: float) -> float:
+def _deepest(kinematics: Chain, axis: int, frame: _Frame, points: Floats, across: float, height: float) -> float:
     """How far (mm) below its line any of the points comes that swing with the axis, between its limits."""
     _, y, z = (frame.of(points) - (0.0, across, height)).T
-    low, high = np.clip((links.low[axis], links.high[axis]), -np.pi, np.pi)
-    turn = -float(links.direction[axis] @ frame.along[0]) * np.linspace(low, high, ANGLES)[:, None]
+    low, high = np.clip((kinematics.low[axis], kinematics.high[axis]), -np.pi, np.pi)
+    turn = -float(kinematics.direction[axis] @ frame.along[0]) * np.linspace(low, high, ANGLES)[:, None]
     return float(-(y * np.sin(turn) + z * np.cos(turn)).min())
 
 
 def _table_knuckle(
-    links: Chain, axis: int, carrier: int | None, under: Floats, up: Floats, radius: float, ring: Floats
+    kinematics: Chain, axis: int, carrier: int | None, under: Floats, up: Floats, radius: float, ring: Floats
 ) -> list[Body]:
     """A nutating table: a neck under the platter, and two discs about the inclined line that turn upon each other."""
-    direction = links.direction[axis] * (1.0 if links.direction[axis] @ up > 0.0 else -1.0)
-    crossing = _nearest(under, _point(links, axis), direction)
+    direction = kinematics.direction[axis] * (1.0 if kinematics.direction[axis] @ up > 0.0 else -1.0)
+    crossing = _nearest(under, _point(kinematics, axis), direction)
     lean = float(direction @ up)
     side = float(np.sqrt(1.0 - lean * lean))
     disc, wall = 0.62 * radius, 1.6 * WALL * radius
@@ -276,20 +278,20 @@ def _table_knuckle(
 # ------------------------------------------------------------------------------------------------ the head's side
 
 
-def _head(links: Chain, height: float, radius: float) -> list[Body]:
-    order = [axis for axis in sides(links)[1] if links.axes[axis].fitted]
+def _head(kinematics: Chain, height: float, radius: float) -> list[Body]:
+    order = [axis for axis in sides(kinematics)[1] if kinematics.axes[axis].fitted]
     last = order[-1] if order else None
-    turning = [axis for axis in reversed(order) if axis >= 3 and links.axes[axis].fitted]
+    turning = [axis for axis in reversed(order) if axis >= 3 and kinematics.axes[axis].fitted]
     if not turning:
         top = height + 2.0 * radius
         frame = _Frame(np.array([0.0, 0.0, top]), np.eye(3))
         ram = frame.box((-1.3 * radius, -1.3 * radius, 0.0), (1.3 * radius, 1.3 * radius, 1.5 * radius))
         return [_spindle(last, height, top, radius), Body("ram", last, ram)]
     axis = turning[0]
-    direction = links.direction[axis] * (1.0 if links.direction[axis][2] >= 0.0 else -1.0)
-    pivot = _crossing(_point(links, axis), direction)
+    direction = kinematics.direction[axis] * (1.0 if kinematics.direction[axis][2] >= 0.0 else -1.0)
+    pivot = _crossing(_point(kinematics, axis), direction)
     made = _fork if abs(float(direction[2])) <= ACROSS else _head_knuckle
-    return made(links, order, turning, pivot, direction, min(height, float(pivot[2]) - radius), radius)
+    return made(kinematics, order, turning, pivot, direction, min(height, float(pivot[2]) - radius), radius)
 
 
 def _crossing(point: Floats, direction: Floats) -> Floats:
@@ -303,7 +305,7 @@ def _spindle(carrier: int | None, low: float, high: float, radius: float) -> Bod
 
 
 def _fork(
-    links: Chain, order: list[int], turning: list[int], pivot: Floats, direction: Floats, low: float, radius: float
+    kinematics: Chain, order: list[int], turning: list[int], pivot: Floats, direction: Floats, low: float, radius: float
 ) -> list[Body]:
     """A fork over the spindle, in the coordinates (along its line, across, up) of the pivot, and what carries it."""
     axis, carrier = turning[0], _beyond(order, turning[0])
@@ -321,12 +323,12 @@ def _fork(
         _spindle(order[-1], low, float(pivot[2]) + rise, radius),
         Body("spindle", axis, pin),
         *(Body("fork", carrier, shape) for shape in (*cheeks, bridge)),
-        *_carrying(links, order, turning[1:], carrier, frame.zero + beam * frame.along[2], radius),
+        *_carrying(kinematics, order, turning[1:], carrier, frame.zero + beam * frame.along[2], radius),
     ]
 
 
 def _head_knuckle(
-    links: Chain, order: list[int], turning: list[int], pivot: Floats, direction: Floats, low: float, radius: float
+    kinematics: Chain, order: list[int], turning: list[int], pivot: Floats, direction: Floats, low: float, radius: float
 ) -> list[Body]:
     """A nutating head: two discs about the inclined line, above the spindle, that turn upon each other."""
     axis, carrier = turning[0], _beyond(order, turning[0])
@@ -337,16 +339,18 @@ def _head_knuckle(
         Body("spindle", axis, Cylinder(pivot, below, 0.7 * radius)),
         Body("spindle", axis, Cylinder(below, middle, 1.3 * radius)),
         Body("fork", carrier, Cylinder(middle + gap * direction, above, 1.3 * radius)),
-        *_carrying(links, order, turning[1:], carrier, above + 0.6 * radius * np.array([0.0, 0.0, 1.0]), radius),
+        *_carrying(kinematics, order, turning[1:], carrier, above + 0.6 * radius * np.array([0.0, 0.0, 1.0]), radius),
     ]
 
 
-def _carrying(links: Chain, order: list[int], others: list[int], carrier: int | None, top: Floats, radius: float) -> list[Body]:
+def _carrying(
+    kinematics: Chain, order: list[int], others: list[int], carrier: int | None, top: Floats, radius: float
+) -> list[Body]:
     """What carries a fork that ends at ``top`` (3,): a disc about the next rotary line where that carries it, then a ram."""
     up, made = np.array([0.0, 0.0, 1.0]), []
     if others and carrier == others[0]:
-        direction = links.direction[others[0]] * (1.0 if links.direction[others[0]][2] >= 0.0 else -1.0)
-        start = _nearest(top, _point(links, others[0]), direction) if abs(direction[2]) > ACROSS else top
+        direction = kinematics.direction[others[0]] * (1.0 if kinematics.direction[others[0]][2] >= 0.0 else -1.0)
+        start = _nearest(top, _point(kinematics, others[0]), direction) if abs(direction[2]) > ACROSS else top
         made.append(Body("fork", carrier, Cylinder(start, start + 0.8 * radius * direction, 1.5 * radius)))
         top, carrier = start + (0.8 + GAP) * radius * direction, _beyond(order, carrier)
     frame = _Frame(top, _frame(up))

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.collision import GOUGES, GougeCheck, Remainder, spots
+from freecad_fiveaxis.core.collision import GOUGES, GougeCheck, RestMaterial, spots
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import PARTS
 
@@ -32,7 +32,7 @@ TOLD = {
 
 
 def part_numbers(
-    program: Program, gouge: GougeCheck | None, left: Remainder | None, tolerance: float, allowed: float
+    program: Program, gouge: GougeCheck | None, left: RestMaterial | None, tolerance: float, allowed: float
 ) -> dict[str, Any]:
     """The numbers for the summary, mm, mm2 and mm3; only those that were looked for."""
     told: dict[str, Any] = {}
@@ -73,7 +73,7 @@ def deepest_entries(program: Program, gouge: GougeCheck) -> list[dict[str, Any]]
     return sorted(found, key=lambda row: -row["depth"])[:DEEPEST]
 
 
-def left_report(program: Program, left: Remainder, tolerance: float, allowed: float) -> dict[str, Any]:
+def left_report(program: Program, left: RestMaterial, tolerance: float, allowed: float) -> dict[str, Any]:
     """What is left as scripts want it: the two extremes with place, block and NC line; area and volume beyond what may be; the
     histogram by area."""
     return {
@@ -88,7 +88,7 @@ def left_report(program: Program, left: Remainder, tolerance: float, allowed: fl
     }
 
 
-def _extreme(program: Program, left: Remainder, row: int) -> dict[str, Any]:
+def _extreme(program: Program, left: RestMaterial, row: int) -> dict[str, Any]:
     block = int(left.block[row]) + 1
     return {
         "height": float(left.height[row]), "place": left.point[row].tolist(), "facet": int(left.facet[row]),
@@ -96,7 +96,7 @@ def _extreme(program: Program, left: Remainder, row: int) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def histogram(left: Remainder, scale: HeightScale) -> list[dict[str, float]]:
+def histogram(left: RestMaterial, scale: HeightScale) -> list[dict[str, float]]:
     """The area (mm2) between each two borders, ``from`` and ``to`` mm, deepest first; every sample is in one."""
     edge = borders(scale)
     area, _ = np.histogram(np.clip(left.height, edge[0], edge[-1]), edge, weights=left.area)

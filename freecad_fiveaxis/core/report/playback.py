@@ -73,11 +73,11 @@ class Pose:
 class Playback:
     """A program ready to be played on its machine. ``clock`` (m,) s: the time at which each block ends.
 
-    ``program`` and ``deviation`` have one row a block and are for the machine of ``links``. Raises ProgramError for a
+    ``program`` and ``deviation`` have one row a block and are for the machine of ``kinematics``. Raises ProgramError for a
     program without a block.
     """
 
-    links: Chain
+    kinematics: Chain
     program: Program
     deviation: Deviation
     clock: Floats = field(init=False)
@@ -124,14 +124,14 @@ class Playback:
         self._check(rows)
         row, flat_u = rows.reshape(-1), at_u.reshape(-1)
         start, end = self._ends(row)
-        tip = tip_at(self.links, start, end, flat_u)
-        chord = [tip_at(self.links, start, end, np.full_like(flat_u, edge)) for edge in (0.0, 1.0)]
+        tip = tip_at(self.kinematics, start, end, flat_u)
+        chord = [tip_at(self.kinematics, start, end, np.full_like(flat_u, edge)) for edge in (0.0, 1.0)]
         words, foot = start + flat_u[:, None] * (end - start), segment_foot(tip, *chord)
         columns = {
             "block": row, "u": flat_u, "seconds": self.time(row, flat_u), "words": words, "tip": tip,
-            "axis": axis_at(self.links, start, end, flat_u), "foot": foot,
+            "axis": axis_at(self.kinematics, start, end, flat_u), "foot": foot,
             "to_chord": np.linalg.norm(tip - foot, axis=1),
-        } | placements(self.links, words)  # fmt: skip
+        } | placements(self.kinematics, words)  # fmt: skip
         return Pose(**{name: column.reshape(rows.shape + column.shape[1:]) for name, column in columns.items()})
 
     def curve(self, block: int) -> Floats:
@@ -140,7 +140,7 @@ class Playback:
         self._check(row)
         start, end = self._ends(row)
         count = min(int(np.abs(end - start)[0, 3:].sum() / FINEST_TURN) + 2, MOST_POINTS)
-        return np.asarray(tip_at(self.links, start, end, np.linspace(0.0, 1.0, count)[None])[0])
+        return np.asarray(tip_at(self.kinematics, start, end, np.linspace(0.0, 1.0, count)[None])[0])
 
     def _begin(self, block: NDArray[np.int64]) -> Floats:
         return np.where(block > 0, self.clock[np.maximum(block - 1, 0)], 0.0)
@@ -206,17 +206,17 @@ def rotary_lines(pose: Pose, near: Floats, reach: float) -> Floats:
 # ------------------------------------------------------------------------------------------------ placements
 
 
-def placements(links: Chain, words: Floats) -> dict[str, Floats]:
+def placements(kinematics: Chain, words: Floats) -> dict[str, Floats]:
     """The placements and rotary lines of a :class:`Pose` for ``words`` (n, 5) mm and **degrees**."""
-    table, head = sides(links)
-    moves = {j: _axis_motion(links, j, words[:, j]) for j in (*table, *head)}
+    table, head = sides(kinematics)
+    moves = {j: _axis_motion(kinematics, j, words[:, j]) for j in (*table, *head)}
     still = np.broadcast_to(np.eye(4), (len(words), 4, 4))
     work_from_machine = _product(still, (moves[j] for j in table))
     machine_from_tool = _product(still, (moves[j] for j in head))
     machine_from_work = rigid_inverse(work_from_machine)
     carried = {j: machine_from_work @ _product(still, (moves[i] for i in table[:at])) for at, j in enumerate(table)}
     carried |= {j: _product(still, (moves[i] for i in head[: at + 1])) for at, j in enumerate(head)}
-    point, direction = (links.point1, links.point2), links.direction[3:]
+    point, direction = (kinematics.point1, kinematics.point2), kinematics.direction[3:]
     return {
         "work_from_tool": work_from_machine @ machine_from_tool,
         "machine_from_work": machine_from_work,
@@ -238,21 +238,21 @@ def rigid_inverse(placement: Floats) -> Floats:
     return inverse
 
 
-def sides(links: Chain) -> tuple[list[int], list[int]]:
+def sides(kinematics: Chain) -> tuple[list[int], list[int]]:
     """The columns of the table's and of the head's words, each in the order from work to tool."""
-    place = [2 * slot for slot in links.slot] + [1, 3]  # linear axes before, between and after the two rotary ones
+    place = [2 * slot for slot in kinematics.slot] + [1, 3]  # linear axes before, between and after the two rotary ones
     order = sorted(range(5), key=lambda j: place[j])
-    table = [j for j in order if links.axes[j].side == "table"]
-    return table, [j for j in order if links.axes[j].side == "head"]
+    table = [j for j in order if kinematics.axes[j].side == "table"]
+    return table, [j for j in order if kinematics.axes[j].side == "head"]
 
 
-def _axis_motion(links: Chain, j: int, word: Floats) -> Floats:
+def _axis_motion(kinematics: Chain, j: int, word: Floats) -> Floats:
     """The motion (n, 4, 4) of the tool relative to the work by one axis, ``word`` (n,) mm or **degrees**."""
     motion = np.tile(np.eye(4), (len(word), 1, 1))
     if j < 3:
-        motion[:, :3, 3] = word[:, None] * links.direction[j]
+        motion[:, :3, 3] = word[:, None] * kinematics.direction[j]
         return motion
-    point, turn = (links.point1, links.point2)[j - 3], _turn(links.direction[j], np.radians(word))
+    point, turn = (kinematics.point1, kinematics.point2)[j - 3], _turn(kinematics.direction[j], np.radians(word))
     motion[:, :3, :3] = turn
     motion[:, :3, 3] = point - turn @ point
     return motion

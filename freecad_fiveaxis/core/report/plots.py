@@ -166,14 +166,14 @@ def _limits(axes: Any, figures: Figures, column: int) -> None:
     """The axis limits, where the words come near them: far limits would flatten the curve."""
     low, high = axes.get_ylim()
     room = 0.25 * (high - low)
-    for limit in np.degrees([figures.links.low[column], figures.links.high[column]]):
+    for limit in np.degrees([figures.kinematics.low[column], figures.kinematics.high[column]]):
         if low - room < limit < high + room:
             axes.axhline(limit, color=RED, ls="--", lw=1.0, label="limit of the axis")
 
 
 def _rates(figure: Any, figures: Figures) -> Told | None:
     program, x, rows = figures.program, _abscissa(figures.program), figures.feeds
-    limit = figures.links.rate * (1.0, 1.0, 1.0, *np.degrees([1.0, 1.0]))
+    limit = figures.kinematics.rate * (1.0, 1.0, 1.0, *np.degrees([1.0, 1.0]))
     share = 100.0 * axis_rates(program)[rows] / limit
     if not share.any():
         return None

@@ -31,7 +31,7 @@ def rates_header(letters: str) -> str:
     return f"block,line,motion,seconds,tip_feed,{rates},rate_ratio,excess,off,off_bound"
 
 
-def rates_csv(links: Chain, program: Program, audit: Audit, progress: Progress = silent) -> bytes:
+def rates_csv(kinematics: Chain, program: Program, audit: Audit, progress: Progress = silent) -> bytes:
     """The whole table as ASCII text, lines ending in a line feed."""
     order, (off, bound) = letter_order(program.letters), audit.off()
     rates = [audit.rates.rate[:, column] * DEGREES[column] for column in order]
@@ -43,4 +43,4 @@ def rates_csv(links: Chain, program: Program, audit: Audit, progress: Progress =
         Choice(program.motion, [motion.name.lower().encode() for motion in Motion]),
         *(Column(b",", values, DECIMALS) for values in numbers),
     ]
-    return rates_header(links.letters).encode() + b"\n" + table(parts, progress=progress)
+    return rates_header(kinematics.letters).encode() + b"\n" + table(parts, progress=progress)

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats
-from freecad_fiveaxis.core.collision.rest_material import Remainder, surface_parts
+from freecad_fiveaxis.core.collision.rest_material import RestMaterial, surface_parts
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 NO_HEIGHT = (0.60, 0.63, 0.66)
@@ -44,7 +44,7 @@ class HeightScale(NamedTuple):
     highest: float
 
 
-def height_scale(remainder: Remainder, tolerance: float, allowed: float) -> HeightScale:
+def height_scale(remainder: RestMaterial, tolerance: float, allowed: float) -> HeightScale:
     """The scale that holds all heights; ``tolerance`` and ``allowed`` mm, above 0."""
     low, high = (float(side.max(initial=0.0)) for side in (-remainder.height, remainder.height))
     return HeightScale(
@@ -102,7 +102,7 @@ def round_values(low: float, high: float, apart: float = 1.3) -> list[float]:
     return [value for value in values if apart * low < value < high / apart]
 
 
-def facet_heights(remainder: Remainder, facets: int, tolerance: float, allowed: float) -> Floats:
+def facet_heights(remainder: RestMaterial, facets: int, tolerance: float, allowed: float) -> Floats:
     """One height (f,) mm for each of so many facets: of its samples the one that stands farthest from the neutral, in shares of
     ``tolerance`` and ``allowed`` mm. NaN where a facet has none (it is not machined)."""
     share = np.where(remainder.height < 0.0, -remainder.height / tolerance, remainder.height / allowed)
@@ -112,12 +112,12 @@ def facet_heights(remainder: Remainder, facets: int, tolerance: float, allowed: 
     return height
 
 
-def left_patches(mesh: Mesh, remainder: Remainder) -> Floats:
+def rest_material_patches(mesh: Mesh, remainder: RestMaterial) -> Floats:
     """The triangles (k, 3, 3) mm that the samples of the remainder stand for: finer than facets where those are large."""
     return surface_parts(mesh, remainder.spacing, machined(mesh, remainder))[0]
 
 
-def machined(mesh: Mesh, remainder: Remainder) -> Bools:
+def machined(mesh: Mesh, remainder: RestMaterial) -> Bools:
     """The facets (f,) that have samples."""
     mask = np.zeros(len(mesh.face), np.bool_)
     mask[remainder.facet] = True

@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints
-from freecad_fiveaxis.core.collision import Remainder
+from freecad_fiveaxis.core.collision import RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .part_facts import histogram
@@ -22,9 +22,9 @@ from .rest_material_map import (
     height_colours,
     height_levels,
     height_scale,
-    left_patches,
     level_colours,
     machined,
+    rest_material_patches,
     scale_marks,
 )
 
@@ -57,7 +57,7 @@ BLUE, RED = "#00286b", "#800010"
 """Of the marks at the most that is left and the deepest place."""
 
 
-def left_svg(mesh: Mesh, left: Remainder, tolerance: float, allowed: float) -> bytes:
+def left_svg(mesh: Mesh, left: RestMaterial, tolerance: float, allowed: float) -> bytes:
     """The picture; the same input gives the same bytes."""
     scale = height_scale(left, tolerance, allowed)
     part = _coloured(mesh, left, scale)
@@ -77,15 +77,15 @@ def _text(x: float, y: float, said: str, anchor: str = "start", fill: str = INK,
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{fill}" font-size="{size}">{said}</text>'
 
 
-def _coloured(mesh: Mesh, left: Remainder, scale: HeightScale) -> tuple[Floats, Floats]:
+def _coloured(mesh: Mesh, left: RestMaterial, scale: HeightScale) -> tuple[Floats, Floats]:
     """Triangles (k, 3, 3) mm, the machined ones first, and their colours (k, 3)."""
-    patch, rest = left_patches(mesh, left), mesh.vertex[mesh.face[~machined(mesh, left)]]
+    patch, rest = rest_material_patches(mesh, left), mesh.vertex[mesh.face[~machined(mesh, left)]]
     height = np.append(left.height, np.full(len(rest), np.nan))
     return np.concatenate([patch, rest]), height_colours(height, scale)
 
 
 def _view(
-    part: tuple[Floats, Floats], left: Remainder, scale: HeightScale, name: str, azimuth: float, elevation: float
+    part: tuple[Floats, Floats], left: RestMaterial, scale: HeightScale, name: str, azimuth: float, elevation: float
 ) -> tuple[str, int]:
     """A view in the picture's units from its upper left corner on, and how tall it is."""
     (corner, colour), view = part, view_from(azimuth, elevation)
@@ -118,7 +118,7 @@ def _pixels(corner: Floats, colour: Floats, view: Floats, owner: Ints) -> Bytes:
     return made
 
 
-def _marks(left: Remainder, scale: HeightScale, owner: Ints, top: int) -> list[str]:
+def _marks(left: RestMaterial, scale: HeightScale, owner: Ints, top: int) -> list[str]:
     """A ring about the most that is left and about the deepest place, where they are beyond what may be and can be seen."""
     drawn = []
     for row, beyond, ink in (
@@ -147,7 +147,7 @@ def _ruler(extent: float, size: float, y: float) -> str:
     return line + _text(length * size + 8, y + 4, f"{length:g} mm", fill=SOFT)
 
 
-def _histogram(left: Remainder, scale: HeightScale, tall: int) -> tuple[str, int]:
+def _histogram(left: RestMaterial, scale: HeightScale, tall: int) -> tuple[str, int]:
     """Area between each two borders, as bars from the top down, the most that is left first."""
     rows = histogram(left, scale)[::-1]
     whole = float(left.area.sum())

@@ -37,7 +37,7 @@ def worst_block(figure: Any, figures: Figures) -> Told | None:
     row = int(figures.worst[0])
     value, u = float(figures.deviation.segment[row]), float(figures.deviation.u_segment[row])
     steps = np.append(np.linspace(0.0, 1.0, SAMPLES), u)
-    curve = _driven(figures.links, figures.program.words[row - 1], figures.program.words[row], steps)
+    curve = _driven(figures.kinematics, figures.program.words[row - 1], figures.program.words[row], steps)
     flat, chord = _on_plane(curve)
     spread = np.ptp(flat, axis=0)
     if not spread.max() > 0.0:
@@ -57,9 +57,9 @@ def worst_block(figure: Any, figures: Figures) -> Told | None:
     return "worst", f"The worst block: NC line {line}", caption, alt
 
 
-def _driven(links: Chain, start: Floats, end: Floats, u: Floats) -> Floats:
+def _driven(kinematics: Chain, start: Floats, end: Floats, u: Floats) -> Floats:
     """The real tip (k, 3) at the shares ``u`` (k,) of a block whose axes all move evenly."""
-    return forward(links, inner_words(start + u[:, None] * (end - start)))[0]
+    return forward(kinematics, inner_words(start + u[:, None] * (end - start)))[0]
 
 
 def _on_plane(curve: Floats) -> tuple[Floats, float]:
@@ -149,7 +149,7 @@ def sphere(figure: Any, figures: Figures) -> Told | None:
 
 def _frame(figures: Figures) -> tuple[Floats, Floats, Floats]:
     """The pole (that end of the first rotary axis which the tool is nearer to) and two directions across it, unit."""
-    pole = figures.links.direction[3]
+    pole = figures.kinematics.direction[3]
     pole = pole if float((figures.axis @ pole).sum()) >= 0.0 else -pole
     guide = np.eye(3)[int(np.argmin(np.abs(pole)))] if abs(pole[0]) > 0.9 else np.array((1.0, 0.0, 0.0))
     first = guide - (guide @ pole) * pole
@@ -182,7 +182,7 @@ def _inside_blocks(figures: Figures, rows: Ints) -> Floats:
     u = np.linspace(0.0, 1.0, 1 + max(1, min(16, 8 * BINS // max(len(rows), 1))))
     start, end = figures.program.words[rows - 1], figures.program.words[rows]
     words = start[:, None] + u[None, :, None] * (end - start)[:, None]
-    axis = forward(figures.links, inner_words(words.reshape(-1, 5)))[1].reshape(len(rows), len(u), 3)
+    axis = forward(figures.kinematics, inner_words(words.reshape(-1, 5)))[1].reshape(len(rows), len(u), 3)
     return np.concatenate([axis, np.full((len(rows), 1, 3), np.nan)], axis=1).reshape(-1, 3)
 
 

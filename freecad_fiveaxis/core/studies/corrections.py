@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.corrections.deform import deform_axes
 from freecad_fiveaxis.core.corrections.linearize import linearize
 from freecad_fiveaxis.core.corrections.minimax import minimax_axes
 from freecad_fiveaxis.core.jobs.job import Milled, Posted, linked
-from freecad_fiveaxis.core.jobs.options import reach
+from freecad_fiveaxis.core.jobs.options import driven_to_hub
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 
@@ -34,7 +34,7 @@ def dividing(made: Posted) -> Cure:
 
     def cure(path: CLPath, where: Station, progress: Progress) -> JointPath:
         joints = solved(path, where, progress)
-        return linearize(joints, where.links, where.posting.dialect, made.settings.proof.tolerance, None, progress)
+        return linearize(joints, where.kinematics, where.posting.dialect, made.settings.proof.tolerance, None, progress)
 
     return cure
 
@@ -59,24 +59,26 @@ def leading(made: Posted, lead: Lead) -> Cure:
         if not isinstance(made, Milled):
             text = say("this correction turns the tool axes over the part's facets; give it the STL, not a CL file")
             raise SettingsError(text, made.settings.source)
-        axis = lead(made.offset, made.axis, where.links, progress)
+        axis = lead(made.offset, made.axis, where.kinematics, progress)
         return solved(linked(made.settings, made.offset, axis, made.mesh, progress), where, progress)
 
     return cure
 
 
 def _to_least_deviation(made: Posted) -> Cure:
-    tool, feed, distance = made.settings.tool_axis, made.settings.feeds.feed, reach(made.settings)
+    tool, feed, distance = made.settings.tool_axis, made.settings.feeds.feed, driven_to_hub(made.settings)
     ring = made.settings.cutter.cutter.ring
     return leading(
         made,
-        lambda offset, axis, links, progress: minimax_axes(offset, axis, links, distance, tool.max_tilt, feed, progress, ring),
+        lambda offset, axis, kinematics, progress: minimax_axes(
+            offset, axis, kinematics, distance, tool.max_tilt, feed, progress, ring
+        ),
     )
 
 
 def _past_pole(made: Posted) -> Cure:
     change = made.settings.cure.max_axis_change
-    return leading(made, lambda offset, axis, links, progress: deform_axes(offset, axis, links, change, progress)[0])
+    return leading(made, lambda offset, axis, kinematics, progress: deform_axes(offset, axis, kinematics, change, progress)[0])
 
 
 CURES: Mapping[str, Callable[[Posted], Cure]] = {

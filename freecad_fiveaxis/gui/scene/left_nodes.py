@@ -12,14 +12,14 @@ import numpy as np
 from pivy import coin
 
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.collision import Remainder
+from freecad_fiveaxis.core.collision import RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.report.rest_material_map import (
     HeightScale,
     facet_heights,
     height_colours,
-    left_patches,
     level_colours,
+    rest_material_patches,
     scale_marks,
 )
 
@@ -37,10 +37,10 @@ APART = 0.075
 """Marks of the legend stand at least so far apart, as a share of the bar."""
 
 
-def left_surface(mesh: Mesh, left: Remainder, scale: HeightScale) -> Any:
+def left_surface(mesh: Mesh, left: RestMaterial, scale: HeightScale) -> Any:
     """The machined facets, one triangle for each sample of ``left``, coloured by its height; work frame."""
     if len(left.height) <= MOST_PATCHES:
-        corner, height = left_patches(mesh, left), left.height
+        corner, height = rest_material_patches(mesh, left), left.height
     else:
         whole = facet_heights(left, len(mesh.face), scale.tolerance, scale.allowed)
         rows = np.flatnonzero(~np.isnan(whole))

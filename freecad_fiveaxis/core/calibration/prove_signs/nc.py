@@ -38,7 +38,7 @@ def proof_program(plan: Plan, dialect: Dialect) -> Program:
     before = np.repeat(waits, [len(stop.q) for stop in plan.stops])
     line = dialect.first_line + np.arange(count) + INSERTED * (before + 1)
     motion = np.full(count, Motion.CUT, np.int8)
-    return Program(plan.links.letters, words, feed, np.zeros(count, bool), motion, 60.0 * minutes, np.full(count, -1), line)
+    return Program(plan.kinematics.letters, words, feed, np.zeros(count, bool), motion, 60.0 * minutes, np.full(count, -1), line)
 
 
 def proof_nc(plan: Plan, program: Program, dialect: Dialect, options: PostOptions) -> bytes:

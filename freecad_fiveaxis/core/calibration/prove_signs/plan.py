@@ -71,7 +71,7 @@ class Plan:
     and where (3,) mm the tip of such a machine stands there, counted from where it should."""
 
     machine: Machine
-    links: Chain
+    kinematics: Chain
     wishes: Wishes
     stops: tuple[Stop, ...]
     height: float
@@ -87,29 +87,29 @@ class Plan:
 
 def make_plan(machine: Machine, setup: Setup, wishes: Wishes) -> Plan:
     """The moves and stops. Raises SettingsError where an axis would leave its limits, with the remedy."""
-    links, wrong = chain(machine, setup), wrong_machines(machine, setup)
-    angles = np.array([_turn(links, k, wishes.angle) for k in (3, 4)])
-    both = angles * (_unlike(links, angles), 1.0)
-    distance = _distance(links, wrong, wishes, both)
-    height = _height(links, wrong, wishes, angles, both, distance)
-    stops = tuple(_stops(machine, links, wishes, angles, both, height, distance))
-    _check_limits(links, np.concatenate([stop.q for stop in stops]))
-    last = _last_pose(links, wishes, both, distance)[None]
-    right = forward(links, last)[0][0]
+    kinematics, wrong = chain(machine, setup), wrong_machines(machine, setup)
+    angles = np.array([_turn(kinematics, k, wishes.angle) for k in (3, 4)])
+    both = angles * (_unlike(kinematics, angles), 1.0)
+    distance = _distance(kinematics, wrong, wishes, both)
+    height = _height(kinematics, wrong, wishes, angles, both, distance)
+    stops = tuple(_stops(machine, kinematics, wishes, angles, both, height, distance))
+    _check_limits(kinematics, np.concatenate([stop.q for stop in stops]))
+    last = _last_pose(kinematics, wishes, both, distance)[None]
+    right = forward(kinematics, last)[0][0]
     foretold = tuple((one.text, one.reached(last)[0][0] - right) for one in wrong)
     findings = (*_unasked(wishes), *_findings(foretold))
-    return Plan(machine, links, wishes, stops, height, distance, foretold, findings)
+    return Plan(machine, kinematics, wishes, stops, height, distance, foretold, findings)
 
 
-def _turn(links: Chain, k: int, angle: float) -> float:
+def _turn(kinematics: Chain, k: int, angle: float) -> float:
     """The angle, positive where the limits allow it."""
     for turn in (angle, -angle):
-        if links.low[k] <= turn <= links.high[k]:
+        if kinematics.low[k] <= turn <= kinematics.high[k]:
             return turn
-    low, high = (math.degrees(value) for value in (links.low[k], links.high[k]))
+    low, high = (math.degrees(value) for value in (kinematics.low[k], kinematics.high[k]))
     text = say(
         "{letter} cannot turn by {angle} within its limits {low} to {high}",
-        letter=links.letters[k],
+        letter=kinematics.letters[k],
         angle=Angle(math.degrees(angle)),
         low=Angle(low, bare=True),
         high=Angle(high),
@@ -117,10 +117,10 @@ def _turn(links: Chain, k: int, angle: float) -> float:
     raise SettingsError(say("{text}; give a smaller {angle}", text=text, angle=Option("angle")), math.degrees(angle))
 
 
-def _unlike(links: Chain, angles: Floats) -> float:
+def _unlike(kinematics: Chain, angles: Floats) -> float:
     """By what the first angle is multiplied at the last stop, so that two exchanged letters show: 2, or 1/2 where that is beyond
     its limits."""
-    return 2.0 if links.low[3] <= 2.0 * angles[0] <= links.high[3] else 0.5
+    return 2.0 if kinematics.low[3] <= 2.0 * angles[0] <= kinematics.high[3] else 0.5
 
 
 def _base(wishes: Wishes, height: float) -> Floats:
@@ -128,23 +128,23 @@ def _base(wishes: Wishes, height: float) -> Floats:
     return np.array([x, y, z + height, 0.0, 0.0])
 
 
-def _last_pose(links: Chain, wishes: Wishes, angles: Floats, distance: float) -> Floats:
+def _last_pose(kinematics: Chain, wishes: Wishes, angles: Floats, distance: float) -> Floats:
     """The tip on the line through the mark along the tool, ``distance`` from it, both rotary axes turned."""
-    axis = forward(links, np.array([[0.0, 0.0, 0.0, *angles]]))[1]
+    axis = forward(kinematics, np.array([[0.0, 0.0, 0.0, *angles]]))[1]
     tip = np.array([wishes.place]) + distance * axis
-    return np.asarray(joint_words(links, tip, angles[None])[0])
+    return np.asarray(joint_words(kinematics, tip, angles[None])[0])
 
 
-def _over(links: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, q: Floats) -> float:
+def _over(kinematics: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, q: Floats) -> float:
     """How high over the mark's level the lowest tip of all machines stands, mm."""
-    tips = [forward(links, q)[0], *(one.reached(q)[0] for one in wrong)]
+    tips = [forward(kinematics, q)[0], *(one.reached(q)[0] for one in wrong)]
     return float(min(tip[:, 2].min() for tip in tips)) - wishes.place[2]
 
 
-def _distance(links: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angles: Floats) -> float:
+def _distance(kinematics: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angles: Floats) -> float:
     for count in range(RAISES):
         distance = wishes.gap + count * STEP
-        if _over(links, wrong, wishes, _last_pose(links, wishes, angles, distance)[None]) >= wishes.gap:
+        if _over(kinematics, wrong, wishes, _last_pose(kinematics, wishes, angles, distance)[None]) >= wishes.gap:
             return distance
     text = say("no distance up to {raises} keeps a machine with wrong signs clear of the mark", raises=Length(RAISES * STEP))
     raise SettingsError(
@@ -159,7 +159,7 @@ def _distance(links: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angles: Fl
 
 
 def _height(
-    links: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angles: Floats, both: Floats, distance: float
+    kinematics: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angles: Floats, both: Floats, distance: float
 ) -> float:  # fmt: skip
     """The least height over the mark from which every single move is clear."""
     for count in range(RAISES):
@@ -167,7 +167,7 @@ def _height(
         base = _base(wishes, height)
         turned = base + np.array([[0.0, 0.0, 0.0, *turn] for turn in ((angles[0], 0.0), (0.0, angles[1]), both)])
         moves = np.concatenate([_between(base, pose) for pose in turned])
-        if _over(links, wrong, wishes, moves) >= wishes.gap:
+        if _over(kinematics, wrong, wishes, moves) >= wishes.gap:
             return float(height)
     raise SettingsError(
         say(
@@ -184,33 +184,33 @@ def _between(start: Floats, end: Floats) -> Floats:
 
 
 def _stops(
-    machine: Machine, links: Chain, wishes: Wishes, angles: Floats, both: Floats, height: float, distance: float
+    machine: Machine, kinematics: Chain, wishes: Wishes, angles: Floats, both: Floats, height: float, distance: float
 ) -> list[Stop]:  # fmt: skip
     base, low = _base(wishes, height), _base(wishes, wishes.gap)
-    stops = [_first_stop(base, links), _mark_stop(low, wishes), Stop("up", base[None])]
+    stops = [_first_stop(base, kinematics), _mark_stop(low, wishes), Stop("up", base[None])]
     axes = {axis.letter: axis for axis in machine.axes}
     for k in range(5):
-        letter, change = links.letters[k], np.zeros(5)
-        change[k] = _travel(links, k, base, wishes.travel) if k < 3 else angles[k - 3]
-        other = links.letters[7 - k] if k >= 3 else ""
+        letter, change = kinematics.letters[k], np.zeros(5)
+        change[k] = _travel(kinematics, k, base, wishes.travel) if k < 3 else angles[k - 3]
+        other = kinematics.letters[7 - k] if k >= 3 else ""
         said = linear_seen(axes[letter], change[k]) if k < 3 else rotary_seen(axes[letter], other, change[k])
         amount = Length(change[k], "+g") if k < 3 else Angle(math.degrees(change[k]), "+g")
         stops.append(Stop(say("{letter} alone, {amount}", letter=letter, amount=amount), (base + change)[None], *said))
         stops.append(Stop(say("{letter} back", letter=letter), base[None]))
-    last, turned = _last_pose(links, wishes, both, distance), base + np.array([0.0, 0.0, 0.0, *both])
+    last, turned = _last_pose(kinematics, wishes, both, distance), base + np.array([0.0, 0.0, 0.0, *both])
     stops.append(
-        Stop(say("both rotary axes turned, tip over the mark"), np.array([turned, last]), *_last_seen(links, both, distance))
+        Stop(say("both rotary axes turned, tip over the mark"), np.array([turned, last]), *_last_seen(kinematics, both, distance))
     )
     return [*stops, Stop(say("back"), np.array([turned, base]))]
 
 
-def _travel(links: Chain, k: int, base: Floats, travel: float) -> float:
+def _travel(kinematics: Chain, k: int, base: Floats, travel: float) -> float:
     """To the positive side, or to the other one where that leaves the limits."""
-    return travel if base[k] + travel <= links.high[k] or k == 2 else -travel
+    return travel if base[k] + travel <= kinematics.high[k] or k == 2 else -travel
 
 
-def _first_stop(base: Floats, links: Chain) -> Stop:
-    place = ", ".join(f"{letter} {value:g}" for letter, value in zip(links.letters, base.tolist(), strict=True))
+def _first_stop(base: Floats, kinematics: Chain) -> Stop:
+    place = ", ".join(f"{letter} {value:g}" for letter, value in zip(kinematics.letters, base.tolist(), strict=True))
     see = say("The display shows {place}. The tool stands upright, the table level. Nothing is near the tool.", place=place)
     bad = say("A display or pose that differs: work offset, tool length or zero positions are not set.")
     return Stop(say("start"), base[None], see, bad)
@@ -230,14 +230,14 @@ def _mark_stop(low: Floats, wishes: Wishes) -> Stop:
     return Stop(say("the mark"), np.array([low]), see, bad)
 
 
-def _last_seen(links: Chain, angles: Floats, distance: float) -> tuple[Sentence, Sentence]:
+def _last_seen(kinematics: Chain, angles: Floats, distance: float) -> tuple[Sentence, Sentence]:
     first, second = (Angle(math.degrees(angle)) for angle in angles.tolist())
     see = say(
         "With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is {distance} from it, measured "
         "along the tool.",
-        letter=links.letters[3],
+        letter=kinematics.letters[3],
         first=first,
-        other=links.letters[4],
+        other=kinematics.letters[4],
         second=second,
         distance=Length(distance),
     )
@@ -245,14 +245,14 @@ def _last_seen(links: Chain, angles: Floats, distance: float) -> tuple[Sentence,
     return see, bad
 
 
-def _check_limits(links: Chain, q: Floats) -> None:
-    over = np.maximum(q - links.high, links.low - q).max(axis=0)
+def _check_limits(kinematics: Chain, q: Floats) -> None:
+    over = np.maximum(q - kinematics.high, kinematics.low - q).max(axis=0)
     k = int(np.argmax(over))
     if over[k] > 1e-9:
         unit, factor = ("mm", 1.0) if k < 3 else ("deg", 180.0 / math.pi)
         text = say(
             "{letter} would leave its limits by {over}",
-            letter=links.letters[k],
+            letter=kinematics.letters[k],
             over=measure(over[k] * factor, unit, ".4g"),
         )
         raise SettingsError(

@@ -19,17 +19,17 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forwar
 
 @dataclass(frozen=True, eq=False)
 class Wrong:
-    """``text``: what is wrong, as a clause; ``links``: the machine that has it so; ``swapped``: it takes each rotary word for
+    """``text``: what is wrong, as a clause; ``kinematics``: the machine that has it so; ``swapped``: it takes each rotary word for
     the other."""
 
     text: str
-    links: Chain
+    kinematics: Chain
     swapped: bool = False
 
     def reached(self, q: Floats) -> tuple[Floats, Floats]:
         """Tip (n, 3) and axis (n, 3) that this machine reaches with the words ``q`` (n, 5) mm and rad."""
         q = np.asarray(q, float)
-        return forward(self.links, q[:, [0, 1, 2, 4, 3]] if self.swapped else q)
+        return forward(self.kinematics, q[:, [0, 1, 2, 4, 3]] if self.swapped else q)
 
 
 def wrong_machines(machine: Machine, setup: Setup) -> tuple[Wrong, ...]:

@@ -176,15 +176,15 @@ def base_points(layout: Layout, start: Machine | None, setup: Setup) -> Floats:
     where its axes come in the same order, else the work zero."""
     if start is None or "".join(axis.letter for axis in start.rotary) != layout.letters:
         return np.zeros((2, 3))
-    links = chain(start, setup)
-    return np.array([links.point1, links.point2])
+    kinematics = chain(start, setup)
+    return np.array([kinematics.point1, kinematics.point2])
 
 
 def _machine(fit: Fit, base: Floats, start: Machine | None, setup: Setup, name: str) -> Machine:
     """The fitted machine, such that the chain in this setup has the fitted lines."""
     empty = _without_points(fit.layout, start, name)
-    links = chain(empty, setup)
-    lines = lines_of(fit, base) - np.array([links.point1, links.point2])
+    kinematics = chain(empty, setup)
+    lines = lines_of(fit, base) - np.array([kinematics.point1, kinematics.point2])
     points = {letter: _vector(line) for letter, line in zip(fit.layout.letters, lines, strict=True)}
     axes = tuple(replace(axis, point=points[axis.letter]) if axis.rotary else axis for axis in empty.axes)
     return replace(empty, axes=axes)
@@ -245,7 +245,7 @@ def _start_miss(pairs: Pairs, start: Machine | None, setup: Setup) -> float:
     """How far the tips of the machine that is given are off, at most, mm."""
     if start is None or {axis.letter for axis in start.rotary} != set(pairs.letters):
         return math.inf
-    links = chain(start, setup)
-    order = [pairs.letters.index(letter) for letter in links.letters[3:]]
-    reached = forward_tip(links, np.hstack([pairs.linear, pairs.rotary[:, order]]))
+    kinematics = chain(start, setup)
+    order = [pairs.letters.index(letter) for letter in kinematics.letters[3:]]
+    reached = forward_tip(kinematics, np.hstack([pairs.linear, pairs.rotary[:, order]]))
     return float(np.linalg.norm(reached - pairs.tip, axis=1).max(initial=0.0))

@@ -14,19 +14,19 @@ from freecad_fiveaxis.core.cl.cl_path import Motion
 
 from .arcs import FIT, Arcs, Course, ambiguous, chord_counts, course, inner_ends, misfit, runs_back
 from .rows import Put, Rows
-from .said import Kind, Said
 from .source import Source
+from .statements import Kind, Statements
 
 MOST_ROWS = 20_000_000
 """More chords than this are a slip of the pen in a radius or a tolerance."""
 
 
 def chords(
-    source: Source, said: Said, rows: Rows, scale: Floats, sagitta: float, holes: Ints
+    source: Source, statements: Statements, rows: Rows, scale: Floats, sagitta: float, holes: Ints
 ) -> tuple[Put, tuple[Finding, ...]]:  # fmt: skip
     """The rows that the chords of all arcs put in, and what is wrong about arcs. ``scale`` (n,) mm of the unit at each row;
     ``sagitta`` mm; ``holes`` (h,) rows that no arc ends at. Raises ProgramError."""
-    arcs, lost = read_arcs(said, rows.tip, scale, holes)
+    arcs, lost = read_arcs(statements, rows.tip, scale, holes)
     ways = course(arcs, rows.tip)
     straight = rows.motion != Motion.RAPID
     straight[arcs.row] = False
@@ -39,23 +39,23 @@ def chords(
     return Put(at, tip, axis, rows.motion[at], rows.speed[at]), found
 
 
-def read_arcs(said: Said, tip: Floats, scale: Floats, holes: Ints) -> tuple[Arcs, Ints]:
+def read_arcs(statements: Statements, tip: Floats, scale: Floats, holes: Ints) -> tuple[Arcs, Ints]:
     """The arcs, and the statements (k,) that say one without a move before and after it, or one that another goes before,
     or that would end in one of the ``holes``. ``tip`` (n, 3) mm; ``scale`` (n,) mm of the unit at each row."""
-    at = np.concatenate([said.of(Kind.CIRCLE), said.of(Kind.TANGENT)])
+    at = np.concatenate([statements.of(Kind.CIRCLE), statements.of(Kind.TANGENT)])
     at = at[np.argsort(at, kind="stable")]
-    row = said.row[at]
+    row = statements.row[at]
     last = np.append(row[1:] != row[:-1], True)[: len(row)]
     whole = last & (row > 0) & (row < len(tip)) & ~np.isin(row, holes)
     lost, at, row = at[~whole], at[whole], row[whole]
-    number = np.array([said.meanings[which].more for which in said.which[at]]).reshape(-1, 7)
+    number = np.array([statements.meanings[which].more for which in statements.which[at]]).reshape(-1, 7)
     centre, vector, radius = number[:, :3] * scale[row, None], number[:, 3:6], number[:, 6] * scale[row]
-    tangent = np.isin(at, said.of(Kind.TANGENT))
+    tangent = np.isin(at, statements.of(Kind.TANGENT))
     vector = np.where(tangent[:, None], np.cross(tip[row - 1] - centre, vector), vector)
     length = np.linalg.norm(vector, axis=1)
     good = length > 0.0
     normal = vector[good] / length[good, None]
-    return Arcs(row[good], centre[good], normal, radius[good], said.statement[at[good]]), said.statement[
+    return Arcs(row[good], centre[good], normal, radius[good], statements.statement[at[good]]), statements.statement[
         np.concatenate([lost, at[~good]])
     ]
 

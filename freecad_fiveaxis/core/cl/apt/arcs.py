@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, owners
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, run_ids
 
 FIT = 0.01
 """mm by which an end may be off its circle: several times what four printed decimals of a centre and a radius, in inches, leave
@@ -115,7 +115,7 @@ def inner_ends(arcs: Arcs, ways: Course, count: Ints, axis: Floats) -> tuple[Int
     (m, 3), turned evenly from that of the row before, of ``axis`` (n, 3), to that of its own."""
     inner = count - 1
     arc = np.flatnonzero(inner > 0)
-    of = arc[owners(inner[arc])] if len(arc) else arc
+    of = arc[run_ids(inner[arc])] if len(arc) else arc
     step = np.arange(len(of)) - (np.cumsum(inner) - inner)[of] + 1
     share = (step / count[of])[:, None]
     radius = np.linalg.norm(ways.start, axis=1), np.linalg.norm(ways.end, axis=1)

@@ -66,27 +66,36 @@ def cycle_of(rest: str) -> Cycle | None:
     kinds = [part for part in parts[:2] if part in KINDS]
     if not kinds or parts[: len(kinds)] != kinds or (len(kinds) == 2 and (kinds[0] != "DRILL" or kinds[1] not in OF_DRILL)):
         return None
-    said = _said(parts[len(kinds) :])
-    if said is None or len(said.get("clear", ())) != 1:
+    stated = _stated(parts[len(kinds) :])
+    if stated is None or len(stated.get("clear", ())) != 1:
         return None
-    depth = _depth(said)
-    clear, steps, out = said["clear"][0], said.get("step", ()), said.get("out", ())
+    depth = _depth(stated)
+    clear, steps, out = stated["clear"][0], stated.get("step", ()), stated.get("out", ())
     if depth is None or not (clear >= 0.0 and clear + depth > 0.0) or any(step <= 0.0 for step in steps):
         return None
     if steps and depth / steps[-1] > MOST_PECKS:
         return None
-    feed, unit, turn = said.get("feed", (math.nan, math.nan, 0.0))
+    feed, unit, turn = stated.get("feed", (math.nan, math.nan, 0.0))
     chips = kinds[-1] if kinds[-1] in CHIPS else ""
     if steps and not chips:
         return None
     return Cycle(
-        clear, depth, out[0] if out else None, steps, chips, kinds[-1] in FED_OUT, feed, unit, bool(turn), *said.get("dwell", ())
+        clear,
+        depth,
+        out[0] if out else None,
+        steps,
+        chips,
+        kinds[-1] in FED_OUT,
+        feed,
+        unit,
+        bool(turn),
+        *stated.get("dwell", ()),
     )
 
 
-def _said(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
+def _stated(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
     """The numbers behind each word; None where a word is not known, has none, or stands twice."""
-    said: dict[str, tuple[float, ...]] = {}
+    stated: dict[str, tuple[float, ...]] = {}
     k = 0
     while k < len(parts):
         word, numbers = parts[k], _numbers(parts[k + 1 :])
@@ -96,11 +105,11 @@ def _said(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
             numbers, k = [math.nan], k + 1
         elif word == "DWELL" and parts[k : k + 1] == ["REV"]:
             k += 1
-        if not name or name in said or not numbers or (len(numbers) > 1 and name != "step"):
+        if not name or name in stated or not numbers or (len(numbers) > 1 and name != "step"):
             return None
-        said[name] = (numbers[0], *FEEDS[word]) if name == "feed" else tuple(numbers)
-    good = said.get("feed", (1.0,))[0] > 0.0
-    return said if good else None
+        stated[name] = (numbers[0], *FEEDS[word]) if name == "feed" else tuple(numbers)
+    good = stated.get("feed", (1.0,))[0] > 0.0
+    return stated if good else None
 
 
 def _numbers(parts: list[str]) -> list[float]:
@@ -113,10 +122,10 @@ def _numbers(parts: list[str]) -> list[float]:
     return numbers
 
 
-def _depth(said: dict[str, tuple[float, ...]]) -> float | None:
+def _depth(stated: dict[str, tuple[float, ...]]) -> float | None:
     """How far below the point the hole ends: DEPTH counts downwards, FEDTO upwards; None where neither or both are said, or the
     end lies above the point."""
-    depth = [*said.get("depth", ()), *(-bottom for bottom in said.get("bottom", ()))]
+    depth = [*stated.get("depth", ()), *(-bottom for bottom in stated.get("bottom", ()))]
     return depth[0] + 0.0 if len(depth) == 1 and depth[0] >= 0.0 else None
 
 

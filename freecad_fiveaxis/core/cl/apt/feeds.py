@@ -8,8 +8,8 @@ import numpy as np
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
-from .said import Kind, Said
 from .source import Source
+from .statements import Kind, Statements
 
 
 def held(at: Ints, value: Floats, first: float, rows: Ints) -> Floats:
@@ -17,23 +17,25 @@ def held(at: Ints, value: Floats, first: float, rows: Ints) -> Floats:
     return np.concatenate([[first], value])[np.searchsorted(at, rows, side="right")]
 
 
-def said_feeds(said: Said, scale: Floats, source: Source) -> tuple[Ints, Floats]:
-    """The rows of ``said`` with a FEDRAT, and the feeds in mm/min; ``scale`` mm of the unit at each statement. Raises
+def stated_feeds(statements: Statements, scale: Floats, source: Source) -> tuple[Ints, Floats]:
+    """The rows of ``statements`` with a FEDRAT, and the feeds in mm/min; ``scale`` mm of the unit at each statement. Raises
     ProgramError for a feed per turn of no spindle."""
-    at = said.of(Kind.FEED)
-    return at, per_minute(said, at, said.value(at), said.unit(at), said.turn(at), scale, source)
+    at = statements.of(Kind.FEED)
+    return at, per_minute(statements, at, statements.value(at), statements.unit(at), statements.turn(at), scale, source)
 
 
-def per_minute(said: Said, at: Ints, value: Floats, unit: Floats, turn: Bools, scale: Floats, source: Source) -> Floats:
-    """mm/min (k,) of the feeds ``value`` that the rows ``at`` of ``said`` say, in mm of their ``unit`` (NaN: the file's), some
+def per_minute(
+    statements: Statements, at: Ints, value: Floats, unit: Floats, turn: Bools, scale: Floats, source: Source
+) -> Floats:
+    """mm/min (k,) of the feeds ``value`` that the rows ``at`` of ``statements`` say, in mm of their ``unit`` (NaN: the file's), some
     per ``turn``. Raises ProgramError."""
-    spindle = said.of(Kind.SPINDLE)
-    speed = said.value(spindle)
+    spindle = statements.of(Kind.SPINDLE)
+    speed = statements.value(spindle)
     going = ~np.isnan(speed)
-    turns = held(said.statement[spindle[going]], speed[going], 0.0, said.statement[at])
+    turns = held(statements.statement[spindle[going]], speed[going], 0.0, statements.statement[at])
     lost = np.flatnonzero(turn & ~(turns > 0.0))
     if len(lost):
-        k = int(said.statement[at[lost[0]]])
+        k = int(statements.statement[at[lost[0]]])
         source.fail(k, "", say("a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute"))
     with np.errstate(over="ignore"):  # the machine's greatest feed is below any of these
         return np.asarray(value * np.where(np.isnan(unit), scale[at], unit) * np.where(turn, turns, 1.0))

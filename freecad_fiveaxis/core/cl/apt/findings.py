@@ -12,8 +12,8 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Option, plural, say
 
 from .poses import Moves
-from .said import Kind, Said, name_of
 from .source import Source
+from .statements import Kind, Statements, name_of
 from .vocabulary import CURVES, OF_INCHES, SPOILING
 
 NOT_UNIT = 1e-4
@@ -25,28 +25,31 @@ LINES_TOLD, NAMES_TOLD = 5, 20
 
 
 def find_poor_spots(
-    source: Source, said: Said, moves: Moves, length: Floats, speed: Floats, fed: Bools
+    source: Source, statements: Statements, moves: Moves, length: Floats, speed: Floats, fed: Bools
 ) -> tuple[Finding, ...]:  # fmt: skip
     """The findings of a CL file; ``length`` (n,) of the axes as printed, ``speed`` (n,) mm/min of its moves, ``fed``
     (n,) which of them need one."""
-    found = [*_passed_over(source, said), *_frames(source, said)]
-    return (*found, *_rows(source, said, moves, length, speed, fed))
+    found = [*_passed_over(source, statements), *_frames(source, statements)]
+    return (*found, *_rows(source, statements, moves, length, speed, fed))
 
 
-def _passed_over(source: Source, said: Said) -> Iterator[Finding]:
+def _passed_over(source: Source, statements: Statements) -> Iterator[Finding]:
     """One finding for each word that is not interpreted, in the order in which they first stand."""
-    at = said.of(Kind.UNKNOWN)
-    names = [name_of(said.texts[which]) if said.meanings[which].kind is Kind.UNKNOWN else "" for which in range(len(said.texts))]
+    at = statements.of(Kind.UNKNOWN)
+    names = [
+        name_of(statements.texts[which]) if statements.meanings[which].kind is Kind.UNKNOWN else ""
+        for which in range(len(statements.texts))
+    ]
     number = {name: k for k, name in enumerate(dict.fromkeys(names))}
-    word = np.array([number[name] for name in names] or [0])[said.which[at]]
+    word = np.array([number[name] for name in names] or [0])[statements.which[at]]
     order = np.argsort(word, kind="stable")
     groups = np.split(at[order], np.flatnonzero(np.diff(word[order])) + 1) if len(at) else []
     groups.sort(key=lambda group: int(group[0]))
     for group in groups[:NAMES_TOLD]:
-        yield _not_interpreted(name_of(said.texts[said.which[group[0]]]), source.line[said.statement[group]])
+        yield _not_interpreted(name_of(statements.texts[statements.which[group[0]]]), source.line[statements.statement[group]])
     rest = groups[NAMES_TOLD:]
     if rest:
-        count, line = sum(map(len, rest)), int(source.line[said.statement[rest[0][0]]])
+        count, line = sum(map(len, rest)), int(source.line[statements.statement[rest[0][0]]])
         text = say(
             "{words} further words ({count} statements) are not interpreted; is this a CL file?", words=len(rest), count=count
         )
@@ -68,50 +71,52 @@ def _not_interpreted(name: str, lines: Ints) -> Finding:
     return Finding(severity, "statement-not-interpreted", text, float(len(lines)), line=int(lines[0]))
 
 
-def _frames(source: Source, said: Said) -> Iterator[Finding]:
+def _frames(source: Source, statements: Statements) -> Iterator[Finding]:
     """Points are counted from MSYS: one for the whole file is the work zero, a second one means another zero."""
-    at = said.of(Kind.FRAME)
-    other = at[said.which[at] != said.which[at[0]]] if len(at) else at
+    at = statements.of(Kind.FRAME)
+    other = at[statements.which[at] != statements.which[at[0]]] if len(at) else at
     if len(other):
-        line = int(source.line[said.statement[other[0]]])
+        line = int(source.line[statements.statement[other[0]]])
         text = say(
             "MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system."
         )
         yield Finding(Severity.ERROR, "several-coordinate-systems", text, float(len(other)), line=line)
 
 
-def units_findings(source: Source, said: Said, units: str) -> tuple[Finding, ...]:
+def units_findings(source: Source, statements: Statements, units: str) -> tuple[Finding, ...]:
     """That nobody has said the unit, where feeds or speeds are said in those of inches. ``units``: what the reading says."""
-    if units != "file" or len(said.of(Kind.UNITS)):
+    if units != "file" or len(statements.of(Kind.UNITS)):
         return ()
     spoken = (Kind.FEED, Kind.SPINDLE, Kind.CYCLE)
     inches = [
         meaning.kind in spoken and not OF_INCHES.isdisjoint(text.partition("/")[2].split(","))
-        for text, meaning in zip(said.texts, said.meanings, strict=True)
+        for text, meaning in zip(statements.texts, statements.meanings, strict=True)
     ]
-    at = np.flatnonzero(np.array(inches or [False])[said.which])
+    at = np.flatnonzero(np.array(inches or [False])[statements.which])
     if not len(at):
         return ()
-    line = int(source.line[said.statement[at[0]]])
+    line = int(source.line[statements.statement[at[0]]])
     text = say(
         "The CL file does not say its unit; mm is taken, but line {line} says {statement}, as files in inches do. Give {option}, "
         "mm or inch.",
         line=line,
-        statement=said.texts[said.which[at[0]]][:40],
+        statement=statements.texts[statements.which[at[0]]][:40],
         option=Option("units"),
     )
     return (Finding(Severity.WARNING, "units-not-said", text, float(len(at)), line=line),)
 
 
-def _rows(source: Source, said: Said, moves: Moves, length: Floats, speed: Floats, fed: Bools) -> Iterator[Finding]:
+def _rows(source: Source, statements: Statements, moves: Moves, length: Floats, speed: Floats, fed: Bools) -> Iterator[Finding]:
     line = source.line[source.move_at]
     off = np.abs(length - 1.0)
     if (off > NOT_UNIT).any():
         text = say("{count} tool axes are no unit vectors; they are scaled to length 1.", count=int((off > NOT_UNIT).sum()))
         first = int((off > NOT_UNIT).argmax())
         yield Finding(Severity.WARNING, "axis-not-unit", text, float(off.max()), NOT_UNIT, "1", line=int(line[first]))
-    switch = said.of(Kind.MULTAX)
-    on = np.concatenate([[1.0], said.value(switch)])[np.searchsorted(said.row[switch], np.arange(len(length)), side="right")]
+    switch = statements.of(Kind.MULTAX)
+    on = np.concatenate([[1.0], statements.value(switch)])[
+        np.searchsorted(statements.row[switch], np.arange(len(length)), side="right")
+    ]
     leaning = (on == 0.0) & ~moves.full & (np.hypot(*moves.axis[:, :2].T) > TILTED * length)
     if leaning.any():
         text = say(

@@ -17,19 +17,19 @@ open."""
 @dataclass(frozen=True)
 class ClHead:
     """``tool`` number (None: no tool call), ``speed`` 1/min (0: not said), ``coolant`` on; ``diameter`` and ``corner`` radius of
-    the cutter, mm (0: not said); ``said`` (0 to 7 numbers) all that its CUTTER statement says of it, mm and deg."""
+    the cutter, mm (0: not said); ``stated`` (0 to 7 numbers) all that its CUTTER statement says of it, mm and deg."""
 
     tool: int | None = None
     speed: float = 0.0
     coolant: bool = False
     diameter: float = 0.0
     corner: float = 0.0
-    said: tuple[float, ...] = field(default=(), compare=False)
+    stated: tuple[float, ...] = field(default=(), compare=False)
 
     @property
     def cutter(self) -> Cutter | None:
         """The cutter, where its shape is said and is one that can be used here."""
-        return cutter_from_apt(self.said)
+        return cutter_from_apt(self.stated)
 
 
 def cutter_taken(taken: Cutter) -> tuple[Finding, ...]:
@@ -45,11 +45,11 @@ def of_cl_file(finding: Finding) -> Finding:
     return replace(finding, text=say("CL file, line {line}: {finding}", line=finding.line, finding=finding.text), line=None)
 
 
-def cutter_note(said: ClHead, given: Cutter) -> tuple[Finding, ...]:
+def cutter_note(head: ClHead, given: Cutter) -> tuple[Finding, ...]:
     """A note where the CL file is for another cutter than the one given: of another diameter, or, where it says one, shape."""
-    other = said.cutter
-    diameter = said.diameter if other is None else other.diameter
-    if said.diameter > 0.0 and abs(diameter - given.diameter) > SAME_CUTTER:
+    other = head.cutter
+    diameter = head.diameter if other is None else other.diameter
+    if head.diameter > 0.0 and abs(diameter - given.diameter) > SAME_CUTTER:
         text = say(
             "The CL file is for a cutter of {diameter}, retracts are laid out for {given}; give {cutter}.",
             diameter=Length(diameter),

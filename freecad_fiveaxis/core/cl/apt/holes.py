@@ -21,8 +21,8 @@ from freecad_fiveaxis.core.cl.cl_path import Motion
 from .cycles import Cycle, cycle_of, way
 from .feeds import per_minute
 from .rows import Put, Rows
-from .said import Said
 from .source import Source
+from .statements import Statements
 
 SAME_AXIS = 1e-6
 """rad, in sine, between axes that are one."""
@@ -41,34 +41,34 @@ class Holes:
     feed: Floats
 
 
-def read_holes(source: Source, said: Said, rate: Floats, scale: Floats) -> tuple[Holes, tuple[Finding, ...]]:
+def read_holes(source: Source, statements: Statements, rate: Floats, scale: Floats) -> tuple[Holes, tuple[Finding, ...]]:
     """The holes, and what is to be said of them. ``rate`` (n,) mm/min: what FEDRAT says at each row; ``scale`` (s,) mm of the
     unit at each statement. Raises ProgramError for a feed per turn of no spindle."""
-    cycle = [cycle_of(text[len("CYCLE/") :]) if text.startswith("CYCLE/") else None for text in said.texts]
-    named = np.array([text.startswith("CYCLE") for text in said.texts] or [False])
-    events = np.flatnonzero(named[said.which])
-    at = np.append(-1, events)[np.searchsorted(said.row[events], np.arange(len(rate)), side="right")]
+    cycle = [cycle_of(text[len("CYCLE/") :]) if text.startswith("CYCLE/") else None for text in statements.texts]
+    named = np.array([text.startswith("CYCLE") for text in statements.texts] or [False])
+    events = np.flatnonzero(named[statements.which])
+    at = np.append(-1, events)[np.searchsorted(statements.row[events], np.arange(len(rate)), side="right")]
     drills = np.array([one is not None for one in cycle] or [False])
-    on = (at >= 0) & drills[said.which[at]] if len(events) else np.zeros(len(rate), np.bool_)
+    on = (at >= 0) & drills[statements.which[at]] if len(events) else np.zeros(len(rate), np.bool_)
     plain = source.move_rows(b"GOTO/")
     row = np.flatnonzero(on & plain)
     at = at[row]
-    pairs, group = np.unique(np.stack([said.which[at], scale[at]]), axis=1, return_inverse=True)
+    pairs, group = np.unique(np.stack([statements.which[at], scale[at]]), axis=1, return_inverse=True)
     cycles = [(one, float(mm)) for which, mm in pairs.T if (one := cycle[int(which)]) is not None]
     group = group.reshape(-1)
-    holes = Holes(row, group, cycles, _feeds(said, at, group, cycles, rate[row], scale, source))
-    return holes, tuple(_findings(source, said, events, cycle, np.flatnonzero(on & ~plain)))
+    holes = Holes(row, group, cycles, _feeds(statements, at, group, cycles, rate[row], scale, source))
+    return holes, tuple(_findings(source, statements, events, cycle, np.flatnonzero(on & ~plain)))
 
 
 def _feeds(
-    said: Said, at: Ints, group: Ints, cycles: list[tuple[Cycle, float]], rate: Floats, scale: Floats, source: Source
+    statements: Statements, at: Ints, group: Ints, cycles: list[tuple[Cycle, float]], rate: Floats, scale: Floats, source: Source
 ) -> Floats:
     """mm/min (h,): the cycle's own, else that of FEDRAT."""
     own = np.array([(cycle.feed, cycle.unit, cycle.turn) for cycle, _ in cycles]).reshape(-1, 3)[group]
     fed = ~np.isnan(own[:, 0])
     feed = rate.copy()
     value, unit, turn = own[fed].T
-    feed[fed] = per_minute(said, at[fed], value, unit, turn > 0.0, scale, source)
+    feed[fed] = per_minute(statements, at[fed], value, unit, turn > 0.0, scale, source)
     return feed
 
 
@@ -94,13 +94,13 @@ def _clear(holes: Holes) -> Floats:
 def _heights_out(rows: Rows, holes: Holes, point: Floats, axis: Floats) -> Floats:
     """mm (h,) above the point: where the tool leaves each hole, never below its clear."""
     clear = _clear(holes)
-    said = np.array([cycle.clear if cycle.out is None else cycle.out for cycle, _ in holes.cycles])
-    said = (said * [scale for _, scale in holes.cycles])[holes.group]
+    height = np.array([cycle.clear if cycle.out is None else cycle.out for cycle, _ in holes.cycles])
+    height = (height * [scale for _, scale in holes.cycles])[holes.group]
     stood = np.arange(len(rows.tip))
     stood[holes.row] = -1
     stood = np.maximum.accumulate(stood)[holes.row]
     before = np.where(stood >= 0, ((rows.tip[stood] - point) * axis).sum(axis=1), -np.inf)
-    return np.maximum(clear, np.where(np.isnan(said), before, said))
+    return np.maximum(clear, np.where(np.isnan(height), before, height))
 
 
 def _over(left: Rows, holes: Holes, point: Floats, axis: Floats) -> Put:
@@ -129,9 +129,9 @@ def _ways(holes: Holes, point: Floats, axis: Floats) -> Iterator[Put]:
         yield Put(holes.row[of], point[of] + height[:, None] * axis[of], axis[of], motion, speed)
 
 
-def _findings(source: Source, said: Said, events: Ints, cycle: list[Cycle | None], others: Ints) -> Iterator[Finding]:
+def _findings(source: Source, statements: Statements, events: Ints, cycle: list[Cycle | None], others: Ints) -> Iterator[Finding]:
     def where(of: list[bool]) -> Ints:
-        return said.statement[events[np.array(of)[said.which[events]]]] if len(events) else events
+        return statements.statement[events[np.array(of)[statements.which[events]]]] if len(events) else events
 
     whole = where([one is not None and bool(one.chips) and not one.steps for one in cycle])
     if len(whole):

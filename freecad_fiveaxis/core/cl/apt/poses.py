@@ -69,10 +69,10 @@ def _sorted_out(value: Floats, count: Ints, source: Source, turned_at: Ints, tur
     point[along, 1:] = 0.0
     own = value[first[full][:, None] + (3, 4, 5)]
     carrier = np.concatenate([[-1], source.move_at[full], turned_at])
-    said = np.concatenate([[(0.0, 0.0, 1.0)], own, turned])
+    stated = np.concatenate([[(0.0, 0.0, 1.0)], own, turned])
     order = np.argsort(carrier, kind="stable")
     last = np.searchsorted(carrier[order], source.move_at, side="right") - 1
-    return Moves(point, source.move_rows(b"GODLTA/"), along, said[order][last], full)
+    return Moves(point, source.move_rows(b"GODLTA/"), along, stated[order][last], full)
 
 
 def places(moves: Moves, unit: Floats, scale: Floats, source: Source) -> Floats:

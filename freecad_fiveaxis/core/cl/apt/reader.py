@@ -22,15 +22,15 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 
 from .arc_reading import chords
-from .feeds import held, said_feeds
+from .feeds import held, stated_feeds
 from .findings import find_poor_spots, units_findings
 from .head import ClHead
 from .holes import drilled, read_holes, with_feeds
 from .poses import Moves, places, read_moves
 from .reading import ClReading
 from .rows import Put, Rows
-from .said import Kind, Said, head_of, read_statements
 from .source import Source
+from .statements import Kind, Statements, head_of, read_statements
 from .tools import only, tool_findings, tools_of
 
 USUAL = ClReading()
@@ -58,55 +58,55 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
     progress("reading CL", 0.0)
     source = Source(text.encode("utf-8") if isinstance(text, str) else text)
     progress("reading CL", 0.3)
-    said = read_statements(source)
-    moves, tools = _moves(source, said), tools_of(source, said)
+    statements = read_statements(source)
+    moves, tools = _moves(source, statements), tools_of(source, statements)
     if reading.tool is not None:
-        kept = only(source, said, tools, reading.tool)
+        kept = only(source, statements, tools, reading.tool)
         moves, source = moves.take(kept[source.move_at]), source.kept(kept)
-        said = read_statements(source)
+        statements = read_statements(source)
     progress("reading CL", 0.8)
-    units = said.of(Kind.UNITS)
-    scale = held(said.statement[units], said.value(units), reading.scale, np.arange(len(source.begin)))
-    path = _path(source, said, moves, scale, reading)
-    told = units_findings(source, said, reading.units) + tool_findings(tools, reading.tool)
-    return ClFile(replace(path, findings=path.findings + told), head_of(said, scale[said.statement]))
+    units = statements.of(Kind.UNITS)
+    scale = held(statements.statement[units], statements.value(units), reading.scale, np.arange(len(source.begin)))
+    path = _path(source, statements, moves, scale, reading)
+    told = units_findings(source, statements, reading.units) + tool_findings(tools, reading.tool)
+    return ClFile(replace(path, findings=path.findings + told), head_of(statements, scale[statements.statement]))
 
 
-def _path(source: Source, said: Said, moves: Moves, scale: Floats, reading: ClReading) -> CLPath:
+def _path(source: Source, statements: Statements, moves: Moves, scale: Floats, reading: ClReading) -> CLPath:
     """The path of the moves; ``scale`` (s,) mm of the unit at each statement."""
-    length = _lengths(moves.axis, source, said)
+    length = _lengths(moves.axis, source, statements)
     axis, mm = moves.axis / length[:, None], scale[source.move_at]
-    tip, motion = places(moves, axis, mm, source), _motion(source, said, len(length))
-    scale = scale[said.statement]
-    at, rate = said_feeds(said, scale, source)
-    rated = held(said.row[at], rate, reading.feed, np.arange(len(length)))
+    tip, motion = places(moves, axis, mm, source), _motion(source, statements, len(length))
+    scale = scale[statements.statement]
+    at, rate = stated_feeds(statements, scale, source)
+    rated = held(statements.row[at], rate, reading.feed, np.arange(len(length)))
     each = Rows(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, rated))
-    holes, of_holes = read_holes(source, said, rated, scale)
-    findings = find_poor_spots(source, said, moves, length, *with_feeds(each, holes)) + of_holes
+    holes, of_holes = read_holes(source, statements, rated, scale)
+    findings = find_poor_spots(source, statements, moves, length, *with_feeds(each, holes)) + of_holes
     with np.errstate(over="ignore", invalid="ignore"):  # rows beyond all bounds fit no arc
         each, drilling = drilled(each, holes)
-        turning, of_arcs = chords(source, said, each, mm, reading.chord, holes.row)
+        turning, of_arcs = chords(source, statements, each, mm, reading.chord, holes.row)
     made = each.with_put(Put.joined([drilling, turning]))
     none, runs = np.full(len(made.tip), -1), _runs(made.motion)
     return CLPath(made.tip, made.axis, made.motion, made.speed, made.tip, made.axis, none, none, runs, findings + of_arcs)
 
 
-def _moves(source: Source, said: Said) -> Moves:
-    axes = said.of(Kind.AXIS)
-    turned = np.array([said.meanings[which].more for which in said.which[axes]]).reshape(-1, 3)
-    return read_moves(source, said.statement[axes], turned)
+def _moves(source: Source, statements: Statements) -> Moves:
+    axes = statements.of(Kind.AXIS)
+    turned = np.array([statements.meanings[which].more for which in statements.which[axes]]).reshape(-1, 3)
+    return read_moves(source, statements.statement[axes], turned)
 
 
-def _motion(source: Source, said: Said, rows: int) -> Bytes:
-    links = said.of(Kind.LINK)
-    link = held(said.row[links], said.value(links), 0.0, np.arange(rows)) > 0.0
+def _motion(source: Source, statements: Statements, rows: int) -> Bytes:
+    links = statements.of(Kind.LINK)
+    link = held(statements.row[links], statements.value(links), 0.0, np.arange(rows)) > 0.0
     rapid = source.move_rows(b"FROM/")
-    one_shot = said.row[said.of(Kind.RAPID)]
+    one_shot = statements.row[statements.of(Kind.RAPID)]
     rapid[one_shot[one_shot < rows]] = True
     return np.where(rapid, Motion.RAPID, np.where(link, Motion.LINK, Motion.CUT)).astype(np.int8)
 
 
-def _lengths(axis: Floats, source: Source, said: Said) -> Floats:
+def _lengths(axis: Floats, source: Source, statements: Statements) -> Floats:
     with np.errstate(over="ignore"):
         length: Floats = np.linalg.norm(axis, axis=1)
     wrong: Bools = ~((length > 0.0) & (length < np.inf))

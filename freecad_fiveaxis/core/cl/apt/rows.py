@@ -28,7 +28,7 @@ class Rows:
         order = np.argsort(put.at, kind="stable")
         places = Insertion(len(self.tip), put.at[order])
         columns = ("tip", "axis", "motion", "speed")
-        return Rows(*(places.woven(getattr(self, name), getattr(put, name)[order]) for name in columns))
+        return Rows(*(places.interleave(getattr(self, name), getattr(put, name)[order]) for name in columns))
 
 
 @dataclass(frozen=True, eq=False)

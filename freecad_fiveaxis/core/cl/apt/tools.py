@@ -19,8 +19,8 @@ from freecad_fiveaxis.core.base.records import Bools, Ints
 from freecad_fiveaxis.core.base.sentences import Option, say
 
 from . import vocabulary as words
-from .said import Kind, Said
 from .source import Source
+from .statements import Kind, Statements
 
 TOLD = 20
 """How many tools are named."""
@@ -44,42 +44,42 @@ class Tools:
         return ", ".join(every[:TOLD]) + (" ..." if len(every) > TOLD else "")
 
 
-def tools_of(source: Source, said: Said) -> Tools:
+def tools_of(source: Source, statements: Statements) -> Tools:
     """The tools that the moves are made with; none where the file says none."""
-    numbers = said.of(Kind.TOOL)
-    best = _by_number(source, said, numbers if len(numbers) else said.of(Kind.TOOLNO))
+    numbers = statements.of(Kind.TOOL)
+    best = _by_number(source, statements, numbers if len(numbers) else statements.of(Kind.TOOLNO))
     for name in (_name_of_path, _name_of_data):
-        texts = [name(text) for text in said.texts]
-        other = _by_name(source, said, texts)
+        texts = [name(text) for text in statements.texts]
+        other = _by_name(source, statements, texts)
         if len(other.names) > max(len(best.names), 1):
             best = other
     return best
 
 
-def _by_number(source: Source, said: Said, at: Ints) -> Tools:
-    return _held(source, said, at, np.clip(said.value(at), -words.LARGEST, words.LARGEST).astype(np.int64), {})
+def _by_number(source: Source, statements: Statements, at: Ints) -> Tools:
+    return _held(source, statements, at, np.clip(statements.value(at), -words.LARGEST, words.LARGEST).astype(np.int64), {})
 
 
-def _by_name(source: Source, said: Said, names: list[str]) -> Tools:
-    """Tools by name: ``names`` of each text of ``said``, empty where it names none; numbered in the order of their moves."""
-    at = np.flatnonzero(np.array([bool(name) for name in names] or [False])[said.which])
-    order = {name: k for k, name in enumerate(dict.fromkeys(names[which] for which in said.which[at]), 1)}
-    number = np.array([order[names[which]] for which in said.which[at]], np.int64)
-    return _held(source, said, at, number, {k: name for name, k in order.items()})
+def _by_name(source: Source, statements: Statements, names: list[str]) -> Tools:
+    """Tools by name: ``names`` of each text of ``statements``, empty where it names none; numbered in the order of their moves."""
+    at = np.flatnonzero(np.array([bool(name) for name in names] or [False])[statements.which])
+    order = {name: k for k, name in enumerate(dict.fromkeys(names[which] for which in statements.which[at]), 1)}
+    number = np.array([order[names[which]] for which in statements.which[at]], np.int64)
+    return _held(source, statements, at, number, {k: name for name, k in order.items()})
 
 
-def _held(source: Source, said: Said, at: Ints, number: Ints, names: dict[int, str]) -> Tools:
+def _held(source: Source, statements: Statements, at: Ints, number: Ints, names: dict[int, str]) -> Tools:
     """Each move's tool: the last one named before it, the first one where none is."""
     moves = len(source.move_at)
-    used = said.row[at] < moves
+    used = statements.row[at] < moves
     at, number = at[used], number[used]
     if not len(at):
         return Tools(np.zeros(moves, np.int64), {}, 0)
-    of = number[np.maximum(np.searchsorted(said.row[at], np.arange(moves), side="right") - 1, 0)]
+    of = number[np.maximum(np.searchsorted(statements.row[at], np.arange(moves), side="right") - 1, 0)]
     change = np.flatnonzero(of[1:] != of[:-1])
     second = 0
     if len(change):
-        second = int(source.line[said.statement[at[np.searchsorted(said.row[at], change[0] + 1, side="right") - 1]]])
+        second = int(source.line[statements.statement[at[np.searchsorted(statements.row[at], change[0] + 1, side="right") - 1]]])
     return Tools(of, {k: names.get(k, "") for k in dict.fromkeys(of.tolist())}, second)
 
 
@@ -96,7 +96,7 @@ def _name_of_data(text: str) -> str:
     return ",".join(f"{float(part):g}" if words.NUMBER.fullmatch(part) else part for part in parts)
 
 
-def only(source: Source, said: Said, tools: Tools, tool: int) -> Bools:
+def only(source: Source, statements: Statements, tools: Tools, tool: int) -> Bools:
     """Which statements (s,) are those of one tool, with what earlier ones say for it too. Raises ProgramError where there is no
     such tool."""
     if tool not in tools.names:
@@ -104,8 +104,8 @@ def only(source: Source, said: Said, tools: Tools, tool: int) -> Bools:
     kept = np.zeros(len(source.begin), np.bool_)
     kept[source.move_at] = tools.of == tool
     following = np.append(tools.of, tools.of[-1])
-    carried = np.isin([int(meaning.kind) for meaning in said.meanings], [int(kind) for kind in CARRIED])
-    kept[said.statement] = (following[said.row] == tool) | carried[said.which]
+    carried = np.isin([int(meaning.kind) for meaning in statements.meanings], [int(kind) for kind in CARRIED])
+    kept[statements.statement] = (following[statements.row] == tool) | carried[statements.which]
     return kept
 
 

@@ -28,16 +28,16 @@ def write_apt(path: CLPath, cutter: Cutter, title: str, progress: Progress = sil
     """
     begin, end = _frame(cutter, title, head or ClHead(tool=1))
     rapid, link = path.motion == Motion.RAPID, path.motion == Motion.LINK
-    feed_said = _new_value(path.feed, ~rapid)
-    link_said = _new_value(link.astype(np.float64), ~rapid)
-    if len(link_said):
-        link_said[:1] &= link[:1]
+    feed_stated = _new_value(path.feed, ~rapid)
+    link_stated = _new_value(link.astype(np.float64), ~rapid)
+    if len(link_stated):
+        link_stated[:1] &= link[:1]
     axes = [Column(b",", path.axis[:, k], AXIS_DECIMALS) for k in range(3)]
     rows = table(
         [
-            Choice(np.where(link_said, 1 + link, 0), (b"", b"PPRINT/MOTION,CUT\n", b"PPRINT/MOTION,LINK\n")),
-            Column(b"FEDRAT/", path.feed, FEED_DECIMALS, feed_said),
-            Choice(feed_said.view(np.int8), (b"", b",MMPM\n")),
+            Choice(np.where(link_stated, 1 + link, 0), (b"", b"PPRINT/MOTION,CUT\n", b"PPRINT/MOTION,LINK\n")),
+            Column(b"FEDRAT/", path.feed, FEED_DECIMALS, feed_stated),
+            Choice(feed_stated.view(np.int8), (b"", b",MMPM\n")),
             Choice(rapid.view(np.int8), (b"GOTO/", b"RAPID\nGOTO/")),
             *(Column(b"," if k else b"", path.tip[:, k], POSITION_DECIMALS) for k in range(3)),
             *axes,
@@ -62,6 +62,6 @@ def _frame(cutter: Cutter, title: str, head: ClHead) -> tuple[bytes, bytes]:
 def _new_value(value: Floats, rows: Bools) -> Bools:
     """Where, among the chosen rows, the value differs from that of the chosen row before."""
     at = np.flatnonzero(rows)
-    said = np.zeros(len(value), np.bool_)
-    said[at] = np.diff(value[at], prepend=np.nan) != 0.0
-    return said
+    stated = np.zeros(len(value), np.bool_)
+    stated[at] = np.diff(value[at], prepend=np.nan) != 0.0
+    return stated

@@ -15,7 +15,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all
+from freecad_fiveaxis.core.base.chunks import in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -154,20 +154,20 @@ def _merged(path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: 
     def motion() -> Any:
         own = np.where(path.fill, np.int8(Motion.FILL), np.int8(Motion.CUT))
         own[start] = Motion.LINK
-        return put.woven(own, links.motion)
+        return put.interleave(own, links.motion)
 
     def feed() -> Any:
         own = np.full(len(path.point), options.feed)
         own[start[~links.goes_on]] = options.plunge_feed
-        return put.woven(own, np.where(links.motion == Motion.RAPID, 0.0, options.feed))
+        return put.interleave(own, np.where(links.motion == Motion.RAPID, 0.0, options.feed))
 
     columns: dict[str, Callable[[], Any]] = {
-        "tip": lambda: put.woven(drive(path.centre, axis), link_tip), "axis": lambda: put.woven(axis, links.axis),
-        "contact": lambda: put.woven(path.point, link_tip), "normal": lambda: put.woven(path.normal, links.axis),
-        "motion": motion, "feed": feed, "face": lambda: put.woven(path.face, -1), "coedge": lambda: put.woven(path.coedge, -1),
-        "pass_": lambda: put.woven(path.pass_, -1),
+        "tip": lambda: put.interleave(drive(path.centre, axis), link_tip), "axis": lambda: put.interleave(axis, links.axis),
+        "contact": lambda: put.interleave(path.point, link_tip), "normal": lambda: put.interleave(path.normal, links.axis),
+        "motion": motion, "feed": feed, "face": lambda: put.interleave(path.face, -1), "coedge": lambda: put.interleave(path.coedge, -1),
+        "pass_": lambda: put.interleave(path.pass_, -1),
     }  # fmt: skip
-    return CLPath(**dict(zip(columns, on_all(lambda name: columns[name](), list(columns)), strict=True)))
+    return CLPath(**dict(zip(columns, in_threads(lambda name: columns[name](), list(columns)), strict=True)))
 
 
 def _goes_on(centre: Floats, first: Ints, last: Ints) -> Bools:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, owners
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
 
 from .junction import CONCAVE, CONVEX, END, Junctions, Segments, arc_weights, direction, dot
 
@@ -63,7 +63,7 @@ def make_chords(segments: Segments, junctions: Junctions, at: Ints, radius: floa
     behind = np.where(kind == CONVEX, junctions.arcs[at] + 1, np.where(kind == END, quarter + 1, 0))
     count = ahead + 1 + behind
     head = np.cumsum(count) - count
-    owner = owners(count)
+    owner = run_ids(count)
     where = at.take(owner)
     step = np.arange(len(where)) - (head + ahead).take(owner)  # 0: the segment itself; else the pieces of its arcs
     arcs = np.where((step > 0) & (junctions.kind[where] == CONVEX), junctions.arcs[where], quarter)

@@ -13,11 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all
+from freecad_fiveaxis.core.base.chunks import in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, picked
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, take_rows
 from freecad_fiveaxis.core.base.sentences import Choice, Length, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes import ContactPath
@@ -79,11 +79,11 @@ def lasting_rows(path: OffsetPath, rows: Ints) -> Ints:
     return rows[np.repeat(size > 1, size)]
 
 
-def take_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
+def take_path_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
     """Some rows of a path, ascending: a polyline ends where rows are left out, and what is left of it begins a new one."""
     begins = row_begins(rows, path.polyline[rows])
     columns = {name: getattr(path, name)[rows] for name in ("face", "coedge", "segment", "pass_", "step_before", "step_after")}
-    columns |= {name: picked(getattr(path, name), rows) for name in ("point", "centre", "normal", "before", "after")}
+    columns |= {name: take_rows(getattr(path, name), rows) for name in ("point", "centre", "normal", "before", "after")}
     columns |= {"polyline": np.cumsum(begins) - 1, "fill": path.fill[rows] & ~begins}
     return OffsetPath(**columns, findings=path.findings)
 
@@ -113,9 +113,9 @@ def close_gaps(
     def close(group: Segments) -> Closed:
         return closed_rows(group, radius, tolerance, cut)
 
-    parts = on_all(close, groups(segments), lambda done: progress("closing co-edges", 0.5 * done))
+    parts = in_threads(close, groups(segments), lambda done: progress("closing co-edges", 0.5 * done))
     columns = Columns(contact, segments, parts)
-    on_all(columns.write, range(len(parts)), lambda done: progress("closing co-edges", 0.5 + 0.5 * done))
+    in_threads(columns.write, range(len(parts)), lambda done: progress("closing co-edges", 0.5 + 0.5 * done))
     progress("closing co-edges", 1.0)
     return OffsetPath(**columns.values, **columns.walls, findings=_findings(contact, parts, cut))
 

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.passes import ContactPath
 
@@ -135,7 +135,7 @@ def find_segments(contact: ContactPath) -> Segments:
         step = point[:, 2 * part.start + 1 : 2 * part.stop : 2] - point[:, 2 * part.start : 2 * part.stop : 2]
         np.sqrt(dot(step, step), out=length[part])
 
-    on_all(measure, portions(len(length)))
+    in_threads(measure, chunks(len(length)))
     live = np.flatnonzero(length > SAME)
     label = contact.polyline.take(2 * live)
     first = np.flatnonzero(np.diff(label, prepend=label[:1] - 1))
@@ -150,7 +150,7 @@ def groups(segments: Segments) -> list[Segments]:
     """The same in parts of whole polylines: an even number of them, alike, so that both threads have as much to do."""
     ends = np.append(segments.first[1:], len(segments.live))[: len(segments.first)]
     count = len(segments.live)
-    size = max((part.stop - part.start for part in portions(count, GROUP)), default=1)
+    size = max((part.stop - part.start for part in chunks(count, GROUP)), default=1)
     bounds = ends[np.diff((ends - 1) // size, append=-1) != 0].tolist()
     parts = []
     for low, high in zip([0, *bounds], bounds, strict=False):

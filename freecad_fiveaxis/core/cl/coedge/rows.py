@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Ints, owners
+from freecad_fiveaxis.core.base.records import Bools, Ints, run_ids
 
 from .junction import CHUNK, Junctions, Rows, Segments, chosen, find_junctions, junction_rows
 from .trimming import Trimmed, find_used_up, trim_polylines
@@ -92,7 +92,7 @@ def _easy(segments: Segments, junctions: Junctions, at: Ints, place: Ints, radiu
     last[segments.first] = segments.last
     low = place[at]
     count = place[at + 1] - low
-    head, owner = np.cumsum(count) - count, owners(count)
+    head, owner = np.cumsum(count) - count, run_ids(count)
     n, row = len(owner), np.arange(len(owner))
     found = _room(n + more)
     np.add(row, (low - head).take(owner), out=found.number[:n])

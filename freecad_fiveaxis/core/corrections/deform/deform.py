@@ -4,7 +4,7 @@
 change     the angle between the axis that a strategy gives and the axis that is led; at most what the user allows.
 lead       to change the axis of a pass near the pole such that the first rotary axis turns little and evenly; after the idea of
            Affouard et al. (Avoiding 5-axis singularities using tool path deformation, 2004), which moves the axis' path off a
-           fixed cone. Here the way is found by :mod:`.leading`, and kept only where driving it on the machine proves it
+           fixed cone. Here the way is found by :mod:`.rerouting`, and kept only where driving it on the machine proves it
            better (:mod:`.choice`).
 
 Only the axis moves. Contact points and ball centres stay what they are, so a ball-end cutter cuts the same surface; any other
@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.base.sentences import Angle, Turn, say
 from freecad_fiveaxis.core.cl.coedge import OffsetPath
 from freecad_fiveaxis.core.machine.kinematics import Chain
 
-from .choice import Led, led_axes, near_polylines
+from .choice import Led, near_polylines, rerouted_axes
 from .drive import starts
 from .meridian import Globe, angle_between
 
@@ -35,7 +35,7 @@ STEADY = math.radians(0.1)
 
 
 def deform_axes(
-    offset: OffsetPath, axis: Floats, links: Chain, max_change: float, progress: Progress = silent
+    offset: OffsetPath, axis: Floats, kinematics: Chain, max_change: float, progress: Progress = silent
 ) -> tuple[Floats, tuple[Finding, ...]]:
     """Unit tool axes (n, 3) led past the pole, and what there is to say about them.
 
@@ -45,10 +45,10 @@ def deform_axes(
     Raises SettingsError for an angle out of range, ReachError for axes beyond the machine's limits.
     """
     check_change(max_change)
-    found = led_axes(offset, np.asarray(axis, float), links, max_change, progress)
+    found = rerouted_axes(offset, np.asarray(axis, float), kinematics, max_change, progress)
     if found is None:
         return axis, ()
-    return found.axis, _findings(offset, axis, links, found, max_change)
+    return found.axis, _findings(offset, axis, kinematics, found, max_change)
 
 
 def check_change(change: float) -> None:
@@ -65,18 +65,18 @@ def check_change(change: float) -> None:
         )
 
 
-def _findings(offset: OffsetPath, axis: Floats, links: Chain, found: Led, change: float) -> tuple[Finding, ...]:
+def _findings(offset: OffsetPath, axis: Floats, kinematics: Chain, found: Led, change: float) -> tuple[Finding, ...]:
     """What was led, and what still turns fast near the pole."""
-    globe, letter, limit = Globe.of(links), links.letters[3], math.degrees(change)
+    globe, letter, limit = Globe.of(kinematics), kinematics.letters[3], math.degrees(change)
     findings = []
-    if found.led.any():
+    if found.rerouted.any():
         most = math.degrees(float(angle_between(found.axis, axis).max()))
-        before, after = (math.degrees(float(part.peak[found.led].max())) for part in (found.before, found.after))
-        turned, turns = (math.degrees(float(part.first[found.led].sum())) for part in (found.before, found.after))
+        before, after = (math.degrees(float(part.peak[found.rerouted].max())) for part in (found.before, found.after))
+        turned, turns = (math.degrees(float(part.first[found.rerouted].sum())) for part in (found.before, found.after))
         text = say(
             "{count} passes are turned past the pole: {letter} turns at most {after} instead of {before} on them, "
             "and {turns} instead of {turned} in all, for an axis changed by up to {most}.",
-            count=int(found.led.sum()),
+            count=int(found.rerouted.sum()),
             letter=letter,
             after=Turn(after, ".3g", bare=True),
             before=Turn(before, ".3g"),
@@ -84,10 +84,10 @@ def _findings(offset: OffsetPath, axis: Floats, links: Chain, found: Led, change
             turned=Angle(turned, ".0f"),
             most=Angle(most, ".3f"),
         )
-        worst = np.flatnonzero(found.led)[found.before.peak[found.led].argmax()]
+        worst = np.flatnonzero(found.rerouted)[found.before.peak[found.rerouted].argmax()]
         place = _nearest_place(offset, axis, globe, int(worst))
         findings.append(Finding(Severity.NOTE, "axis-led-past-pole", text, most, limit, "deg", place=place))
-    left = np.flatnonzero(near_polylines(offset, axis, globe, change) & ~found.led & (found.after.peak > STEADY))
+    left = np.flatnonzero(near_polylines(offset, axis, globe, change) & ~found.rerouted & (found.after.peak > STEADY))
     if len(left):
         worst = left[found.after.peak[left].argmax()]
         rate = math.degrees(float(found.after.peak[worst]))

@@ -60,12 +60,12 @@ SAME = 1e-6
 """rad, and share: figures that differ by less are the same; solving anew rounds anew."""
 
 
-def drive(offset: OffsetPath, axis: Floats, links: Chain, progress: Progress = silent) -> Floats:
+def drive(offset: OffsetPath, axis: Floats, kinematics: Chain, progress: Progress = silent) -> Floats:
     """The rotary words (n, 2) rad, turns not folded, of an offset path with tool axes (n, 3). Raises ReachError where the
     machine cannot take up an axis."""
     low, high = offset.centre.min(axis=0), offset.centre.max(axis=0)
     path = link_passes(offset, axis, BALL, low, high, STANDING)
-    joints = solve(path, links, low, high, STANDING.clearance, 0.0, progress)
+    joints = solve(path, kinematics, low, high, STANDING.clearance, 0.0, progress)
     last = np.flatnonzero(np.diff(joints.row, append=len(path.tip)))  # the rows before it with the same number were inserted
     return np.asarray(joints.q[last[path.pass_ >= 0], 3:])
 

@@ -49,9 +49,9 @@ class Globe:
     lean: float
 
     @staticmethod
-    def of(links: Chain) -> Globe:
+    def of(kinematics: Chain) -> Globe:
         """The globe of a machine."""
-        pole, second = links.direction[3], links.direction[4]
+        pole, second = kinematics.direction[3], kinematics.direction[4]
         across = np.linalg.svd(pole[None])[2][1]
         frame = np.array([across, np.cross(pole, across)])
         x, y = (float(value) for value in frame @ second)
@@ -112,18 +112,18 @@ class Globe:
         """The axis (n, 3) on the meridian of each word (n,) that is nearest to ``axis``, OFF_POLE off the pole at least."""
         centre = self.centre(word)
         rest = axis - (axis * centre).sum(1)[:, None] * centre
-        led = math.cos(self.circle) * centre + math.sin(self.circle) * rest / np.linalg.norm(rest, axis=1)[:, None]
-        return self._off_pole(led, centre)
+        rerouted = math.cos(self.circle) * centre + math.sin(self.circle) * rest / np.linalg.norm(rest, axis=1)[:, None]
+        return self._off_pole(rerouted, centre)
 
-    def _off_pole(self, led: Floats, centre: Floats) -> Floats:
-        near = np.flatnonzero(np.linalg.norm(self.across(led), axis=1) < OFF_POLE)
+    def _off_pole(self, rerouted: Floats, centre: Floats) -> Floats:
+        near = np.flatnonzero(np.linalg.norm(self.across(rerouted), axis=1) < OFF_POLE)
         if len(near):
             along = np.cross(self.pole, centre[near])
             along /= np.linalg.norm(along, axis=1)[:, None]
-            away = np.where((led[near] * along).sum(1) < 0.0, -1.0, 1.0)
-            pole = np.copysign(1.0, led[near] @ self.pole)
-            led[near] = math.cos(OFF_POLE) * pole[:, None] * self.pole + (math.sin(OFF_POLE) * away)[:, None] * along
-        return np.asarray(led / np.linalg.norm(led, axis=1)[:, None])
+            away = np.where((rerouted[near] * along).sum(1) < 0.0, -1.0, 1.0)
+            pole = np.copysign(1.0, rerouted[near] @ self.pole)
+            rerouted[near] = math.cos(OFF_POLE) * pole[:, None] * self.pole + (math.sin(OFF_POLE) * away)[:, None] * along
+        return np.asarray(rerouted / np.linalg.norm(rerouted, axis=1)[:, None])
 
 
 def angle_between(one: Floats, other: Floats) -> Floats:

@@ -19,12 +19,12 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.ranges import LARGEST_CHANGE, LEAST_CHANGE
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Sentence, Turn, joined, say
-from freecad_fiveaxis.core.cl.cl_offset import hubs
-from freecad_fiveaxis.core.cl.coedge import OffsetPath, take_rows
+from freecad_fiveaxis.core.cl.cl_offset import hub_positions
+from freecad_fiveaxis.core.cl.coedge import OffsetPath, take_path_rows
 from freecad_fiveaxis.core.machine.kinematics import Chain, joint_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure
 
-from .choice import NEAR, led_axes, near_polylines
+from .choice import NEAR, near_polylines, rerouted_axes
 from .deform import check_change
 from .drive import drive, figures, starts
 from .meridian import Globe, angle_between
@@ -70,7 +70,7 @@ class Trade:
 
 
 def trade_off(
-    offset: OffsetPath, axis: Floats, links: Chain, changes: Sequence[float], tolerance: float, radius: float = 0.0,
+    offset: OffsetPath, axis: Floats, kinematics: Chain, changes: Sequence[float], tolerance: float, radius: float = 0.0,
     progress: Progress = silent, ring: float = 0.0,
 ) -> Trade:  # fmt: skip
     """Lead the axes within each of ``changes`` (rad) and say what comes of it.
@@ -84,7 +84,7 @@ def trade_off(
     if not 0.0 < tolerance < math.inf:
         raise SettingsError(say("tolerance is {tolerance}; give a length above 0", tolerance=Length(tolerance)), tolerance)
     axis = np.asarray(axis, float)
-    offset, axis = _near(offset, axis, links, NEAR * max(changes, default=0.0))
+    offset, axis = _near(offset, axis, kinematics, NEAR * max(changes, default=0.0))
     allowed = [0.0, *changes]
     if not len(axis):
         nothing = np.zeros(len(allowed))
@@ -93,28 +93,33 @@ def trade_off(
     table = []
     for count, change in enumerate(allowed):
         progress("trade of axis change", count / len(allowed))
-        led = led_axes(offset, axis, links, change) if change else None
-        made, passes = (axis, 0) if led is None else (led.axis, int(led.led.sum()))
+        rerouted = rerouted_axes(offset, axis, kinematics, change) if change else None
+        made, passes = (axis, 0) if rerouted is None else (rerouted.axis, int(rerouted.rerouted.sum()))
         table.append(
-            (change, float(angle_between(made, axis).max()), passes, *_driven(offset, made, links, tolerance, (radius, ring)))
+            (
+                change,
+                float(angle_between(made, axis).max()),
+                passes,
+                *_driven(offset, made, kinematics, tolerance, (radius, ring)),
+            )
         )
     return Trade(*(np.array(column) for column in zip(*table, strict=True)))
 
 
 def trade_findings(
-    offset: OffsetPath, axis: Floats, links: Chain, change: float, tolerance: float, radius: float = 0.0,
+    offset: OffsetPath, axis: Floats, kinematics: Chain, change: float, tolerance: float, radius: float = 0.0,
     progress: Progress = silent, ring: float = 0.0,
 ) -> tuple[Finding, ...]:  # fmt: skip
     """What smaller and larger changes than ``change`` (rad) would give the passes that come within ``change`` of the pole, as a
     note; none where no pass does. Other arguments as in :func:`trade_off`."""
     changes = sorted({min(step * change, LARGEST_CHANGE) for step in STEPS if step * change >= LEAST_CHANGE})
-    offset, axis = _near(offset, axis, links, change)
+    offset, axis = _near(offset, axis, kinematics, change)
     if not len(axis):
         return ()
     begin = starts(offset.polyline)
     chosen = np.arange(len(begin)) % math.ceil(len(axis) / MOST_ROWS) == 0
     rows = np.flatnonzero(np.repeat(chosen, np.diff(begin, append=len(axis))))
-    trade = trade_off(take_rows(offset, rows), axis[rows], links, changes, tolerance, radius, progress, ring)
+    trade = trade_off(take_path_rows(offset, rows), axis[rows], kinematics, changes, tolerance, radius, progress, ring)
     part = say("the {all}", all=len(begin))
     if not chosen.all():
         part = say("{count} of the {all}", count=int(chosen.sum()), all=len(begin))
@@ -123,7 +128,7 @@ def trade_findings(
         "travel of {letter}, blocks that would hold {tolerance}): {rows}.",
         part=part,
         change=Angle(math.degrees(change), ".3g"),
-        letter=links.letters[3],
+        letter=kinematics.letters[3],
         tolerance=Length(tolerance),
         rows=joined(_told(trade), "; "),
     )
@@ -142,24 +147,24 @@ def _told(trade: Trade) -> Iterator[Sentence]:
         )
 
 
-def _near(offset: OffsetPath, axis: Floats, links: Chain, angle: float) -> tuple[OffsetPath, Floats]:
+def _near(offset: OffsetPath, axis: Floats, kinematics: Chain, angle: float) -> tuple[OffsetPath, Floats]:
     """The polylines that come within ``angle`` (rad) of the pole, and their axes."""
-    near = near_polylines(offset, axis, Globe.of(links), angle) if len(axis) else np.zeros(0, bool)
+    near = near_polylines(offset, axis, Globe.of(kinematics), angle) if len(axis) else np.zeros(0, bool)
     rows = np.flatnonzero(np.repeat(near, np.diff(starts(offset.polyline), append=len(axis)))) if near.any() else np.empty(0, int)
-    return take_rows(offset, rows), axis[rows]
+    return take_path_rows(offset, rows), axis[rows]
 
 
 def _driven(
-    offset: OffsetPath, axis: Floats, links: Chain, tolerance: float, sizes: tuple[float, float]
+    offset: OffsetPath, axis: Floats, kinematics: Chain, tolerance: float, sizes: tuple[float, float]
 ) -> tuple[float, float, float, float, int]:
     """Peak rate, turns of both words, largest deviation and number of blocks of the moves on the part.
 
     ``sizes`` mm: of radius and ring."""
-    angles = drive(offset, axis, links)
+    angles = drive(offset, axis, kinematics)
     found = figures(offset, angles)
-    words = q_to_words(joint_words(links, hubs(offset, axis, sizes[1]) - sizes[0] * axis, angles))
+    words = q_to_words(joint_words(kinematics, hub_positions(offset, axis, sizes[1]) - sizes[0] * axis, angles))
     on_part = np.diff(offset.polyline, prepend=offset.polyline[:1] - 1) == 0
-    deviation = measure(links, words).segment[on_part]
+    deviation = measure(kinematics, words).segment[on_part]
     pieces = np.maximum(np.ceil(np.sqrt(deviation / tolerance)), 1.0)
     first = float(found.first.sum())
     return float(found.peak.max()), first, float(found.travel.sum()) - first, float(deviation.max(initial=0.0)), int(pieces.sum())

@@ -50,13 +50,13 @@ class Steps:
     rotary: int
 
 
-def most_off(links: Chain, steps: Steps) -> float:
+def most_off(kinematics: Chain, steps: Steps) -> float:
     """mm: how far the rounding of placed words moves the tip at most.
 
     The roundings of linear axes that are not square to each other, or not on one side of the rotary axes, may add up.
     """
-    skew = links.direction[:3] @ links.direction[:3].T - np.eye(3)
-    square = len(set(links.slot)) == 1 and np.abs(skew).max() < SQUARE
+    skew = kinematics.direction[:3] @ kinematics.direction[:3].T - np.eye(3)
+    square = len(set(kinematics.slot)) == 1 and np.abs(skew).max() < SQUARE
     return 0.5 * (math.sqrt(3.0) if square else 3.0) * float(10.0**-steps.linear)
 
 
@@ -83,23 +83,23 @@ class Courses:
         return Courses(*(column[rows] for column in vars(self).values()))
 
 
-def placed_words(links: Chain, tip: Floats, angles: Floats, steps: Steps) -> Floats:
+def placed_words(kinematics: Chain, tip: Floats, angles: Floats, steps: Steps) -> Floats:
     """Rounded words (n, 5), mm and **degrees**, that put the tip (n, 3) mm in place at rotary words ``angles`` (n, 2) rad.
 
     NaN linear words where the linear axes lie in a plane.
     """
     degrees = rounded(np.degrees(angles), steps.rotary)
-    linear = joint_words(links, tip, np.deg2rad(degrees))[:, :3]
+    linear = joint_words(kinematics, tip, np.deg2rad(degrees))[:, :3]
     return np.concatenate([rounded(linear, steps.linear), degrees], axis=1)
 
 
-def courses(links: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints) -> Courses:
+def courses(kinematics: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints) -> Courses:
     """The courses of the blocks that end in ``rows`` (b,).
 
     ``tip`` (m, 3) mm and ``angles`` (m, 2) rad of all rows as commanded, ``words`` (m, 5) their rounded words.
     """
     start, turn = angles[rows - 1], angles[rows] - angles[rows - 1]
-    axis0, axis1, half, even = _arcs(links, start, turn)
+    axis0, axis1, half, even = _arcs(kinematics, start, turn)
     across = np.cross(axis0, axis1)
     angle = np.arctan2(np.sqrt((across * across).sum(axis=1)), (axis0 * axis1).sum(axis=1))
     even |= angle > math.pi - OPPOSITE
@@ -109,10 +109,10 @@ def courses(links: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints
     )  # fmt: skip
 
 
-def _arcs(links: Chain, start: Floats, turn: Floats) -> tuple[Floats, Floats, Floats, Bools]:
+def _arcs(kinematics: Chain, start: Floats, turn: Floats) -> tuple[Floats, Floats, Floats, Bools]:
     """Tool axes at both ends, nudged off the pole; the half turn of the second word on which both lie, counted from the pole;
     and where no arc leads from the start words to the end words."""
-    pair = RotaryPair.of(links.direction[3], links.direction[4])
+    pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     second = np.stack([start[:, 1], start[:, 1] + turn[:, 1]]) - pair.best
     half = np.floor(second.mean(axis=0) / math.pi)
     low, high = half * math.pi, (half + 1.0) * math.pi
@@ -120,42 +120,42 @@ def _arcs(links: Chain, start: Floats, turn: Floats) -> tuple[Floats, Floats, Fl
     at_pole = (np.minimum(second - low, high - second) <= NUDGE).all(axis=0)
     second = np.clip(second, low + NUDGE, high - NUDGE) + pair.best
     first = np.stack([start[:, 0], start[:, 0] + turn[:, 0]])
-    aside = [_azimuth(links, pair, np.zeros_like(angle), angle) for angle in second]
+    aside = [_azimuth(kinematics, pair, np.zeros_like(angle), angle) for angle in second]
     sweep = pair.sign * turn[:, 0] + aside[1] - aside[0]
     over = np.maximum(np.abs(sweep) - (math.pi - NUDGE), 0.0)
     even |= at_pole | (over > 2.0 * NUDGE)
     first = first + np.array([[0.5], [-0.5]]) * pair.sign * np.copysign(over, sweep)
-    axis0, axis1 = (_axis(links, angles) for angles in np.stack([first, second], axis=2))
+    axis0, axis1 = (_axis(kinematics, angles) for angles in np.stack([first, second], axis=2))
     return axis0, axis1, half, even
 
 
-def _axis(links: Chain, angles: Floats) -> Floats:
-    return forward(links, np.concatenate([np.zeros((len(angles), 3)), angles], axis=1))[1]
+def _axis(kinematics: Chain, angles: Floats) -> Floats:
+    return forward(kinematics, np.concatenate([np.zeros((len(angles), 3)), angles], axis=1))[1]
 
 
-def _azimuth(links: Chain, pair: RotaryPair, first: Floats, second: Floats) -> Floats:
+def _azimuth(kinematics: Chain, pair: RotaryPair, first: Floats, second: Floats) -> Floats:
     """The angle of the tool axis about the pole, rad."""
-    n, t, _ = np.asarray(pair.frame) @ _axis(links, np.stack([first, second], axis=1)).T
+    n, t, _ = np.asarray(pair.frame) @ _axis(kinematics, np.stack([first, second], axis=1)).T
     return np.asarray(np.arctan2(t, n))
 
 
-def follow(links: Chain, way: Courses, block: Ints, share: Floats, steps: Steps) -> Floats:
+def follow(kinematics: Chain, way: Courses, block: Ints, share: Floats, steps: Steps) -> Floats:
     """Rounded words (r, 5), mm and **degrees**, at a ``share`` (r,) of the course ``block`` (r,); the block's own at its ends."""
     tip = way.tip[block] + share[:, None] * way.chord[block]
-    words = placed_words(links, tip, _angles(links, way, block, share), steps)
+    words = placed_words(kinematics, tip, _angles(kinematics, way, block, share), steps)
     for end, own in ((0.0, way.first), (1.0, way.last)):
         rows = np.flatnonzero(share == end)
         words[rows] = own[block[rows]]
     return words
 
 
-def _angles(links: Chain, way: Courses, block: Ints, share: Floats) -> Floats:
+def _angles(kinematics: Chain, way: Courses, block: Ints, share: Floats) -> Floats:
     """Rotary words (r, 2) rad at a share of each course."""
     angles = way.start[block] + share[:, None] * way.turn[block]
     rows = np.flatnonzero(~way.even[block])
     if len(rows):
         chosen = block[rows]
-        both = inverse_axis(links, arc_axis(way, chosen, share[rows]))[0]
+        both = inverse_axis(kinematics, arc_axis(way, chosen, share[rows]))[0]
         middle = way.start[chosen] + 0.5 * way.turn[chosen]
         found = np.where(way.branch[chosen, None] == 0, both[0], both[1])
         angles[rows] = found + TURN * np.rint((middle - found) / TURN)
@@ -170,9 +170,9 @@ def arc_axis(way: Courses, block: Ints, share: Floats) -> Floats:
     return np.asarray(axis / np.sqrt((axis * axis).sum(axis=1))[:, None])
 
 
-def tool_axis(links: Chain, way: Courses, block: Ints, share: Floats) -> Floats:
+def tool_axis(kinematics: Chain, way: Courses, block: Ints, share: Floats) -> Floats:
     """The unit tool axis (r, 3) of each course at a share: on the arc, or where the even rotary words lead it."""
-    axis = _axis(links, way.start[block] + share[:, None] * way.turn[block])
+    axis = _axis(kinematics, way.start[block] + share[:, None] * way.turn[block])
     rows = np.flatnonzero(~way.even[block])
     axis[rows] = arc_axis(way, block[rows], share[rows])
     return axis

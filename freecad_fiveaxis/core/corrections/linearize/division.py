@@ -121,7 +121,7 @@ class _Trial:
     need: Floats
 
 
-def divide(links: Chain, way: Courses, deviation: Floats, limit: Ints, tolerance: float, steps: Steps) -> Divided:
+def divide(kinematics: Chain, way: Courses, deviation: Floats, limit: Ints, tolerance: float, steps: Steps) -> Divided:
     """Divide blocks into the fewest pieces whose rounded words are proven to stay within ``tolerance`` (mm).
 
     ``deviation`` (b,) mm of the undivided blocks, for a first guess; ``limit`` (b,) of pieces, beyond which a block counts as
@@ -135,7 +135,7 @@ def divide(links: Chain, way: Courses, deviation: Floats, limit: Ints, tolerance
     share, chosen = even_shares(count), np.full(size, -1)
     goal, held, doubt, records = np.full(size, np.inf), np.full(size, np.inf), np.zeros(size, bool), []
     for round_ in range(ROUNDS):
-        trial = _tried(links, way, state, share, steps)
+        trial = _tried(kinematics, way, state, share, steps)
         good = trial.worst <= state.goal
         chosen[state.row[good]], goal[state.row[good]], held[state.row[good]] = round_, state.goal[good], trial.worst[good]
         records.append(_record(trial, state.row, good, round_))
@@ -149,11 +149,11 @@ def divide(links: Chain, way: Courses, deviation: Floats, limit: Ints, tolerance
     return _gathered(records, chosen, goal, held, doubt)
 
 
-def _tried(links: Chain, way: Courses, state: _State, share: Floats, steps: Steps) -> _Trial:
-    frame, first = frames(links), first_rows(state.count)
+def _tried(kinematics: Chain, way: Courses, state: _State, share: Floats, steps: Steps) -> _Trial:
+    frame, first = frames(kinematics), first_rows(state.count)
     block = np.repeat(np.arange(len(first)), state.count + 1)
     at, piece, inside = state.row[block], block[1:], block[1:] == block[:-1]
-    words = follow(links, way, at, share, steps)
+    words = follow(kinematics, way, at, share, steps)
     off = off_segment(frame, words, way.tip[at], way.chord[at])
     judged = judge_pieces(frame, words, inside, off, state.goal[piece], piece)
     rounding = np.where(inside, judged.off, 0.0)

@@ -36,7 +36,7 @@ class Outcome:
     even: Bools
 
 
-def found(links: Chain, outcome: Outcome, words: Floats, new: Ints, steps: Steps, tolerance: float) -> tuple[Finding, ...]:
+def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: Steps, tolerance: float) -> tuple[Finding, ...]:
     """The findings of a division: ``words`` (k, 5) of the divided path, mm and degrees, ``new`` its inserted rows."""
     rows = _end_rows(outcome)
     divided, even = outcome.count > 1, outcome.even & (outcome.count > 1)
@@ -57,7 +57,7 @@ def found(links: Chain, outcome: Outcome, words: Floats, new: Ints, steps: Steps
             "pole to avoid it.",
             count=even.sum(),
         )
-        told.append(_at(links, Severity.NOTE, "rotary-words-even", text, float(even.sum()), None, "1", words, rows[even]))
+        told.append(_at(kinematics, Severity.NOTE, "rotary-words-even", text, float(even.sum()), None, "1", words, rows[even]))
     if coarse.any():
         value = float(outcome.held[coarse].max())
         worst = rows[coarse][np.argmax(outcome.held[coarse]) :]
@@ -69,11 +69,11 @@ def found(links: Chain, outcome: Outcome, words: Floats, new: Ints, steps: Steps
             tolerance=Length(tolerance),
             linear=steps.linear,
             rotary=steps.rotary,
-            most_off=Length(most_off(links, steps), ".3g"),
-            spot=_spot(links, words[worst[0]]),
+            most_off=Length(most_off(kinematics, steps), ".3g"),
+            spot=_spot(kinematics, words[worst[0]]),
             value=Length(value, ".3g"),
         )
-        told.append(_at(links, Severity.WARNING, "linearize-rounding", text, value, tolerance, "mm", words, worst))
+        told.append(_at(kinematics, Severity.WARNING, "linearize-rounding", text, value, tolerance, "mm", words, worst))
     if whole.any():
         text = say(
             "{count} blocks are over {tolerance} and were left whole (the first leads to {spot}): no number of "
@@ -81,10 +81,12 @@ def found(links: Chain, outcome: Outcome, words: Floats, new: Ints, steps: Steps
             "table, or take another machine.",
             count=whole.sum(),
             tolerance=Length(tolerance),
-            spot=_spot(links, words[rows[whole][0]]),
+            spot=_spot(kinematics, words[rows[whole][0]]),
         )
-        told.append(_at(links, Severity.WARNING, "linearize-impossible", text, float(whole.sum()), 0.0, "1", words, rows[whole]))
-    return (*told, *_beyond_limits(links, words, new))
+        told.append(
+            _at(kinematics, Severity.WARNING, "linearize-impossible", text, float(whole.sum()), 0.0, "1", words, rows[whole])
+        )
+    return (*told, *_beyond_limits(kinematics, words, new))
 
 
 def _end_rows(outcome: Outcome) -> Ints:
@@ -93,7 +95,7 @@ def _end_rows(outcome: Outcome) -> Ints:
 
 
 def _at(
-    links: Chain,
+    kinematics: Chain,
     severity: Severity,
     code: str,
     text: str,
@@ -105,29 +107,29 @@ def _at(
 ) -> Finding:
     """A finding at the first of ``rows``."""
     row = int(rows[0])
-    return Finding(severity, code, text, value, limit, unit, row, None, _place(links, words[row]))
+    return Finding(severity, code, text, value, limit, unit, row, None, _place(kinematics, words[row]))
 
 
-def _place(links: Chain, words: Floats) -> tuple[float, float, float]:
-    x, y, z = forward(links, words_to_q(words[None]))[0][0].tolist()
+def _place(kinematics: Chain, words: Floats) -> tuple[float, float, float]:
+    x, y, z = forward(kinematics, words_to_q(words[None]))[0][0].tolist()
     return x, y, z
 
 
-def _spot(links: Chain, words: Floats) -> Sentence:
-    x, y, z = (Length(value, ".3f", bare=True) for value in _place(links, words))
+def _spot(kinematics: Chain, words: Floats) -> Sentence:
+    x, y, z = (Length(value, ".3f", bare=True) for value in _place(kinematics, words))
     return say("X{x} Y{y} Z{z}", x=x, y=y, z=z)
 
 
-def _beyond_limits(links: Chain, words: Floats, new: Ints) -> list[Finding]:
+def _beyond_limits(kinematics: Chain, words: Floats, new: Ints) -> list[Finding]:
     """An error for each axis that inserted rows drive beyond its limits, at the worst place."""
     told = []
     q = words_to_q(words[new])
-    for k, letter in enumerate(links.letters):
-        excess = np.maximum(links.low[k] - q[:, k], q[:, k] - links.high[k])
+    for k, letter in enumerate(kinematics.letters):
+        excess = np.maximum(kinematics.low[k] - q[:, k], q[:, k] - kinematics.high[k])
         worst = int(excess.argmax()) if len(excess) else 0
         if len(excess) and excess[worst] > LIMIT_SLACK:
             row, unit = int(new[worst]), "mm" if k < 3 else "deg"
-            limit = float(links.low[k] if q[worst, k] < links.low[k] else links.high[k])
+            limit = float(kinematics.low[k] if q[worst, k] < kinematics.low[k] else kinematics.high[k])
             limit = limit if k < 3 else float(np.degrees(limit))
             text = say(
                 "{letter} would have to go to {word} inside a divided block, its limit is {limit} "
@@ -139,6 +141,6 @@ def _beyond_limits(links: Chain, words: Floats, new: Ints) -> list[Finding]:
                 origin=Option("origin"),
             )
             told.append(
-                _at(links, Severity.ERROR, "linearize-limit", text, float(words[row, k]), limit, unit, words, new[worst:])
+                _at(kinematics, Severity.ERROR, "linearize-limit", text, float(words[row, k]), limit, unit, words, new[worst:])
             )
     return told

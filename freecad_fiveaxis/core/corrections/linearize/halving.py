@@ -54,16 +54,16 @@ def promising(pieces: Divided, blocks: Ints) -> Ints:
     return blocks[count < here.count]
 
 
-def halved(links: Chain, way: Courses, limit: Ints, goal: Floats, steps: Steps) -> Divided:
+def halved(kinematics: Chain, way: Courses, limit: Ints, goal: Floats, steps: Steps) -> Divided:
     """Halve blocks until all pieces hold their ``goal`` (b,) mm; those that would take ``limit`` (b,) pieces or more are left
     whole, with an infinite goal."""
-    size, frame = len(limit), frames(links)
+    size, frame = len(limit), frames(kinematics)
     count, block, low, high = np.zeros(size, np.int64), np.arange(size), np.zeros(size), np.ones(size)
     held = np.zeros(size)
     records: list[tuple[Ints, Floats, Floats]] = []
     for _ in range(DEPTH):
         at, share = np.repeat(block, 2), np.stack([low, high], axis=1).ravel()
-        words = follow(links, way, at, share, steps)
+        words = follow(kinematics, way, at, share, steps)
         off = off_segment(frame, words, way.tip[at], way.chord[at])
         inside = np.arange(len(words) - 1) % 2 == 0
         judged = judge_pieces(frame, words, inside, off, goal[at[1:]])

@@ -51,7 +51,12 @@ whose words stay finite."""
 
 
 def linearize(
-    joints: JointPath, links: Chain, dialect: Dialect, tolerance: float, wanted: Bools | None = None, progress: Progress = silent
+    joints: JointPath,
+    kinematics: Chain,
+    dialect: Dialect,
+    tolerance: float,
+    wanted: Bools | None = None,
+    progress: Progress = silent,
 ) -> JointPath:
     """The joint path with every feed block that is over ``tolerance`` (mm) divided into the fewest that hold it.
 
@@ -66,21 +71,21 @@ def linearize(
     _check(tolerance)
     steps = Steps(dialect.linear_decimals, dialect.rotary_decimals)
     path = joints.path
-    words = placed_words(links, path.tip, joints.q[:, 3:], steps)
+    words = placed_words(kinematics, path.tip, joints.q[:, 3:], steps)
     feeds = path.motion != Motion.RAPID
     rows = np.flatnonzero((feeds if wanted is None else feeds & wanted)[1:]) + 1
-    way = _divided(links, path.tip, joints.q[:, 3:], words, rows, tolerance, steps, progress)
+    way = _divided(kinematics, path.tip, joints.q[:, 3:], words, rows, tolerance, steps, progress)
     q = words_to_q(way.words)
-    pair = RotaryPair.of(links.direction[3], links.direction[4])
+    pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     sine = np.asarray(pair.reach * np.abs(np.sin(q[:, 4] - pair.best)))
     branch = joints.branch[way.row].copy()
-    branch[way.new] = branch_of(links, q[way.new, 4])
-    findings = (*_moved(joints.findings, way), *found(links, way.outcome, way.words, way.new, steps, tolerance))
+    branch[way.new] = branch_of(kinematics, q[way.new, 4])
+    findings = (*_moved(joints.findings, way), *found(kinematics, way.outcome, way.words, way.new, steps, tolerance))
     return JointPath(_longer(path, way), joints.row[way.row], q, branch, sine, findings)
 
 
 def linearize_words(
-    links: Chain, words: ArrayLike, decimals: tuple[int, int], tolerance: float, feeds: Bools | None = None,
+    kinematics: Chain, words: ArrayLike, decimals: tuple[int, int], tolerance: float, feeds: Bools | None = None,
     progress: Progress = silent,
 ) -> tuple[Floats, Ints, tuple[Finding, ...]]:  # fmt: skip
     """The words of a program with every block that is over ``tolerance`` (mm) divided into the fewest that hold it.
@@ -92,13 +97,13 @@ def linearize_words(
     _check(tolerance)
     rows, steps = checked_words(words), Steps(*decimals)
     q = words_to_q(rows)
-    tip = forward(links, q)[0]
+    tip = forward(kinematics, q)[0]
     grid = np.stack([rounded(rows[:, k], steps.linear if k < 3 else steps.rotary) for k in range(5)], axis=1)
-    placed = placed_words(links, tip, q[:, 3:], steps)
+    placed = placed_words(kinematics, tip, q[:, 3:], steps)
     stay = np.any(np.isnan(placed), axis=1) | np.all(np.abs(grid - rows) < SAME_WORD, axis=1)
     feed = np.flatnonzero(np.ones(len(rows), bool) if feeds is None else feeds)
-    way = _divided(links, tip, q[:, 3:], np.where(stay[:, None], grid, placed), feed[feed > 0], tolerance, steps, progress)
-    return way.words, way.row, found(links, way.outcome, way.words, way.new, steps, tolerance)
+    way = _divided(kinematics, tip, q[:, 3:], np.where(stay[:, None], grid, placed), feed[feed > 0], tolerance, steps, progress)
+    return way.words, way.row, found(kinematics, way.outcome, way.words, way.new, steps, tolerance)
 
 
 SAME_WORD = 1e-9
@@ -127,30 +132,30 @@ class _Way:
 
 
 def _divided(
-    links: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints, tolerance: float, steps: Steps, progress: Progress
+    kinematics: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints, tolerance: float, steps: Steps, progress: Progress
 ) -> _Way:
     """Divide the blocks that end in ``rows`` where they are over tolerance, but for those that rounding alone keeps over it."""
-    over, deviation, held = _over(links, tip, words, rows, tolerance)
+    over, deviation, held = _over(kinematics, tip, words, rows, tolerance)
     count, even = np.ones(len(over), np.int64), np.zeros(len(over), np.bool_)
-    todo = np.flatnonzero(held > max(tolerance, most_off(links, steps)))
-    bound = quick_bound(links, words)[over] if len(todo) else held
+    todo = np.flatnonzero(held > max(tolerance, most_off(kinematics, steps)))
+    bound = quick_bound(kinematics, words)[over] if len(todo) else held
     parts: list[_Part] = []
     load = np.cumsum(np.sqrt(deviation[todo] / tolerance) + 2.0) // PORTION
     for part in np.split(todo, np.flatnonzero(np.diff(load)) + 1) if len(todo) else []:
         progress("linearize", float(part[0]) / len(over))
         limit = (LIMIT_SPARE + LIMIT_FACTOR * np.sqrt(bound[part] / tolerance)).astype(np.int64)
-        way = courses(links, tip, angles, words, over[part])
-        divided, even[part] = _of_portion(links, way, deviation[part], limit, tolerance, steps)
+        way = courses(kinematics, tip, angles, words, over[part])
+        divided, even[part] = _of_portion(kinematics, way, deviation[part], limit, tolerance, steps)
         count[part], held[part] = divided.pieces.count, divided.pieces.held
         parts.append(divided)
     progress("linearize", 1.0)
     return _woven(words, Outcome(over, count, held, even), parts)
 
 
-def _over(links: Chain, tip: Floats, words: Floats, rows: Ints, tolerance: float) -> tuple[Ints, Floats, Floats]:
+def _over(kinematics: Chain, tip: Floats, words: Floats, rows: Ints, tolerance: float) -> tuple[Ints, Floats, Floats]:
     """Which blocks, that end in ``rows``, are not proven to be within tolerance (b,), how far they are out at least (b,) mm, and
     what is proven of them (b,) mm, rounding included."""
-    frame, over, out, proven = frames(links), [np.empty(0, np.int64)], [np.empty(0)], [np.empty(0)]
+    frame, over, out, proven = frames(kinematics), [np.empty(0, np.int64)], [np.empty(0)], [np.empty(0)]
     wanted = np.zeros(len(words), bool)
     wanted[rows] = True
     off = off_points(frame, words, tip)
@@ -174,25 +179,25 @@ class _Part:
 
 
 def _of_portion(
-    links: Chain, way: Courses, deviation: Floats, limit: Ints, tolerance: float, steps: Steps
+    kinematics: Chain, way: Courses, deviation: Floats, limit: Ints, tolerance: float, steps: Steps
 ) -> tuple[_Part, Bools]:
     """Divide a portion of blocks. Those that cannot be divided along their arcs get even rotary words, those in doubt are
     compared with halving. Also: which are even."""
-    goal = max(tolerance, most_off(links, steps))
-    pieces = divide(links, way, deviation, limit, goal, steps)
+    goal = max(tolerance, most_off(kinematics, steps))
+    pieces = divide(kinematics, way, deviation, limit, goal, steps)
     again = np.flatnonzero(np.isinf(pieces.goal) & ~way.even)
     if len(again):
         even = way.even.copy()
         even[again] = True
         way = replace(way, even=even)
-        pieces = pieces.with_others(again, divide(links, way.take(again), deviation[again], limit[again], goal, steps))
+        pieces = pieces.with_others(again, divide(kinematics, way.take(again), deviation[again], limit[again], goal, steps))
     doubt = promising(pieces, np.flatnonzero(pieces.doubt)) if pieces.doubt.any() else np.empty(0, np.int64)
     if len(doubt):
-        other = halved(links, way.take(doubt), pieces.count[doubt], pieces.goal[doubt], steps)
+        other = halved(kinematics, way.take(doubt), pieces.count[doubt], pieces.goal[doubt], steps)
         fewer = np.flatnonzero(np.isfinite(other.goal))
         pieces = pieces.with_others(doubt[fewer], other.taken(fewer))
     block = np.repeat(np.arange(len(pieces.count)), pieces.count - 1)
-    return _Part(pieces, tool_axis(links, way, block, pieces.share)), way.even
+    return _Part(pieces, tool_axis(kinematics, way, block, pieces.share)), way.even
 
 
 def _woven(words: Floats, outcome: Outcome, parts: list[_Part]) -> _Way:

@@ -73,25 +73,25 @@ class Ring:
         return self.radius * ring_direction(normal, axis, feed, self.radius)
 
 
-def states(links: Chain, angles: Floats, centre: Floats, reach: float, ring: Ring | None = None) -> States:
+def states(kinematics: Chain, angles: Floats, centre: Floats, reach: float, ring: Ring | None = None) -> States:
     """The states with rotary words ``angles`` (2, m, k) rad at ``centre`` (k, 3) mm of the ball; ``reach`` mm: from there, or
     from the hub of a cutter with a ``ring``, down the axis to the point that the words drive."""
-    flat, shape, frame = angles.reshape(2, -1).T, angles.shape[1:], frames(links)
-    axis = forward(links, np.column_stack([np.zeros((len(flat), 3)), flat]))[1]
+    flat, shape, frame = angles.reshape(2, -1).T, angles.shape[1:], frames(kinematics)
+    axis = forward(kinematics, np.column_stack([np.zeros((len(flat), 3)), flat]))[1]
     place = np.broadcast_to(centre, (*shape, 3)).reshape(-1, 3) - reach * axis
     if ring is not None:
         place = place + ring.out(axis)
-    words = joint_words(links, place, flat).T.reshape(5, *shape)
+    words = joint_words(kinematics, place, flat).T.reshape(5, *shape)
     arm = tuple(combine(frame.gain[i], tuple(words[:3]), float(frame.offset[i])) for i in range(9))
     x, y, z = (frame.first @ place.T).reshape(3, *shape)
     return States(axis.T.reshape(3, *shape), Ends(arm, (x, y, z), words[3], words[4]))
 
 
-def bow(links: Chain, start: Ends, end: Ends, shares: Sequence[float], nearest: bool = False) -> Floats:
+def bow(kinematics: Chain, start: Ends, end: Ends, shares: Sequence[float], nearest: bool = False) -> Floats:
     """The largest distance (m, m', k) mm of the real tip from the chord at the ``shares``, from every state of ``start`` to
     every one of ``end``; the ends' columns are (m, k) and (m', k). ``nearest``: the first word turns the shorter way, whole turns
     left out (for the middle alone)."""
-    frame, (width, count), height = frames(links), start.a.shape, len(end.a)
+    frame, (width, count), height = frames(kinematics), start.a.shape, len(end.a)
     found = np.empty((width, height, count))
     portion = max(FEWEST, EDGES // (width * height))
     for low in range(0, count, portion):

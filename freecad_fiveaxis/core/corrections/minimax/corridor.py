@@ -108,7 +108,7 @@ def _scale(task: Task, angles: Floats) -> Floats:
 
 def _chosen(task: Task, at: Rows, grid: Floats, level: Floats) -> Floats:
     """The best states (k, 2) of a grid (2, m, k), the middle one of which is allowed whatever it is."""
-    there, middle = states(task.links, grid, at.centre, task.reach, task.ring), grid.shape[1] // 2
+    there, middle = states(task.kinematics, grid, at.centre, task.reach, task.ring), grid.shape[1] // 2
     good = usable(task, at, grid, there)
     good[middle] = True
     cost = step_costs(task, at, there, np.maximum(level, GOOD), QUARTERS, known=middle)

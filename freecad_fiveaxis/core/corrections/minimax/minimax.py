@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.ranges import LEAST_TILT, MOST_TILT
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Option, say
-from freecad_fiveaxis.core.cl.cl_offset import hubs, seat_normal
+from freecad_fiveaxis.core.cl.cl_offset import hub_positions, seat_normal
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cl.coedge import OffsetPath
 from freecad_fiveaxis.core.cl.tool_axis import feed_direction
@@ -56,7 +56,7 @@ ROOM = 1e3
 def minimax_axes(
     path: OffsetPath,
     axis: Floats,
-    links: Chain,
+    kinematics: Chain,
     reach: float,
     max_tilt: float,
     feed: float = math.inf,
@@ -86,21 +86,21 @@ def minimax_axes(
         )
     if len(axis) == 0:
         return axis
-    start, before = _driven(path, axis, links, reach, ring)
+    start, before = _driven(path, axis, kinematics, reach, ring)
     at = find_rows(path)
     length = np.linalg.norm(np.diff(at.centre, axis=0, prepend=at.centre[:1]), axis=1)
     minutes = np.maximum(length / feed, INSTANT) if feed < math.inf else np.full(len(length), math.inf)
     sits = Ring(ring, seat_normal(path, ring), feed_direction(path, axis)) if ring > 0.0 else None
-    task = Task(links, reach, max_tilt, minutes, np.abs(np.diff(start, axis=0, prepend=start[:1])), sits)
+    task = Task(kinematics, reach, max_tilt, minutes, np.abs(np.diff(start, axis=0, prepend=start[:1])), sits)
     found = _followed(path, task, at, start, progress)
     return _kept(path, axis, found, task, at, before)
 
 
 def _followed(path: OffsetPath, task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
     """The axes (k, 3) of small levels on the branches that the joint path will take them up on, and within the rates there."""
-    words, room, links = _best(task, at, start, progress), np.ones(len(at.first)), task.links
+    words, room, kinematics = _best(task, at, start, progress), np.ones(len(at.first)), task.kinematics
     for _ in range(AGAIN):
-        taken, after = _driven(path, axes_of(links, words), links, task.reach, task.ring_radius)
+        taken, after = _driven(path, axes_of(kinematics, words), kinematics, task.reach, task.ring_radius)
         haste = hastes(task, at, taken)
         fast, other = haste > HASTE, after > OTHER * levels(task, at, words) + SAME
         if not (fast | other).any():
@@ -111,7 +111,7 @@ def _followed(path: OffsetPath, task: Task, at: Rows, start: Floats, progress: P
             if len(rows):
                 own = task.take(rows)
                 words[rows] = search(replace(own, minutes=own.minutes * room[at.run[rows]]), some, begin[rows], progress)
-    return axes_of(links, words)
+    return axes_of(kinematics, words)
 
 
 def _best(task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
@@ -137,7 +137,7 @@ def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, b
     keep = np.ones(len(before), bool)
     for _ in range(CHECKS):
         mixed = np.where(keep[at.run][:, None], found, axis)
-        words, after = _driven(path, mixed, task.links, task.reach, task.ring_radius)
+        words, after = _driven(path, mixed, task.kinematics, task.reach, task.ring_radius)
         worse = np.where(keep, after >= GAIN * before, after > before * (1.0 + SAME) + SAME)
         worse |= keep & (hastes(task, at, words) > HASTE)
         if not worse.any():
@@ -148,20 +148,20 @@ def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, b
     return axis
 
 
-def _driven(path: OffsetPath, axis: Floats, links: Chain, reach: float, ring: float = 0.0) -> tuple[Floats, Floats]:
+def _driven(path: OffsetPath, axis: Floats, kinematics: Chain, reach: float, ring: float = 0.0) -> tuple[Floats, Floats]:
     """Rotary words (n, 2) rad of all rows as the joint path chooses them, and the largest deviation (p,) mm of each run's
     blocks. Between runs the path goes in one rapid: the axes, not the way, decide on branches."""
     begins = run_begins(path)
     motion = np.where(path.fill, Motion.FILL, Motion.CUT).astype(np.int8)
     motion[begins] = Motion.RAPID
     labels = {name: getattr(path, name) for name in ("normal", "face", "coedge", "pass_")}
-    tip = hubs(path, axis, ring) - reach * axis
+    tip = hub_positions(path, axis, ring) - reach * axis
     driven = CLPath(
         tip=tip, axis=axis, motion=motion, feed=np.where(motion == Motion.RAPID, 0.0, 1.0), contact=path.point, **labels
     )
     below = np.full(3, float(tip[:, 2].min()) - 2.0 * ROOM)  # every rapid is above the part: branches are free between runs
-    joints = solve(driven, links, below, below, ROOM)
-    deviation = np.where(joints.path.motion <= Motion.FILL, measure(links, q_to_words(joints.q)).segment, 0.0)
+    joints = solve(driven, kinematics, below, below, ROOM)
+    deviation = np.where(joints.path.motion <= Motion.FILL, measure(kinematics, q_to_words(joints.q)).segment, 0.0)
     worst = np.maximum.reduceat(deviation, np.searchsorted(joints.row, np.flatnonzero(begins)))
     last = np.searchsorted(joints.row, np.arange(len(axis)), side="right") - 1
     return joints.q[last, 3:], worst

@@ -35,7 +35,7 @@ SECOND = 0.4
 def other_way(task: Task, at: Rows, angles: Floats, level: Floats) -> tuple[Ints, Floats]:
     """The runs (p',) that have a stretch, and rotary words (k, 2) rad of all rows: in stretches the best on the lattice,
     elsewhere the axes of ``angles`` (k, 2), on the other branch behind a stretch that goes through the pole."""
-    axis, branch = axes_of(task.links, angles), side(task, angles[:, 1])
+    axis, branch = axes_of(task.kinematics, angles), side(task, angles[:, 1])
     stretch, rows, inner = _stretches(task, at, axis)
     if not len(rows):
         return np.empty(0, np.int64), angles
@@ -45,7 +45,7 @@ def other_way(task: Task, at: Rows, angles: Floats, level: Floats) -> tuple[Ints
         some, own = stretch.take(part)
         mine = rows[own]
         found[own] = _searched(task.take(mine), some, angles[mine], axis[mine], inner[own], level[part])
-    axis[rows] = axes_of(task.links, found)
+    axis[rows] = axes_of(task.kinematics, found)
     swapped = np.zeros(len(angles), bool)
     swapped[rows] = side(task, found[:, 1]) != branch[rows]
     swapped ^= _behind(swapped, at, rows[stretch.first + stretch.size - 1])
@@ -59,7 +59,7 @@ def _count(task: Task) -> int:
 
 def _stretches(task: Task, at: Rows, axis: Floats) -> tuple[Rows, Ints, Bools]:
     """The stretches as runs of their own, their rows (s,), and which of these are near the pole."""
-    near = np.linalg.norm(np.cross(axis, task.links.direction[3]), axis=1) < math.sin(min(NEAR * task.max_tilt, 1.0))
+    near = np.linalg.norm(np.cross(axis, task.kinematics.direction[3]), axis=1) < math.sin(min(NEAR * task.max_tilt, 1.0))
     wider = near.copy()
     same = at.run[1:] == at.run[:-1]
     wider[1:] |= near[:-1] & same
@@ -76,7 +76,7 @@ def _searched(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools, 
     """The best states (s, 2) of stretches on the lattice."""
     grid, good = _lattice(task, at, angles, axis, inner)
     grid = np.ascontiguousarray(grid.transpose(2, 1, 0))
-    there = states(task.links, grid, at.centre, task.reach, task.ring)
+    there = states(task.kinematics, grid, at.centre, task.reach, task.ring)
     good = good.T & usable(task, at, grid, there)
     good[-1] = True
     cost = step_costs(task, at, there, np.maximum(level, GOOD), MIDDLE, nearest=True, known=-1)
@@ -91,7 +91,7 @@ def _lattice(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools) -
     second = SECOND * task.max_tilt * (np.arange(math.ceil(most / (SECOND * task.max_tilt))) + 0.5)
     first = np.arange(-math.pi, math.pi - 0.5 * FIRST, FIRST)
     points = np.stack(np.meshgrid(first, task.pair.best + np.concatenate([-second, second])), -1).reshape(-1, 2)
-    there = axes_of(task.links, points)
+    there = axes_of(task.kinematics, points)
     near = inner[:, None] & allowed(at.before, at.after, task.max_tilt, there.T[:, :, None]).T
     width = int(near.sum(axis=1).max())
     order = np.argsort(~near, axis=1, kind="stable")[:, :width]
@@ -103,7 +103,7 @@ def _lattice(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools) -
 
 def _other(task: Task, axis: Floats, angles: Floats) -> Floats:
     """The words (s, 2) of the other branch."""
-    both = inverse_axis(task.links, axis)[0]
+    both = inverse_axis(task.kinematics, axis)[0]
     same = side(task, both[0, :, 1]) == side(task, angles[:, 1])
     return np.asarray(np.where(same[:, None], both[1], both[0]))
 
@@ -117,7 +117,7 @@ def _behind(swapped: Bools, at: Rows, ends: Ints) -> Bools:
 
 def _words(task: Task, at: Rows, axis: Floats, branch: Bools, angles: Floats) -> Floats:
     """Rotary words (k, 2) of the axes on the branches, unwound along each run from where ``angles`` begins it."""
-    both = inverse_axis(task.links, axis)[0]
+    both = inverse_axis(task.kinematics, axis)[0]
     words = np.where((side(task, both[0, :, 1]) == branch)[:, None], both[0], both[1])
     step = np.diff(words, axis=0, prepend=words[:1])
     step[at.first] = words[at.first] - angles[at.first]

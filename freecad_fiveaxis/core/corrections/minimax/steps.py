@@ -44,7 +44,7 @@ class Task:
     time of the block that leads to each row; ``least`` (k, 2) rad: the turn of it that is allowed whatever the time; ``ring``
     of a cutter that is no ball."""
 
-    links: Chain
+    kinematics: Chain
     reach: float
     max_tilt: float
     minutes: Floats
@@ -54,7 +54,7 @@ class Task:
     def take(self, rows: Ints) -> Task:
         """The task for some of the rows."""
         ring = None if self.ring is None else self.ring.take(rows)
-        return Task(self.links, self.reach, self.max_tilt, self.minutes[rows], self.least[rows], ring)
+        return Task(self.kinematics, self.reach, self.max_tilt, self.minutes[rows], self.least[rows], ring)
 
     @property
     def ring_radius(self) -> float:
@@ -64,12 +64,12 @@ class Task:
     @property
     def pair(self) -> RotaryPair:
         """The two rotary axes."""
-        return RotaryPair.of(self.links.direction[3], self.links.direction[4])
+        return RotaryPair.of(self.kinematics.direction[3], self.kinematics.direction[4])
 
 
-def axes_of(links: Chain, angles: Floats) -> Floats:
+def axes_of(kinematics: Chain, angles: Floats) -> Floats:
     """The unit tool axis (k, 3) at rotary words (k, 2) rad."""
-    return forward(links, np.column_stack([np.zeros((len(angles), 3)), angles]))[1]
+    return forward(kinematics, np.column_stack([np.zeros((len(angles), 3)), angles]))[1]
 
 
 def levels(task: Task, at: Rows, angles: Floats) -> Floats:
@@ -79,9 +79,9 @@ def levels(task: Task, at: Rows, angles: Floats) -> Floats:
 
 def deviations(task: Task, at: Rows, angles: Floats) -> Floats:
     """The deviation (k,) mm of the block that leads to each row; 0 where a run begins."""
-    start, end = _blocks(states(task.links, angles.T[:, None], at.centre, task.reach, task.ring).ends)
+    start, end = _blocks(states(task.kinematics, angles.T[:, None], at.centre, task.reach, task.ring).ends)
     found = np.zeros(len(angles))
-    found[1:] = bow(task.links, start, end, QUARTERS)[0, 0]
+    found[1:] = bow(task.kinematics, start, end, QUARTERS)[0, 0]
     found[at.first] = 0.0
     return found
 
@@ -90,13 +90,13 @@ def hastes(task: Task, at: Rows, angles: Floats) -> Floats:
     """How many times faster than it may a rotary axis turns in each run (p,); below 1: none does."""
     turn = np.abs(np.diff(angles, axis=0, prepend=angles[:1]))
     turn[at.first] = 0.0
-    most = np.maximum(task.links.rate[3:] * task.minutes[:, None], task.least)
+    most = np.maximum(task.kinematics.rate[3:] * task.minutes[:, None], task.least)
     return np.asarray(np.maximum.reduceat((turn / (most + STEADY)).max(axis=1), at.first))
 
 
 def usable(task: Task, at: Rows, grid: Floats, there: States) -> Bools:
     """Which states (m, k) the limits and the row's range allow; ``grid`` (2, m, k) rad."""
-    low, high = task.links.low[3:, None, None], task.links.high[3:, None, None]
+    low, high = task.kinematics.low[3:, None, None], task.kinematics.high[3:, None, None]
     good = ((grid >= low) & (grid <= high)).all(0) & (np.abs(np.sin(grid[1] - task.pair.best)) > POLE)
     good &= allowed(at.before, at.after, task.max_tilt, there.axis)
     return np.asarray(good if task.ring is None else good & _in_front(task.ring, there.axis))
@@ -119,7 +119,7 @@ def step_costs(
     the shorter way; ``known``: a state of every row whose steps to each other are allowed whatever they are.
     """
     start, end = _blocks(there.ends)
-    ratio = bow(task.links, start, end, shares, nearest)
+    ratio = bow(task.kinematics, start, end, shares, nearest)
     ratio /= level[at.run[1:]]
     np.square(ratio, out=ratio)
     cost = ratio * EVENLY
@@ -131,7 +131,7 @@ def step_costs(
         turn = two[None] - one[:, None]
         if nearest and word == 0:
             turn -= TURN * np.rint(turn / TURN)
-        most = np.maximum(task.links.rate[3 + word] * task.minutes[1:], task.least[1:, word])
+        most = np.maximum(task.kinematics.rate[3 + word] * task.minutes[1:], task.least[1:, word])
         bad |= np.abs(turn) > most
         turn *= turn
         turn *= STILL / task.max_tilt**2
@@ -159,7 +159,7 @@ def _sides_differ(task: Task, there: States, start: Ends, end: Ends) -> Bools:
     bad = np.zeros((len(one), len(two), one.shape[1]), bool)
     rows = np.flatnonzero(~((one.all(0) & two.all(0)) | ~(one.any(0) | two.any(0))))
     if len(rows):
-        through = through_pole(task.links.direction[3], there.axis[:, :, rows], there.axis[:, :, rows + 1])
+        through = through_pole(task.kinematics.direction[3], there.axis[:, :, rows], there.axis[:, :, rows + 1])
         bad[..., rows] = (one[:, None, rows] != two[None, :, rows]) & ~through
     return bad
 

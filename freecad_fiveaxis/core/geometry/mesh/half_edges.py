@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
-from freecad_fiveaxis.core.base.columns import chunks
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
+from freecad_fiveaxis.core.base.columns import cache_chunks
 from freecad_fiveaxis.core.base.records import Ints
 
 from .words import T, Words, sort_during
@@ -46,7 +46,7 @@ class HalfEdges:
             return False
         bits = 0 if self.half is not None else self.low + 2
         least, most = np.uint64(1 << bits), np.uint64((2 << bits) - 1)  # where two words differ in the sense and below it
-        for part in chunks(len(self.word) // 2):
+        for part in cache_chunks(len(self.word) // 2):
             row = self.word[2 * part.start : 2 * part.stop]
             differ = row[0::2] ^ row[1::2]
             if differ.min() < least or differ.max() > most:
@@ -92,7 +92,7 @@ def _words(face: Ints, width: int, low: int | None) -> Words:
             np.minimum(there, back, out=there)
             there |= np.uint64(0 if low is None else k << low)
 
-    on_all(fill, portions(len(face)))
+    in_threads(fill, chunks(len(face)))
     return word.reshape(-1)
 
 

@@ -19,8 +19,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
-from freecad_fiveaxis.core.base.columns import chunks
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
+from freecad_fiveaxis.core.base.columns import cache_chunks
 from freecad_fiveaxis.core.base.errors import MeshError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
@@ -72,7 +72,7 @@ def from_triangles(corners: ArrayLike) -> Mesh:
     """
     array = _numbers(corners, say("triangle corners"), (3, 3))
     column = np.empty((3, 3, len(array)), dtype=np.float32 if array.dtype == np.float32 else np.float64)
-    for part in chunks(len(array)):
+    for part in cache_chunks(len(array)):
         column[:, :, part] = array[part].T
     return from_columns(column)
 
@@ -278,7 +278,7 @@ def _shape(corner: Callable[[int, slice], Floats], facets: int, low: Reals, high
     normal, area = np.empty((3, facets)), np.empty(facets)
     flat = [np.empty(0, dtype=np.int64)]
     volume = 0.0
-    for part in chunks(facets):
+    for part in cache_chunks(facets):
         a = corner(0, part)
         bx, by, bz = corner(1, part) - a
         cx, cy, cz = corner(2, part) - a
@@ -318,11 +318,11 @@ def _coedges(vertex: Floats, face: Ints, halves: HalfEdges) -> _Coedges:
     number, alone, closed = len(halves.word) // 2, np.empty(0, dtype=np.int64), True
     pairs: Iterator[tuple[slice | Ints, slice | Ints]]
     if halves.paired():
-        pairs = ((slice(2 * at.start, 2 * at.stop, 2), slice(2 * at.start + 1, 2 * at.stop, 2)) for at in portions(number))
+        pairs = ((slice(2 * at.start, 2 * at.stop, 2), slice(2 * at.start + 1, 2 * at.stop, 2)) for at in chunks(number))
     else:
         first, alone = partners(halves.keys(slice(None)))
         number = len(first)
-        pairs = ((first[at], first[at] + 1) for at in portions(number))
+        pairs = ((first[at], first[at] + 1) for at in chunks(number))
         findings, closed = _edge_findings(halves.keys(alone), halves.numbers(alone), halves.low, vertex, face)
     width, facet = int(len(vertex) - 1).bit_length(), (1 << halves.low) - 1
     ends, sides = np.empty((2, 2, number + len(alone)), dtype=np.int64)
@@ -335,7 +335,7 @@ def _coedges(vertex: Floats, face: Ints, halves: HalfEdges) -> _Coedges:
         np.bitwise_and(two, facet, out=sides[1, at])
         of_face[one] = of_face[two] = np.arange(at.start, at.stop)
 
-    on_all(lambda rows: fill(*rows), [(at, *pair) for at, pair in zip(portions(number), pairs, strict=True)])
+    in_threads(lambda rows: fill(*rows), [(at, *pair) for at, pair in zip(chunks(number), pairs, strict=True)])
     edge, one = halves.keys(alone), halves.numbers(alone)
     _put_ends(edge, width, ends[:, number:])
     against = number + np.flatnonzero(edge & np.uint64(1))

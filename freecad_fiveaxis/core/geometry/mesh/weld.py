@@ -12,8 +12,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
-from freecad_fiveaxis.core.base.columns import chunks
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
+from freecad_fiveaxis.core.base.columns import cache_chunks
 from freecad_fiveaxis.core.base.records import Ints
 
 from .words import T, Words, sort_during
@@ -62,7 +62,7 @@ def _corner_keys(column: Reals, low: Reals, high: Reals, bits: int) -> Words:
         word |= cell.astype(np.uint64) << np.uint64(48)
         word |= np.arange(part.start, part.stop, dtype=np.uint64)
 
-    on_all(fill, portions(len(key)))
+    in_threads(fill, chunks(len(key)))
     return key
 
 
@@ -71,7 +71,7 @@ def _number(key: Words, bits: int) -> tuple[Ints, Ints]:
     row = np.empty(len(key), dtype=np.int64)
     first: list[Ints] = []
     before, vertices = np.uint64((1 << 64) - 1), 0  # no key, which has fewer bits
-    for part in chunks(len(key)):
+    for part in cache_chunks(len(key)):
         word = key[part]
         corner = (word & np.uint64((1 << bits) - 1)).view(np.int64)
         word >>= np.uint64(bits)
@@ -89,7 +89,7 @@ def _number(key: Words, bits: int) -> tuple[Ints, Ints]:
 def separate(column: Reals, vertex: Reals, row: Ints) -> Reals:
     """Give strays, in ``row``, vertices of their own; all vertices then. There are hardly ever any."""
     strayed = []
-    for part in chunks(len(row)):
+    for part in cache_chunks(len(row)):
         at = row[part]
         wrong = vertex[0].take(at) != column[0, part]
         wrong |= vertex[1].take(at) != column[1, part]

@@ -71,7 +71,7 @@ class Settings:
     faces: FacesSettings = group(FacesSettings)
     passes: PassSettings = group(PassSettings)
     tool_axis: ToolAxisSettings = group(ToolAxisSettings)
-    links: LinkSettings = group(LinkSettings)
+    kinematics: LinkSettings = group(LinkSettings)
     feeds: FeedSettings = group(FeedSettings)
     head: HeadSettings = group(HeadSettings)
     cure: CureSettings = group(CureSettings)

@@ -18,7 +18,7 @@ from typing import cast
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.columns import (
     Column,
     Columns,
@@ -113,10 +113,10 @@ def turn(vector: Floats, axis: Floats, cos: Floats, sin: Floats) -> Floats:
     return along + cos[:, None] * (vector - along) + sin[:, None] * np.cross(axis, vector)
 
 
-def forward(links: Chain, q: Floats) -> tuple[Floats, Floats]:
+def forward(kinematics: Chain, q: Floats) -> tuple[Floats, Floats]:
     """Tip (n, 3) mm and unit tool axis (n, 3) in the work frame, for words ``q`` (n, 5) mm and rad. NaN stays NaN."""
     q = np.asarray(q, float)
-    k, tip, axis = _constants(links), empty_rows(len(q), 3), empty_rows(len(q), 3)
+    k, tip, axis = _constants(kinematics), empty_rows(len(q), 3), empty_rows(len(q), 3)
 
     def fill(rows: slice) -> None:
         *words, q1, q2 = split(q[rows])
@@ -124,80 +124,80 @@ def forward(links: Chain, q: Floats) -> tuple[Floats, Floats]:
         put(tip[rows], _tip(k, [mapped(matrix, words) for matrix in k.sums], turns))
         put(axis[rows], k.pair.turn1.of(k.pair.turn2.of_ez(turns[2], turns[3]), turns[0], turns[1]))
 
-    on_all(fill, portions(len(q)))
+    in_threads(fill, chunks(len(q)))
     return tip, axis
 
 
-def forward_tip(links: Chain, q: Floats) -> Floats:
+def forward_tip(kinematics: Chain, q: Floats) -> Floats:
     """The tip (n, 3) mm alone, as forward."""
     q = np.asarray(q, float)
-    k, tip = _constants(links), empty_rows(len(q), 3)
+    k, tip = _constants(kinematics), empty_rows(len(q), 3)
 
     def fill(rows: slice) -> None:
         *words, q1, q2 = split(q[rows])
         put(tip[rows], _tip(k, [mapped(matrix, words) for matrix in k.sums], _turns(q1, q2)))
 
-    on_all(fill, portions(len(q)))
+    in_threads(fill, chunks(len(q)))
     return tip
 
 
-def inverse(links: Chain, tip: Floats, axis: Floats) -> tuple[Floats, Floats]:
+def inverse(kinematics: Chain, tip: Floats, axis: Floats) -> tuple[Floats, Floats]:
     """All branches: words (2, n, 5) mm and rad, rotary in (-pi, pi], and the singularity measure (n,).
 
     NaN rows where the machine cannot take up the axis. At the pole the first rotary word is 0. The measure is
     ``|a1 . (a2 x k)|``: how fast the axis can leave, 0 at the pole, sin(tilt) for a machine of orthogonal axes.
     """
     tip, axis = np.asarray(tip, float), np.asarray(axis, float)
-    k, words, sine = _constants(links), empty_rows(2, len(axis), 5), np.empty(len(axis))
+    k, words, sine = _constants(kinematics), empty_rows(2, len(axis), 5), np.empty(len(axis))
 
     def fill(rows: slice) -> None:
         place = split(tip[rows])
         sine[rows], branches = poses(k.pair, axis[rows])
         for branch, (angles, turns) in enumerate(branches):
-            put(words[branch, rows], [*_linear(links, k, place, turns), *angles])
+            put(words[branch, rows], [*_linear(kinematics, k, place, turns), *angles])
 
-    on_all(fill, portions(len(axis)))
+    in_threads(fill, chunks(len(axis)))
     return words, sine
 
 
-def inverse_axis(links: Chain, axis: Floats) -> tuple[Floats, Floats]:
+def inverse_axis(kinematics: Chain, axis: Floats) -> tuple[Floats, Floats]:
     """Both rotary words (2, n, 2) rad in (-pi, pi] for unit ``axis`` (n, 3), and the singularity measure (n,), as inverse."""
     axis = np.asarray(axis, float)
-    k, words, sine = _constants(links), empty_rows(2, len(axis), 2), np.empty(len(axis))
+    k, words, sine = _constants(kinematics), empty_rows(2, len(axis), 2), np.empty(len(axis))
 
     def fill(rows: slice) -> None:
         sine[rows], branches = poses(k.pair, axis[rows])
         for branch, (angles, _) in enumerate(branches):
             put(words[branch, rows], angles)
 
-    on_all(fill, portions(len(axis)))
+    in_threads(fill, chunks(len(axis)))
     return words, sine
 
 
-def linear_words(links: Chain, tip: Floats, angles: Floats) -> Floats:
+def linear_words(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
     """The linear words X Y Z (n, 3) mm alone, as joint_words."""
-    return joint_words(links, tip, angles)[:, :3]
+    return joint_words(kinematics, tip, angles)[:, :3]
 
 
-def joint_words(links: Chain, tip: Floats, angles: Floats) -> Floats:
+def joint_words(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
     """The words (n, 5) mm and rad that put the tip (n, 3) mm, work frame, in place at rotary words ``angles`` (n, 2) rad.
 
     NaN linear words where the linear axes lie in a plane, which only happens to those on different sides of a rotary axis.
     """
     tip, angles = np.asarray(tip, float), np.asarray(angles, float)
-    k, words = _constants(links), empty_rows(len(tip), 5)
+    k, words = _constants(kinematics), empty_rows(len(tip), 5)
 
     def fill(rows: slice) -> None:
         rotary = split(angles[rows])
-        put(words[rows], [*_linear(links, k, split(tip[rows]), _turns(*rotary)), *rotary])
+        put(words[rows], [*_linear(kinematics, k, split(tip[rows]), _turns(*rotary)), *rotary])
 
-    on_all(fill, portions(len(tip)))
+    in_threads(fill, chunks(len(tip)))
     return words
 
 
-def branch_of(links: Chain, second: Floats) -> Bytes:
+def branch_of(kinematics: Chain, second: Floats) -> Bytes:
     """The branch (n,) to which a second rotary word (n,) rad of any winding belongs."""
-    turns = (np.asarray(second, float) - _constants(links).pair.best) / (2.0 * np.pi)
+    turns = (np.asarray(second, float) - _constants(kinematics).pair.best) / (2.0 * np.pi)
     with np.errstate(invalid="ignore"):
         return np.asarray(turns - np.ceil(turns - 0.5) < 0.0, np.int8)
 
@@ -237,13 +237,13 @@ class _Constants:
 
 
 @lru_cache(maxsize=64)
-def _constants(links: Chain) -> _Constants:
+def _constants(kinematics: Chain) -> _Constants:
     """Worked out once: a Chain compares by identity and never changes."""
-    moves, slot = links.direction[:3], np.array(links.slot)
+    moves, slot = kinematics.direction[:3], np.array(kinematics.slot)
     return _Constants(
-        pair=RotaryPair.of(links.direction[3], links.direction[4]),
-        point1=_foot(links.point1, links.direction[3]),
-        point2=_foot(links.point2, links.direction[4]),
+        pair=RotaryPair.of(kinematics.direction[3], kinematics.direction[4]),
+        point1=_foot(kinematics.point1, kinematics.direction[3]),
+        point2=_foot(kinematics.point2, kinematics.direction[4]),
         sums=[cast(Matrix, (moves * (slot == level)[:, None]).T.tolist()) for level in range(3)],
         words=cast(Matrix, clean(np.asarray(np.linalg.inv(moves.T), float)).tolist()),
     )
@@ -266,22 +266,22 @@ def _tip(k: _Constants, sums: list[list[Column]], turns: Turns) -> list[Column]:
     return added(sums[0], point)
 
 
-def _linear(links: Chain, k: _Constants, place: Columns, turns: Turns) -> list[Column]:
+def _linear(kinematics: Chain, k: _Constants, place: Columns, turns: Turns) -> list[Column]:
     """The linear words for tips at known rotary words."""
     cos1, sin1, cos2, sin2 = turns
     rest = less(place, _tip(k, [[0.0] * 3] * 3, turns))
-    if len(set(links.slot)) > 1:
-        return _solved(links, k, rest, turns)
-    if links.slot[0] > 0:
+    if len(set(kinematics.slot)) > 1:
+        return _solved(kinematics, k, rest, turns)
+    if kinematics.slot[0] > 0:
         rest = k.pair.turn1.of(rest, cos1, -sin1)
-    if links.slot[0] > 1:
+    if kinematics.slot[0] > 1:
         rest = k.pair.turn2.of(rest, cos2, -sin2)
     return mapped(k.words, rest)
 
 
-def _solved(links: Chain, k: _Constants, rest: Columns, turns: Turns) -> list[Column]:
+def _solved(kinematics: Chain, k: _Constants, rest: Columns, turns: Turns) -> list[Column]:
     """Linear axes on different sides of a rotary one: Cramer's rule on their directions as they stand in each row."""
-    x, y, z = (_carried(k, cast("list[float]", links.direction[j].tolist()), links.slot[j], turns) for j in range(3))
+    x, y, z = (_carried(k, cast("list[float]", kinematics.direction[j].tolist()), kinematics.slot[j], turns) for j in range(3))
     volume = np.asarray(scalar(x, crossed(y, z)))
     volume = np.where(np.abs(volume) < PARALLEL, np.nan, volume)
     return [scalar(rest, crossed(a, b)) / volume for a, b in ((y, z), (z, x), (x, y))]

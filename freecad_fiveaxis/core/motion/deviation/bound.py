@@ -146,7 +146,7 @@ def allowance(move: Motion) -> Floats:
     return np.asarray(ROUNDINGS * np.finfo(float).eps * size * (1.0 + angle))
 
 
-def quick_bound(links: Chain, words: ArrayLike) -> Floats:
+def quick_bound(kinematics: Chain, words: ArrayLike) -> Floats:
     """A proven upper bound (m,) mm of each block's segment deviation, from the end words alone; row 0 zero.
 
     ``words`` (m, 5) mm and **degrees**. The same-u point of the commanded segment is at most ``max |tip''| / 8`` away (error
@@ -155,7 +155,7 @@ def quick_bound(links: Chain, words: ArrayLike) -> Floats:
     """
     rows = checked_words(words)
     bound = np.zeros(len(rows))
-    frame = frames(links)
+    frame = frames(kinematics)
     for first in range(0, len(rows) - 1, CHUNK):
         last = min(first + CHUNK, len(rows) - 1)
         move = motion(frame, rows[first:last], rows[first + 1 : last + 1])

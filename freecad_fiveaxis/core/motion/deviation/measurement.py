@@ -86,7 +86,7 @@ METHODS = ("exact", "so2008", "so2008-printed")
 """Of the line deviation; everything else is exact with each."""
 
 
-def measure(links: Chain, words: ArrayLike, method: str = "exact", progress: Progress = silent) -> Deviation:
+def measure(kinematics: Chain, words: ArrayLike, method: str = "exact", progress: Progress = silent) -> Deviation:
     """The deviation of every block of a program, from its words as rounded for the controller.
 
     ``words`` (m, 5) mm and **degrees** in the chain's word order, turns not folded. ``method``: ``exact``, or ``so2008`` or
@@ -104,10 +104,10 @@ def measure(links: Chain, words: ArrayLike, method: str = "exact", progress: Pro
             method,
         )
     rows = checked_words(words)
-    result = _exact(frames(links), rows, paced(progress))
+    result = _exact(frames(kinematics), rows, paced(progress))
     if method == "exact":
         return result
-    line, u_line, findings = so2008.line_deviation(links, rows, method == "so2008-printed", paced(progress))
+    line, u_line, findings = so2008.line_deviation(kinematics, rows, method == "so2008-printed", paced(progress))
     return replace(result, line=line, u_line=u_line, findings=findings)
 
 
@@ -215,12 +215,12 @@ def _columns(vector: Floats) -> Vectors:
 # ------------------------------------------------------------------------------------------------ other measures
 
 
-def same_u_deviation(links: Chain, words: ArrayLike, progress: Progress = silent) -> tuple[Floats, Floats]:
+def same_u_deviation(kinematics: Chain, words: ArrayLike, progress: Progress = silent) -> tuple[Floats, Floats]:
     """The largest distance (m,) mm of the real tip from the point of the chord with the same u, and that u; row 0 zero.
 
     ``words`` (m, 5) mm and **degrees**. It is never less than the segment deviation, and accurate like that.
     """
-    rows, frame = checked_words(words), frames(links)
+    rows, frame = checked_words(words), frames(kinematics)
     distance, at_u = np.zeros((2, len(rows)))
 
     def fit(part: slice) -> Ints:

@@ -68,7 +68,7 @@ REAL = 1e-7
 
 
 def line_deviation(
-    links: Chain, words: Floats, printed: bool = False, progress: Progress = silent
+    kinematics: Chain, words: Floats, printed: bool = False, progress: Progress = silent
 ) -> tuple[Floats, Floats, tuple[Finding, ...]]:
     """The largest distance (m,) mm from the infinite line by the model, and its u; row 0 zero.
 
@@ -76,7 +76,7 @@ def line_deviation(
     distance that of the real tip at this u (eq. 6). Where the quartic has several roots within the block, the one with the
     largest distance counts; where it has none, u is 0.5 and a finding says of how many blocks this is so.
     """
-    frame, count = frames(links), len(words)
+    frame, count = frames(kinematics), len(words)
     line, u_line, rootless = np.zeros(count), np.zeros(count), 0
     for first in range(0, count - 1, CHUNK):
         last = min(first + CHUNK, count - 1)
@@ -88,9 +88,9 @@ def line_deviation(
     return line, u_line, _rootless_finding(rootless, count - 1)
 
 
-def model_tip(links: Chain, words: Floats, u: Floats) -> Floats:
+def model_tip(kinematics: Chain, words: Floats, u: Floats) -> Floats:
     """Eq. (3) at ``u`` (k,) of every block: (m - 1, k, 3) mm, work frame. ``words`` (m, 5) mm and **degrees**."""
-    frame = frames(links)
+    frame = frames(kinematics)
     move, poses = chained_motion(frame, words)
     m0, slope, z = _linear_inner(inner(frame, poses))
     s = [p[:, None] + u * step[:, None] for p, step in zip(*_wide(move), strict=True)]

@@ -30,7 +30,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 
@@ -100,14 +100,14 @@ def within_limits(angles: Floats, low: Floats, high: Floats) -> Bools:
             if high[axis] - low[axis] < TURN:
                 fits[:, rows] &= _least_word(angles[:, rows, axis], low[axis]) <= high[axis] + SLACK
 
-    on_all(fill, portions(angles.shape[1]))
+    in_threads(fill, chunks(angles.shape[1]))
     return fits
 
 
 def broken_steps(words: Floats, branch: Bytes, cutting: Bools, crossing: Bools) -> Bools:
     """The breaks (n - 1,) of a way that was chosen."""
     broken = np.empty(len(cutting), bool)
-    for rows in portions(len(broken)):
+    for rows in chunks(len(broken)):
         travel = np.abs(np.diff(words[rows.start : rows.stop + 1], axis=0))
         broken[rows] = np.maximum(travel[:, 0], travel[:, 1]) > math.pi + SLACK
     swap = np.flatnonzero((branch[1:] != branch[:-1]) & ~crossing)
@@ -192,15 +192,15 @@ def _words_of(layers: Layers, state: Ints) -> Floats:
         for axis in range(2):
             words[rows, axis] = layers.word[axis][at]
 
-    on_all(fill, portions(len(state)))
-    on_all(lambda axis: _unwind(words[:, axis]), [axis for axis in range(2) if layers.wraps[axis]])
+    in_threads(fill, chunks(len(state)))
+    in_threads(lambda axis: _unwind(words[:, axis]), [axis for axis in range(2) if layers.wraps[axis]])
     return words
 
 
 def _unwind(word: Floats) -> None:
     """Give each value (n,) of an angle the winding that is nearest to the one before; in place."""
     jumps = [np.empty(0, np.int64)]
-    for rows in portions(len(word) - 1):
+    for rows in chunks(len(word) - 1):
         jumps.append(rows.start + np.flatnonzero(np.abs(np.diff(word[rows.start : rows.stop + 1])) > math.pi))
     at = np.concatenate(jumps)
     if len(at):
@@ -249,7 +249,7 @@ def _by_stretches(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools
     def cut(rows: slice) -> tuple[Ints, Floats, float]:
         return _stretches(layers, cutting, crossing, rows)
 
-    parts = on_all(cut, portions(len(cutting)), lambda done: progress("joint path", done))
+    parts = in_threads(cut, chunks(len(cutting)), lambda done: progress("joint path", done))
     starts, costs, bounds = zip(*parts, strict=True)
     cost, start, least = np.concatenate(costs, 2), np.concatenate([*starts, [len(cutting)]]), sum(bounds)
     state = least_path(entry, lambda first, last: cost[:, :, first:last], cost.shape[2])

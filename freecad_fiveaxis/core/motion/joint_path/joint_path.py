@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.columns import Matrix, mapped, split
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
@@ -60,7 +60,7 @@ class JointPath:
 
 
 def solve(
-    path: CLPath, links: Chain, low: Floats, high: Floats, clearance: float, radius: float = 0.0, progress: Progress = silent
+    path: CLPath, kinematics: Chain, low: Floats, high: Floats, clearance: float, radius: float = 0.0, progress: Progress = silent
 ) -> JointPath:
     """Drive ``path`` on the machine with the least rotary travel and the fewest breaks.
 
@@ -82,19 +82,19 @@ def solve(
     if len(path.tip) == 0:
         return JointPath(path, np.empty(0, np.int64), np.empty((0, 5)), np.empty(0, np.int8), np.empty(0))
     path = _begun_by_rapid(path)
-    pole, crossing = _near_pole(path.axis, links.direction[3])
-    angles = _angles(links, path.axis, pole)
-    fits = _reachable(links, path, angles, pole)
+    pole, crossing = _near_pole(path.axis, kinematics.direction[3])
+    angles = _angles(kinematics, path.axis, pole)
+    fits = _reachable(kinematics, path, angles, pole)
     cutting = ~_above(path, high[2] + clearance)
-    words, branch = choose(angles, fits, links.low[3:], links.high[3:], cutting, crossing, progress)
+    words, branch = choose(angles, fits, kinematics.low[3:], kinematics.high[3:], cutting, crossing, progress)
     _place_turns(path, pole, words, branch)
-    _hold_stand_ins(words, links)
+    _hold_stand_ins(words, kinematics)
     breaks = np.flatnonzero(broken_steps(words, branch, cutting, crossing))
     start = Drive(path, np.arange(len(words)), words, branch)
-    drive, gaps = insert_rewinds(start, links, breaks, np.asarray(low), np.asarray(high), clearance, radius)
-    drive = subdivide_rapids(drive, links, min(0.5 * clearance, SAFE_MARGIN))
+    drive, gaps = insert_rewinds(start, kinematics, breaks, np.asarray(low), np.asarray(high), clearance, radius)
+    drive = subdivide_rapids(drive, kinematics, min(0.5 * clearance, SAFE_MARGIN))
     progress("joint path", 1.0)
-    return _finish(drive, links, rewind_findings(start, drive, links, breaks, gaps))
+    return _finish(drive, kinematics, rewind_findings(start, drive, kinematics, breaks, gaps))
 
 
 def _above(path: CLPath, height: float) -> Bools:
@@ -132,7 +132,7 @@ def _near_pole(axis: Floats, first: Floats) -> tuple[Bools, Bools]:
         passed[at] = _passes_origin(*(column[at + end] for column in (x, y, z) for end in (0, 1)))
         crossing[rows] = passed | near[1:] | near[:-1]
 
-    on_all(fill, portions(len(axis)))
+    in_threads(fill, chunks(len(axis)))
     return pole, crossing
 
 
@@ -143,36 +143,36 @@ def _passes_origin(x0: Floats, x1: Floats, y0: Floats, y1: Floats, z0: Floats, z
     return np.asarray(facing & (np.abs(x0 * y1 - y0 * x1) <= math.tan(CROSSING_ANGLE) * chord))
 
 
-def _angles(links: Chain, axis: Floats, pole: Bools) -> Floats:
+def _angles(kinematics: Chain, axis: Floats, pole: Bools) -> Floats:
     """Rotary words (2, n, 2) of both branches, pole rows filled."""
-    first = links.direction[3]
-    angles, _ = inverse_axis(links, axis)
+    first = kinematics.direction[3]
+    angles, _ = inverse_axis(kinematics, axis)
     rows = np.flatnonzero(pole)
     if len(rows):
-        angles[:, rows] = inverse_axis(links, np.copysign(1.0, axis[rows] @ first)[:, None] * first)[0]
-        _fill_poles(angles, pole, links)
+        angles[:, rows] = inverse_axis(kinematics, np.copysign(1.0, axis[rows] @ first)[:, None] * first)[0]
+        _fill_poles(angles, pole, kinematics)
     return angles
 
 
-def _fill_poles(angles: Floats, pole: Bools, links: Chain) -> None:
+def _fill_poles(angles: Floats, pole: Bools, kinematics: Chain) -> None:
     """Give each pole row the first rotary word of the last row before it that is none; the next one's at the beginning."""
     if pole.all():
-        angles[:, :, 0] = np.clip(0.0, links.low[3], links.high[3])
+        angles[:, :, 0] = np.clip(0.0, kinematics.low[3], kinematics.high[3])
         return
     source = np.maximum.accumulate(np.where(pole, int(np.argmin(pole)), np.arange(len(pole))))
     rows = np.flatnonzero(pole)
     angles[:, rows, 0] = angles[:, source[rows], 0]
 
 
-def _reachable(links: Chain, path: CLPath, angles: Floats, pole: Bools) -> Bools:
+def _reachable(kinematics: Chain, path: CLPath, angles: Floats, pole: Bools) -> Bools:
     """Which branches (2, n) the rotary limits allow. Raises ReachError where they allow none."""
-    fits = within_limits(angles, links.low[3:], links.high[3:])
+    fits = within_limits(angles, kinematics.low[3:], kinematics.high[3:])
     lost = np.flatnonzero(~fits.any(0))
     if len(lost):
         lost = lost[~pole[lost]] if not pole[lost].all() else lost  # a pole row only shares the fate of its neighbour
         x, y, z = path.tip[lost[0]]
         i, j, k = path.axis[lost[0]]
-        letters = "".join(links.letters[column] for column in fitted_columns(links.letters)[3:])
+        letters = "".join(kinematics.letters[column] for column in fitted_columns(kinematics.letters)[3:])
         if len(letters) < 2:
             text = _too_few_axes(letters, len(lost), len(path.tip), path.tip[lost[0]], path.axis[lost[0]])
             raise ReachError(text, (float(i), float(j), float(k)))
@@ -238,16 +238,16 @@ def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> Non
     words[row, 0], branch[row] = words[source, 0], branch[source]
 
 
-def _hold_stand_ins(angles: Floats, links: Chain) -> None:
+def _hold_stand_ins(angles: Floats, kinematics: Chain) -> None:
     """Rotary axes that the machine has not stay at 0; what a tool axis leans about them is within the print of CL files."""
-    for k, axis in enumerate(links.axes[3:]):
+    for k, axis in enumerate(kinematics.axes[3:]):
         if not axis.fitted:
             angles[:, k] = 0.0
 
 
-def _finish(drive: Drive, links: Chain, findings: tuple[Finding, ...]) -> JointPath:
-    _hold_stand_ins(drive.angles, links)
-    q = joint_words(links, drive.path.tip, drive.angles)
+def _finish(drive: Drive, kinematics: Chain, findings: tuple[Finding, ...]) -> JointPath:
+    _hold_stand_ins(drive.angles, kinematics)
+    q = joint_words(kinematics, drive.path.tip, drive.angles)
     if np.isnan(q[:, :3].min()):
         lost = np.flatnonzero(np.isnan(q[:, :3]).any(1))
         first, second = np.degrees(drive.angles[lost[0]])
@@ -255,33 +255,33 @@ def _finish(drive: Drive, links: Chain, findings: tuple[Finding, ...]) -> JointP
             say(
                 "the linear axes lie in one plane at {letter} {first} {other} {second} and cannot place the "
                 "tip ({count} rows): lower {max_axis_angle} or take another machine",
-                letter=links.letters[3],
+                letter=kinematics.letters[3],
                 first=Angle(first, ".3f", bare=True),
-                other=links.letters[4],
+                other=kinematics.letters[4],
                 second=Angle(second, ".3f"),
                 count=len(lost),
                 max_axis_angle=Option("max_axis_angle"),
             ),
             (float(first), float(second)),
         )
-    findings += _limit_findings(drive.path, links, q)
-    pair = RotaryPair.of(links.direction[3], links.direction[4])
-    sines = on_all(lambda rows: pair.reach * np.abs(np.sin(q[rows, 4] - pair.best)), portions(len(q)))
+    findings += _limit_findings(drive.path, kinematics, q)
+    pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
+    sines = in_threads(lambda rows: pair.reach * np.abs(np.sin(q[rows, 4] - pair.best)), chunks(len(q)))
     return JointPath(drive.path, drive.row, q, drive.branch, np.concatenate(sines), findings)
 
 
-def _limit_findings(path: CLPath, links: Chain, q: Floats) -> tuple[Finding, ...]:
+def _limit_findings(path: CLPath, kinematics: Chain, q: Floats) -> tuple[Finding, ...]:
     """An error for each linear axis that the path drives beyond its limits, with the worst place."""
     findings = []
     for axis in range(3):
-        for sign, limit in ((-1.0, float(links.low[axis])), (1.0, float(links.high[axis]))):
+        for sign, limit in ((-1.0, float(kinematics.low[axis])), (1.0, float(kinematics.high[axis]))):
             worst = int(q[:, axis].argmax() if sign > 0.0 else q[:, axis].argmin())
             if sign * (q[worst, axis] - limit) > LINEAR_SLACK:
                 count = int((sign * (q[:, axis] - limit) > LINEAR_SLACK).sum())
                 text = say(
                     "{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work zero "
                     "({origin}) or take a larger machine.",
-                    letter=links.letters[axis],
+                    letter=kinematics.letters[axis],
                     word=Length(q[worst, axis], ".4f"),
                     limit=Length(limit, ".4f"),
                     count=count,

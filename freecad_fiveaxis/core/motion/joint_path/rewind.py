@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all
+from freecad_fiveaxis.core.base.chunks import in_threads
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Insertion, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Length, say
@@ -61,7 +61,7 @@ class Place:
 
 
 def insert_rewinds(
-    drive: Drive, links: Chain, breaks: Ints, low: Floats, high: Floats, clearance: float, radius: float
+    drive: Drive, kinematics: Chain, breaks: Ints, low: Floats, high: Floats, clearance: float, radius: float
 ) -> tuple[Drive, Floats]:
     """Retract, rewind and re-engage within each step of ``breaks`` (b,), the steps' first rows.
 
@@ -70,7 +70,7 @@ def insert_rewinds(
     """
     if len(breaks) == 0:
         return drive, np.empty(0)
-    leave, enter = _places(drive, links, breaks)
+    leave, enter = _places(drive, kinematics, breaks)
     tip, keep = _way_round(drive.path, leave, enter, low, high, clearance, radius)
     motion = np.broadcast_to(np.array(ROUND, np.int8), keep.shape)
     axis, angles = (np.repeat(np.stack(pair, 1), 4, axis=1) for pair in ((leave.axis, enter.axis), (leave.angles, enter.angles)))
@@ -79,29 +79,36 @@ def insert_rewinds(
     at = np.broadcast_to(breaks[:, None] + 1, keep.shape)
     uncut = np.linalg.norm(enter.tip - leave.tip, axis=1)
     longer = _insert(
-        _entered_by_link(drive, breaks, enter), links, at[keep], tip[keep], axis[keep], angles[keep], motion[keep], contact[keep]
+        _entered_by_link(drive, breaks, enter),
+        kinematics,
+        at[keep],
+        tip[keep],
+        axis[keep],
+        angles[keep],
+        motion[keep],
+        contact[keep],
     )
     return longer, np.where(enter.share - leave.share > SAME_PLACE, uncut, 0.0)
 
 
-def _places(drive: Drive, links: Chain, breaks: Ints) -> tuple[Place, Place]:
+def _places(drive: Drive, kinematics: Chain, breaks: Ints) -> tuple[Place, Place]:
     """Leave where the old words' reach ends, or where the new words' begins if that is earlier; enter where that begins."""
-    old_reach = _reach(drive, links, breaks, 0)
-    new_reach = _reach(drive, links, breaks, 1)
+    old_reach = _reach(drive, kinematics, breaks, 0)
+    new_reach = _reach(drive, kinematics, breaks, 1)
     shares = (np.minimum(old_reach, new_reach), new_reach)
     places = []
     for end, share in enumerate(shares):
-        angles = np.clip(_follow(drive, links, breaks, share, end), links.low[3:], links.high[3:])
+        angles = np.clip(_follow(drive, kinematics, breaks, share, end), kinematics.low[3:], kinematics.high[3:])
         places.append(Place(share, _part_way(drive.path.tip, breaks, share), _axis_at(drive.path, breaks, share), angles))
     return places[0], places[1]
 
 
-def _reach(drive: Drive, links: Chain, breaks: Ints, end: int) -> Floats:
+def _reach(drive: Drive, kinematics: Chain, breaks: Ints, end: int) -> Floats:
     """How far along the step, seen from its ``end`` (0 or 1), that end's words stay within the rotary limits: a share (b,)."""
 
     def fits(share: Floats) -> Bools:
-        angles = _follow(drive, links, breaks, share, end)
-        return np.asarray(((angles >= links.low[3:] - SLACK) & (angles <= links.high[3:] + SLACK)).all(1))
+        angles = _follow(drive, kinematics, breaks, share, end)
+        return np.asarray(((angles >= kinematics.low[3:] - SLACK) & (angles <= kinematics.high[3:] + SLACK)).all(1))
 
     inside = np.full(len(breaks), float(end))
     outside = 1.0 - inside
@@ -114,13 +121,13 @@ def _reach(drive: Drive, links: Chain, breaks: Ints, end: int) -> Floats:
     return inside
 
 
-def _follow(drive: Drive, links: Chain, breaks: Ints, share: Floats, end: int) -> Floats:
+def _follow(drive: Drive, kinematics: Chain, breaks: Ints, share: Floats, end: int) -> Floats:
     """Rotary words (b, 2) at a share of the step, on the branch and next to the words of its ``end``; NaN out of reach."""
     axis = _axis_at(drive.path, breaks, share)
     known = drive.angles[breaks + end]
-    angles = inverse_axis(links, axis)[0][drive.branch[breaks + end], np.arange(len(breaks))]
+    angles = inverse_axis(kinematics, axis)[0][drive.branch[breaks + end], np.arange(len(breaks))]
     angles += TURN * np.rint((known - angles) / TURN)
-    pole = np.linalg.norm(np.cross(axis, links.direction[3]), axis=1) <= POLE_ANGLE
+    pole = np.linalg.norm(np.cross(axis, kinematics.direction[3]), axis=1) <= POLE_ANGLE
     angles[pole, 0] = known[pole, 0]
     return np.asarray(angles)
 
@@ -167,7 +174,7 @@ def _entered_by_link(drive: Drive, breaks: Ints, enter: Place) -> Drive:
 
 
 def _insert(
-    drive: Drive, links: Chain, at: Ints, tip: Floats, axis: Floats, angles: Floats, motion: Bytes, contact: Floats
+    drive: Drive, kinematics: Chain, at: Ints, tip: Floats, axis: Floats, angles: Floats, motion: Bytes, contact: Floats
 ) -> Drive:
     """Rows put in before the rows ``at``, which ascend.
 
@@ -185,13 +192,13 @@ def _insert(
     }
     new |= {name: np.where(cuts, getattr(path, name)[at], -1) for name in ("face", "coedge", "pass_")}
     put = Insertion(len(drive.row), at)
-    columns = on_all(lambda name: put.woven(getattr(path, name), new[name]), list(new))
+    columns = in_threads(lambda name: put.interleave(getattr(path, name), new[name]), list(new))
     longer = replace(path, **dict(zip(new, columns, strict=True)))
-    branch = put.woven(drive.branch, branch_of(links, angles[:, 1]))
-    return Drive(longer, put.woven(drive.row, drive.row.take(put.source)), put.woven(drive.angles, angles), branch)
+    branch = put.interleave(drive.branch, branch_of(kinematics, angles[:, 1]))
+    return Drive(longer, put.interleave(drive.row, drive.row.take(put.source)), put.interleave(drive.angles, angles), branch)
 
 
-def subdivide_rapids(drive: Drive, links: Chain, tolerance: float) -> Drive:
+def subdivide_rapids(drive: Drive, kinematics: Chain, tolerance: float) -> Drive:
     """Cut rapids that turn a rotary axis until the real tip provably stays within ``tolerance`` (mm) of the chord."""
     arrival = np.flatnonzero(drive.path.motion[1:] == Motion.RAPID) + 1
     arrival = arrival[np.abs(drive.angles[arrival] - drive.angles[arrival - 1]).sum(1) > STILL]
@@ -199,7 +206,7 @@ def subdivide_rapids(drive: Drive, links: Chain, tolerance: float) -> Drive:
     todo = np.arange(len(arrival))
     while len(todo):
         tip, angles, first = _evenly(drive, arrival[todo], pieces[todo])
-        bound = quick_bound(links, q_to_words(joint_words(links, tip, angles)))
+        bound = quick_bound(kinematics, q_to_words(joint_words(kinematics, tip, angles)))
         bound[first] = 0.0  # from the end of one rapid to the start of the next
         worst = np.maximum.reduceat(bound, first)
         todo, worst = todo[worst > tolerance], worst[worst > tolerance]
@@ -211,8 +218,8 @@ def subdivide_rapids(drive: Drive, links: Chain, tolerance: float) -> Drive:
     inner = np.ones(len(tip), bool)
     inner[first] = inner[first + pieces] = False
     tip, angles, at = tip[inner], angles[inner], np.repeat(arrival, pieces - 1)
-    axis = forward(links, np.column_stack([np.zeros_like(tip), angles]))[1]
-    return _insert(drive, links, at, tip, axis, angles, np.full(len(at), Motion.RAPID, np.int8), tip)
+    axis = forward(kinematics, np.column_stack([np.zeros_like(tip), angles]))[1]
+    return _insert(drive, kinematics, at, tip, axis, angles, np.full(len(at), Motion.RAPID, np.int8), tip)
 
 
 def _evenly(drive: Drive, arrival: Ints, pieces: Ints) -> tuple[Floats, Floats, Ints]:
@@ -225,7 +232,7 @@ def _evenly(drive: Drive, arrival: Ints, pieces: Ints) -> tuple[Floats, Floats, 
     return tip, angles, first
 
 
-def rewind_findings(given: Drive, driven: Drive, links: Chain, breaks: Ints, uncut: Floats) -> tuple[Finding, ...]:
+def rewind_findings(given: Drive, driven: Drive, kinematics: Chain, breaks: Ints, uncut: Floats) -> tuple[Finding, ...]:
     """A warning for each of the first breaks, one with their number, and one for what they leave uncut."""
     findings = []
     for step in breaks[:LISTED].tolist():
@@ -235,7 +242,7 @@ def rewind_findings(given: Drive, driven: Drive, links: Chain, breaks: Ints, unc
         text = say(
             "{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns above the"
             " part and re-engages, which may leave a mark. Wider limits or another setup avoid it.",
-            letter=links.letters[3 + axis],
+            letter=kinematics.letters[3 + axis],
             before=Angle(before[axis], ".3f", bare=True),
             after=Angle(after[axis], ".3f"),
         )

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import portions
+from freecad_fiveaxis.core.base.chunks import chunks
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip
 
@@ -40,7 +40,7 @@ ASSUMED_RATE = (10_000.0, 10_000.0, 10_000.0, 20.0 * np.pi, 20.0 * np.pi)
 """Where a machine states no maximum rate: mm/min and rad/min (10 turns a minute) for rapids and for turns about the tip."""
 
 
-def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
+def tip_travel(kinematics: Chain, q: Floats, wanted: Bools) -> Floats:
     """Travel (m - 1,) mm of the tip from each row of ``q`` (m, 5) mm and rad to the next; the chord where not ``wanted``.
 
     The chord where that is near enough by proof. With ``max|p''|`` at most 8 e chords the velocity leaves the chord by r(u), of
@@ -52,34 +52,34 @@ def tip_travel(links: Chain, q: Floats, wanted: Bools) -> Floats:
     0: on one side none of it is hidden. With ``|p'|`` at most a chord and half of ``max|p''|`` the latter is at most
     ``(w^2 r + 2 w (chord + s)) / (1 - w)``. Elsewhere the sampled path, extrapolated (Richardson), or parabolas through it.
     """
-    tip, travel, curved, pieces = forward_tip(links, q), np.empty(max(len(q) - 1, 0)), [], []
-    for rows in portions(len(travel)):
+    tip, travel, curved, pieces = forward_tip(kinematics, q), np.empty(max(len(q) - 1, 0)), [], []
+    for rows in chunks(len(travel)):
         ends = slice(rows.start, rows.stop + 1)
-        chord, turned, bend = _chords(links, q[ends], tip[ends])
+        chord, turned, bend = _chords(kinematics, q[ends], tip[ends])
         at = np.flatnonzero(wanted[rows] & (bend > EVEN * chord))
         travel[rows] = chord
         curved.append(rows.start + at)
         least = np.where(bend[at] > HOOKED * chord[at], HOOK_PIECES, np.where(bend[at] > BENT * chord[at], 2.0, 1.0))
         pieces.append(np.ceil(np.log2(np.maximum(turned[at] / TURN_PER_PIECE, least))).astype(np.int64))
-    _measure_curved(links, q, tip, travel, np.concatenate([*curved, _NONE]), 2 ** np.concatenate([*pieces, _NONE]))
+    _measure_curved(kinematics, q, tip, travel, np.concatenate([*curved, _NONE]), 2 ** np.concatenate([*pieces, _NONE]))
     return travel
 
 
 _NONE = np.empty(0, np.int64)
 
 
-def _chords(links: Chain, q: Floats, tip: Floats) -> tuple[Floats, Floats, Floats]:
+def _chords(kinematics: Chain, q: Floats, tip: Floats) -> tuple[Floats, Floats, Floats]:
     """Chord (m,) mm and rotary travel (m,) rad of each block, and how far (mm) its tip may be off a straight and even course."""
     first, second = np.abs(np.diff(q[:, 3])), np.abs(np.diff(q[:, 4]))
     turned, chord = first + second, _length(np.diff(tip, axis=0).T)
-    most = chord if len(set(links.slot)) == 1 else chord + _stretch(links) * _length(np.diff(q[:, :3], axis=0).T)
-    bend = turned * (turned * _lever_arms(links, q) + 2.0 * most)
+    most = chord if len(set(kinematics.slot)) == 1 else chord + _stretch(kinematics) * _length(np.diff(q[:, :3], axis=0).T)
+    bend = turned * (turned * _lever_arms(kinematics, q) + 2.0 * most)
     bend /= 8.0 * (1.0 - np.minimum(turned, WIDE))
     bend[np.flatnonzero(turned > WIDE)] = np.inf
     return chord, turned, bend
 
 
-def _measure_curved(links: Chain, q: Floats, tip: Floats, travel: Floats, curved: Ints, pieces: Ints) -> None:
+def _measure_curved(kinematics: Chain, q: Floats, tip: Floats, travel: Floats, curved: Ints, pieces: Ints) -> None:
     """Put the lengths of the sampled paths of the blocks ``curved`` into ``travel``."""
     for count in np.unique(pieces).tolist():
         alike = curved[pieces == count]
@@ -87,7 +87,7 @@ def _measure_curved(links: Chain, q: Floats, tip: Floats, travel: Floats, curved
         for first in range(0, len(alike), portion):
             rows = alike[first : first + portion]
             words, place = ([table.T.take(rows + end, axis=1) for end in (0, 1)] for table in (q, tip))
-            travel[rows] = _sampled(links, words, place, count)
+            travel[rows] = _sampled(kinematics, words, place, count)
 
 
 def _length(vector: Floats) -> Floats:
@@ -98,29 +98,29 @@ def _length(vector: Floats) -> Floats:
     return np.sqrt(length, out=length)
 
 
-def _lever_arms(links: Chain, q: Floats) -> Floats:
+def _lever_arms(kinematics: Chain, q: Floats) -> Floats:
     """An upper bound, for each block (m - 1,), of the distance from either rotary line to what it turns, mm: that at its farther
     end, because the linear words go straight."""
-    between = float(np.linalg.norm(links.point2 - links.point1)) + float(np.linalg.norm(links.point2))
+    between = float(np.linalg.norm(kinematics.point2 - kinematics.point1)) + float(np.linalg.norm(kinematics.point2))
     arm = _length(q.T)
-    arm *= _stretch(links)
+    arm *= _stretch(kinematics)
     arm += between
     return np.maximum(arm[1:], arm[:-1])
 
 
-def _stretch(links: Chain) -> float:
+def _stretch(kinematics: Chain) -> float:
     """How much farther than X Y Z tell all linear axes go at most, those on either side of a rotary one added up."""
-    linear = np.abs(links.direction[:3])
-    return math.sqrt(len(set(links.slot)) * float(linear.sum(axis=0).max() * linear.sum(axis=1).max()))
+    linear = np.abs(kinematics.direction[:3])
+    return math.sqrt(len(set(kinematics.slot)) * float(linear.sum(axis=0).max() * linear.sum(axis=1).max()))
 
 
-def _sampled(links: Chain, words: list[Floats], tip: list[Floats], pieces: int) -> Floats:
+def _sampled(kinematics: Chain, words: list[Floats], tip: list[Floats], pieces: int) -> Floats:
     """Length of the path sampled at both ends and in the middle of that many pieces; ``words`` [(5, m), (5, m)] and ``tip``
     [(3, m), (3, m)] at both ends of the whole."""
     start, end = words
     u = np.arange(1, 2 * pieces)[:, None] / (2.0 * pieces)
     between = start[:, None] + u * (end - start)[:, None]
-    inner = forward_tip(links, between.reshape(5, -1).T).T.reshape(3, *between.shape[1:])
+    inner = forward_tip(kinematics, between.reshape(5, -1).T).T.reshape(3, *between.shape[1:])
     path = np.concatenate([tip[0][:, None], inner, tip[1][:, None]], axis=1)
     return _by_parabolas(path) if pieces >= HOOK_PIECES else _extrapolated(path)
 
@@ -162,9 +162,9 @@ def _parabola(a: Floats, b: Floats, g: Floats) -> Floats:
     return np.asarray(0.25 * np.sqrt(a) * (half(middle + 1.0) - half(middle - 1.0)))
 
 
-def rapid_minutes(links: Chain, change: Floats) -> Floats:
+def rapid_minutes(kinematics: Chain, change: Floats) -> Floats:
     """Time (n,) of a rapid: all axes together, the slowest at its maximum rate. ``change`` (n, 5) mm and rad."""
-    rate = np.where(np.isfinite(links.rate), links.rate, ASSUMED_RATE)
+    rate = np.where(np.isfinite(kinematics.rate), kinematics.rate, ASSUMED_RATE)
     return least_minutes(rate, change)
 
 
@@ -176,16 +176,16 @@ def least_minutes(rate: Floats, change: Floats) -> Floats:
     return least
 
 
-def feed_minutes(links: Chain, change: Floats, travel: Floats, feed: Floats) -> tuple[Floats, Bools]:
+def feed_minutes(kinematics: Chain, change: Floats, travel: Floats, feed: Floats) -> tuple[Floats, Bools]:
     """Time (n,) of feed blocks and which of them are held back.
 
     ``change`` (n, 5) mm and rad, ``travel`` (n,) mm, ``feed`` (n,) mm/min above 0. A block that only turns about the tip has
     no travel to time it: it turns as fast as its rotary axes may.
     """
     minutes = travel / feed
-    least = least_minutes(links.rate, change)
+    least = least_minutes(kinematics.rate, change)
     still: Ints = np.flatnonzero(travel < STILL)
-    least[still] = np.maximum(least[still], rapid_minutes(links, change[still]))
+    least[still] = np.maximum(least[still], rapid_minutes(kinematics, change[still]))
     held: Bools = least > minutes * (1.0 + TRAVEL_ERROR)
     held[still] = False
     return np.maximum(minutes, least), held

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.columns import chunks
+from freecad_fiveaxis.core.base.columns import cache_chunks
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats, freeze
 from freecad_fiveaxis.core.base.sentences import Angle, Length, say
@@ -40,20 +40,20 @@ class Guided:
             freeze(self, len(self.on), vector="f3")
 
 
-def standing(links: Chain, tip: Floats, angles: Floats) -> Floats:
+def standing(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
     """Words (m, 5) mm and degrees of the axes for tips (m, 3) mm and rotary words (m, 2) **degrees**, which are kept as given."""
     words = np.empty((5, len(tip))).T
-    words[:, :3] = joint_words(links, tip, np.radians(angles))[:, :3]
+    words[:, :3] = joint_words(kinematics, tip, np.radians(angles))[:, :3]
     words[:, 3:] = angles
     return words
 
 
-def turned_to(links: Chain, vector: Floats, near: Floats) -> Floats:
+def turned_to(kinematics: Chain, vector: Floats, near: Floats) -> Floats:
     """Rotary words (m, 2) degrees that take up tool axes ``vector`` (m, 3), of the branch and winding nearest to ``near`` (m, 2)
     degrees; at the pole the first one is that of ``near``. NaN where the machine cannot take up the axis."""
     unit = vector / np.linalg.norm(vector, axis=1)[:, None]
     wanted, best, least = np.radians(near), np.full((len(vector), 2), np.nan), np.full(len(vector), np.inf)
-    branches, sine = inverse_axis(links, unit)
+    branches, sine = inverse_axis(kinematics, unit)
     for angles in branches:
         free = sine < AT_POLE
         angles[free, 0] = wanted[free, 0]
@@ -64,11 +64,11 @@ def turned_to(links: Chain, vector: Floats, near: Floats) -> Floats:
     return np.asarray(np.degrees(best))
 
 
-def rounding_finding(links: Chain, words: Floats, tip: Floats, axis: Floats) -> Finding:
+def rounding_finding(kinematics: Chain, words: Floats, tip: Floats, axis: Floats) -> Finding:
     """How far the blocks' ends are from the CL path's ``tip`` (m, 3) mm and ``axis`` (m, 3): all that is proven."""
     off, lean = 0.0, 0.0
-    for rows in chunks(len(words)):
-        place, stands = forward(links, words_to_q(words[rows]))
+    for rows in cache_chunks(len(words)):
+        place, stands = forward(kinematics, words_to_q(words[rows]))
         off = max(off, float(np.linalg.norm(place - tip[rows], axis=1).max(initial=0.0)))
         chord = np.linalg.norm(stands - axis[rows], axis=1).max(initial=0.0)
         lean = max(lean, 2.0 * math.asin(min(float(chord) / 2.0, 1.0)))

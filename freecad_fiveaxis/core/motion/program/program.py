@@ -15,13 +15,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.chunks import on_all, portions
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.columns import empty_rows
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.number_text import rounded
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze, picked
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze, take_rows
 from freecad_fiveaxis.core.base.sentences import Feed, Template, say
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers.dialect import Dialect, Guide, feed_distance
@@ -73,7 +73,9 @@ def feed_blocks(program: Program) -> Ints:
     return rows[rows > 0]
 
 
-def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_time: bool, progress: Progress = silent) -> Program:
+def build_program(
+    joints: JointPath, kinematics: Chain, dialect: Dialect, inverse_time: bool, progress: Progress = silent
+) -> Program:
     """The program of a joint path for one controller: rounded words, one block for every row that moves, F words, times.
 
     A row whose words are all those of the row before it is left out (row 0 never). Row 0 is a rapid, because no time can be
@@ -81,26 +83,28 @@ def build_program(joints: JointPath, links: Chain, dialect: Dialect, inverse_tim
     """
     findings = _no_inverse_time(dialect) if inverse_time and not dialect.inverse_time else ()
     inverse_time &= bool(dialect.inverse_time)
-    rotary = tuple(axis.wrap for axis in links.axes[3:])
+    rotary = tuple(axis.wrap for axis in kinematics.axes[3:])
     wrap = wraps_of(rotary, dialect)
     words, row = _round_words(joints.q, dialect) if dialect.guide is None else _round_guided(joints, dialect.guide, dialect)
     motion, tip_feed = joints.path.motion.take(row), joints.path.feed.take(row)
     findings += _first_findings(motion)
     motion[:1] = Motion.RAPID
     _check_feeds(row, motion, tip_feed)
-    words, more = by_the_shorter_way(words, wrap, rotary, links.letters, dialect, motion != Motion.RAPID)
+    words, more = by_the_shorter_way(words, wrap, rotary, kinematics.letters, dialect, motion != Motion.RAPID)
     guided, stands = None, words
     if dialect.guide is not None:
-        guided, words, stands = _guided(joints, row, words, links, dialect.guide)
+        guided, words, stands = _guided(joints, row, words, kinematics, dialect.guide)
         more += (
-            (rounding_finding(links, stands, picked(joints.path.tip, row), picked(joints.path.axis, row)),) if len(row) else ()
+            (rounding_finding(kinematics, stands, take_rows(joints.path.tip, row), take_rows(joints.path.axis, row)),)
+            if len(row)
+            else ()
         )
     scale = _FeedScale(dialect, inverse_time)
-    times = _time_blocks(stands, words, motion, tip_feed, links, scale, progress)
+    times = _time_blocks(stands, words, motion, tip_feed, kinematics, scale, progress)
     line = np.arange(dialect.first_line, dialect.first_line + len(row))
     findings += more + _feed_findings(times.asked, times.held, scale)
     modes = np.full(len(row), inverse_time)
-    return Program(links.letters, stands, times.feed, modes, motion, times.seconds, row, line, findings, guided, wrap)
+    return Program(kinematics.letters, stands, times.feed, modes, motion, times.seconds, row, line, findings, guided, wrap)
 
 
 def _no_inverse_time(dialect: Dialect) -> tuple[Finding, ...]:
@@ -120,13 +124,13 @@ def _round_guided(joints: JointPath, guide: Guide, dialect: Dialect) -> tuple[Fl
     return said[moving], moving
 
 
-def _guided(joints: JointPath, row: Ints, said: Floats, links: Chain, guide: Guide) -> tuple[Guided, Floats, Floats]:
+def _guided(joints: JointPath, row: Ints, said: Floats, kinematics: Chain, guide: Guide) -> tuple[Guided, Floats, Floats]:
     """What the guided blocks say; the tip with the rotary words (m, 5); and where the axes stand (m, 5)."""
     tip, angles, vector = said[:, :3], said[:, 3:], None
     if guide.vector is not None:
-        vector = rounded(picked(joints.path.axis, row), guide.vector_decimals)
-        angles = turned_to(links, vector, angles)
-    return Guided(np.ones(len(row), np.bool_), tip, vector), np.column_stack([tip, angles]), standing(links, tip, angles)
+        vector = rounded(take_rows(joints.path.axis, row), guide.vector_decimals)
+        angles = turned_to(kinematics, vector, angles)
+    return Guided(np.ones(len(row), np.bool_), tip, vector), np.column_stack([tip, angles]), standing(kinematics, tip, angles)
 
 
 def _round_words(q: Floats, dialect: Dialect) -> tuple[Floats, Ints]:
@@ -143,10 +147,10 @@ def _round_words(q: Floats, dialect: Dialect) -> tuple[Floats, Ints]:
         for k in range(5):
             moves[since] |= words[since, k] != words[since.start - 1 : since.stop - 1, k]
 
-    on_all(fill, portions(len(q)))
-    on_all(compare, portions(len(q)))
+    in_threads(fill, chunks(len(q)))
+    in_threads(compare, chunks(len(q)))
     row = np.flatnonzero(moves)
-    return (words if len(row) == len(q) else picked(words, row)), row
+    return (words if len(row) == len(q) else take_rows(words, row)), row
 
 
 def _check_feeds(row: Ints, motion: Bytes, tip_feed: Floats) -> None:
@@ -208,7 +212,7 @@ class _Times(NamedTuple):
 
 
 def _time_blocks(
-    words: Floats, said: Floats, motion: Bytes, tip_feed: Floats, links: Chain, scale: _FeedScale, progress: Progress
+    words: Floats, said: Floats, motion: Bytes, tip_feed: Floats, kinematics: Chain, scale: _FeedScale, progress: Progress
 ) -> _Times:
     """``words`` (m, 5): where the axes stand; ``said`` (m, 5): the same, or the tip and the rotary words where it is guided."""
     count, guided = len(words), said is not words
@@ -220,23 +224,23 @@ def _time_blocks(
         change, wanted, along = np.diff(told, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - rows.start, np.bool_)
         wanted[rapid], along[rapid] = 1.0, False
         distance = scale.distance(change)
-        travel = np.linalg.norm(change[:, :3], axis=1) if guided else tip_travel(links, q, along)
+        travel = np.linalg.norm(change[:, :3], axis=1) if guided else tip_travel(kinematics, q, along)
         if guided:
             change = np.diff(q, axis=0)
         else:
             change[:, 3:] *= np.pi / 180.0
-        minutes, held = feed_minutes(links, change, travel, wanted)
+        minutes, held = feed_minutes(kinematics, change, travel, wanted)
         asked = distance / minutes
         asked[rapid] = 0.0
         held[rapid] = False
         feed = scale.rounded_down(asked)
         seconds = 60.0 * distance / feed
-        seconds[rapid] = 60.0 * rapid_minutes(links, change[rapid])
+        seconds[rapid] = 60.0 * rapid_minutes(kinematics, change[rapid])
         feed[rapid] = 0.0
         for whole, part in zip(times, (asked, held, feed, seconds), strict=True):
             whole[rows] = part
 
-    on_all(fill, portions(max(count - 1, 0), TIMED), lambda done: progress("feeds", done))
+    in_threads(fill, chunks(max(count - 1, 0), TIMED), lambda done: progress("feeds", done))
     progress("feeds", 1.0)
     return times
 

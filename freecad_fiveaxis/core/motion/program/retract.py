@@ -29,55 +29,57 @@ LEAST_LIFT = 0.5
 """mm that a millimetre of Z lifts the tool at least, where Z is an axis to retract with."""
 
 
-def plane_above(links: Chain, low: Floats, high: Floats, margin: float, words: Floats) -> float:
+def plane_above(kinematics: Chain, low: Floats, high: Floats, margin: float, words: Floats) -> float:
     """The word of Z (mm) of the plane ``margin`` mm above the part's box ``low``, ``high`` (3,) mm; not below the words (m, 5) of
     the blocks with which the program begins and ends. Raises SettingsError where Z does not lift the tool.
 
     The highest of all pairs of rotary words is not found but bounded: where it lies between those looked at, its slope is zero,
     and the nearest of them is lower by no more than the bend over half a step.
     """
-    lift = float(links.direction[2, 2])
-    if abs(lift) < LEAST_LIFT or links.slot[2] < _tables(links):
+    lift = float(kinematics.direction[2, 2])
+    if abs(lift) < LEAST_LIFT or kinematics.slot[2] < _tables(kinematics):
         raise SettingsError(
             say("Z of this machine does not lift the tool: give its file another safe_start than clearance"), None
         )
-    corners, angles = np.array(list(product(*zip(low, high, strict=True)))), _angles(links)
+    corners, angles = np.array(list(product(*zip(low, high, strict=True)))), _angles(kinematics)
     q = np.column_stack([np.tile(words[0, :2], (len(angles), 1)), np.zeros(len(angles)), angles])
-    tip, up = forward(links, q)[0], upwards(links, angles)
+    tip, up = forward(kinematics, q)[0], upwards(kinematics, angles)
     above = float(((up @ corners.T).max(axis=1) - (tip * up).sum(axis=1)).max())
-    lever = sum(float(np.linalg.norm(point, axis=-1).max()) for point in (corners, links.point1, links.point2, words[0, :2]))
+    lever = sum(
+        float(np.linalg.norm(point, axis=-1).max()) for point in (corners, kinematics.point1, kinematics.point2, words[0, :2])
+    )
     z = (above + margin + 0.5 * STEP**2 * 2.0 * lever) / abs(lift)
     z = max(z, float((math.copysign(1.0, lift) * words[[0, -1], 2]).max()))
     return math.copysign(1.0, lift) * math.ceil(z / WHOLE) * WHOLE
 
 
-def _tables(links: Chain) -> int:
+def _tables(kinematics: Chain) -> int:
     """How many rotary axes carry the work."""
-    return sum(axis.side == "table" for axis in links.axes[3:])
+    return sum(axis.side == "table" for axis in kinematics.axes[3:])
 
 
-def _angles(links: Chain) -> Floats:
+def _angles(kinematics: Chain) -> Floats:
     """Pairs of rotary words (n, 2) rad: the limits, or one whole turn, in steps."""
     columns = []
-    for low, high in zip(links.low[3:].tolist(), links.high[3:].tolist(), strict=True):
+    for low, high in zip(kinematics.low[3:].tolist(), kinematics.high[3:].tolist(), strict=True):
         low, high = (low, high) if high - low < 2.0 * math.pi else (-math.pi, math.pi)
         columns.append(np.linspace(low, high, math.ceil((high - low) / STEP) + 1))
     first, second = np.meshgrid(*columns, indexing="ij")
     return np.column_stack([first.ravel(), second.ravel()])
 
 
-def upwards(links: Chain, angles: Floats) -> Floats:
+def upwards(kinematics: Chain, angles: Floats) -> Floats:
     """The machine's Z (n, 3) in the work frame: turned by the axes of the table alone."""
     up = np.tile((0.0, 0.0, 1.0), (len(angles), 1))
     for k in (1, 0):
-        if links.axes[3 + k].side == "table":
-            up = turn(up, links.direction[3 + k], *cos_sin(angles[:, k]))
+        if kinematics.axes[3 + k].side == "table":
+            up = turn(up, kinematics.direction[3 + k], *cos_sin(angles[:, k]))
     return up
 
 
-def within_travel(links: Chain, height: float) -> tuple[float, tuple[Finding, ...]]:
+def within_travel(kinematics: Chain, height: float) -> tuple[float, tuple[Finding, ...]]:
     """The height, or the limit of Z where that is lower, and what there is to say of it."""
-    low, high = float(links.low[2]), float(links.high[2])
+    low, high = float(kinematics.low[2]), float(kinematics.high[2])
     if low <= height <= high:
         return height, ()
     limit = high if height > high else low

@@ -55,7 +55,7 @@ from .words import Words, language_of, read_words
 
 
 def read_nc(
-    text: bytes, links: Chain, dialect: Dialect | None = None, progress: Progress = silent, assumed: Assumed = UNTOLD
+    text: bytes, kinematics: Chain, dialect: Dialect | None = None, progress: Progress = silent, assumed: Assumed = UNTOLD
 ) -> Program:
     """The Program of an NC text. ``dialect``: whose language it is (where the text does not show that itself), how F is meant
     under G94; None: ISO, over X Y Z. ``assumed``: what is taken where the text does not say it.
@@ -70,7 +70,7 @@ def read_nc(
     grammar = GRAMMARS[language]
     words, lines, before = _words_and_lines(text, grammar, dialect, assumed, progress)
     findings = language_finding(language, told)
-    axes = [axis_words(lines, letter) for letter in links.letters]
+    axes = [axis_words(lines, letter) for letter in kinematics.letters]
     mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
     planes = planes_of(lines, grammar)
     if planes is not None:
@@ -84,26 +84,35 @@ def read_nc(
                 line=lost.line or 0,
                 text=lost.text,
             ),
-            links.letters,
+            kinematics.letters,
         )
     if not len(at):
-        raise ProgramError(say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), links.letters)
-    first, second = (axis.wrap for axis in links.axes[3:])
+        raise ProgramError(
+            say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), kinematics.letters
+        )
+    first, second = (axis.wrap for axis in kinematics.axes[3:])
     wrap, meant = (first, second), _meant(lines, axes, at, grammar)
     meaning = on[at].astype(np.int64)
     if planes is not None:
-        solved = turned(links, meant, at, planes, wrap)
+        solved = turned(kinematics, meant, at, planes, wrap)
         meant, findings = solved.words, (*findings, *planes.findings, *solved.findings)
         meaning = planes.of_blocks(at, on[at], meant)
-    at, told_moves = _moves(lines, at, meant, mode, on, links, wrap, meaning, planes)
+    at, told_moves = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
     chords, bad = _chords(lines, told_moves, mode[at], grammar)
-    findings += (*code_findings(words, grammar, at), *word_findings(words, lines, links.letters, bool(on.any())), *more, *bad)
-    findings += tuple(start_findings(links.letters, told_moves, mode[at], lines, grammar))
-    findings += tuple(wrap_findings(links.letters, wrap, meant, told_moves, mode[at] != codes.RAPID, dialect))
-    program = _program(links, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect, planes)
+    findings += (
+        *code_findings(words, grammar, at),
+        *word_findings(words, lines, kinematics.letters, bool(on.any())),
+        *more,
+        *bad,
+    )
+    findings += tuple(start_findings(kinematics.letters, told_moves, mode[at], lines, grammar))
+    findings += tuple(wrap_findings(kinematics.letters, wrap, meant, told_moves, mode[at] != codes.RAPID, dialect))
+    program = _program(
+        kinematics, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect, planes
+    )
     if planes is not None:
-        findings += (*vector_findings(told_moves), *off_normal(planes, told_moves, chords, tool_axes(links, program.words)))
+        findings += (*vector_findings(told_moves), *off_normal(planes, told_moves, chords, tool_axes(kinematics, program.words)))
     findings = before + in_file(words, findings + guide_findings(program, told_moves))
     return replace(program, line=words.in_file(program.line), findings=findings, wrap=wrap)
 
@@ -178,7 +187,7 @@ def _motion_lines(
 
 
 def _moves(
-    lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, on: Bools, links: Chain, wrap: tuple[str, str],
+    lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, on: Bools, kinematics: Chain, wrap: tuple[str, str],
     meaning: Ints, planes: Planes | None,
 ) -> tuple[Ints, Moves]:  # fmt: skip
     """The lines of the blocks, those of a safe start left out, and where they lead."""
@@ -186,7 +195,7 @@ def _moves(
     start = begun(words, meaning, mode[at] == codes.RAPID, vector)
     kept = [(value[start.row :], kind[start.row :]) for value, kind in words]
     at, vector, meaning = at[start.row :], vector[start.row :], meaning[start.row :]
-    return at, moves(at, kept, on[at], vector, links, wrap, start.said, meaning, planes)
+    return at, moves(at, kept, on[at], vector, kinematics, wrap, start.said, meaning, planes)
 
 
 def _told(lines: Lines, mode: Ints, on: Bools) -> Floats:
@@ -249,7 +258,7 @@ def _last_told(column: Floats) -> Floats:
 
 
 def _program(
-    links: Chain, told: Moves, chords: Chords | None, mode: Ints, feed: Floats, inverse: Bools, feed_mode: Ints,
+    kinematics: Chain, told: Moves, chords: Chords | None, mode: Ints, feed: Floats, inverse: Bools, feed_mode: Ints,
     dialect: Dialect | None, planes: Planes | None,
 ) -> Program:  # fmt: skip
     before, said, on, line, vector, meaning = told.before, told.said, told.on, told.at, told.told, told.meaning
@@ -261,24 +270,24 @@ def _program(
     motion = np.where(mode == codes.RAPID, Motion.RAPID, Motion.CUT).astype(np.int8)
     change = said - before
     said = in_work(said, meaning, planes)
-    words = where_axes_stand(links, said, on if planes is None else on | (meaning >= IN_PLANE))
-    guided = _guided(links, words, said, on, vector) if on.any() else None
-    seconds = _seconds(words, change, motion, feed, inverse, feed_mode == codes.PER_TURN, on, links, dialect)
-    return Program(links.letters, words, feed, inverse, motion, seconds, np.full(len(line), -1), line, (), guided)
+    words = where_axes_stand(kinematics, said, on if planes is None else on | (meaning >= IN_PLANE))
+    guided = _guided(kinematics, words, said, on, vector) if on.any() else None
+    seconds = _seconds(words, change, motion, feed, inverse, feed_mode == codes.PER_TURN, on, kinematics, dialect)
+    return Program(kinematics.letters, words, feed, inverse, motion, seconds, np.full(len(line), -1), line, (), guided)
 
 
-def _guided(links: Chain, words: Floats, said: Floats, on: Bools, vector: Floats) -> Guided:
+def _guided(kinematics: Chain, words: Floats, said: Floats, on: Bools, vector: Floats) -> Guided:
     """What the file says: a vector stays until the rotary words change."""
     told: Bools = np.asarray(~np.isnan(vector).all(axis=1))
     if not told.any():
         return Guided(on, said[:, :3])
     last = last_of(np.flatnonzero(told), len(told))
     stays = told[last] & (said[:, 3:] == said[last, 3:]).all(axis=1)
-    return Guided(on, said[:, :3], np.where(stays[:, None], np.nan_to_num(vector[last]), tool_axes(links, words)))
+    return Guided(on, said[:, :3], np.where(stays[:, None], np.nan_to_num(vector[last]), tool_axes(kinematics, words)))
 
 
 def _seconds(
-    words: Floats, said: Floats, motion: Bytes, feed: Floats, inverse: Bools, unknown: Bools, on: Bools, links: Chain,
+    words: Floats, said: Floats, motion: Bytes, feed: Floats, inverse: Bools, unknown: Bools, on: Bools, kinematics: Chain,
     dialect: Dialect | None,
 ) -> Floats:  # fmt: skip
     """The time (m,) s that the controller takes by what the words say (``said`` (m, 5): their change); 0 where nothing."""
@@ -292,6 +301,6 @@ def _seconds(
     minutes = np.divide(distance, feed, out=np.zeros(len(feed)), where=(feed > 0.0) & ~unknown)
     change = np.diff(words, axis=0, prepend=words[:1])
     change[:, 3:] = np.radians(change[:, 3:])
-    seconds: Floats = 60.0 * np.where(motion == Motion.RAPID, rapid_minutes(links, change), minutes)
+    seconds: Floats = 60.0 * np.where(motion == Motion.RAPID, rapid_minutes(kinematics, change), minutes)
     seconds[0] = 0.0
     return seconds

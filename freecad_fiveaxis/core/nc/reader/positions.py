@@ -112,7 +112,7 @@ def moves(
     words: list[tuple[Floats, Bytes]],
     on: Bools,
     vector: Floats,
-    links: Chain,
+    kinematics: Chain,
     wrap: tuple[str, str],
     told_before: Floats,
     meaning: Ints,
@@ -133,27 +133,27 @@ def moves(
     for first, last in zip([0, *cuts.tolist()], [*cuts.tolist(), count], strict=True):
         rows = slice(first, last)
         if first:
-            start = _pose(links, told.said[first - 1], int(meaning[first - 1]), int(meaning[first]), planes)
+            start = _pose(kinematics, told.said[first - 1], int(meaning[first - 1]), int(meaning[first]), planes)
         for k, (value, kind) in enumerate(words):
             modulo = k >= 3 and wrap[k - 3] == "modulo"
             told.said[rows, k] = track(value[rows], kind[rows], start[k], first > 0, modulo)
         if on[first] and not np.isnan(vector[rows]).all():
-            lost.append(first + _turn(links, told, rows, [kind[rows] for _, kind in words[3:]], start[3:]))
+            lost.append(first + _turn(kinematics, told, rows, [kind[rows] for _, kind in words[3:]], start[3:]))
         told.before[rows] = np.concatenate([start[None], told.said[first : last - 1]])
     told.before[0] = told.said[0]
     told.lost = np.concatenate([told.lost, *lost])
     return told
 
 
-def _pose(links: Chain, said: Floats, was: int, now: int, planes: Planes | None) -> Floats:
+def _pose(kinematics: Chain, said: Floats, was: int, now: int, planes: Planes | None) -> Floats:
     """The same pose as the next stretch says it; what X Y Z mean there, and meant before."""
     words = said[None]
     if was == now:
         return said
     if was != JOINTS:
-        words = standing(links, in_work(words, np.array([was]), planes)[:, :3], words[:, 3:])
+        words = standing(kinematics, in_work(words, np.array([was]), planes)[:, :3], words[:, 3:])
     if now != JOINTS:
-        words = np.concatenate([forward(links, words_to_q(words))[0], words[:, 3:]], axis=1)
+        words = np.concatenate([forward(kinematics, words_to_q(words))[0], words[:, 3:]], axis=1)
     if planes is not None and now >= IN_PLANE:
         words[0, :3] = planes.in_plane(words[0, :3], now)
     return np.asarray(words[0])
@@ -188,7 +188,7 @@ def track(value: Floats, kind: Bytes, start: float, known: bool, modulo: bool) -
     return place
 
 
-def _turn(links: Chain, told: Moves, rows: slice, kinds: list[Bytes], start: Floats) -> Ints:
+def _turn(kinematics: Chain, told: Moves, rows: slice, kinds: list[Bytes], start: Floats) -> Ints:
     """Put the rotary words that the vectors ask for into ``told.said``; returns the rows (of these) that nothing takes up."""
     none = np.asarray(np.isnan(told.told[rows]).all(axis=1))
     vector = np.where(none[:, None], np.nan, np.nan_to_num(told.told[rows]))
@@ -196,7 +196,7 @@ def _turn(links: Chain, told: Moves, rows: slice, kinds: list[Bytes], start: Flo
     given = np.flatnonzero(length > 1e-9)
     if not len(given):
         return given
-    angles, reached = _angles(links, vector[given] / length[given, None], start)
+    angles, reached = _angles(kinematics, vector[given] / length[given, None], start)
     keep = given[reached]
     count = len(vector)
     by_vector = last_of(keep + 1, count + 1)[1:]
@@ -206,9 +206,9 @@ def _turn(links: Chain, told: Moves, rows: slice, kinds: list[Bytes], start: Flo
     return given[~reached]
 
 
-def _angles(links: Chain, axis: Floats, start: Floats) -> tuple[Floats, Bools]:
+def _angles(kinematics: Chain, axis: Floats, start: Floats) -> tuple[Floats, Bools]:
     """Rotary words (n, 2) degrees for unit axes (n, 3), and which of them the machine takes up: the way of least travel."""
-    branches, sine = inverse_axis(links, axis)
+    branches, sine = inverse_axis(kinematics, axis)
     reached: Bools = np.asarray(~np.isnan(branches).all(axis=(0, 2)))
     angles = branches[:, reached]
     if angles.shape[1] == 0:
@@ -217,10 +217,10 @@ def _angles(links: Chain, axis: Floats, start: Floats) -> tuple[Floats, Bools]:
     source = last_of(np.flatnonzero(~pole) + 1, len(pole) + 1)[1:]
     for branch in angles:
         branch[pole, 0] = np.concatenate([[np.radians(start[0])], branch[:, 0]])[source[pole]]
-    fits = within_limits(angles, links.low[3:], links.high[3:])
+    fits = within_limits(angles, kinematics.low[3:], kinematics.high[3:])
     none = ~fits.any(axis=0)
     fits[:, none] = ~np.isnan(angles[:, none, 0] + angles[:, none, 1])
-    low, high = links.low[3:], links.high[3:]
+    low, high = kinematics.low[3:], kinematics.high[3:]
     if none.any():  # no way keeps to the limits: the least travel without them, which the check of limits then reports
         low, high = np.full(2, -np.inf), np.full(2, np.inf)
     steps = len(pole) - 1
@@ -230,23 +230,23 @@ def _angles(links: Chain, axis: Floats, start: Floats) -> tuple[Floats, Bools]:
     return found, reached
 
 
-def where_axes_stand(links: Chain, said: Floats, by_tip: Bools) -> Floats:
+def where_axes_stand(kinematics: Chain, said: Floats, by_tip: Bools) -> Floats:
     """Words (m, 5) mm and degrees of the axes, from what the lines say; ``by_tip`` (m,): X Y Z are
     the tip's place in the work."""
     rows = np.flatnonzero(by_tip)
     if not len(rows):
         return said
     words = said.copy(order="K")
-    words[rows] = standing(links, said[rows, :3], said[rows, 3:])
+    words[rows] = standing(kinematics, said[rows, :3], said[rows, 3:])
     lost = np.flatnonzero(np.isnan(words[rows, :3]).any(axis=1))
     if len(lost):
         first, second = said[rows[lost[0]], 3:]
         raise ProgramError(
             say(
                 "with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?",
-                letter=links.letters[3],
+                letter=kinematics.letters[3],
                 first=Number(first),
-                other=links.letters[4],
+                other=kinematics.letters[4],
                 second=Number(second),
             ),
             (first, second),
@@ -254,6 +254,6 @@ def where_axes_stand(links: Chain, said: Floats, by_tip: Bools) -> Floats:
     return words
 
 
-def tool_axes(links: Chain, words: Floats) -> Floats:
+def tool_axes(kinematics: Chain, words: Floats) -> Floats:
     """The tool axis (m, 3) at words (m, 5) mm and degrees."""
-    return forward(links, words_to_q(words))[1]
+    return forward(kinematics, words_to_q(words))[1]

@@ -49,7 +49,7 @@ class Turned:
     findings: tuple[Finding, ...]
 
 
-def turned(links: Chain, words: Words, at: Ints, planes: Planes, wrap: tuple[str, str]) -> Turned:
+def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tuple[str, str]) -> Turned:
     """The words (m,) of the lines ``at`` (m,), with where the axes turn in the lines of ``planes.turning``."""
     made: Words = [(value.copy(), kind.copy()) for value, kind in words]
     rotary, stand, since, findings = made[3:], np.zeros(2), 0, list[Finding]()
@@ -59,15 +59,15 @@ def turned(links: Chain, words: Words, at: Ints, planes: Planes, wrap: tuple[str
         if row > since:
             for k, (value, kind) in enumerate(rotary):
                 stand[k] = track(value[since:row], kind[since:row], stand[k], since > 0, wrap[k] == "modulo")[-1]
-        angles, why = _solution(links, tilt, normal, np.radians(stand))
+        angles, why = _solution(kinematics, tilt, normal, np.radians(stand))
         if angles is None:
             findings.append(_lost(line, why))
             continue
         if not tilt.back and first:
-            findings.append(_taken(links, tilt, angles, line))
+            findings.append(_taken(kinematics, tilt, angles, line))
             first = False
         if tilt.move == MOVE and tilt.dist:
-            axes = forward(links, np.concatenate([np.zeros((2, 3)), np.radians([stand, angles])], axis=1))[1]
+            axes = forward(kinematics, np.concatenate([np.zeros((2, 3)), np.radians([stand, angles])], axis=1))[1]
             for k, way in enumerate(tilt.dist * (axes[1] - axes[0])):
                 made[k][0][row], made[k][1][row] = way, STEP
         for k, (value, kind) in enumerate(rotary):
@@ -76,21 +76,21 @@ def turned(links: Chain, words: Words, at: Ints, planes: Planes, wrap: tuple[str
     return Turned(made, tuple(findings))
 
 
-def _solution(links: Chain, tilt: Tilt, normal: Floats, stand: Floats) -> tuple[Floats | None, str]:
+def _solution(kinematics: Chain, tilt: Tilt, normal: Floats, stand: Floats) -> tuple[Floats | None, str]:
     """Rotary words (2,) degrees, from where the axes ``stand`` (2,) rad; None, with the reason, where there are none."""
     if tilt.back:
-        return np.degrees(_nearest_zero(links, stand)), ""
-    branches, sine = inverse_axis(links, normal[None])
+        return np.degrees(_nearest_zero(kinematics, stand)), ""
+    branches, sine = inverse_axis(kinematics, normal[None])
     if sine[0] < AT_POLE:
         branches[:, 0, 0] = stand[0]
     ways = _windings(branches[:, 0], stand)
     ways = ways[~np.isnan(ways).any(axis=1)]
     if not len(ways):
         return None, say("this machine cannot take up its normal")
-    within = ((ways >= links.low[3:] - SLACK) & (ways <= links.high[3:] + SLACK)).all(axis=1)
+    within = ((ways >= kinematics.low[3:] - SLACK) & (ways <= kinematics.high[3:] + SLACK)).all(axis=1)
     if not within.any():
         return None, say("no way to stand lies within the limits of the rotary axes")
-    chosen = _chosen(links, tilt, ways[within], stand)
+    chosen = _chosen(kinematics, tilt, ways[within], stand)
     return (None, say("SEQ asks for a way that lies beyond the limits")) if chosen is None else (np.degrees(chosen), "")
 
 
@@ -102,24 +102,24 @@ def _windings(ways: Floats, stand: Floats) -> Floats:
     return np.asarray((near[:, None] + grid[None]).reshape(-1, 2))
 
 
-def _nearest_zero(links: Chain, stand: Floats) -> Floats:
+def _nearest_zero(kinematics: Chain, stand: Floats) -> Floats:
     """Both words 0, or the whole turns nearest to where they stand."""
     turns = 2.0 * np.pi * np.rint(stand / (2.0 * np.pi))
-    fits = (turns >= links.low[3:] - SLACK) & (turns <= links.high[3:] + SLACK)
+    fits = (turns >= kinematics.low[3:] - SLACK) & (turns <= kinematics.high[3:] + SLACK)
     return np.where(fits, turns, 0.0)
 
 
-def master(links: Chain, rule: str) -> int:
+def master(kinematics: Chain, rule: str) -> int:
     """The axis (0 nearest to the work, 1 nearest to the tool) that the rule looks at first."""
-    first, second = (axis.side for axis in links.axes[3:])
+    first, second = (axis.side for axis in kinematics.axes[3:])
     if rule == FANUC:
         return int(first == second == "table")
     return 0 if rule != HEIDENHAIN and first == "head" else 1
 
 
-def _chosen(links: Chain, tilt: Tilt, ways: Floats, stand: Floats) -> Floats | None:
+def _chosen(kinematics: Chain, tilt: Tilt, ways: Floats, stand: Floats) -> Floats | None:
     """One of the ways (n, 2) rad; None where none has the sign that is asked for."""
-    one = master(links, tilt.rule)
+    one = master(kinematics, tilt.rule)
     other, way = 1 - one, np.abs(ways - stand)
     zero = np.abs((ways + np.pi) % (2.0 * np.pi) - np.pi)
     if tilt.rule == FANUC:
@@ -137,8 +137,8 @@ def _chosen(links: Chain, tilt: Tilt, ways: Floats, stand: Floats) -> Floats | N
     return np.asarray(ways[order[0]])
 
 
-def _taken(links: Chain, tilt: Tilt, angles: Floats, line: int) -> Finding:
-    letters = links.letters[3:]
+def _taken(kinematics: Chain, tilt: Tilt, angles: Floats, line: int) -> Finding:
+    letters = kinematics.letters[3:]
     first, second = letters[0] + f"{angles[0]:.4f}", letters[1] + f"{angles[1]:.4f}"
     text = say(
         "Tilted planes: of the ways to stand the one that {control} takes by its manual is taken, at first {first} {second}; a "

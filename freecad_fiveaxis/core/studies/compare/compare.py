@@ -36,12 +36,12 @@ NO_RATES = (math.nan,) * 5
 
 @dataclass(frozen=True, eq=False)
 class Station:
-    """``links``: the machine in its setup. ``name`` as it stands in the table. ``refused``: why the machine cannot do what is
+    """``kinematics``: the machine in its setup. ``name`` as it stands in the table. ``refused``: why the machine cannot do what is
     asked for at all, or empty."""
 
     name: str
     machine: Machine
-    links: Chain
+    kinematics: Chain
     posting: Posting
     refused: str = ""
 
@@ -81,7 +81,7 @@ def station(machine: Machine, setup: Setup, posting: Posting, name: str = "", re
 def solved(path: CLPath, where: Station, progress: Progress = silent) -> JointPath:
     """The cure that is none: the joints as ``joint_path.solve`` finds them."""
     low, high = part_box(path, where.posting.part)
-    return solve(path, where.links, low, high, where.posting.clearance, where.posting.radius, progress)
+    return solve(path, where.kinematics, low, high, where.posting.clearance, where.posting.radius, progress)
 
 
 NO_CURE: Mapping[str, Cure] = {"none": solved}
@@ -128,17 +128,17 @@ class Share:
 
 
 def _rows(path: CLPath, where: Station, name: str, cure: Cure, guided: Sequence[bool], progress: Progress) -> list[Row]:
-    letters = where.links.letters
+    letters = where.kinematics.letters
     if where.refused:
         return [Row(where.name, name, one, letters, problem=where.refused) for one in guided]
     try:
         joints = cure(path, where, progress)
-        program = build_program(joints, where.links, where.posting.dialect, where.posting.inverse_time)
+        program = build_program(joints, where.kinematics, where.posting.dialect, where.posting.inverse_time)
     except Cancelled:
         raise
     except FiveAxisError as error:
         return [Row(where.name, name, one, letters, problem=error.text) for one in guided]
-    deviation = measure(where.links, program.words)
+    deviation = measure(where.kinematics, program.words)
     return [
         (_guided if one else _unguided)(where, name, joints, program, deviation)  # columns that depend on tool-centre control
         for one in guided
@@ -149,19 +149,19 @@ def _unguided(where: Station, name: str, joints: JointPath, program: Program, de
     feeds = feed_blocks(program)
     rates = axis_rates(program)[feeds].max(axis=0, initial=0.0) * np.array([1.0, 1.0, 1.0, *[math.pi / 180.0] * 2])
     return Row(
-        where.name, name, False, where.links.letters, _largest(deviation.segment[feeds]), _largest(deviation.bound[feeds]),
+        where.name, name, False, where.kinematics.letters, _largest(deviation.segment[feeds]), _largest(deviation.bound[feeds]),
         _largest(deviation.axis[feeds]), len(program.words), len(feeds), float(program.seconds.sum()), tuple(rates.tolist()),
-        _over(where.links, joints.q),
+        _over(where.kinematics, joints.q),
     )  # fmt: skip
 
 
 def _guided(where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation) -> Row:
     feeds, row, dialect = feed_blocks(program), program.row, where.posting.dialect
     tip = np.stack([rounded(joints.path.tip[row, k], dialect.decimals(k)) for k in range(3)], axis=1)
-    course = guide(where.links, tip, np.radians(program.words[:, 3:]), program.motion, joints.path.feed[row])
+    course = guide(where.kinematics, tip, np.radians(program.words[:, 3:]), program.motion, joints.path.feed[row])
     return Row(
-        where.name, name, True, where.links.letters, 0.0, 0.0, _largest(deviation.axis[feeds]), len(row), len(feeds),
-        float(course.seconds.sum()), tuple(course.rates(feeds).tolist()), _over(where.links, joints.q),
+        where.name, name, True, where.kinematics.letters, 0.0, 0.0, _largest(deviation.axis[feeds]), len(row), len(feeds),
+        float(course.seconds.sum()), tuple(course.rates(feeds).tolist()), _over(where.kinematics, joints.q),
     )  # fmt: skip
 
 
@@ -169,6 +169,6 @@ def _largest(values: Floats) -> float:
     return float(values.max(initial=0.0))
 
 
-def _over(links: Chain, q: Floats) -> float:
+def _over(kinematics: Chain, q: Floats) -> float:
     """How far the linear axes go beyond their limits, mm."""
-    return float(np.maximum(q[:, :3] - links.high[:3], links.low[:3] - q[:, :3]).max(initial=0.0))
+    return float(np.maximum(q[:, :3] - kinematics.high[:3], kinematics.low[:3] - q[:, :3]).max(initial=0.0))

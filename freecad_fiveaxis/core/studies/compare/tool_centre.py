@@ -44,7 +44,7 @@ class Guided:
         return np.asarray(rate.max(axis=0, initial=0.0))
 
 
-def guide(links: Chain, tip: Floats, angles: Floats, motion: Bytes, feed: Floats) -> Guided:
+def guide(kinematics: Chain, tip: Floats, angles: Floats, motion: Bytes, feed: Floats) -> Guided:
     """Peaks and times of the blocks between rows of ``tip`` (m, 3) mm, work frame, and ``angles`` (m, 2) rad.
 
     ``motion`` (m,) and ``feed`` (m,) mm/min of the tip as in the CL path. Rates that the machine does not state are no limit of
@@ -57,25 +57,25 @@ def guide(links: Chain, tip: Floats, angles: Floats, motion: Bytes, feed: Floats
         alike, portion = np.flatnonzero(pieces == count) + 1, max(1, MOST_PIECES // count)
         for first in range(0, len(alike), portion):
             rows = alike[first : first + portion]
-            peak[rows] = _peaks(links, tip, angles, rows, count)
-    return Guided(peak, _seconds(links, tip, motion, feed, peak))
+            peak[rows] = _peaks(kinematics, tip, angles, rows, count)
+    return Guided(peak, _seconds(kinematics, tip, motion, feed, peak))
 
 
-def _peaks(links: Chain, tip: Floats, angles: Floats, rows: Ints, pieces: int) -> Floats:
+def _peaks(kinematics: Chain, tip: Floats, angles: Floats, rows: Ints, pieces: int) -> Floats:
     """The largest slopes (k, 5) of the words in each block, from parabolas through three points of each piece."""
     u = np.linspace(0.0, 1.0, 2 * pieces + 1)[None, :, None]
     place, turned = ((1.0 - u) * table[rows - 1, None] + u * table[rows, None] for table in (tip, angles))
-    q = joint_words(links, place.reshape(-1, 3), turned.reshape(-1, 2)).reshape(len(rows), -1, 5)
+    q = joint_words(kinematics, place.reshape(-1, 3), turned.reshape(-1, 2)).reshape(len(rows), -1, 5)
     start, middle, end = q[:, :-2:2], q[:, 1::2], q[:, 2::2]
     slopes = (-3.0 * start + 4.0 * middle - end, end - start, start - 4.0 * middle + 3.0 * end)
     return np.asarray(pieces * np.max([np.abs(slope).max(axis=1) for slope in slopes], axis=0))
 
 
-def _seconds(links: Chain, tip: Floats, motion: Bytes, feed: Floats, peak: Floats) -> Floats:
+def _seconds(kinematics: Chain, tip: Floats, motion: Bytes, feed: Floats, peak: Floats) -> Floats:
     seconds = np.zeros(len(tip))
     rapid = np.flatnonzero(motion[1:] == Motion.RAPID) + 1
     feeding = np.flatnonzero(motion[1:] != Motion.RAPID) + 1
     chord = np.linalg.norm(tip[feeding] - tip[feeding - 1], axis=1)
-    seconds[rapid] = 60.0 * rapid_minutes(links, peak[rapid])
-    seconds[feeding] = 60.0 * feed_minutes(links, peak[feeding], chord, feed[feeding])[0]
+    seconds[rapid] = 60.0 * rapid_minutes(kinematics, peak[rapid])
+    seconds[feeding] = 60.0 * feed_minutes(kinematics, peak[feeding], chord, feed[feeding])[0]
     return seconds

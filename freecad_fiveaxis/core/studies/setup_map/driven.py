@@ -78,14 +78,14 @@ class Driven:
     drive: Drive
     rewinds: int
 
-    def links(self, origin: Floats) -> Chain:
+    def kinematics(self, origin: Floats) -> Chain:
         """The machine with the work zero at ``origin`` (3,) mm."""
         x, y, z = origin.tolist()
         return chain(self.machine, Setup((x, y, z), self.tool_length))
 
-    def words(self, links: Chain, rows: Ints | slice = slice(None)) -> Floats:
+    def words(self, kinematics: Chain, rows: Ints | slice = slice(None)) -> Floats:
         """Words (n, 5) mm and degrees, before rounding."""
-        return q_to_words(joint_words(links, self.drive.path.tip[rows], self.drive.angles[rows]))
+        return q_to_words(joint_words(kinematics, self.drive.path.tip[rows], self.drive.angles[rows]))
 
     @property
     def feeds(self) -> Ints:
@@ -93,20 +93,20 @@ class Driven:
         rows = np.flatnonzero(self.drive.path.motion != Motion.RAPID)
         return rows[rows > 0]
 
-    def posted(self, links: Chain) -> tuple[JointPath, Program]:
+    def posted(self, kinematics: Chain) -> tuple[JointPath, Program]:
         """Joints and program in one setup: the same as ``solve`` and ``build_program`` make there."""
-        drive = subdivide_rapids(self.drive, links, min(0.5 * self.posting.clearance, SAFE_MARGIN))  # as joint_path.solve
-        q = joint_words(links, drive.path.tip, drive.angles)
+        drive = subdivide_rapids(self.drive, kinematics, min(0.5 * self.posting.clearance, SAFE_MARGIN))  # as joint_path.solve
+        q = joint_words(kinematics, drive.path.tip, drive.angles)
         joints = JointPath(drive.path, drive.row, q, drive.branch, np.zeros(len(q)))
-        return joints, build_program(joints, links, self.posting.dialect, self.posting.inverse_time)
+        return joints, build_program(joints, kinematics, self.posting.dialect, self.posting.inverse_time)
 
     def cost(self, origin: Floats) -> Cost:
         """What the setup costs, of the program's rounded words."""
-        links = self.links(origin)
-        joints, program = self.posted(links)
-        worst = worst_blocks(links, program.words, feed_blocks(program))
+        kinematics = self.kinematics(origin)
+        joints, program = self.posted(kinematics)
+        worst = worst_blocks(kinematics, program.words, feed_blocks(program))
         travel = np.abs(np.diff(np.radians(program.words[:, 3:]), axis=0)).sum()
-        over = np.maximum(joints.q[:, :3] - links.high[:3], links.low[:3] - joints.q[:, :3]).max(initial=0.0)
+        over = np.maximum(joints.q[:, :3] - kinematics.high[:3], kinematics.low[:3] - joints.q[:, :3]).max(initial=0.0)
         return Cost(float(worst.segment.max(initial=0.0)), float(travel), float(program.seconds.sum()), float(over))
 
 
@@ -138,8 +138,8 @@ def drive_turned(
 ) -> Driven:
     """The path at one turn. Raises ReachError where the rotary limits allow no way, whatever the work zero."""
     low, high = part_box(path, posting.part, turn)
-    links = chain(machine, base)
-    joints = solve(turned_path(path, turn), links, low, high, posting.clearance, posting.radius, progress)
+    kinematics = chain(machine, base)
+    joints = solve(turned_path(path, turn), kinematics, low, high, posting.clearance, posting.radius, progress)
     told = [one for one in joints.findings if one.code in ("rewind", "rewinds")]
     many = [one.value for one in told if one.code == "rewinds" and one.value]
     return Driven(machine, base.tool_length, posting, turn, _whole_rapids(joints), int(many[0]) if many else len(told))
@@ -161,19 +161,19 @@ def picked_path(path: CLPath, keep: Bools) -> CLPath:
     return replace(path, **{one.name: getattr(path, one.name)[keep] for one in fields(path) if one.name != "findings"})
 
 
-def worst_blocks(links: Chain, words: Floats, feeds: Ints, count: int = 1) -> Worst:
+def worst_blocks(kinematics: Chain, words: Floats, feeds: Ints, count: int = 1) -> Worst:
     """At least the ``count`` largest deviations of the blocks that end in the rows ``feeds``, largest first.
 
     ``words`` (m, 5) mm and degrees. A block is measured only while its quick bound promises more than what was found.
     """
-    bound = quick_bound(links, words)[feeds]
+    bound = quick_bound(kinematics, words)[feeds]
     order = np.argsort(-bound, kind="stable")
     row, segment, u = np.empty(0, np.int64), np.empty(0), np.empty(0)
     at, batch = 0, max(FIRST_BATCH, count)
     while at < len(order) and (len(segment) < count or bound[order[at]] > np.partition(segment, -count)[-count]):
         rows = feeds[order[at : at + batch]]
         ends = np.unique(np.concatenate([rows - 1, rows]))  # a block's two ends are neighbours here, too
-        found, own = measure(links, words[ends]), np.searchsorted(ends, rows)
+        found, own = measure(kinematics, words[ends]), np.searchsorted(ends, rows)
         row = np.concatenate([row, rows])
         segment, u = np.concatenate([segment, found.segment[own]]), np.concatenate([u, found.u_segment[own]])
         at, batch = at + batch, 2 * batch

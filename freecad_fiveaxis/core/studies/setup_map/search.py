@@ -157,16 +157,16 @@ def _keeps(driven: Driven, at: Floats, planes: _Planes, level: float) -> bool:
 
 def _measured(driven: Driven, origin: Floats, planes: _Planes) -> tuple[float, float]:
     """Deviation and excess over limits at one work zero, mm, of words before rounding; its planes are put to the others."""
-    stations = [driven.links(origin), *(driven.links(origin + SHIFT * way) for way in np.eye(3))]
+    stations = [driven.kinematics(origin), *(driven.kinematics(origin + SHIFT * way) for way in np.eye(3))]
     words = driven.words(stations[0])
     worst = worst_blocks(stations[0], words, driven.feeds, BLOCKS)
     rows, u = worst.row[:BLOCKS], worst.u[:BLOCKS]
-    tips = [_tips(driven, links, rows, u) for links in stations]
+    tips = [_tips(driven, kinematics, rows, u) for kinematics in stations]
     x = off_chord(driven.drive.path.tip, rows, tips[0])
     distance = np.linalg.norm(x, axis=1)
     toward = x / np.maximum(distance, np.finfo(float).tiny)[:, None]
     planes.add(distance, _slopes([(tip * toward).sum(axis=1) for tip in tips]), origin, limit=False)
-    excess = [_excess(driven, links, _extremes(words)) for links in stations]
+    excess = [_excess(driven, kinematics, _extremes(words)) for kinematics in stations]
     known = np.isfinite(excess[0])
     planes.add(excess[0][known], _slopes([values[known] for values in excess]), origin, limit=True)
     return float(worst.segment.max(initial=0.0)), float(excess[0][known].max(initial=0.0))
@@ -177,9 +177,9 @@ def _slopes(values: list[Floats]) -> Floats:
     return np.stack([(value - values[0]) / SHIFT for value in values[1:]], axis=1)
 
 
-def _tips(driven: Driven, links: Chain, rows: Ints, u: Floats) -> Floats:
+def _tips(driven: Driven, kinematics: Chain, rows: Ints, u: Floats) -> Floats:
     """The real tips (k, 3) at ``u`` (k,) of the blocks that end in ``rows``."""
-    return tip_at(links, driven.words(links, rows - 1), driven.words(links, rows), u)
+    return tip_at(kinematics, driven.words(kinematics, rows - 1), driven.words(kinematics, rows), u)
 
 
 def off_chord(tip: Floats, rows: Ints, place: Floats) -> Floats:
@@ -196,7 +196,7 @@ def _extremes(words: Floats) -> Ints:
     return np.concatenate([words[:, :3].argmax(axis=0), words[:, :3].argmin(axis=0)])
 
 
-def _excess(driven: Driven, links: Chain, rows: Ints) -> Floats:
+def _excess(driven: Driven, kinematics: Chain, rows: Ints) -> Floats:
     """How far (6,) mm these rows are beyond the linear limits, negative within them; infinite where there is no limit."""
-    words, axis = driven.words(links, rows), np.arange(3)
-    return np.concatenate([words[axis, axis] - links.high[:3], links.low[:3] - words[axis + 3, axis]])
+    words, axis = driven.words(kinematics, rows), np.arange(3)
+    return np.concatenate([words[axis, axis] - kinematics.high[:3], kinematics.low[:3] - words[axis + 3, axis]])

@@ -58,7 +58,7 @@ def mirrored(line: Given) -> Given:
 
 
 @dataclass(frozen=True, eq=False)
-class Way:
+class Route:
     """A polyline led: its ``axis`` (n, 3); ``peak`` rad/mm and ``travel`` rad of the first word on it; ``zone``: how far from
     the pole it leaves the given axes, in changes; ``swaps``: it ends on another branch than without leading."""
 
@@ -69,7 +69,7 @@ class Way:
     swaps: bool
 
 
-def lead(globe: Globe, line: Given, change: float) -> Iterator[Way]:
+def lead(globe: Globe, line: Given, change: float) -> Iterator[Route]:
     """The ways to lead a polyline past the pole within ``change`` rad, those that are possible and change anything: through
     the pole before around it, and of either the way that keeps to the given axes away from the pole before the one that turns
     least all along. Each is made when it is asked for."""
@@ -82,7 +82,7 @@ def lead(globe: Globe, line: Given, change: float) -> Iterator[Way]:
         rates = least_rates(line.along, word - below, word + above, _gentle_rate(globe, line, change))
         if rates is not None:
             met = Met(word, side, below, above, leash_of(line.along, rates))
-            yield from (way for zone in (ZONE, math.inf) if (way := _led(globe, line, met, change, zone)) is not None)
+            yield from (route for zone in (ZONE, math.inf) if (route := _rerouted(globe, line, met, change, zone)) is not None)
         if np.array_equal(side, line.side):  # nothing to go through
             return
 
@@ -99,17 +99,17 @@ class Met:
     leash: Floats
 
 
-def _led(globe: Globe, line: Given, met: Met, change: float, zone: float) -> Way | None:
+def _rerouted(globe: Globe, line: Given, met: Met, change: float, zone: float) -> Route | None:
     """The way that keeps to the given axes beyond ``zone`` changes from the pole; None where that changes nothing."""
     low, high = _kept(globe, line, zone * change, met)
-    led = evened(met.leash, laziest(low, high, float(met.word[0])), met.word - met.below, met.word + met.above)
-    moved = np.flatnonzero(np.abs(led - met.word) > SAME_WORD)
+    rerouted = evened(met.leash, laziest(low, high, float(met.word[0])), met.word - met.below, met.word + met.above)
+    moved = np.flatnonzero(np.abs(rerouted - met.word) > SAME_WORD)
     if not len(moved):
         return None
     axis = line.axis.copy()
-    axis[moved] = globe.nearest(line.axis[moved], led[moved])
-    travel, swaps = float(np.abs(np.diff(led)).sum()), bool(met.side[-1] * line.side[-1] < 0.0)
-    return Way(axis, peak_rate(line.along, led), travel, zone, swaps)
+    axis[moved] = globe.nearest(line.axis[moved], rerouted[moved])
+    travel, swaps = float(np.abs(np.diff(rerouted)).sum()), bool(met.side[-1] * line.side[-1] < 0.0)
+    return Route(axis, peak_rate(line.along, rerouted), travel, zone, swaps)
 
 
 def peak_rate(along: Floats, word: Floats) -> float:
@@ -155,13 +155,13 @@ def _encounters(near: Floats, change: float) -> list[tuple[tuple[int, int], tupl
     encounter. ``near`` (n - 1,): how near each step comes to the pole."""
     met = runs(near <= math.sin(change))
     zones = runs(near <= math.sin(min(ZONE * change, 0.5 * math.pi)))
-    ways = []
+    routes = []
     for number, (begin, end) in enumerate(met):
         first, last = next(zone for zone in zones if zone[0] <= begin < zone[1])
         before = met[number - 1][1] if number else 0
         after = met[number + 1][0] if number + 1 < len(met) else len(near)
-        ways.append(((begin, end), (max(first, before), min(last, after))))
-    return ways
+        routes.append(((begin, end), (max(first, before), min(last, after))))
+    return routes
 
 
 def _shorter(line: Given, side: Floats, first: int, last: int, through: bool) -> tuple[float, bool]:

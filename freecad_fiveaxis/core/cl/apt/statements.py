@@ -58,7 +58,7 @@ class Meaning(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Said:
+class Statements:
     """One row a statement that is no move: ``statement`` its number, ``row`` the move that follows, ``which`` text of ``texts``
     (with ``meanings``) it is."""
 
@@ -89,7 +89,7 @@ class Said:
         return self.meanings[self.which[rows[0]]] if len(rows) else None
 
 
-def read_statements(source: Source) -> Said:
+def read_statements(source: Source) -> Statements:
     """All statements that are no moves. Raises ProgramError, naming line and column, for one that must be known and is not."""
     at = np.flatnonzero(~source.moves)
     text = source.chosen(source.begin[at], source.end[at]).tobytes().replace(SOFT, b"")
@@ -102,7 +102,7 @@ def read_statements(source: Source) -> Said:
         if isinstance(meaning, tuple) and not isinstance(meaning, Meaning):
             source.fail(int(at[which.tolist().index(k)]), *meaning)
         meanings.append(meaning)
-    return Said(at, source.moves_before[at], which, texts, meanings)
+    return Statements(at, source.moves_before[at], which, texts, meanings)
 
 
 def meaning_of(statement: str) -> Meaning | tuple[str, str]:
@@ -239,20 +239,20 @@ READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
 }
 
 
-def head_of(said: Said, source_scale: Floats) -> ClHead:
+def head_of(statements: Statements, source_scale: Floats) -> ClHead:
     """The first tool, speed and cutter, and whether coolant is ever on; ``source_scale`` mm of the unit at each statement."""
-    tool, cutter = said.first(said.of(Kind.TOOL)), said.of(Kind.CUTTER)
-    speeds = said.value(said.of(Kind.SPINDLE))
+    tool, cutter = statements.first(statements.of(Kind.TOOL)), statements.of(Kind.CUTTER)
+    speeds = statements.value(statements.of(Kind.SPINDLE))
     on = speeds[np.nan_to_num(speeds) > 0.0]
-    size = said.first(cutter)
+    size = statements.first(cutter)
     scale = float(source_scale[cutter[0]]) if size else 1.0
     return ClHead(
         tool=int(tool.value) if tool and 0 < tool.value < 1e5 else None,
         speed=float(on[0]) if len(on) and on[0] < 1e6 else 0.0,
-        coolant=bool(said.value(said.of(Kind.COOLANT)).any()),
+        coolant=bool(statements.value(statements.of(Kind.COOLANT)).any()),
         diameter=size.value * scale if size else 0.0,
         corner=size.more[0] * scale if size and size.more else 0.0,
-        said=_in_mm((size.value, *size.more), scale) if size else (),
+        stated=_in_mm((size.value, *size.more), scale) if size else (),
     )
 
 
