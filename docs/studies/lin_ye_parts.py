@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Both strategies on whole parts, through the whole street: the paper's Figs. 18 to 21.
+"""Both strategies on whole parts, through the whole pipeline: the paper's Figs. 18 to 21.
 
 Judged are the blocks that cut a facet or close a gap; rapids, retracts and approaches are left out. The words drive the
 ball's centre, because that is what leaves the mark.

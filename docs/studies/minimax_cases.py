@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What docs/minimax.md is made from: facet_mean and minimax on whole parts, and on profiles that one rotary axis cuts.
 
-part      the whole street through, by ``lin_ye_parts.mill``: the deviation of the posted program's blocks.
+part      the whole pipeline through, by ``lin_ye_parts.mill``: the deviation of the posted program's blocks.
 profile   of ``lin_ye_profiles``, on an A-B table whose B axis has no travel: one rotary axis.
 optimum   of a profile: the smallest largest deviation of all leans on a lattice, by an exact dynamic programme. It shares
           nothing with the core but the path: all moves lie in a plane, where a turn is a product of complex numbers.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The example parts, and what the street makes of them, each made once."""
+"""The example parts, and what the pipeline makes of them, each made once."""
 
 import subprocess
 import sys

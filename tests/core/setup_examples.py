@@ -34,5 +34,5 @@ def milled(machine="trunnion_ac", stepover=3.8, rings=20, **options):
 
 
 def posting(made):
-    """As the street posts."""
+    """As the pipeline posts."""
     return Posting(made.dialect, True, made.settings.kinematics.clearance, made.settings.cutter.cutter.radius, made.mesh.vertex)

@@ -210,7 +210,7 @@ def test_where_the_controller_guides_the_tip_it_goes_straight():
     assert rates.travel[-1] == pytest.approx(10.0) and rates.tip_feed[-1] == pytest.approx(500.0)
 
 
-# ---------------------------------------------------------------------------------------------- the street
+# ---------------------------------------------------------------------------------------------- the pipeline
 
 
 def test_the_reports_of_an_audit_name_it_all(tmp_path):

@@ -183,7 +183,7 @@ def test_a_cancelled_job_writes_nothing(roof, tmp_path, monkeypatch, capsys):
     assert os.listdir(tmp_path) == ["roof.stl"]
 
 
-def test_cancelling_from_the_progress_call_stops_the_street(roof):
+def test_cancelling_from_the_progress_call_stops_the_pipeline(roof):
     def stop(stage, fraction):
         raise Cancelled(stage)
 

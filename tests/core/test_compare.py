@@ -64,7 +64,7 @@ def leaned(offset, axis, kinematics, progress):
 
 
 def separate(path, where, cure):
-    """The figures of one cell, by the street's own calls."""
+    """The figures of one cell, by the pipeline's own calls."""
     joints = cure(path, where, lambda stage, fraction: None)
     program = job.build_program(joints, where.kinematics, where.posting.dialect, True)
     deviation, feeds = job.measure(where.kinematics, program.words), feed_blocks(program)

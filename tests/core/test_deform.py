@@ -97,7 +97,7 @@ def test_the_turn_left_is_near_the_least_possible(name, stepover):
 def test_no_pass_is_worse_and_the_axis_keeps_to_its_change_the_part_and_the_limits(name):
     offset, axis, kinematics = dome_passes(name)
     found = led(name)
-    assert found.led.any()
+    assert found.rerouted.any()
     assert angle_between(found.axis, axis).max() <= CHANGE
     np.testing.assert_allclose(np.linalg.norm(found.axis, axis=1), 1, atol=1e-12)
     assert ((found.axis * offset.normal).sum(1) >= -1e-6).all()
@@ -105,7 +105,7 @@ def test_no_pass_is_worse_and_the_axis_keeps_to_its_change_the_part_and_the_limi
     before, after = (turned(offset, drive(offset, part, kinematics)) for part in (axis, found.axis))
     assert (after[0] <= before[0] * (1 + 1e-6) + 1e-6).all() and (after[1] <= before[1] + 1e-6).all()
     np.testing.assert_allclose([found.after.peak, found.after.first], after, rtol=1e-6, atol=1e-9)
-    same = np.repeat(~found.led, np.bincount(offset.polyline))
+    same = np.repeat(~found.rerouted, np.bincount(offset.polyline))
     np.testing.assert_array_equal(found.axis[same], axis[same])
 
 
@@ -121,7 +121,7 @@ def test_the_peak_rate_falls_on_machines_that_cannot_pass_the_pole_for_nothing(n
 def test_any_axes_are_led(options):
     offset, axis, kinematics = dome_passes("trunnion_ac", **options)
     found = rerouted_axes(offset, axis, kinematics, CHANGE)
-    assert found.led.any() and not found.after.worse(found.before)[~found.led].any()
+    assert found.rerouted.any() and not found.after.worse(found.before)[~found.rerouted].any()
     for line in short_of_ten(offset, axis, found.axis, kinematics):
         assert least_turn(kinematics, axis[offset.polyline == line], CHANGE) > 0.1 * found.before.first[line], line
 
@@ -129,7 +129,7 @@ def test_any_axes_are_led(options):
 def test_a_way_that_the_machine_cannot_drive_as_meant_gives_way_to_one_around():
     """Through the pole the mikron would have to turn C by half a turn at once: lower than given, but no cure."""
     found = led("mikron_ucp710", 1.0, np.radians(45.0), half_width=2.0)
-    assert found.led.all() and found.before.peak.max() > 100 * found.after.peak.max()
+    assert found.rerouted.all() and found.before.peak.max() > 100 * found.after.peak.max()
 
 
 def test_after_an_odd_number_of_passes_through_the_pole_nothing_else_is_worse_on_a_nutating_axis():
@@ -137,7 +137,7 @@ def test_after_an_odd_number_of_passes_through_the_pole_nothing_else_is_worse_on
     offset, axis, kinematics = dome_passes("nutating_table_b45", 0.5)
     found = led("nutating_table_b45", 0.5)
     near = near_pole(offset, axis, kinematics)
-    assert near.sum() == 5 and found.led[near].all() and not found.after.worse(found.before).any()
+    assert near.sum() == 5 and found.rerouted[near].all() and not found.after.worse(found.before).any()
     assert (found.after.first[near] < 0.3 * found.before.first[near]).sum() >= 4
     assert (found.before.peak[near] > 4 * found.after.peak[near]).all()
 
@@ -165,7 +165,7 @@ def test_the_findings_say_what_was_led_and_what_is_left():
     found = led("mikron_ucp710")
     _, findings = deform_axes(offset, axis, kinematics, CHANGE)
     assert [finding.code for finding in findings] == ["axis-led-past-pole"]
-    assert findings[0].text.startswith(f"{found.led.sum()} passes are turned past the pole: C turns at most")
+    assert findings[0].text.startswith(f"{found.rerouted.sum()} passes are turned past the pole: C turns at most")
     assert findings[0].value == pytest.approx(np.degrees(angle_between(found.axis, axis).max())) and findings[0].limit == 2.0
 
 
@@ -206,7 +206,7 @@ def test_the_trade_is_what_each_angle_gives_by_itself():
         found = rerouted_axes(offset, axis, kinematics, change)
         peak, turn = turned(offset, drive(offset, found.axis, kinematics))
         assert (trade.peak[row], trade.first[row]) == pytest.approx((peak.max(), turn.sum()))
-        assert trade.passes[row] == found.led.sum() and trade.used[row] <= change
+        assert trade.passes[row] == found.rerouted.sum() and trade.used[row] <= change
     assert (np.diff(trade.peak) < 0).all() and (np.diff(trade.first) < 0).all() and (trade.blocks[1:] <= trade.blocks[0]).all()
     heads, rows = trade.table(kinematics.letters)
     assert len(heads) == len(rows[0]) and rows[3][0] == pytest.approx(2.0) and heads[3].startswith("peak C")
@@ -241,7 +241,7 @@ def test_the_trade_is_told_in_one_note():
     assert trade_findings(*dome_passes("trunnion_ac", tilt=0.5), CHANGE, 0.01) == ()
 
 
-# the whole street
+# the whole pipeline
 
 
 @pytest.fixture(scope="module")

@@ -306,7 +306,7 @@ def test_without_rows_along_the_hubs_swing_the_edge_is_cut(parts, monkeypatch):
     assert "lifted" in {finding.code for finding in lifted.findings}
 
 
-# ------------------------------------------------------------------------------------------------ the street
+# ------------------------------------------------------------------------------------------------ the pipeline
 
 
 @pytest.mark.parametrize(

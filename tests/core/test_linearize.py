@@ -333,7 +333,7 @@ def test_a_straight_block_that_only_rounding_keeps_over_tolerance_is_not_divided
     assert finding.value <= most_off(kinematics, Steps(*steps))
 
 
-# ------------------------------------------------------------------------------------------------ on the street
+# ------------------------------------------------------------------------------------------------ through the pipeline
 
 
 def path_of(tip, axis, motion):

@@ -46,7 +46,7 @@ COARSE = {"stepover": 12.0, "rings": 8}
 
 
 def full_run(made, machine, origin, turn):
-    """Deviation mm, rotary travel rad, time s and excess over limits mm of one setup, by the street's own calls."""
+    """Deviation mm, rotary travel rad, time s and excess over limits mm of one setup, by the pipeline's own calls."""
     kinematics = chain(machine, Setup(tuple(origin), made.settings.machine.tool_length or 0.0))
     path, how = turned_path(made.path, turn), posting(made)
     joints = solve(path, kinematics, *part_box(path, how.part, turn), how.clearance, how.radius)

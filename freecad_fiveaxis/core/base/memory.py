@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Memory of a process that does one job and ends: what it keeps, and what it may take.
 
-The street makes and drops columns of some ten megabytes. glibc gives each of them back to the system at once and asks for it
+The pipeline makes and drops columns of some ten megabytes. glibc gives each of them back to the system at once and asks for it
 anew, which on a virtual machine costs more than the work on it. A process that ends with its job keeps them instead, in one arena
 for all threads: what a second one had freed would be of no use to the first.
 

@@ -144,8 +144,8 @@ def check_program(
 
 
 def _findings(
-    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, swept: SweptMotion, whole: float,
-    remedy: str,
+    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, swept: SweptMotion,
+    whole: float, remedy: str,
 ) -> tuple[Finding, ...]:  # fmt: skip
     found: list[Finding] = []
     for code, entries, depth in _cases(cutter, above, motion):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The whole street on one page: from a solid's STL to a proven program.
+"""The whole pipeline on one page: from a solid's STL to a proven program.
 
 Three ways in: ``mill`` starts at the STL, ``post`` at a CL file, ``audit`` at a finished NC file; all three end at the same
 proof of the rounded words, because that is what the machine gets. ``run`` makes and proves; :mod:`.outputs` writes. What the
@@ -118,7 +118,7 @@ class Milled(Posted):
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A proven program. ``findings`` of every stage, in the order of the street. ``audit``: only of a program not made here;
+    """A proven program. ``findings`` of every stage, in the order of the pipeline. ``audit``: only of a program not made here;
     ``gouge`` and ``left``: what enters the part on the real way, and what stays on it, where the settings ask for that."""
 
     made: Made
@@ -177,7 +177,7 @@ def mill(
     settings: Settings, mesh: Mesh, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress = silent,
     faces: Bools | None = None,
 ) -> Milled:  # fmt: skip
-    """From a mesh to a program: the street itself. ``faces`` (f,): the facets to cut; the others are still kept clear of."""
+    """From a mesh to a program: the pipeline itself. ``faces`` (f,): the facets to cut; the others are still kept clear of."""
     passes, cutter = settings.passes, settings.cutter.cutter
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
     followed = None if keeps_its_axis(settings, machine) else kinematics

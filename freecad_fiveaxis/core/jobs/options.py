@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the settings ask for, in the words of the rooms: machine and dialect, options, distances, titles.
+"""What the settings ask for, in the terms of the packages: machine and dialect, options, distances, titles.
 
 hub       the middle of the cutter's corner circles (of a ball: its centre), one corner radius above the tip.
 driven    the point that the words of the program move: tip or hub.

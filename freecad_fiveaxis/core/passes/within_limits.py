@@ -59,7 +59,7 @@ def facets_within_limits(
 
     ``max_axis_angle`` rad: the largest axis angle that is wanted, over 0 and at most pi; facets that look down are out
     whatever it is. Vertical walls count as 90 deg.
-    ``kinematics`` None: the tool axis does not follow the facets. ``wanted`` (f,): the facets that were chosen, None: all of them.
+    ``kinematics`` None: the tool axis does not follow the facets. ``wanted`` (f,): the facets that were chosen, None: all.
     Raises SettingsError for another angle, ReachError where no facet is left.
     """
     if not 0.0 < max_axis_angle <= math.pi:

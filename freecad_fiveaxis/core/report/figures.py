@@ -48,8 +48,8 @@ _CHUNK = 16384
 class Figures:
     """All that a report shows. ``tolerance`` mm; ``findings`` those of every stage.
 
-    ``program``, ``deviation`` and ``singularity`` have one row a block; ``kinematics`` is the chain that ``program`` is for. ``audit``
-    where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
+    ``program``, ``deviation`` and ``singularity`` have one row a block; ``kinematics`` is the chain that ``program`` is for.
+    ``audit`` where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
     ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
     1, of the surface asked for that stays unfinished.
     """

@@ -74,13 +74,13 @@ def try_setups(
 
     Raises SettingsError for a region with nothing to choose from, and for one that leaves every limit.
     """
-    street = _street(settings)
-    machine, base, dialect = clamped(replace(street, task=SETUP))  # and what makes no sense for a setup is refused
+    job = _job_settings(settings)
+    machine, base, dialect = clamped(replace(job, task=SETUP))  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
-    made = _posted(street, progress, mesh, faces)
+    made = _posted(job, progress, mesh, faces)
     region = _region(settings, base.origin, len(made.path.tip), table)
-    posting, enough = _posting(street, made, dialect), settings.proof.tolerance
+    posting, enough = _posting(job, made, dialect), settings.proof.tolerance
     chart = setup_map(made.path, machine, base, region, posting, enough, progress, table)
     if chart.best is None:
         _refuse(chart)
@@ -99,11 +99,11 @@ def try_machines(
     names, wanted = settings.compare.machines, known_cures(settings.compare.cures)
     if not names:
         raise SettingsError(say("there are no machines to compare; name at least one"), names)
-    streets = [_street(settings, name) for name in names]
+    each_settings = [_job_settings(settings, name) for name in names]
     machines = [load_machine(name) for name in names]
-    stands = [stood(street, machine) for street, machine in zip(streets, machines, strict=True)]
-    refused = [what_needs_more_axes(street, machine) for street, machine in zip(streets, machines, strict=True)]
-    made = _made_for_first(streets, refused, progress, mesh, faces)
+    stands = [stood(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
+    refused = [what_needs_more_axes(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
+    made = _made_for_first(each_settings, refused, progress, mesh, faces)
     stations = [
         station(machine, setup, _posting(settings, made, dialect), name, "" if why is None else why.text)
         for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
@@ -113,35 +113,35 @@ def try_machines(
 
 
 def _made_for_first(
-    streets: Sequence[Settings], refused: Sequence[SettingsError | None], progress: Progress, mesh: Mesh | None,
+    each_settings: Sequence[Settings], refused: Sequence[SettingsError | None], progress: Progress, mesh: Mesh | None,
     faces: Bools | None,
 ) -> Posted:  # fmt: skip
     """The path and its program on the first machine that can take up all of its axes. Raises what the first machine says where
     there is none."""
     problems: list[FiveAxisError] = []
-    for street, why in zip(streets, refused, strict=True):
+    for job, why in zip(each_settings, refused, strict=True):
         try:
             if why is None:
-                return _posted(street, progress, mesh, faces)
+                return _posted(job, progress, mesh, faces)
             problems.append(why)
         except ReachError as error:
             problems.append(error)
     raise problems[0]
 
 
-def _street(settings: Settings, machine: str = "") -> Settings:
+def _job_settings(settings: Settings, machine: str = "") -> Settings:
     """The settings of the task that makes the path, on one of several machines."""
     task = MILL if Path(settings.source).suffix.lower() == ".stl" else POST
     given = replace(settings.machine, machine=machine) if machine else settings.machine
     return replace(settings, task=task, machine=given)
 
 
-def _posted(street: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None) -> Posted:
+def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None) -> Posted:
     if mesh is not None:
-        street = replace(street, task=MILL)
-    made = make(street, progress, mesh, faces)
+        job = replace(job, task=MILL)
+    made = make(job, progress, mesh, faces)
     if not isinstance(made, Posted):
-        raise SettingsError(say("{source} is no source of a path; give an STL or a CL file", source=street.source), street.source)
+        raise SettingsError(say("{source} is no source of a path; give an STL or a CL file", source=job.source), job.source)
     return made
 
 

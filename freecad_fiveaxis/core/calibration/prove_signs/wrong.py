@@ -19,8 +19,8 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forwar
 
 @dataclass(frozen=True, eq=False)
 class Wrong:
-    """``text``: what is wrong, as a clause; ``kinematics``: the machine that has it so; ``swapped``: it takes each rotary word for
-    the other."""
+    """``text``: what is wrong, as a clause; ``kinematics``: the machine that has it so; ``swapped``: it takes each rotary word
+    for the other."""
 
     text: str
     kinematics: Chain

@@ -27,8 +27,8 @@ def stated_feeds(statements: Statements, scale: Floats, source: Source) -> tuple
 def per_minute(
     statements: Statements, at: Ints, value: Floats, unit: Floats, turn: Bools, scale: Floats, source: Source
 ) -> Floats:
-    """mm/min (k,) of the feeds ``value`` that the rows ``at`` of ``statements`` say, in mm of their ``unit`` (NaN: the file's), some
-    per ``turn``. Raises ProgramError."""
+    """mm/min (k,) of the feeds ``value`` that the rows ``at`` of ``statements`` say, in mm of their ``unit`` (NaN: the file's),
+    some per ``turn``. Raises ProgramError."""
     spindle = statements.of(Kind.SPINDLE)
     speed = statements.value(spindle)
     going = ~np.isnan(speed)

@@ -61,7 +61,7 @@ def _by_number(source: Source, statements: Statements, at: Ints) -> Tools:
 
 
 def _by_name(source: Source, statements: Statements, names: list[str]) -> Tools:
-    """Tools by name: ``names`` of each text of ``statements``, empty where it names none; numbered in the order of their moves."""
+    """Tools by name: ``names`` of each text of ``statements``, empty where it has none; numbered in the order of their moves."""
     at = np.flatnonzero(np.array([bool(name) for name in names] or [False])[statements.which])
     order = {name: k for k, name in enumerate(dict.fromkeys(names[which] for which in statements.which[at]), 1)}
     number = np.array([order[names[which]] for which in statements.which[at]], np.int64)

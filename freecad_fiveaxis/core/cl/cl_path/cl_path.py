@@ -164,8 +164,8 @@ def _merged(path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: 
     columns: dict[str, Callable[[], Any]] = {
         "tip": lambda: put.interleave(drive(path.centre, axis), link_tip), "axis": lambda: put.interleave(axis, links.axis),
         "contact": lambda: put.interleave(path.point, link_tip), "normal": lambda: put.interleave(path.normal, links.axis),
-        "motion": motion, "feed": feed, "face": lambda: put.interleave(path.face, -1), "coedge": lambda: put.interleave(path.coedge, -1),
-        "pass_": lambda: put.interleave(path.pass_, -1),
+        "motion": motion, "feed": feed, "face": lambda: put.interleave(path.face, -1),
+        "coedge": lambda: put.interleave(path.coedge, -1), "pass_": lambda: put.interleave(path.pass_, -1),
     }  # fmt: skip
     return CLPath(**dict(zip(columns, in_threads(lambda name: columns[name](), list(columns)), strict=True)))
 

@@ -57,8 +57,8 @@ class Attempt:
 
 @dataclass(frozen=True, eq=False)
 class Led:
-    """Tool ``axis`` (n, 3); ``near`` (p,) polylines that come near the pole, ``rerouted`` (p,) those whose axis was changed; figures
-    of every polyline ``before`` and ``after``."""
+    """Tool ``axis`` (n, 3); ``near`` (p,) polylines that come near the pole, ``rerouted`` (p,) those whose axis was changed;
+    figures of every polyline ``before`` and ``after``."""
 
     axis: Floats
     near: Bools

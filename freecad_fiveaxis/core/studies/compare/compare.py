@@ -36,8 +36,8 @@ NO_RATES = (math.nan,) * 5
 
 @dataclass(frozen=True, eq=False)
 class Station:
-    """``kinematics``: the machine in its setup. ``name`` as it stands in the table. ``refused``: why the machine cannot do what is
-    asked for at all, or empty."""
+    """``kinematics``: the machine in its setup. ``name`` as it stands in the table. ``refused``: why the machine cannot do
+    what is asked for at all, or empty."""
 
     name: str
     machine: Machine

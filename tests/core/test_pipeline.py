@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The whole street on real parts: what is posted, read again and sent through forward kinematics is the CL path."""
+"""The whole pipeline on real parts: what is posted, read again and sent through forward kinematics is the CL path."""
 
 import shutil
 import subprocess

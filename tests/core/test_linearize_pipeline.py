@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Blocks divided on the whole street: proven, the surface as it was, feeds right, rapids whole, and nothing of it when off."""
+"""Blocks divided through the whole pipeline: proven, the surface as it was, feeds right, rapids whole, and nothing of it when off."""
 
 import json
 import shutil
@@ -141,7 +141,7 @@ def test_linuxcnc_accepts_divided_programs(part, machine, mode, milled, tmp_path
 
 
 @pytest.mark.parametrize(("part", "machine"), CASES)
-def test_off_is_the_street_without_it_byte_for_byte(part, machine, milled):
+def test_off_is_the_pipeline_without_it_byte_for_byte(part, machine, milled):
     made = milled(part, machine).made
     assert milled(part, machine, linearize="off", singularity="report").made.nc == made.nc
     settings = made.settings

@@ -27,7 +27,7 @@ def two_threads(monkeypatch):
 
 
 @pytest.mark.parametrize("count", [0, 1, 6, 7, 8, 21, 23])
-def test_portions_make_up_all_rows_in_order(monkeypatch, count):
+def test_chunks_make_up_all_rows_in_order(monkeypatch, count):
     monkeypatch.setattr(chunks_module, "PORTION", 7)
     rows = [row for part in chunks(count) for row in range(part.start, part.stop)]
     assert rows == list(range(count))
@@ -129,7 +129,7 @@ def test_meanwhile_gives_what_work_gives_and_raises_what_the_helper_raises():
 
 
 @pytest.mark.parametrize("part, machine", [("blade", "trunnion_ac"), ("saddle", "nutating_table_b45")])
-def test_the_street_gives_the_same_bits_with_one_thread_and_two(monkeypatch, parts, part, machine):
+def test_the_pipeline_gives_the_same_bits_with_one_thread_and_two(monkeypatch, parts, part, machine):
     monkeypatch.setattr(chunks_module, "PORTION", 97)
     monkeypatch.setattr(junction, "GROUP", 50)
     monkeypatch.setattr(number_text, "CHUNK", 60)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cutters that are no balls on the whole street: they keep out of the part, leave the scallop asked for, and say where they do not."""
+"""Cutters that are no balls through the whole pipeline: they keep out of the part, leave the scallop asked for, and say where they do not."""
 
 import json
 from dataclasses import replace
@@ -43,7 +43,7 @@ def on_part(made):
     return made.path.tip[cuts], made.path.axis[cuts]
 
 
-# ------------------------------------------------------------------------------------------------ on the whole street
+# ------------------------------------------------------------------------------------------------ through the whole pipeline
 
 
 @pytest.mark.parametrize("cutter", CUTTERS)

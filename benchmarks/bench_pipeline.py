@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The whole street: STL file to NC file on disk, against ``%`` formatting of the same rows alone, and how cost grows with facets.
+"""The whole pipeline, STL to NC file on disk, against ``%`` formatting of the same rows alone, and how cost grows with facets.
 
-``python bench_street.py [FACETS PASSES ...]``; without arguments 1M facets x 500 passes, then the growth table.
+``python bench_pipeline.py [FACETS PASSES ...]``; without arguments 1M facets x 500 passes, then the growth table.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.jobs.settings import Settings, build_settings
 
 GROWTH = (20_000, 60_000, 200_000, 600_000, 2_000_000)
 ROWS_FOR_PERCENT = 200_000
-ROUNDS, FEW = 9, 3  # of the street that is asked for, and of the table
+ROUNDS, FEW = 9, 3  # of the pipeline that is asked for, and of the table
 
 
 def percent_rate(words: np.ndarray) -> float:
@@ -58,7 +58,7 @@ class Timed(NamedTuple):
 
 
 def timed(settings: Settings, rounds: int) -> Timed:
-    """The street and its peer in turns, for a busy machine's speed changes from second to second.
+    """The pipeline and its peer in turns, for a busy machine's speed changes from second to second.
 
     After a run that is not counted: a fresh process gets its memory page by page, which costs more than the work itself on
     some virtual machines. What is freed stays with the process, as on the command line. The NC file is a new one each time.
