@@ -12,7 +12,19 @@ import re
 
 import FreeCAD
 
-from freecad_fiveaxis.core.base.sentences import Angle, Area, Feed, Length, Measure, Point, Turn, TurnRate, Volume
+from freecad_fiveaxis.core.base.sentences import (
+    IN_FULL,
+    Angle,
+    Area,
+    Feed,
+    Length,
+    Measure,
+    Point,
+    Turn,
+    TurnRate,
+    Volume,
+    formed,
+)
 
 INCH = 25.4
 DIGITS = 4
@@ -42,7 +54,10 @@ def measure_text(measure: Measure) -> str:
     factor = INCH**power if inch else 1.0
     extra = max(power, 0) if inch else 0
     places = most + extra if decimals is None else min(decimals, most) + extra
-    numbers = measure.between.join(number_text(value / factor, digits, places) for value in measure.values)
+    whole = measure.form == IN_FULL
+    numbers = measure.between.join(
+        formed(value / factor, IN_FULL) if whole else number_text(value / factor, digits, places) for value in measure.values
+    )
     unit = NAMES.get(kind, "{}").format("in" if inch else "mm") if kind in DECIMALS else measure.unit
     numbers = f"({numbers})" if isinstance(measure, Point) else numbers
     return numbers + ("" if unit == "°" else " ") + unit

@@ -8,7 +8,7 @@ import pytest
 
 from freecad_fiveaxis.app import units, wording
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.sentences import Angle, Area, Feed, Length, Point, Turn, Volume, say
+from freecad_fiveaxis.core.base.sentences import IN_FULL, Angle, Area, Feed, Length, Point, Turn, Volume, say
 
 METRIC = {"standard": 0, "MKS": 1, "building Euro": 4, "metric small parts": 6, "FEM": 8}
 IMPERIAL = {"US customary": 2, "imperial decimal": 3, "building US": 5, "civil": 7}
@@ -51,6 +51,8 @@ def test_imperial(schema, number):
         (Feed(2540.0), "2540 mm/min", "100 in/min"),
         (Turn(2.0), "2 °/mm", "50.8 °/in"),
         (Angle(0.1234567, ".6g"), "0.1235°", "0.1235°"),
+        (Length(1e-6, IN_FULL), "0.000001 mm", "0.00000003937008 in"),
+        (Length(1e6, IN_FULL), "1000000 mm", "39370.08 in"),
     ],
 )
 def test_measures_of_sentences(schema, measure, metric, imperial):

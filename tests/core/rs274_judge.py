@@ -14,7 +14,9 @@ import numpy as np
 import pytest
 
 needs_rs274 = pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
-CALL = re.compile(r"\d+ N\S*\s+(USE_LENGTH_UNITS|STRAIGHT_FEED|STRAIGHT_TRAVERSE|ARC_FEED|SELECT_PLANE|PROGRAM_END)\(([^)]*)\)")
+CALL = re.compile(
+    r"\d+ N\S*\s+(USE_LENGTH_UNITS|SET_G92_OFFSET|STRAIGHT_FEED|STRAIGHT_TRAVERSE|ARC_FEED|SELECT_PLANE|PROGRAM_END)\(([^)]*)\)"
+)
 ARC_AXES = {"XY": (0, 1, 2), "XZ": (2, 0, 1), "YZ": (1, 2, 0)}
 
 
@@ -41,16 +43,18 @@ def judged(file: Path, timeout: float = 60) -> Judged:
         timeout=timeout,
         stdin=subprocess.DEVNULL,
     )
-    ends, kinds, plane, scale = [], [], "XY", 1.0
+    ends, kinds, plane, scale, zero = [], [], "XY", 1.0, np.zeros(6)
     for name, told in CALL.findall(run.stdout):
         if name == "USE_LENGTH_UNITS":
             scale = 25.4 if "INCHES" in told else 1.0
+        elif name == "SET_G92_OFFSET":  # the moves behind it are told from there
+            zero = np.array(_end([float(number) for number in told.split(",")], name, plane, scale))
         elif name == "SELECT_PLANE":
             plane = told[-2:]
         elif name == "PROGRAM_END":
             break
         else:
-            ends.append(_end([float(number) for number in told.split(",")], name, plane, scale))
+            ends.append(zero + _end([float(number) for number in told.split(",")], name, plane, scale))
             kinds.append({"STRAIGHT_FEED": "cut", "STRAIGHT_TRAVERSE": "rapid", "ARC_FEED": "arc"}[name])
     off = 1.5e-3 if "UNITS_INCHES" in run.stdout else 2e-4
     return Judged(np.array(ends).reshape(-1, 6), kinds, run.stderr if run.returncode else "", off)

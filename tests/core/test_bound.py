@@ -74,7 +74,7 @@ def test_quick_bound_needs_no_blocks(kinematics):
 
 
 def test_quick_bound_refuses_words_that_are_no_numbers(kinematics):
-    with pytest.raises(ProgramError, match="word 1 of row 1 is nan"):
+    with pytest.raises(ProgramError, match=r"word 1 of row 1 is nan; .* up to 1000000 mm or degrees: correct it"):
         quick_bound(kinematics, [[0.0] * 5, [np.nan] * 5])
 
 

@@ -52,6 +52,12 @@ def test_every_way_to_write_a_siemens_block_reads_the_same(line):
     assert [code for code in codes_of(program) if code not in ("block-skip", "rotary-direction")] == []
 
 
+@pytest.mark.parametrize("line", ["G75 X0", "G74 X1=0 Z1=0", "N7 G75 FP=1 Z1=0"])
+def test_a_fixed_point_of_siemens_ends_no_motion_mode(line):
+    program = read(S_HEAD + "G1 X1 F100\n" + line + "\nX7\n", "siemens840d")
+    assert program.words[:, 0].tolist() == [0, 1, 7] and "machine-position" in codes_of(program)
+
+
 H_HEAD = "0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+0 A+0 C+0 FMAX\n"
 
 
@@ -148,7 +154,9 @@ def test_vectors_stay_until_the_next_and_an_omitted_component_is_zero():
 @pytest.mark.parametrize(
     ("line", "code", "name"),
     [
-        ("CYCLE81(10,0,2,-5)", "cycle-not-interpreted", "CYCLE81"), ("MCALL CYCLE83(1)", "call-not-interpreted", "MCALL"), ("TRANS X10", "offset-not-interpreted", "TRANS"),
+        ("HOLES1(0,0,0,5,10,3)", "cycle-not-interpreted", "HOLES1"), ("MCALL CYCLE83(1)", "cycle-not-interpreted", "CYCLE83"), ("TRANS C10", "offset-not-interpreted", "TRANS"),
+        ("HOLES2(0,0,10,0,60,6)", "cycle-not-interpreted", "HOLES2"), ("POCKET3(5,0,1,-9,9,9,1)", "cycle-not-interpreted", "POCKET3"), ("MCALL L10", "call-not-interpreted", "MCALL"),
+        ("CYCLE81", "cycle-not-interpreted", "CYCLE81"), ("CYCLE802(111,1,9,9)", "cycle-not-interpreted", "CYCLE802"), ("G58 X5", "offset-not-interpreted", "G58"),
         ("ROT RPL=30", "offset-not-interpreted", "ROT"), ("R1=R7", "macro-not-interpreted", "R7"), ("IF R1>5 GOTOF ENDE", "macro-not-interpreted", "ENDE"),
         ("CIP X1 Y1 I1=2 J1=3", "arc-not-interpreted", "CIP"), ("BSPLINE", "spline-not-interpreted", "BSPLINE"), ("WHATEVER(3)", "unknown-code", "WHATEVER"),
         ("G1 A2=5 B2=7", "orientation-not-interpreted", "A2"), ("SUPA G0 Z500", "", ""), ("G1 A=ACN(5)", "rotary-direction", "A=ACN()"),
@@ -166,7 +174,7 @@ def test_what_siemens_text_is_not_interpreted_is_named_with_its_line(line, code,
     [
         ("5 CYCL DEF 208 BORE MILLING ~\n Q200=+2 ;SET-UP ~\n Q201=-20 ;DEPTH", "cycle-not-interpreted", "CYCL DEF 208"), ("5 CYCL CALL", "cycle-not-interpreted", "CYCL CALL"),
         ("5 CALL LBL 1 REP 3", "call-not-interpreted", "CALL LBL 1"), ("5 PLANE SPATIAL SPA+10 SPB+0 SPC+0", "offset-not-interpreted", "PLANE SPATIAL"),
-        ("5 CYCL DEF 7.1 X+10", "offset-not-interpreted", "CYCL DEF 7.1"), ("5 Q1 = +Q5", "macro-not-interpreted", "Q1 = +Q5"), ("5 FN 18: SYSREAD Q1 = ID10", "macro-not-interpreted", "FN 18:"),
+        ("5 CYCL DEF 7.1 #10", "offset-not-interpreted", "CYCL DEF 7.1"), ("5 TRANS DATUM TABLE TABLINE3", "offset-not-interpreted", "TRANS DATUM TABLE"), ("5 CYCL DEF 7.1 C+10", "offset-not-interpreted", "CYCL DEF 7"), ("5 Q1 = +Q5", "macro-not-interpreted", "Q1 = +Q5"), ("5 FN 18: SYSREAD Q1 = ID10", "macro-not-interpreted", "FN 18:"),
         ("5 L X+Q1 F100", "macro-not-interpreted", "X+Q1"), ("5 RND R5", "arc-not-interpreted", "RND R5"), ("5 FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS", "orientation", "FUNCTION TCPM"),
         ("5 L X+3 RL F100", "compensation-not-interpreted", "RL"), ("5 L X+3 FQ11", "feed-by-parameter", "FQ11"), ("5 L Z+500 R0 FMAX M91", "machine-position", "M91"),
         ("5 L X+3 M99", "cycle-not-interpreted", "M99"), ("5 WHATEVER 3", "unknown-code", "WHATEVER 3"),

@@ -12,6 +12,7 @@ from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisErro
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.sentences import (
     CONTEXT,
+    IN_FULL,
     Angle,
     Area,
     Choice,
@@ -148,3 +149,8 @@ def test_the_context_is_asked_for():
     asked = []
     render(say("Split it."), lambda context, text: asked.append(context) or text, inches)
     assert asked == [CONTEXT]
+
+
+@pytest.mark.parametrize("value, text", [(1e-6, "0.000001 mm"), (1e6, "1000000 mm"), (0.01, "0.01 mm"), (89.99999999, "90 mm")])
+def test_a_bound_is_written_without_an_exponent(value, text):
+    assert str(Length(value, IN_FULL)) == text and str(Number(value, IN_FULL)) + " mm" == text

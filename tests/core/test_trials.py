@@ -111,7 +111,7 @@ def refused(capsys, tmp_path, *words):
      (("--region", "10,10"), ("region", "three numbers")), (("--region", "1e9,0,0"), ("region", "at most 10000 mm")),
      (("--grid", "0,3,3"), ("grid 0,3,3", "at least 1")), (("--grid", "2.5,3,3"), ("grid", "whole number")),
      (("--grid", "200,200,200"), ("8000000 setups", "coarser grid")), (("--turns", "0"), ("turns 0", "at least 1")),
-     (("--tolerance", "0"), ("tolerance 0", "at least 1e-06 mm"))],
+     (("--tolerance", "0"), ("tolerance 0", "at least 0.000001 mm"))],
 )  # fmt: skip
 def test_a_setup_that_cannot_be_is_refused_with_value_and_remedy(words, named, part, tmp_path, capsys):
     error = refused(capsys, tmp_path, "setup", part, "--machine", "trunnion_ac", *QUICK, "--grid", "2,1,1", *words)

@@ -126,7 +126,7 @@ def test_a_value_that_cannot_be_used_says_why_in_place(panel, doc, panel_button,
     error = shown("tolerance_error")
     assert (
         error.isVisible()
-        and error.text() == "Tolerance 0 mm is out of range; it must be at least <0.0001 mm and at most 1000000 mm"
+        and error.text() == "Tolerance 0 mm is out of range; it must be at least 0.000001 mm and at most 1000000 mm"
     )
     assert "#d0342c" in error.styleSheet()
     screenshot("panel_error")

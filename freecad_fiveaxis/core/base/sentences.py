@@ -16,21 +16,31 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from typing import Any, ClassVar
 
 CONTEXT = "FiveAxisCore"
 """The context under which the templates are translated."""
 
 
+IN_FULL = "in full"
+"""The form of a number with seven digits and no exponent, however small: a bound that somebody has to keep to."""
+
+
+def formed(value: float, form: str) -> str:
+    """A number in a form as in ``format``, or :data:`IN_FULL`."""
+    return f"{Decimal(f'{value:.7g}'):f}" if form == IN_FULL else f"{value:{form}}"
+
+
 @dataclass(frozen=True)
 class Number:
-    """A plain number; ``form`` as in ``format``."""
+    """A plain number; ``form`` as in ``format``, or :data:`IN_FULL`."""
 
     value: float
     form: str = "g"
 
     def __str__(self) -> str:
-        return f"{self.value:{self.form}}"
+        return formed(self.value, self.form)
 
 
 @dataclass(frozen=True)
@@ -51,7 +61,7 @@ class Measure:
     @property
     def numbers(self) -> str:
         """The values alone."""
-        return self.between.join(f"{value:{self.form}}" for value in self.values)
+        return self.between.join(formed(value, self.form) for value in self.values)
 
     def __str__(self) -> str:
         return self.numbers if self.bare else f"{self.numbers} {self.unit}"

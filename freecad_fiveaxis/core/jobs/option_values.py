@@ -14,7 +14,7 @@ from typing import Any
 from freecad_fiveaxis.core.base import quantity
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.files import is_name
-from freecad_fiveaxis.core.base.sentences import Option, Sentence, Template, measure, say
+from freecad_fiveaxis.core.base.sentences import IN_FULL, Option, Sentence, Template, measure, say
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.tool import Cutter, cutter_text, parse_cutter
 
@@ -57,7 +57,7 @@ def _shown(given: Any, rules: Mapping[str, Any]) -> Any:
 def _range_said(rules: Mapping[str, Any]) -> Sentence:
     factor, unit = 180 / math.pi if rules["kind"] == "angle" else 1.0, UNITS.get(rules["kind"], "")
     bounds = [
-        words.say(bound=measure(rules[bound] * factor, unit, ".7g"))
+        words.say(bound=measure(rules[bound] * factor, unit, IN_FULL))
         for bound, words in BOUNDS.items()
         if math.isfinite(rules[bound])
     ]

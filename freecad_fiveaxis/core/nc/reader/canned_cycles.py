@@ -23,15 +23,11 @@ from freecad_fiveaxis.core.base.sentences import Length, say
 from . import codes
 from .arcs import AXES
 from .codes import INCH, Grammar
+from .cycle_plan import FINE, LINUXCNC, PECKING, WAYS, Hole, Ways, steps_of
 from .lines import Lines, tenfold
 from .positions import ABSOLUTE, STEP, axis_words
 from .words import Words
 
-READ = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)
-"""The cycles that are written out; the others stay as they are, and are named."""
-FINE = 760
-"""Fine boring on Fanuc and Haas: as G86, but the spindle stops oriented and the tool leaves the wall before it rises."""
-PECKING = (730, 830)
 RETRACT = {980: 0, 990: 1}
 BACK = np.argsort(AXES, axis=1)
 """By plane: where X, Y and Z stand in :data:`AXES`."""
@@ -46,39 +42,6 @@ MOST = 2_000_000
 """Moves that the cycles of one program may become."""
 NOWHERE_YET = say("where it begins is not known: X, Y and Z are not all told since the tilted plane began or ended")
 Moves = list[tuple[bool, float, float, float]]
-
-
-@dataclass(frozen=True)
-class Ways:
-    """What controls do differently. ``to_r``: the level at first is R (G99), not the initial one; ``peck``: mm that a rapid keeps
-    above the depth reached (Fanuc: parameters 5114, 5115; Haas: settings 22, 52); ``rises``: below R, LinuxCNC rises first;
-    ``feeds_out``: cycles that feed out to the level, not to R; ``stays``: G88 ends at the bottom; ``repeats``: their letter;
-    ``read``: the cycles that are written out."""
-
-    to_r: bool = False
-    peck: float = 1.0
-    rises: bool = False
-    feeds_out: tuple[int, ...] = ()
-    stays: bool = False
-    repeats: str = "L"
-    read: tuple[int, ...] = READ
-
-
-LINUXCNC = Ways(True, 0.254, True, (740, 840, 890), True)
-WAYS = {"fanuc": Ways(repeats="K", read=(*READ, FINE)), "haas": Ways(read=(*READ, FINE))}
-
-
-@dataclass(eq=False)
-class Hole:
-    """What stays from hole to hole, mm: the words ``told_r``, ``told_z``, ``q``; the heights ``initial``, ``r`` and ``z``."""
-
-    code: int = 0
-    initial: float = 0.0
-    told_r: float = np.nan
-    told_z: float = np.nan
-    q: float = np.nan
-    r: float = np.nan
-    z: float = np.nan
 
 
 @dataclass(eq=False)
@@ -237,7 +200,7 @@ class _Table:
                 moves.append((True, at[0], at[1], r))
                 level = r
             level = level if level > r + SAME else clear
-        body = _body(hole, clear, ways)
+        body = steps_of(hole, clear, ways)
         u, v = across
         for _ in range(min(times, MOST // max(len(body), 1))):
             u, v = u + step[0], v + step[1]
@@ -251,29 +214,6 @@ class _Table:
         return moves
 
 
-def _body(hole: Hole, clear: float, ways: Ways) -> list[tuple[bool, float]]:
-    """What a cycle does between R and the level, as (fast, height)."""
-    r, z, code = hole.r, hole.z, hole.code
-    if code in PECKING:
-        return [*_pecks(r, z, hole.q, ways.peck, code == 830), (True, clear)]
-    if code == 880 and ways.stays:
-        return [(False, z)]
-    if code in ways.feeds_out:
-        return [(False, z), (False, clear)]
-    if code in (740, 840, 850, 890):
-        return [(False, z), (False, r), *([(True, clear)] if clear != r else [])]
-    return [(False, z), (True, clear)]
-
-
-def _pecks(r: float, z: float, q: float, back: float, full: bool) -> list[tuple[bool, float]]:
-    """Down by ``q`` at a time; between, up to R and down again (``full``), or up by ``back`` only."""
-    depths = r - q * np.arange(1, int(np.ceil((r - z) / q - 1e-9)))
-    moves = []
-    for depth in depths.tolist():
-        moves += [(False, depth), *([(True, r)] if full else []), (True, min(depth + back, r))]
-    return [*moves, (False, z)]
-
-
 def _with_moves(words: Words, lines: Lines, made: Made, table: _Table) -> Words:
     """The words with the moves in rows of their own, and the rows after them moved down."""
     rows = np.array(sorted(made.moves), np.int64)
@@ -283,11 +223,18 @@ def _with_moves(words: Words, lines: Lines, made: Made, table: _Table) -> Words:
     shift = np.cumsum(more) - more
     keep = _kept(words, rows, made, table.ways)
     letter = _stepwise(words.letter[keep], np.isin(words.line[keep], rows[table.steps[rows]]))
+    return spread(words, more, keep, letter, _new_words(made, rows, count, shift, table))
+
+
+def spread(words: Words, more: Ints, keep: Bools, letter: Bytes, put: tuple[Ints, Bytes, Floats]) -> Words:
+    """The words that are kept (``letter``: theirs), with ``more`` (lines,) rows after each line, and words put in: the rows where
+    they stand, letters, values."""
+    at, letters, values = put
+    shift = np.cumsum(more) - more
     start = np.full(len(letter), NOWHERE) if words.start is None else words.start[keep]
-    at, letters, values = _new_words(made, rows, count, shift, table)
     line = np.concatenate([(words.line + shift[words.line])[keep], at])
     order = np.argsort(line, kind="stable")
-    source = np.repeat(np.arange(lines.count), more + 1)
+    source = np.repeat(np.arange(len(more)), more + 1)
     return replace(
         words,
         letter=np.concatenate([letter, letters])[order],

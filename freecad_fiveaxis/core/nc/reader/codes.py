@@ -10,7 +10,7 @@ private      small letters stand for words that ISO has not (:mod:`.siemens`, :m
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.sentences import say
@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.base.sentences import say
 NONE, RAPID, STRAIGHT, ARC, CYCLE, SPLINE_MODE = -1, 0, 1, 2, 3, 4
 """Motion modes. NONE: no motion code so far, or after G80."""
 CLOCKWISE, COUNTER = 20, 30
-CYCLES = (*range(730, 770, 10), *range(810, 900, 10), 330, 331, 382, 383, 384, 385)
+CYCLES = (*range(730, 780, 10), *range(810, 900, 10), 330, 331, 382, 383, 384, 385)
 SPLINES = (50, 52, 62)
 MOTION = {
     0: RAPID, 10: STRAIGHT, 800: NONE, 20: ARC, 30: ARC, **dict.fromkeys(SPLINES, SPLINE_MODE), **dict.fromkeys(CYCLES, CYCLE),
@@ -33,6 +33,10 @@ INCH = 25.4
 DWELL = 40
 TILT, LEVEL = (682, 531), 690
 """G68.2 and G53.1: a tilted plane, and the axes turned to it; G69 ends it."""
+LOCAL = 520
+"""G52: the zero of the local coordinate system."""
+DATUM = 540
+"""G54 of Heidenhain's DIN/ISO: a datum shift."""
 NO_MOVE = (100, 280, 281, 300, 301, 520, 530, 531, 650, 660, 661, 682, 920, 921, 922, 923)
 """Codes (ten times the G number) whose axis words are no move of a block."""
 OFFSETS = tuple(range(540, 600))
@@ -64,6 +68,12 @@ SWITCH = "t"
 NORMAL = "n"
 PLANE = "w"
 """w3: the fourth of the tilted planes of the program (Heidenhain's PLANE, Siemens' CYCLE800)."""
+DRILL = "d"
+"""d3: the fourth of the program's calls of drilling cycles (:mod:`.siemens_cycles`)."""
+SHIFTED = "s"
+"""The words of this line shift the zero; s0: ends all shifts, s1: of the axes named, s2: of all, s3: on from where it is."""
+ORIGIN = "hlm"
+"""In the line of a tilted plane: the shift before it, mm."""
 MACHINE = "v"
 """v1: the words of this line are machine positions (Heidenhain's M91, M92, Siemens' SUPA)."""
 
@@ -110,7 +120,7 @@ CODES: dict[int, Kind] = {
     **dict.fromkeys(SPLINES, SPLINE),
     **dict.fromkeys((650, 660, 661), CALL),
     **dict.fromkeys((280, 281, 300, 301, 530), HOME),
-    **dict.fromkeys((100, 160, 501, 510, 520, 544, 680, 683, 684, 2530, 2540, 2680, 2690, 920, 921, 922, 923), SHIFT),
+    **dict.fromkeys((100, 160, 501, 510, 544, 680, 683, 684, 2530, 2540, 2680, 2690, 920, 921, 922, 923), SHIFT),
     **dict.fromkeys(SIDES, RADIUS),
     950: PER_TURN_KIND,
 }
@@ -121,7 +131,7 @@ class Grammar:
     """One language. ``units``: codes of mm (0) and inches (1), ``units_said``: how messages call them; ``harmless``, ``codes``,
     ``m_codes``: what is said of a code; ``ends``: M codes that end the program; ``guide_m``: M codes that switch the guide on (1)
     and off (0); ``dwell``: words that can be the time of G4, the first of them that stands in its line is; ``offsets``: work
-    offsets; ``no_move``, ``machine_m``: G and M codes whose axis words are no move."""
+    offsets; ``no_move``, ``machine_m``: G and M codes whose axis words are no move; ``motion``: the modes of motion codes."""
 
     name: str
     units: Mapping[int, int]
@@ -135,16 +145,19 @@ class Grammar:
     offsets: tuple[int, ...] = OFFSETS
     no_move: tuple[int, ...] = NO_MOVE
     machine_m: tuple[int, ...] = ()
+    motion: Mapping[int, int] = field(default_factory=lambda: MOTION)
 
 
 ISO = Grammar(
-    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset(HARMLESS), CODES, {97: CALL, 98: CALL},
+    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset({*HARMLESS, LOCAL}), CODES, {97: CALL, 98: CALL},
     guide_m={128: 1, 129: 0, 428: 1, 429: 0, 430: 0},
 )  # fmt: skip
 _SIEMENS_OWN = {
     700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0, 6450: 0, 500: 0,
     5000: 0, 4500: 0, 4510: 0, 2900: 0, 90: 0, 250: 0, 260: 0, 1500: 0, 4600: 0, 4610: 0, 1470: 0, 1480: 0,
 }  # fmt: skip
+POLES = (1100, 1110, 1120)
+"""G110 to G112 of Siemens: poles, whose axis words move nothing."""
 _SIEMENS_OFFSETS = (540, 550, 560, 570, *range(5050, 6000, 10))
 SIEMENS = Grammar(
     "siemens",
@@ -154,7 +167,7 @@ SIEMENS = Grammar(
     {
         **dict.fromkeys((330, 331, 332, 340, 350, 630), CYCLE_KIND),
         **dict.fromkeys((530, 740, 750, 1530), HOME),
-        **dict.fromkeys((1100, 1110, 1120, 580, 590), SHIFT),
+        **dict.fromkeys((*POLES, 580, 590), SHIFT),
         **dict.fromkeys((410, 420), RADIUS),
         950: PER_TURN_KIND,
     },
@@ -162,17 +175,19 @@ SIEMENS = Grammar(
     ends=(2, 17, 30),
     dwell="FS",
     offsets=_SIEMENS_OFFSETS,
-    no_move=(530, 740, 750, 1530, 1100, 1110, 1120),
+    no_move=(530, 740, 750, 1530, *POLES),
+    motion={code: mode for code, mode in MOTION.items() if code not in (740, 750)},  # fixed points, in their line alone
 )
 HEIDENHAIN = Grammar(
     "heidenhain",
     {210: 0, 200: 1},
     say("neither MM nor INCH in BEGIN PGM"),
-    frozenset(HARMLESS),
-    {},
+    frozenset(HARMLESS - {530}),
+    {530: SHIFT},
     {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL},
     ends=(2, 30),
     dwell="FPXU",
+    no_move=(*NO_MOVE, DATUM),
     guide_m={128: 1, 129: 0},
     machine_m=(91, 92),
 )

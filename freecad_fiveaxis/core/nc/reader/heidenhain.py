@@ -4,6 +4,7 @@
 % NAME G71   begin and end of a program in DIN/ISO, with its unit.
 12 L X+1 IY-2 A+3 R0 F500 M3   a block number, the function L, words, I for an incremental one, radius compensation, F, M.
 FMAX   rapid, in its block alone.      LN ... TX TY TZ   with the tool's direction.      CC, C, CR   centre, arc, arc by radius.
+CYCL DEF 7.1 X+10, TRANS DATUM AXIS X+10   shifts of the zero (:mod:`.shifts`).
 TOOL CALL, CYCL DEF, FUNCTION ...      lines of words: known and harmless, known and not interpreted, or unknown.
 ~      the line goes on in the next one.                 Q1, QL1, QR1, QS1   parameters: not interpreted.
 """
@@ -38,6 +39,10 @@ RAPID = re.compile(rb"(?<![A-Z])F +MAX\b")
 SAME_SIDE = re.compile(rb"(?<![A-Z])R(?= +[FM])")
 """R alone: the radius compensation stays as it is."""
 STEP = re.compile(rb"I([XYZABC])")
+SHIFT = re.compile(
+    rb"(?:CYCL DEF 7\.[1-9]|TRANS DATUM AXIS) *((?:I?[XYZABC] *[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+) *)+)$|TRANS DATUM RESET$"
+)
+"""A shift of the zero, told by axes; one of a table is not known here."""
 FEED_BY_NAME = re.compile(rb"F *(?:AUTO|Q[LR]?[0-9]+|MAXT|[UZ](?= *[0-9])|T(?= *[0-9]))")
 PARAMETER = re.compile(rb"^[^\n]*(?:Q[LRS]?[0-9]+|[=#])[^\n]*$", re.MULTILINE)
 
@@ -45,7 +50,7 @@ PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"), (b"NX", "n"), (b"NY", "n"),
 UNKNOWN_FEED = (codes.PER_TURN_KIND[0], "feed-by-parameter", say("feeds told by a parameter or the tool; F is not known there"))
 HARMLESS = (
     b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32", b"CYCL DEF 9.",
-    b"CYCL DEF 13", b"CYCL DEF 247", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING",
+    b"CYCL DEF 13", b"CYCL DEF 7.0", b"CYCL DEF 247", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING",
 )  # fmt: skip
 KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
     (b"CYCL DEF 7 ", codes.SHIFT), (b"CYCL DEF 7.", codes.SHIFT), (b"CYCL DEF 8", codes.SHIFT), (b"CYCL DEF 10", codes.SHIFT),
@@ -134,6 +139,8 @@ def _function(found: re.Match[bytes], notes: Notes) -> bytes:
         return found[0]
     if line.startswith(b"PLANE "):
         return before + notes.tilt(plane(line.decode("latin-1"))).ljust(len(found[1]))
+    if shift := SHIFT.match(line):
+        return before + (b"s1 " + shift[1] if shift[1] else b"s0").ljust(len(found[1]))
     word = _word_of(line)
     if word is None:
         _note_function(line, found.start(1), notes)

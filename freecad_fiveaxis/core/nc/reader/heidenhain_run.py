@@ -230,7 +230,8 @@ class Run:
             if number and int(number[1]) >= 200 and number[1] not in DEF_ACTIVE:
                 self.cycle = None
             self.known.update(words)
-            self.made.append((self.at, self.rows[self.at]))
+            row = self.rows[self.at]
+            self.made.append((self.at, WORD.sub(self._word, row) if number and number[1] == DATUM_SHIFT else row))
 
     def _with_values(self) -> str:
         """The line of a cycle with numbers for the values told by parameters."""
@@ -246,6 +247,7 @@ class Run:
             self.made.append((self.at, row))
 
 
+DATUM_SHIFT = "7"
 DEF_ACTIVE = ("220", "221", "247", "239")
 """Cycles that are no cycle to be called."""
 

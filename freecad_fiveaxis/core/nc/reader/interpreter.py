@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from .expressions import Unread, Value, Variables, number
 from .flow import Flow, flow_of
 from .siemens_run import said_again
-from .statements import ARGUMENTS, SPECIAL, Block, Macro, OWord, Statement, statement
+from .statements import ARGUMENTS, SPECIAL, Block, Cycle, Macro, OWord, Statement, statement
 
 MOST = 2_000_000
 DEEPEST = 100
@@ -162,6 +162,9 @@ class Run:
         """Run one line; the next one."""
         if isinstance(what, Block):
             return self._block(what)
+        if isinstance(what, Cycle):
+            self.made.append((self.at, what.row(self.known)))
+            return self.at + 1
         return self._macro(what) if isinstance(what, Macro) else O_WORDS[what.word](self, what)
 
     def _truth(self, what: OWord | Macro) -> bool:

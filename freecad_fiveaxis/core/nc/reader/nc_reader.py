@@ -50,6 +50,8 @@ from .findings import (
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
 from .planes import IN_PLANE, Planes, planes_of
 from .positions import Moves, axis_words, begun, check_near, in_work, moves, tool_axes, where_axes_stand
+from .shifts import shifted
+from .siemens_holes import holes_written_out
 from .turning import off_normal, turned, vector_findings
 from .words import Words, language_of, read_words
 
@@ -71,7 +73,7 @@ def read_nc(
     words, lines, before = _words_and_lines(text, grammar, dialect, assumed, progress)
     findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
-    mode, on = lines.mode(codes.MOTION, codes.NONE), _guide_on(lines, grammar)
+    mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)
     planes = planes_of(lines, grammar)
     if planes is not None:
         mode, on = planes.modes(mode, on)
@@ -132,8 +134,17 @@ def _words_and_lines(
         lines = Lines(words, assumed)
     elif dialect is not None and dialect.least_increment:
         findings += point_findings(words)
-    made, found = written_out(words, lines, grammar, controller)
+    if grammar.name == "siemens":  # its cycles tell heights, which the shifts move then
+        made, found = holes_written_out(words, lines, grammar)
+    else:
+        made, found = shifted(words, lines, grammar)
     findings = words.findings + in_file(words, (*findings, *found))
+    words, lines = made, lines if made is words else Lines(made, assumed)
+    if grammar.name == "siemens":
+        made, found = shifted(words, lines, grammar)
+    else:
+        made, found = written_out(words, lines, grammar, controller)
+    findings += in_file(words, tuple(found))
     return made, lines if made is words else Lines(made, assumed), findings
 
 

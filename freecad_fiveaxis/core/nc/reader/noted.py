@@ -10,22 +10,30 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.sentences import say
 
-from .codes import PLANE, Kind
+from .codes import DRILL, PLANE, Kind
 from .plane_calls import Tilt
+from .siemens_cycles import Drill
 
 
 @dataclass
 class Notes:
     """``met``: by kind and name, the offsets in the text where it stands; ``tilts``: the lines that begin or end a tilted plane,
-    in their order."""
+    in their order; ``drills``: the calls of drilling cycles."""
 
     met: dict[tuple[Kind, str], list[int]] = field(default_factory=dict)
     tilts: list[Tilt] = field(default_factory=list)
+    drills: list[Drill] = field(default_factory=list)
 
     def tilt(self, tilt: Tilt) -> bytes:
         """The private word for such a line."""
         self.tilts.append(tilt)
         return b"%c%d" % (ord(PLANE), len(self.tilts) - 1)
+
+    def drill(self, drill: Drill) -> bytes:
+        """The private word for a line that calls a cycle."""
+        if self.drills[-1:] != [drill]:
+            self.drills.append(drill)
+        return b"%c%d" % (ord(DRILL), len(self.drills) - 1)
 
     def note(self, kind: Kind, name: str, at: int) -> None:
         """``name`` stands at offset ``at`` of the text, whose lines end in LF."""

@@ -16,6 +16,7 @@ from freecad_fiveaxis.core.base.sentences import Template
 from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
 from .noted import Notes
 from .plane_calls import Tilt
+from .siemens_cycles import Drill
 
 NOT_RUN = Template(
     "The lines with variables, expressions or jumps are not interpreted, because of this one: {reason}. Their words are missing "
@@ -26,12 +27,13 @@ NOT_RUN = Template(
 @dataclass(frozen=True)
 class Plain:
     """``text`` as plain words; ``source``: the lines of the file that its lines are, where it was run; ``findings``; ``tilts``:
-    the lines that begin or end a tilted plane."""
+    the lines that begin or end a tilted plane; ``drills``: the calls of drilling cycles."""
 
     text: bytes
     source: Ints | None
     findings: tuple[Finding, ...]
     tilts: tuple[Tilt, ...]
+    drills: tuple[Drill, ...] = ()
 
 
 def plain_words(text: bytes, language: str, progress: Progress) -> Plain:
@@ -46,7 +48,7 @@ def _siemens(text: bytes, progress: Progress) -> Plain:
     if not (siemens_run.SIGN.search(text) or any(kind is codes.MACRO or name == siemens.SWIVEL for kind, name in met)):
         return _told(text, read, notes, None, [])
     notes = Notes()
-    text = siemens.without_strings(siemens.swivels(text, notes))
+    text = siemens.shifts(siemens.without_strings(siemens.swivels(text, notes)))
     source, refused = None, list[Finding]()
     if siemens_run.MARK.search(text):
         run = interpreter.written_out(text, False, progress, siemens=True)
@@ -76,7 +78,7 @@ def not_run(run: interpreter.Refused) -> Finding:
 def _told(text: bytes, read: bytes, notes: Notes, source: Ints | None, refused: list[Finding], first: bool = False) -> Plain:
     """``first``: what was refused is said before what was met."""
     met = [moved(found, source) for found in notes.findings(text)]
-    return Plain(read, source, (*refused, *met) if first else (*met, *refused), tuple(notes.tilts))
+    return Plain(read, source, (*refused, *met) if first else (*met, *refused), tuple(notes.tilts), tuple(notes.drills))
 
 
 def moved(found: Finding, source: Ints | None) -> Finding:

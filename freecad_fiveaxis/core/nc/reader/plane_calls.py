@@ -4,7 +4,8 @@
 G68.2 X Y Z I J K    zero, and Euler angles: I about Z, J about the X so turned, K about the Z so turned (Fanuc B-63942EN/02,
                      5.44, tilted working plane command; the same order as PLANE EULER). G53.1 then turns the tool to its normal.
 PLANE SPATIAL        SPA, SPB, SPC about X, then Y, then Z of the untilted system; EULER as above; VECTOR: base vector B along
-                     X, normal N (Heidenhain TNC 620, Klartext, 10/2017, 13.2; iTNC 530, 9.2, 9.4, 9.5). The zero stays.
+                     X, normal N; RELATIV: one angle, on from the plane that is on. The zero stays (Heidenhain TNC 620, Klartext,
+                     10/2017, 13.2; iTNC 530, 9.2, 9.4, 9.5).
 CYCLE800             (FR, "TC", ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, DIR, ...): zero X0 Y0 Z0, turns one after the other
                      about axes already turned, zero X1 Y1 Z1 in the plane so turned. MODE: two bits for the axis of each
                      turn, the first lowest (27 = Z Y X, 39, 45, 30, 54, 57 = X Y Z). All angles 0: back to the basic position
@@ -13,7 +14,7 @@ CYCLE800             (FR, "TC", ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, DIR, 
 Not looked up in a manual: DIR 0 leaves the axes, all angles 0 drive them back, the meaning of ST, DIST of MOVE; and that Fanuc's
 angles are about Z, X, Z, as posts write them (FreeCAD CAM's too). Check them on the control.
 
-Other forms (three points, projection, relative and axis angles, SYM; ST that adds) are not known here, and named.
+Other forms (three points, projection and axis angles, SYM; ST that adds) are not known here, and named.
 """
 
 from __future__ import annotations
@@ -34,9 +35,11 @@ FANUC, HEIDENHAIN, SIEMENS = "fanuc", "heidenhain", "siemens"
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
 ENTRY = re.compile(rf"(SP[ABC]|EUL(?:PR|NU|ROT)|[BN][XYZ]) *({NUMBER})")
 REST = re.compile(rf"TURN|MOVE|STAY|SEQ *[-+]|(?:TABLE|COORD) *ROT|(ABST|DIST|MB) *({NUMBER}|MAX)|F *MAX|F *AUTO|F *{NUMBER}")
+RELATIVE = "RELATIV"
 FORMS = {
     "SPATIAL": ("SPA", "SPB", "SPC"),
     "EULER": ("EULPR", "EULNU", "EULROT"),
+    RELATIVE: ("SPA", "SPB", "SPC"),
     "VECTOR": ("BX", "BY", "BZ", "NX", "NY", "NZ"),
 }
 MOST_ARGUMENTS = 16
@@ -50,7 +53,8 @@ POLE_STATES = (0, 100_000, 200_000)
 class Tilt:
     """``turn`` (3, 3): the plane's axes as columns, None where the plane ends; ``origin`` (3,) in the program's unit, ``shift``
     (3,) in the plane; ``move``: of :data:`STAY`, :data:`TURN`, :data:`MOVE`; ``side``: -1 or 1 for the sign of the first axis,
-    0 where the line does not say; ``back``: to where both rotary words are 0; ``away``: it draws the tool back before;
+    0 where the line does not say; ``back``: to where both rotary words are 0; ``relative``: on
+    from the plane that is on; ``away``: it draws the tool back before;
     ``refused``: why it is not understood; ``name``: how it is called."""
 
     rule: str
@@ -61,6 +65,7 @@ class Tilt:
     side: int = 0
     dist: float = 0.0
     back: bool = False
+    relative: bool = False
     away: bool = False
     refused: str = ""
     name: str = ""
@@ -130,18 +135,18 @@ def _heidenhain(form: str, rest: str) -> Tilt:
         return Tilt(HEIDENHAIN, refused=say("{rest} is not known here", rest=repr(f"PLANE {form}")))
     if not any(found[0] in ("TURN", "MOVE", "STAY") for found in said):
         return Tilt(HEIDENHAIN, refused=say("it says none of TURN, MOVE and STAY"))
-    if set(told) != set(FORMS[form]):
+    if set(told) != set(FORMS[form]) if form != RELATIVE else len(told) != 1 or not set(told) <= set(FORMS[form]):
         return Tilt(HEIDENHAIN, refused=say("not all its values are given, or others"))
     if why := beyond([*told.values(), float(dist)]):
         return Tilt(HEIDENHAIN, refused=why)
-    turn = _turned(form, [told[name] for name in FORMS[form]])
+    turn = _turned(form, [told.get(name, 0.0) for name in FORMS[form]])
     if turn is None:
         return Tilt(HEIDENHAIN, refused=say("its vectors span no plane"))
-    return Tilt(HEIDENHAIN, turn, move=move, side=side, dist=float(dist), away=away)
+    return Tilt(HEIDENHAIN, turn, move=move, side=side, dist=float(dist), relative=form == RELATIVE, away=away)
 
 
 def _turned(form: str, values: list[float]) -> Floats | None:
-    if form == "SPATIAL":
+    if form in ("SPATIAL", RELATIVE):
         return one_by_one((2, 1, 0), values[::-1])
     return euler(values) if form == "EULER" else by_vectors(np.array(values[:3]), np.array(values[3:]))
 

@@ -70,8 +70,13 @@ class Planes:
 
 def planes_of(lines: Lines, grammar: Grammar) -> Planes | None:
     """The tilted planes of a program; None where it has none."""
-    tilts = _by_codes(lines) if grammar.name == "iso" else _by_words(lines)
+    tilts = tilts_of(lines, grammar)
     return _planes(tilts, lines, grammar) if tilts else None
+
+
+def tilts_of(lines: Lines, grammar: Grammar) -> dict[int, Tilt]:
+    """The lines that begin, turn to or end a tilted plane, in their order."""
+    return dict(sorted((_by_codes(lines) if grammar.name == "iso" else _by_words(lines)).items()))
 
 
 def _by_words(lines: Lines) -> dict[int, Tilt]:
@@ -114,13 +119,16 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
     scale = np.where(lines.inch(grammar), INCH, 1.0)
     origins, turns, turning, findings = list[Floats](), list[Floats](), dict[int, tuple[Tilt, Floats]](), list[Finding]()
     state, now = np.zeros(lines.count, np.int64), 0
-    for row, tilt in sorted(tilts.items()):
+    before = np.nan_to_num(np.stack([lines.column(letter) for letter in codes.ORIGIN], axis=1))
+    for row, tilt in tilts.items():
         reason = _wrong(tilt, now)
         if reason:
             findings.append(refused(tilt.name or NAMES[tilt.rule], reason, row))
         elif tilt.turn is not None:
-            origins.append((np.array(tilt.origin) + tilt.turn @ tilt.shift) * scale[row])
-            turns.append(tilt.turn)
+            relative = tilt.relative and now
+            place = before[row] + (np.array(tilt.origin) + tilt.turn @ tilt.shift) * scale[row]
+            origins.append(origins[now - IN_PLANE] if relative else place)
+            turns.append(turns[now - IN_PLANE] @ tilt.turn if relative else tilt.turn)
             now = IN_PLANE + len(turns) - 1
         elif not (tilt.rule == FANUC and tilt.move == TURN):
             now = 0

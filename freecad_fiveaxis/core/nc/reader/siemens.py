@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import re
 
-from . import codes
+from . import codes, siemens_cycles
 from .noted import Notes
 from .plane_calls import cycle800
+from .siemens_cycles import Drill, drill_of
 
 STRING = re.compile(rb'"[^"\n]*"')
 NUMBER = rb" *([-+]?[0-9.][0-9. ]*)"
@@ -23,6 +24,7 @@ ADDRESS = re.compile(rb"(?<![A-Z_$])([XYZABCUVWFIJKSDT]) *=(?= *[-+.0-9])")
 SIDE = re.compile(
     rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) *=" + NUMBER
 )
+SHIFT = re.compile(rb"(?<![A-Z0-9_$])(A)?TRANS(?![A-Z0-9_])")
 SWIVEL = "CYCLE800"
 CYCLE800 = re.compile(rb"\bCYCLE800 *\(([^()\n]*)\)")
 TOOL = re.compile(rb"(?<![A-Z0-9_$])T *= *$", re.MULTILINE)
@@ -38,7 +40,7 @@ HARMLESS = frozenset(
     EXTCLOSE PAROT PAROTOF SETMS FXS CYCLE_HSC GROUP_BEGIN GROUP_END AP RP WAITM DISPLOF DISPLON SAVE SBLON SBLOF ACCLIMA VELOLIM
     ORIRESET CTRANS TOWSTD TOWTCP TCOFR TCOABS MIRRORW""".split()
 )
-SHIFTS = frozenset(b"TRANS ATRANS ROT AROT ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split())
+SHIFTS = frozenset(b"ROT AROT ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split())
 CALLS = frozenset(b"CALL PCALL EXTCALL MCALL ISOCALL".split())
 ARCS = frozenset(b"CIP CT TURN AR".split())
 SPLINES = frozenset(b"ASPLINE BSPLINE CSPLINE POLY POLYPATH INVCW INVCCW".split())
@@ -52,15 +54,30 @@ WAYS = {b"AC": str, b"IC": codes.STEP_OF, b"DC": codes.SHORTER_OF, b"ACP": codes
 
 def plain(text: bytes, notes: Notes) -> bytes:
     """The text, in capitals and without comments, as ISO words with the private letters; every line stays where it is."""
-    text = without_strings(text)
+    text = shifts(without_strings(text))
     if b"=" in text:
         text = _addresses(text, notes)
+    if b"CYCLE8" in text or b"MCALL" in text:
+        text = siemens_cycles.CALL.sub(lambda found: _drill(found, notes), text)
     return KEYWORD.sub(lambda found: _keyword(found, notes), LABEL.sub(_label, text) if b":" in text else text)
 
 
 def swivels(text: bytes, notes: Notes) -> bytes:
     """The text with the private word of a tilted plane for each CYCLE800, whose tool carrier stands in quotation marks."""
     return CYCLE800.sub(lambda found: notes.tilt(cycle800(found[1].decode("latin-1"))).ljust(len(found[0])), text)
+
+
+def shifts(text: bytes) -> bytes:
+    """The text with the private word of a shift for TRANS and ATRANS, whose words stay as they are."""
+    return SHIFT.sub(lambda found: (b"s3" if found[1] else b"s2").ljust(len(found[0])), text) if b"TRANS" in text else text
+
+
+def _drill(found: re.Match[bytes], notes: Notes) -> bytes:
+    """The private word of a call of a drilling cycle, or of MCALL alone, which ends one."""
+    drill = Drill()
+    if found[2]:
+        drill = drill_of(found[2].decode(), found[3].decode("latin-1"), bool(found[1]))
+    return notes.drill(drill).ljust(len(found[0]))
 
 
 def without_strings(text: bytes) -> bytes:
@@ -119,6 +136,8 @@ def _keyword(found: re.Match[bytes], notes: Notes) -> bytes:
         return b"v1".ljust(len(found[0]))
     if name in HARMLESS:
         return _blank(found)
+    if name == b"MCALL":  # of something else: it ends the modal cycle before it
+        return notes.drill(Drill()) + _noted(found, codes.CALL, name, notes)[2:]
     return _noted(found, _kind(name), name, notes)
 
 

@@ -2,6 +2,7 @@
 """Siemens 840D programs with R parameters and jumps: their lines said again as the O-words that :mod:`.interpreter` runs.
 
 R1=R2*2+SIN(30)   an R parameter; X=R1 F=R4    words of one letter with values. One that was never set only the control knows.
+CYCLE81(R1,0,2,-R2)   the values of drilling cycles.
 IF .. ELSE .. ENDIF, WHILE, LOOP, REPEAT .. UNTIL;   IF .. GOTOF LABEL, GOTOB, GOTO, to LABEL: or a block number.
 
 Source: 840D sl, Programming Manual Job Planning (arithmetic parameters; program jumps; control structures).
@@ -14,6 +15,7 @@ import re
 from freecad_fiveaxis.core.base.sentences import say
 
 from .expressions import Unread
+from .siemens_cycles import split_arguments
 
 MARK = re.compile(rb"(?<![A-Z_$])R *[0-9\[]|(?<![A-Z_$])(?:IF|WHILE|FOR|LOOP|UNTIL|GOTO[FB]?)\b")
 """What shows that a text has R parameters or jumps."""
@@ -26,6 +28,7 @@ ADDRESS = re.compile(r"(?<![A-Z_$])(?=[A-QS-Z](?:=|[-+]?[0-9.]))")
 """Before each word of a block."""
 SIGN = re.compile(rb"R *[0-9\[]")
 """What each text with R parameters has, searched faster than :data:`MARK`."""
+CYCLE = re.compile(r"((?:MCALL)?CYCLE(?:8[1-9]|840))\((.*)\)$")
 ENDS = re.compile(r"M(?:0*2|17|30)(?![0-9=])")
 RELATIONS = (("==", "EQ"), ("<>", "NE"), (">=", "GE"), ("<=", "LE"), (">", "GT"), ("<", "LT"))
 OPENS = {"IF": "IF", "WHILE": "WHILE", "LOOP": "WHILE", "REPEAT": "DO"}
@@ -66,6 +69,8 @@ def _again(line: str, at: int, labels: dict[str, int], opened: list[tuple[str, i
         return mark + _jump(jump, labels)
     if found:
         return _keyword(found[1], rest[found.end() :], at, opened)
+    if USED.search(rest) and (cycle := CYCLE.match(rest)):
+        return mark + cycle[1] + "(" + ",".join(_expression(part) for part in split_arguments(cycle[2])) + ")"
     if USED.search(rest):
         return mark + (_set(rest) if rest.startswith("R") else _words(rest))
     if ENDS.fullmatch(rest):

@@ -17,6 +17,7 @@ from .flow import O_WORD, without_number
 
 SPECIAL = re.compile(r"[#\[\]=<>@^]|O[0-9]|M0*(?:2|30|7[0-3]|9[789])(?![0-9])|G0*6[567](?![0-9])|GOTO|IF|WHILE|END|DO|THEN")
 """A line without any of these is a block of words with numbers."""
+CYCLE = re.compile(r"((?:MCALL)?CYCLE[0-9]+)\((.*)\)$")
 LARGEST = 1e12
 ARGUMENTS = dict(zip("ABCIJKDEFHMQRSTUVWXYZ", (1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, *range(17, 27)), strict=True))
 """Where G65 puts its words (Fanuc B-63324EN, 15.6: argument specification I)."""
@@ -69,7 +70,21 @@ class Macro:
     then: Block | None = None
 
 
-Statement = Block | OWord | Macro
+@dataclass(frozen=True, eq=False)
+class Cycle:
+    """A call of Siemens' drilling cycles: its ``name``, after MCALL where it is modal, and its values, None where one is left
+    out."""
+
+    name: str
+    values: tuple[Expression | None, ...]
+
+    def row(self, known: Variables) -> str:
+        """The call with numbers for its values."""
+        told = ["" if value is None else written(number(value(known))) for value in self.values]
+        return f"{self.name.replace('MCALL', 'MCALL ')}({','.join(told)})"
+
+
+Statement = Block | OWord | Macro | Cycle
 
 
 def written(value: float) -> str:
@@ -86,6 +101,8 @@ def statement(line: str, words: tuple[str, str] | None, fanuc: bool) -> Statemen
     line = without_number(line)
     if words is not None:
         return _o_word(line, *words, fanuc)
+    if found := CYCLE.match(line):
+        return Cycle(found[1], tuple(_whole(part, fanuc) if part else None for part in found[2].split(",")))
     parser = Parser(line, fanuc)
     if parser.takes("WHILE["):
         condition = parser.bracketed()
@@ -101,6 +118,14 @@ def statement(line: str, words: tuple[str, str] | None, fanuc: bool) -> Statemen
     if line[:2] == "DO" or line[:3] == "END":
         return Macro("END" if line[:3] == "END" else "DO")
     return _block(parser, fanuc)
+
+
+def _whole(text: str, fanuc: bool) -> Expression:
+    parser = Parser(text, fanuc)
+    value = parser.expression()
+    if parser.rest():
+        raise Unread(say("{rest} is not known here", rest=repr(parser.rest()[:20])))
+    return value
 
 
 def _last(parser: Parser) -> Expression:
@@ -129,7 +154,7 @@ def _block(parser: Parser, fanuc: bool) -> Block:
             setting = parser.variable()[1]
             parser.needs("=")
             settings.append((setting, parser.expression() if fanuc else parser.value()))
-        elif "A" <= rest[0] <= "Z":
+        elif rest[0].isalpha():  # a small one is a private word
             parser.at += 1
             words.append(_word(parser, rest[0]))
         else:
@@ -160,4 +185,4 @@ def _kind(words: list[tuple[str, str, Expression | None]], fanuc: bool) -> tuple
 
 STATES = {("M", 70.0), ("M", 71.0), ("M", 72.0), ("M", 73.0)}
 CALLS = {("M", 97.0), ("M", 98.0), ("M", 99.0), ("G", 65.0)}
-__all__ = ["ARGUMENTS", "SPECIAL", "Block", "Macro", "OWord", "Statement", "number", "statement"]
+__all__ = ["ARGUMENTS", "SPECIAL", "Block", "Cycle", "Macro", "OWord", "Statement", "number", "statement"]

@@ -30,8 +30,9 @@ from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, interpreter
 from .heidenhain import with_unit
-from .plain_words import moved, not_run, plain_words
+from .plain_words import Plain, moved, not_run, plain_words
 from .plane_calls import Tilt
+from .siemens_cycles import Drill
 
 SOLID = re.compile(rb"[^ \n]")
 BRACKETS, SEMICOLON, STAR = (
@@ -84,7 +85,7 @@ class Words:
     """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file; ``text``: what was left
     of the file when they were read, ``start`` (w,) where they stand in it without its blanks. ``source``: where lines of the file
     were written out as several, ``line`` counts those; ``source`` (lines + 1,) are the lines of the file that they come from.
-    ``tilts``: what the lines with the private word of a tilted plane say."""
+    ``tilts``, ``drills``: what the lines with the private words of a tilted plane and of a drilling cycle say."""
 
     letter: Bytes
     value: Floats
@@ -94,6 +95,7 @@ class Words:
     start: Ints | None = None
     source: Ints | None = None
     tilts: tuple[Tilt, ...] = ()
+    drills: tuple[Drill, ...] = ()
 
     def place(self, word: int) -> str:
         """Where a word stands, as "line 3, column 7"."""
@@ -131,13 +133,14 @@ def language_of(text: bytes, told: str) -> str:
 def read_words(text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent) -> Words:
     """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC where there is none)
     comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
-    text, findings, source, tilts = _blanked(text, language, progress)
+    text, findings, plain = _blanked(text, language, progress)
+    source, tilts, drills = plain.source, plain.tilts, plain.drills
     marks, fanuc = _marks(text, language), controller in FANUC
     made = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
     words = _words_of(*made)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
-    return replace(words, findings=tuple(findings), tilts=tilts)
+    return replace(words, findings=tuple(findings), tilts=tilts, drills=drills)
 
 
 def _words_of(text: bytes, source: Ints | None) -> Words:
@@ -157,9 +160,9 @@ def _words_of(text: bytes, source: Ints | None) -> Words:
     return Words(code[start].astype(np.int8), value, line, (), text, start, source)
 
 
-def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, list[Finding], Ints | None, tuple[Tilt, ...]]:
-    """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over; the lines of the file,
-    where the text was run; and the lines that begin or end a tilted plane."""
+def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, list[Finding], Plain]:
+    """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over; what the text's own
+    language brought."""
     text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     if control := text.translate(None, TEXT):
         at = text.index(control[:1])
@@ -181,10 +184,10 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
     text = _between_marks(whole, findings)
     if language == "heidenhain":
         text = with_unit(whole, text)
-    source, tilts = None, tuple[Tilt, ...]()
+    plain = Plain(text, None, (), ())
     if language != "iso":
         plain = plain_words(text, language, progress)
-        text, source, tilts = plain.text, plain.source, plain.tilts
+        text = plain.text
         findings += plain.findings
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
@@ -192,10 +195,10 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
         text, lines = _overwritten(text, SLASH, b" ")
         if lines:
             found = _finding(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0])
-            findings.append(moved(found, source))
+            findings.append(moved(found, plain.source))
     if b":" in text:
         text, _ = _overwritten(text, COLON, b"O")
-    return text, findings, source, tilts
+    return text, findings, plain
 
 
 def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[bytes, list[int]]:
