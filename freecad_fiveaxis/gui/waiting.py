@@ -17,6 +17,7 @@ from contextlib import contextmanager
 
 import FreeCAD
 
+from . import keys
 from .qt import QtCore, QtGui, QtWidgets, main_window, translate
 
 REPAINT = 0.05
@@ -140,6 +141,7 @@ def waiting(text: str) -> Iterator[Waiting]:
             yield listener
     finally:
         listener.stop()
+        keys.give_back()
 
 
 @contextmanager

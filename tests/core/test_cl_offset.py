@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from cutter_body import depth, facet_points, inside
+from gouge_examples import knob_in_corner
 from uncured import UNCURED
 
 from freecad_fiveaxis.core.cl import cl_offset as seating
@@ -64,12 +65,54 @@ def test_on_a_saddle_a_lead_keeps_every_cutter_out_of_the_hollow(cutter, milled,
     assert not [finding for finding in made.findings if finding.code == "heel-in-hollow"]
 
 
+@pytest.fixture
+def estimated(monkeypatch):
+    """A list of the deepest heel, mm, that is behind the finding of each path made from now on."""
+    seen, heel_depth = [], seating.heel_depth
+
+    def spied(*given):
+        depths = heel_depth(*given)
+        seen.append(depths.max())
+        return depths
+
+    monkeypatch.setattr(seating, "heel_depth", spied)
+    return seen
+
+
+def heels_of(made):
+    return [finding for finding in made.findings if finding.code == "heel-in-hollow"]
+
+
 @pytest.mark.parametrize("cutter", ["flat:10", "bull:10:2", "taperbull:8:1:5deg"])
-def test_a_heel_in_a_hollow_is_told_as_deep_as_it_is(cutter, milled, points):
-    made = milled("saddle", "trunnion_ac", cutter=cutter).made
-    (heel,) = [finding for finding in made.findings if finding.code == "heel-in-hollow"]
+def test_a_heel_in_a_hollow_along_the_pass_is_as_deep_as_estimated(cutter, parts, points, estimated):
+    given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 5, "tool_length": 120, **UNCURED}
+    made = job.make(build_settings("mill", str(parts / "saddle.stl"), given))
     deep = depth(parse_cutter(cutter), *on_part(made), points("saddle"))
-    assert deep.max() > 0.1 and heel.value == pytest.approx(deep.max(), rel=0.15)
+    assert len(heels_of(made)) == 1 and deep.max() > 0.1
+    assert estimated[-1] == pytest.approx(deep.max(), rel=0.15)
+
+
+@pytest.mark.parametrize("cutter", ["bull:8:1.5", "flat:6"])
+@pytest.mark.parametrize("gouge", ["off", "report"])
+def test_across_the_pass_a_heel_may_be_deeper_so_no_depth_is_told_and_the_check_settles_it(cutter, gouge, estimated):
+    """A ball in a corner. With the check on, its own finding says how deep."""
+    mesh = knob_in_corner(cells=24)
+    given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 6, "direction": 0, "tool_length": 120}
+    given |= {**UNCURED, "tool_axis": "fixed", "max_axis_angle": 60, "gouge": gouge}
+    result = job.prove(job.make(build_settings("mill", "knob", given), mesh=mesh))
+    heels = heels_of(result)
+    assert bool(heels) == (gouge == "off")
+    assert all(heel.value is None and "not known" in heel.text and " mm" not in heel.text for heel in heels)
+    assert ("overcut" in {one.code for one in result.findings}) == (gouge == "report")
+    deep = depth(parse_cutter(cutter), *on_part(result.made), facet_points(mesh, 0.5)).max()
+    assert deep > 1.15 * estimated[0]
+
+
+def test_after_a_lift_nothing_says_that_the_heel_stands_in_the_part(parts):
+    given = {"machine": "trunnion_ac", "cutter": "bull:10:2", "stepover": 20, "tool_length": 120, **UNCURED, "gouge": "lift"}
+    result = job.prove(job.make(build_settings("mill", str(parts / "saddle.stl"), given)))
+    assert heels_of(result.made) and not heels_of(result)
+    assert "lifted" in {one.code for one in result.findings}
 
 
 @pytest.mark.parametrize("part, lead", [("dome", 5), ("saddle", 10)])
@@ -187,16 +230,15 @@ def test_over_a_ridge_no_cutter_cuts_the_edge(cutter, slope, tmp_path):
 @pytest.mark.parametrize("slope, options, gouges", [
     (-5, {}, True), (-5, {"tool_axis": "fixed"}, True), (-5, {"lead": 10}, False), (-20, {"lead": 10}, True), (-45, {}, True),
 ])  # fmt: skip
-def test_in_a_valley_the_bottom_is_told_of_where_it_cuts_and_only_there(cutter, slope, options, gouges, tmp_path):
+def test_in_a_valley_the_bottom_is_told_of_where_it_cuts_and_only_there(cutter, slope, options, gouges, tmp_path, estimated):
     """Concave edges are trimmed for the corner circle alone; what the rest of the bottom does there is said."""
     mesh = roof(np.radians(slope))
     write_stl(mesh, tmp_path / "valley.stl")
     given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 20, "max_axis_angle": 60, **UNCURED, **options}
     made = job.make(build_settings("mill", str(tmp_path / "valley.stl"), given))
     deep = depth(parse_cutter(cutter), *on_part(made), facet_points(mesh, 1.0)).max()
-    heels = [finding.value for finding in made.findings if finding.code == "heel-in-hollow"]
-    assert (deep > 0.1) == gouges == bool(heels)
-    assert not gouges or 0.95 * deep < heels[0] < 1.8 * deep
+    assert (deep > 0.1) == gouges == bool(heels_of(made))
+    assert not gouges or 0.95 * deep < estimated[-1] < 1.8 * deep
 
 
 def test_the_flank_of_a_tapered_cutter_stays_out_of_steep_walls(milled, points):

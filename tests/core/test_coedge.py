@@ -7,7 +7,7 @@ from offset_examples import ball, clearance, distance, field, hull, joined, own_
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.coedge import close_gaps, columns, junction, trimming
+from freecad_fiveaxis.core.cl.coedge import close_gaps, coedge, columns, junction, trimming
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import slice_mesh
 
@@ -22,6 +22,19 @@ def closed(contact, radius=5.0, tolerance=0.01):
 
 def codes(path):
     return [finding.code for finding in path.findings]
+
+
+@pytest.fixture
+def worst(monkeypatch):
+    """A list of the worst depth and the worst height, mm, that are behind the findings of each path closed (None: none notable)."""
+    seen, over = [], coedge._over
+
+    def spied(*given):
+        seen.append(over(*given))
+        return seen[-1]
+
+    monkeypatch.setattr(coedge, "_over", spied)
+    return seen
 
 
 # ---- convex ----------------------------------------------------------------------------------------------------------
@@ -212,7 +225,7 @@ def test_a_step_upwards_is_the_same_the_other_way_round():
     np.testing.assert_allclose(up.centre[::-1] * (-1, 1, 1) + (40, 0, 0), down.centre, atol=1e-9)
 
 
-def test_a_slot_narrower_than_the_cutter_is_bridged():
+def test_a_slot_narrower_than_the_cutter_is_bridged(worst):
     path = closed(prism([(0, 0), (20, 0), (20, -9), (26, -9), (26, 0), (46, 0)]))
     lowest = path.centre[path.centre[:, 2].argmin()]
     np.testing.assert_allclose(lowest, (23, 0, 4), atol=0.05)  # the ball sits on both edges: 5, 3, 4
@@ -222,19 +235,19 @@ def test_a_slot_narrower_than_the_cutter_is_bridged():
     assert np.linalg.norm(chord[..., None, :] - edges, axis=-1).min() > 5 - 1e-9
     finding = path.findings[0]
     assert (finding.code, finding.severity) == ("corner-not-reached", Severity.WARNING)
-    assert finding.value == pytest.approx(np.hypot(3, 13) - 5, abs=0.05)
+    assert worst[1].worst == pytest.approx(np.hypot(3, 13) - 5, abs=0.05)
 
 
 @pytest.mark.parametrize("radius", [2.0, 3.0])
 @pytest.mark.parametrize("count", [5, 40])
-def test_a_fillet_tighter_than_the_cutter_becomes_a_corner(radius, count):
+def test_a_fillet_tighter_than_the_cutter_becomes_a_corner(radius, count, worst):
     angle = np.linspace(np.pi, 1.5 * np.pi, count)
     fillet = [(radius * np.cos(t), radius + radius * np.sin(t)) for t in angle]
     path = closed(prism([(-radius, 30.0), *fillet, (30.0, 0.0)]))
     np.testing.assert_allclose(path.centre, [(5 - radius, 0, 30), (5 - radius, 0, 5), (30, 0, 5)], atol=1e-9)
     assert path.segment.tolist() == [0, 0, count]
     gap = (2**0.5 - 1) * (5 - radius)  # between the arc of the fillet and that of the ball, at 45 deg
-    assert path.findings[0].value == pytest.approx(gap, rel=0.05)
+    assert codes(path) == ["corner-not-reached"] and worst[1].worst == pytest.approx(gap, rel=0.05)
 
 
 def test_a_fillet_wider_than_the_cutter_is_followed():
@@ -314,6 +327,24 @@ def test_rough_ground_gives_finite_rows_and_says_where_it_is_poor():
         np.testing.assert_allclose(np.linalg.norm(path.normal, axis=1), 1, atol=1e-12)
         assert "corner-not-reached" in codes(path)
         assert all(finding.place is not None for finding in path.findings)
+
+
+@pytest.mark.parametrize("radius", [4.0, 5.0])
+def test_on_wavy_ground_no_height_is_told_that_is_not_known(radius, worst):
+    """More stays than is measured to the facets that were dropped: by brute force over all segments against all chords."""
+    mesh = field(lambda x, y: 1.5 * np.sin(x / 1.5) * np.cos(y / 2.0), 31)
+    contact = slice_mesh(mesh, np.linspace(-15, 15, 7), ANGLE)
+    path = close_gaps(contact, mesh, radius, 0.01)
+    (corner,) = [one for one in path.findings if one.code == "corner-not-reached"]
+    start, step = path.centre[:-1], np.diff(path.centre, axis=0)
+    whole = np.diff(path.polyline) == 0
+    stays = 0.0
+    for share in np.linspace(0.0, 1.0, 7):
+        off = ((1.0 - share) * contact.point[::2] + share * contact.point[1::2])[:, None] - start[whole]
+        t = np.clip((off * step[whole]).sum(-1) / np.maximum((step[whole] ** 2).sum(-1), 1e-30), 0, 1)
+        stays = max(stays, np.linalg.norm(off - t[..., None] * step[whole], axis=-1).min(axis=1).max() - radius)
+    assert stays > 1.2 * worst[1].worst
+    assert corner.value is None and "not known" in corner.text and " mm" not in corner.text
 
 
 # ---- polylines -------------------------------------------------------------------------------------------------------

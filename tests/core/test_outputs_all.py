@@ -134,8 +134,8 @@ def test_what_may_not_be_replaced_is_refused_by_name(tmp_path, act):
     (tmp_path / "loop").symlink_to("loop")
     (tmp_path / "link").symlink_to("mine.ngc")
     for name, said in (("mine.ngc", "is read-only; make it writable"), ("pipe", "no ordinary file"), ("folder", "is a folder"),
-                       ("loop", "levels of symbolic links"), ("link", "is read-only"), (os.devnull, "no ordinary file"),
-                       ("n" * 256, "name too long")):  # fmt: skip
+                       ("loop", "levels of symbolic links; choose another name"), ("link", "is read-only"), (os.devnull, "no ordinary file"),
+                       ("n" * 256, "name too long; choose another name")):  # fmt: skip
         with pytest.raises(FileError, match=said) as error:
             act(tmp_path / name)
         assert name[-8:] in str(error.value)

@@ -4,6 +4,7 @@
 import json
 import math
 
+import FreeCADGui
 import pytest
 from conftest import QtCore, QtWidgets
 from test_clicks import look
@@ -83,7 +84,8 @@ def test_the_table_says_what_the_core_says_and_is_sorted_by_a_click(path, doc, t
     assert [obj.Name for obj in doc.Objects] == names and table.isVisible()
 
 
-def test_nothing_ticked_and_a_stop_leave_no_table(path, tree_row, press, field, click, panel_button, monkeypatch, window):
+def test_nothing_ticked_and_a_stop_leave_no_table_and_esc_closes(path, tree_row, press, field, click, until, real_key, monkeypatch, pump,
+                                                                 window):  # fmt: skip
     from freecad_fiveaxis.core.base.errors import Cancelled
     from freecad_fiveaxis.gui import waiting
 
@@ -100,7 +102,9 @@ def test_nothing_ticked_and_a_stop_leave_no_table(path, tree_row, press, field, 
     monkeypatch.setattr(waiting.Waiting, "__call__", stop)
     click(field("calculate"))
     assert "Stopped" in window.statusBar().currentMessage() and not field_text(window, "compare_error")
-    panel_button("Close")
+    pump(300)
+    real_key(window, "Escape")
+    until(lambda: not FreeCADGui.Control.activeDialog(), 3000, "Esc to close the panel")
 
 
 def test_the_table_is_saved_where_the_user_says_and_replaces_nothing_unasked(path, monkeypatch, modal, tmp_path):

@@ -22,6 +22,7 @@ from test_clicks import look
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import comparing, results
 from freecad_fiveaxis.core.base.errors import Cancelled
+from freecad_fiveaxis.gui import keys
 from freecad_fiveaxis.gui.waiting import waiting
 
 LONGEST = 0.3
@@ -271,3 +272,32 @@ def test_a_fraction_that_stands_still_is_shown_as_a_bar_that_runs(window, pump):
         assert bar.maximum() == 0 and not told.dialog.wasCanceled()
         told("weld", 0.5)
         assert (bar.maximum(), bar.value()) == (100, 50)
+
+
+class Form:
+    """Stands for a panel's widget in a window that becomes active at the third look only."""
+
+    def __init__(self):
+        self.looks, self.keys = 0, []
+
+    def isVisible(self):
+        return True
+
+    def isActiveWindow(self):
+        self.looks += 1
+        return self.looks > 2
+
+    def hasFocus(self):
+        return self.looks > 3
+
+    def setFocus(self, _reason):
+        self.keys.append(self.looks)
+
+
+def test_after_long_work_the_panel_gets_the_keys_once_its_window_is_active(monkeypatch, pump):
+    form = Form()
+    monkeypatch.setattr(keys, "_open", [form])
+    with waiting("Watched"):
+        pass
+    pump(600)
+    assert form.keys == [1, 2, 3] and form.looks == 4

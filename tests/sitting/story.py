@@ -319,12 +319,12 @@ def clamp(user: Sitting) -> None:
 
 
 def compare(user: Sitting) -> None:
-    """Compare machines, the least deviation (minimax) among the corrections, and stop it."""
+    """Compare machines, the least deviation (minimax) among the corrections, stop it by Esc, and close the panel by another."""
     user.hands.click(user.in_tree("Toolpath"))
     user.press_tool("Compare.*")
     user.press("Compare")
     escape(user, "Compare.*")
-    user.hands.click(user.eyes.find("push button", "Close"))
+    user.hands.press("Escape")
     user.eyes.gone("push button", "Compare")
 
 

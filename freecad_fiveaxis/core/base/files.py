@@ -8,6 +8,7 @@ part      a file beside the target, under a short name that ends in ``.part``; n
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import shutil
 import stat
@@ -261,7 +262,10 @@ def _state(path: PathName) -> os.stat_result | None:
     except NotADirectoryError:
         return None  # the folder is told by name
     except OSError as error:
-        text = say("{target} cannot be written: {strerror}; choose another folder", target=path, strerror=error.strerror or error)
+        why = error.strerror or error
+        text = say("{target} cannot be written: {strerror}; choose another folder", target=path, strerror=why)
+        if error.errno in (errno.ENAMETOOLONG, errno.ELOOP):
+            text = say("{target} cannot be written: {strerror}; choose another name", target=path, strerror=why)
         raise FileError(text, path) from error
 
 

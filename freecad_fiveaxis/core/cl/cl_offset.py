@@ -19,7 +19,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Length, say
+from freecad_fiveaxis.core.base.sentences import Choice, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes import CREASE, facet_curvature, turned_along
 from freecad_fiveaxis.core.tool import Cutter
@@ -217,6 +217,7 @@ def _between(one: Floats, two: Floats, share: Floats) -> Floats:
 
 
 def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> tuple[Finding, ...]:
+    """That it does; how deep is not told, for across the pass the bottom may stand far deeper than along it."""
     depth = heel_depth(path, hub, axis, cutter)
     deep = np.flatnonzero(depth > NOTABLE)
     if not len(deep):
@@ -224,13 +225,14 @@ def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) 
     worst = int(deep[depth[deep].argmax()])
     x, y, z = path.point[worst].tolist()
     text = say(
-        "In hollows along the passes the cutter's bottom stands up to about {depth} in the part behind its "
-        "contact or before it, over {count} rows. Give more lead, take a smaller cutter or a ball, or check "
-        "for gouges.",
-        depth=Length(depth[worst], ".3g"),
+        "In hollows along the passes the cutter's bottom stands in the part behind its contact or before it, over {count} rows;"
+        " how deep is not known here. Give more lead, take a smaller cutter or a ball, or have the path checked against the part"
+        " ({report}), or lifted out of it ({lift}).",
         count=len(deep),
+        report=Choice("gouge", ("report",)),
+        lift=Choice("gouge", ("lift",)),
     )
-    return (Finding(Severity.WARNING, "heel-in-hollow", text, float(depth[worst]), NOTABLE, "mm", place=(x, y, z)),)
+    return (Finding(Severity.WARNING, "heel-in-hollow", text, place=(x, y, z)),)
 
 
 def heel_depth(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> Floats:

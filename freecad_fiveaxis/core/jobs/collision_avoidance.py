@@ -60,7 +60,7 @@ SAMPLES = 10_000
 CURED = frozenset({"lifted", "left-out"})
 """The codes of findings that tell of a path changed by a cure."""
 
-JUDGED = frozenset({"surface-tighter-than-cutter"})
+JUDGED = frozenset({"surface-tighter-than-cutter", "heel-in-hollow"})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
 NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine")

@@ -15,6 +15,7 @@ import FreeCAD
 import FreeCADGui
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.gui import keys
 from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import ask, status, warn
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, later, translate
@@ -169,6 +170,7 @@ def show(panel: Any) -> Any:
         return panel
     attend(panel)
     FreeCADGui.Control.showDialog(panel)
+    keys.belong_to(panel.form)
     return panel
 
 

@@ -121,7 +121,11 @@ def close_gaps(
 
 
 def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> tuple[Finding, ...]:
-    """Where the ball cuts into facets, and where it leaves material, by more than NOTABLE."""
+    """Where the ball cuts into facets, and where it leaves material, by more than NOTABLE.
+
+    Neither depth nor height is told: both are measured to the facets that were dropped, along their own pass, and may be
+    less than what is found elsewhere.
+    """
     found = []
     trimmed = [part.trimmed for part in parts if part.trimmed]
     wanted = np.ones(len(contact.face) // 2, bool) if cut is None else cut
@@ -140,14 +144,15 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
     if high:
         much = say("a whole run of facets stays uncut")
         if np.isfinite(high.worst):
-            much = say("up to {height} of material stays", height=Length(high.worst, ".3g"))
+            much = say(
+                "how much stays is not known here, the map of what is left ({left}) tells it", left=Choice("left", ("on",))
+            )
         text = say(
             "The cutter does not fit into the corners at {number} facet segments; {much}. Use a smaller cutter there.",
             number=high.number,
             much=much,
         )
-        worst, place = high.worst if np.isfinite(high.worst) else None, _place(contact, high.segment)
-        found.append(Finding(Severity.WARNING, "corner-not-reached", text, worst, NOTABLE, "mm", place=place))
+        found.append(Finding(Severity.WARNING, "corner-not-reached", text, place=_place(contact, high.segment)))
     return tuple(found)
 
 
