@@ -3248,8 +3248,8 @@
         <translation>Wenn gilt: {text}, steht die Werkzeugspitze nur am letzten Halt um {size} daneben, was leicht übersehen wird: auf die Halte verlassen</translation>
     </message>
     <message>
-        <source>In hollows along the passes the cutter's bottom stands up to about {depth} in the part behind its contact or before it, over {count} rows. Give more lead, take a smaller cutter or a ball, or check for gouges.</source>
-        <translation>In Mulden entlang der Zeilen steht der Boden des Fräsers hinter oder vor seinem Berührpunkt bis zu etwa {depth} im Werkstück, in {count} Punkten. Mehr Voreilwinkel geben, einen kleineren Fräser oder Kugelfräser nehmen oder auf Eindringen prüfen.</translation>
+        <source>In hollows along the passes the cutter's bottom stands in the part behind its contact or before it, over {count} rows; how deep is not known here. Give more lead, take a smaller cutter or a ball, or have the path checked against the part ({report}), or lifted out of it ({lift}).</source>
+        <translation>In Mulden längs der Bahnen steht der Boden des Fräsers hinter oder vor dem Berührpunkt im Teil, über {count} Zeilen; wie tief, ist hier nicht bekannt. Mehr Voreilwinkel geben, einen kleineren Fräser oder eine Kugel nehmen, oder die Bahn gegen das Teil prüfen ({report}) oder aus ihm heben lassen ({lift}).</translation>
     </message>
     <message>
         <source>In the present setup the axes leave their limits.</source>
@@ -3442,6 +3442,10 @@
     <message>
         <source>Post it again for this machine</source>
         <translation>Für diese Maschine neu ausgeben</translation>
+    </message>
+    <message>
+        <source>RTP, RFP and its depth do not lie one below the other</source>
+        <translation>RTP, RFP und seine Tiefe liegen nicht untereinander</translation>
     </message>
     <message>
         <source>Right is +X of the machine, back is +Y (away from you), up is +Z. If your machine's axes point elsewhere, stand so that they do.</source>
@@ -3908,6 +3912,10 @@
         <translation>ein kleinerer Zeilensprung</translation>
     </message>
     <message>
+        <source>a tilted plane ends with a shift in it, and moves follow; reset the shift first</source>
+        <translation>eine geschwenkte Ebene endet mit einer Verschiebung darin, und Bewegungen folgen; zuerst die Verschiebung zurücksetzen</translation>
+    </message>
+    <message>
         <source>a value beyond all words</source>
         <translation>ein Wert jenseits aller Wörter</translation>
     </message>
@@ -4264,6 +4272,10 @@
         <translation>der Halter {sizes} ist kein Kegel; z0, r0, z1, r1 in mm angeben mit 0 &lt;= z0 &lt; z1 und Radien ab 0</translation>
     </message>
     <message>
+        <source>how much stays is not known here, the map of what is left ({left}) tells it</source>
+        <translation>wie viel stehen bleibt, ist hier nicht bekannt; die Karte des Restmaterials ({left}) zeigt es</translation>
+    </message>
+    <message>
         <source>in {guided} of {all} feed blocks the controller guides the tip (RTCP), proven are only their ends</source>
         <translation>in {guided} von {all} Vorschubsätzen führt die Steuerung die Werkzeugspitze (RTCP), nachgewiesen sind nur ihre Enden</translation>
     </message>
@@ -4276,6 +4288,10 @@
         <translation>ist kein JSON ({error})</translation>
     </message>
     <message>
+        <source>it has more values than are known here</source>
+        <translation>er hat mehr Werte, als hier bekannt sind</translation>
+    </message>
+    <message>
         <source>it has no Q above 0</source>
         <translation>er hat kein Q über 0</translation>
     </message>
@@ -4284,12 +4300,32 @@
         <translation>er hat kein R oder keine Tiefe</translation>
     </message>
     <message>
+        <source>it has no {name}</source>
+        <translation>{name} fehlt</translation>
+    </message>
+    <message>
+        <source>it makes too many pecks</source>
+        <translation>er macht zu viele Zustellungen</translation>
+    </message>
+    <message>
         <source>it must be {bounds}</source>
         <translation>es muss {bounds}</translation>
     </message>
     <message>
         <source>it says none of TURN, MOVE and STAY</source>
         <translation>sie nennt weder TURN noch MOVE noch STAY</translation>
+    </message>
+    <message>
+        <source>it shifts a rotary axis</source>
+        <translation>sie verschiebt eine Drehachse</translation>
+    </message>
+    <message>
+        <source>it stands in a tilted plane</source>
+        <translation>sie steht in einer geschwenkten Ebene</translation>
+    </message>
+    <message>
+        <source>it would run at a machine position</source>
+        <translation>er würde an einer Maschinenposition laufen</translation>
     </message>
     <message>
         <source>its Q makes too many pecks</source>
@@ -4302,6 +4338,10 @@
     <message>
         <source>its feed is inverse time (G93)</source>
         <translation>sein Vorschub ist zeitreziprok (G93)</translation>
+    </message>
+    <message>
+        <source>its first depth does not lie below RFP</source>
+        <translation>seine erste Tiefe liegt nicht unter RFP</translation>
     </message>
     <message>
         <source>its pecks get smaller (I)</source>
@@ -5196,10 +5236,6 @@
         <translation>nach oben</translation>
     </message>
     <message>
-        <source>up to {height} of material stays</source>
-        <translation>bis zu {height} Material bleiben stehen</translation>
-    </message>
-    <message>
         <source>variables, expressions or jumps; their words are missing here. Post without them</source>
         <translation>Variablen, Ausdrücke oder Sprünge; ihre Wörter fehlen hier. Ohne sie ausgeben</translation>
     </message>
@@ -5224,8 +5260,8 @@
         <translation>mit {letter}{first} {other}{second} können die Linearachsen die Werkzeugspitze nicht setzen; ist es ein Programm dieser Maschine?</translation>
     </message>
     <message>
-        <source>word {word} of row {row} is {value}; words are numbers up to {farthest_word}</source>
-        <translation>Wort {word} der Zeile {row} ist {value}; Wörter sind Zahlen bis {farthest_word}</translation>
+        <source>word {word} of row {row} is {value}; words are numbers up to {farthest_word} mm or degrees: correct it, or the unit of the file</source>
+        <translation>Wort {word} der Zeile {row} ist {value}; Wörter sind Zahlen bis {farthest_word} mm oder Grad: berichtigen, oder die Einheit der Datei</translation>
     </message>
     <message>
         <source>words have shape {shape}; give one row of five words for each block</source>
@@ -5828,6 +5864,10 @@
         <translation>{name} ist nicht bekannt und wird nicht ausgewertet ({count} Zeilen); was es tut, fehlt hier.</translation>
     </message>
     <message>
+        <source>{name} is not written out, and its moves are missing: {reason}. Correct it, or post straight moves.</source>
+        <translation>{name} wird nicht ausgeschrieben, seine Bewegungen fehlen: {reason}. Berichtigen oder gerade Bewegungen ausgeben.</translation>
+    </message>
+    <message>
         <source>{name} is {value}; give a length above 0</source>
         <translation>{name} ist {value}; eine Länge über 0 angeben</translation>
     </message>
@@ -5908,6 +5948,10 @@
         <translation>{name}: der Postprozessor hat {value} (auf {certainty} genau), {machine} hat {given}, {apart} auseinander.{effect}</translation>
     </message>
     <message>
+        <source>{name}: this shift of the zero is not interpreted, and the coordinates after it are taken as they were before: {reason}. Post without it.</source>
+        <translation>{name}: Diese Nullpunktverschiebung wird nicht ausgewertet, die Koordinaten danach gelten wie zuvor: {reason}. Ohne sie ausgeben.</translation>
+    </message>
+    <message>
         <source>{name}: this tilted plane is not interpreted, and the coordinates after it are taken as they were before: {reason}. Post it another way, or post without planes.</source>
         <translation>{name}: Diese geschwenkte Ebene wird nicht ausgewertet, und die Koordinaten danach werden genommen wie davor: {reason}. Sie anders ausgeben oder ohne Ebenen ausgeben.</translation>
     </message>
@@ -5926,6 +5970,10 @@
     <message>
         <source>{one} and {other}</source>
         <translation>{one} und {other}</translation>
+    </message>
+    <message>
+        <source>{one} and {other} tell two depths; leave one out</source>
+        <translation>{one} und {other} nennen zwei Tiefen; eine weglassen</translation>
     </message>
     <message>
         <source>{one} or {other}</source>
@@ -6094,6 +6142,10 @@
     <message>
         <source>{target} cannot be written: {strerror}; choose another folder</source>
         <translation>{target} kann nicht geschrieben werden: {strerror}; einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>{target} cannot be written: {strerror}; choose another name</source>
+        <translation>{target} kann nicht geschrieben werden: {strerror}; einen anderen Namen wählen</translation>
     </message>
     <message>
         <source>{target} exists already; choose another name</source>
