@@ -80,8 +80,8 @@
         <translation>NC-Sätze, die um mehr als die Toleranz von der Sollstrecke abweichen</translation>
     </message>
     <message>
-        <source>Blocks whose tip the controller guides (RTCP): proven are their ends only</source>
-        <translation>NC-Sätze, in denen die Steuerung die Spitze führt (RTCP): nachgewiesen sind nur ihre Enden</translation>
+        <source>Blocks under RTCP: only their end points are verified, the controller moves the tip between them</source>
+        <translation>NC-Sätze unter RTCP: nachgewiesen sind nur ihre Endpunkte, dazwischen führt die Steuerung die Spitze</translation>
     </message>
     <message>
         <source>CL file (.apt, .cl) or part (.stl) that the program is compared with</source>
@@ -2903,8 +2903,8 @@
         <translation>{controller} braucht dafür die Nummer des Werkzeugs: in der Gruppe „Werkzeug“ angeben.</translation>
     </message>
     <message>
-        <source>{count}, proven are only their ends</source>
-        <translation>{count}, nachgewiesen sind nur ihre Enden</translation>
+        <source>{count}, verified at their end points only</source>
+        <translation>{count}, nur an ihren Endpunkten nachgewiesen</translation>
     </message>
     <message>
         <source>{depth} too deep</source>
@@ -4276,10 +4276,6 @@
         <translation>wie viel stehen bleibt, ist hier nicht bekannt; die Karte des Restmaterials ({left}) zeigt es</translation>
     </message>
     <message>
-        <source>in {guided} of {all} feed blocks the controller guides the tip (RTCP), proven are only their ends</source>
-        <translation>in {guided} von {all} Vorschubsätzen führt die Steuerung die Werkzeugspitze (RTCP), nachgewiesen sind nur ihre Enden</translation>
-    </message>
-    <message>
         <source>is empty</source>
         <translation>ist leer</translation>
     </message>
@@ -4682,6 +4678,10 @@
     <message>
         <source>only the cutter's own feed moves were checked against the part ({off})</source>
         <translation>nur die Vorschubbewegungen des Fräsers selbst wurden gegen das Teil geprüft ({off})</translation>
+    </message>
+    <message>
+        <source>only the end points of {guided} of {all} feed blocks are verified: the path between them is under RTCP</source>
+        <translation>nur die Endpunkte von {guided} der {all} Vorschubsätze sind nachgewiesen: dazwischen gilt RTCP</translation>
     </message>
     <message>
         <source>only {count} of {rows} CL rows can be paired with the program's {blocks} blocks; give a program that was posted from this CL path</source>

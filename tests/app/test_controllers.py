@@ -38,7 +38,7 @@ def test_a_guided_program_is_not_called_proven(controller, how, doc, ball):
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller=controller, rtcp=how, tool=3)
     feeds = results.figures_of(path).program.guided.on.sum()
     assert 0 < path.GuidedBlocks <= feeds and not path.Proven
-    assert "the controller guides the tip (RTCP)" in path.Verdict and path.Rtcp == how
+    assert "the path between them is under RTCP" in path.Verdict and path.Rtcp == how
     path.Rtcp = "off"
     doc.recompute()
     assert path.GuidedBlocks == 0 and "RTCP" not in path.Verdict

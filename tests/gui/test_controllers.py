@@ -87,7 +87,7 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
     click(field("calculate"))
     until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
     text = field("summary").text()
-    assert "proven are only their ends" in text and "the controller guides the tip (RTCP)" in field("verdict").text()
+    assert "verified at their end points only" in text and "is under RTCP" in field("verdict").text()
     assert "Proven bound" not in text and "Largest deviation" not in text, "zeros that nobody has measured"
     pump(800)
     screenshot("rtcp-summary")
@@ -104,7 +104,7 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
     assert field("controller").currentText() == "by the text itself"
     type_into(field("nc_file"), str(tmp_path / "Toolpath.h"))
     click(field("calculate"))
-    until(lambda: "proven are only their ends" in field("summary").text(), 60000, "a summary of the audit")
+    until(lambda: "verified at their end points only" in field("summary").text(), 60000, "a summary of the audit")
     pump(300)
     screenshot("rtcp-audit")
     panel_button("OK", 500)

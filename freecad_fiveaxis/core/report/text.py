@@ -58,8 +58,8 @@ def path_verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
         which = f"all {feeds}" if guided == feeds else f"{guided} of {feeds}"
         rest = "" if guided == feeds else f" The other {feeds - guided} were not found to leave theirs by more than {limit}."
         return (
-            f"Only the blocks' ends are proven: in {which} feed blocks the controller guides the tip (RTCP), and that it keeps "
-            f"to the commanded segment is its own affair.{rest}"
+            f"Only block end points are verified in {which} feed blocks: the path between them is under RTCP, so the controller "
+            f"answers for it.{rest}"
         )
     if numbers["unproven"]:
         return (

@@ -167,7 +167,7 @@ def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
         yield say("only the cutter's own feed moves were checked against the part ({off})", off=Choice("gouge", ("off",)))
     if guided := numbers["guided_blocks"]:
         yield say(
-            "in {guided} of {all} feed blocks the controller guides the tip (RTCP), proven are only their ends",
+            "only the end points of {guided} of {all} feed blocks are verified: the path between them is under RTCP",
             guided=guided,
             all=feeds,
         )

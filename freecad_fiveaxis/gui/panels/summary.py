@@ -22,7 +22,7 @@ def summary_lines(obj: Any) -> list[tuple[str, str]]:
         (translate("FiveAxis", "Proven bound"), length(obj.MaxBound)),
     ]
     if obj.GuidedBlocks:  # between their ends nothing is known of those blocks: their zeros are no measurements
-        ends_only = translate("FiveAxis", "{count}, proven are only their ends").format(count=obj.GuidedBlocks)
+        ends_only = translate("FiveAxis", "{count}, verified at their end points only").format(count=obj.GuidedBlocks)
         guided = (translate("FiveAxis", "Tip guided (RTCP)"), ends_only)
         others = [(translate("FiveAxis", "{name}, other blocks").format(name=name), value) for name, value in measured]
         measured = [guided, *(others if float(getattr(obj.MaxBound, "Value", obj.MaxBound)) > 0.0 else [])]

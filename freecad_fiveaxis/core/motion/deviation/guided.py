@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Blocks in which the controller itself guides the tip (RTCP): the model of this room, evenly moving axes, is none for them.
+"""Blocks in which the controller itself guides the tip (RTCP): the model of this package, evenly moving axes, is none for them.
 
 The controller keeps the tip on the segment, as well as it can; that is its own affair, and neither measured nor proven here.
 Such a block has no deviation of ours: its columns are zero, and whoever reports them says so (``guided_blocks`` of the summary).
