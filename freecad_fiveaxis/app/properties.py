@@ -247,7 +247,9 @@ RESULTS = (
     ),
     Property(
         "GuidedBlocks", "App::PropertyInteger", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Blocks under RTCP: only their end points are verified, the controller moves the tip between them"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Blocks under RTCP: only their end points are verified, the controller moves the tip between them"
+        ),
         0, RESULT,
     ),
     Property(
