@@ -19,6 +19,7 @@ from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.base.vectors import dot
 
 FIRST_TRIED, MORE = 8, 4
 """Pieces tried for each point, and how many times as many in the next round."""
@@ -103,11 +104,6 @@ def nearest(points: Floats, elements: Ints, distance2: Floats) -> Floats:
     return np.column_stack([np.sqrt(distance2[rows, best]), elements[rows, best]])
 
 
-def _dot(p: list[Floats], q: list[Floats]) -> Floats:
-    """Inner product of columns of vectors."""
-    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
-
-
 # ------------------------------------------------------------------------------------------------ segments
 
 
@@ -141,7 +137,7 @@ class Segments:
         table: Floats = self.table  # type: ignore[attr-defined]
         off = [points[:, j, None] - table[j].take(element) for j in range(3)]
         along = [table[3 + j].take(element) for j in range(3)]
-        ahead, length2 = _dot(off, along), table[6].take(element)
+        ahead, length2 = dot(off, along), table[6].take(element)
         share = np.divide(ahead, length2, out=np.zeros_like(ahead), where=length2 > 0.0)
         return np.clip(share, 0.0, 1.0, out=share), off, along
 
@@ -178,9 +174,9 @@ class Facets:
         from its nearest side. All from the inner products of the point (from the first corner) with the sides."""
         table: Floats = self.table  # type: ignore[attr-defined]
         off = [points[:, j, None] - table[j].take(element) for j in range(3)]
-        along_b, along_c, height = (_dot(off, [table[first + j].take(element) for j in range(3)]) for first in (3, 6, 9))
+        along_b, along_c, height = (dot(off, [table[first + j].take(element) for j in range(3)]) for first in (3, 6, 9))
         bb, bc, cc = (table[j].take(element) for j in (12, 13, 14))
-        square = _dot(off, off)
+        square = dot(off, off)
         v, w = cc * along_b - bc * along_c, bb * along_c - bc * along_b
         inside = (v >= 0.0) & (w >= 0.0) & (v + w <= bb * cc - bc * bc)
         best = np.minimum(_to_side(square, along_b, bb), _to_side(square, along_c, cc))

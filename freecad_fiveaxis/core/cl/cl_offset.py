@@ -20,6 +20,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Choice, say
+from freecad_fiveaxis.core.base.vectors import row_dot
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes import CREASE, facet_curvature, turned_along
 from freecad_fiveaxis.core.tool import Cutter
@@ -166,7 +167,7 @@ def _swing_depth(path: OffsetPath, axis: Floats, row: Ints, ring: float) -> Floa
     half = np.full(len(row), 0.5)
     normal, upright = _between(seat[row - 1], seat[row], half), _between(axis[row - 1], axis[row], half)
     sine = np.linalg.norm(np.cross(normal, upright), axis=1)
-    return np.asarray(ring * (sine - _dot(chord, normal)))
+    return np.asarray(ring * (sine - row_dot(chord, normal)))
 
 
 def rows_between(path: OffsetPath, axis: Floats, pieces: Ints, ring: float) -> tuple[OffsetPath, Floats, Ints]:
@@ -247,10 +248,10 @@ def heel_depth(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> F
     first, last = _ends(path.polyline)
     depth = np.full(len(axis), -np.inf)
     for sense in (-1.0, 1.0):
-        way = sense * cutter.ring * (1.0 + sense * _dot(out, feed))
+        way = sense * cutter.ring * (1.0 + sense * row_dot(out, feed))
         there = np.clip(course.length + way, course.length[first], course.length[last])
         rise = np.interp(there, course.length, course.height) - course.height - course.slope * (there - course.length)
-        depth = np.maximum(depth, rise - cutter.ring * _dot(out + sense * feed, normal))
+        depth = np.maximum(depth, rise - cutter.ring * row_dot(out + sense * feed, normal))
     return depth
 
 
@@ -266,9 +267,9 @@ class _Course(NamedTuple):
     def of(cls, path: OffsetPath, normal: Floats, feed: Floats) -> _Course:
         """All rows of a contact have its co-edge's whole turn; it counts once."""
         step = np.linalg.norm(np.diff(path.point, axis=0, prepend=path.point[:1]), axis=1)
-        slope = np.cumsum(np.where(path.fill, 0.0, -_dot(path.after - path.before, feed)))
+        slope = np.cumsum(np.where(path.fill, 0.0, -row_dot(path.after - path.before, feed)))
         height = np.cumsum(step * np.append(0.0, slope[:-1]))
-        return cls(np.cumsum(step), height, slope + _dot(path.after - normal, feed))
+        return cls(np.cumsum(step), height, slope + row_dot(path.after - normal, feed))
 
 
 def _ends(polyline: Ints) -> tuple[Ints, Ints]:
@@ -276,10 +277,6 @@ def _ends(polyline: Ints) -> tuple[Ints, Ints]:
     start = np.flatnonzero(np.diff(polyline, prepend=polyline[:1] - 1))
     size = np.diff(start, append=len(polyline))
     return np.repeat(start, size), np.repeat(start + size - 1, size)
-
-
-def _dot(one: Floats, two: Floats) -> Floats:
-    return np.asarray(np.einsum("ij,ij->i", one, two))
 
 
 # ------------------------------------------------------------------------------------------------ spacing
@@ -333,7 +330,7 @@ def _bend(tensor: Floats, normal: Floats, travel: Floats) -> float:
     way = way[length > STEEPEST] / length[length > STEEPEST, None]
     if not len(way):
         return 0.0
-    return max(float(np.quantile(_dot(turned_along(tensor[:, length > STEEPEST], way), way), MOST)), 0.0)
+    return max(float(np.quantile(row_dot(turned_along(tensor[:, length > STEEPEST], way), way), MOST)), 0.0)
 
 
 def _few(normal: Floats, travel: Floats, upright: Floats) -> Floats:

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.vectors import dot
 from freecad_fiveaxis.core.tool.body import NOWHERE, Piece, off_piece, support
 
 from .swept_motion import Poses
@@ -23,10 +24,6 @@ STEPS = 6
 
 CROSSINGS = 4
 """Times that the best mean of two bounds is improved."""
-
-
-def _dot(p: Columns | Floats, q: Columns | Floats) -> Floats:
-    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 
 
 def toward(piece: Piece, axis: Floats, arm: Floats) -> tuple[Floats, Floats]:
@@ -145,8 +142,8 @@ def nearest_on_facet(corner: Floats, place: Floats) -> Floats:
     5.1.5."""
     a, b, c = (tuple(one) for one in corner)
     ab, ac = _less(b, a), _less(c, a)
-    ap, one, two, both = _less(tuple(place), a), _dot(ab, ab), _dot(ac, ac), _dot(ab, ac)
-    d1, d2 = _dot(ab, ap), _dot(ac, ap)
+    ap, one, two, both = _less(tuple(place), a), dot(ab, ab), dot(ac, ac), dot(ab, ac)
+    d1, d2 = dot(ab, ap), dot(ac, ap)
     d3, d4, d5, d6 = d1 - one, d2 - both, d1 - both, d2 - two
     va, vb, vc = d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2
     total = _safe(va + vb + vc)

@@ -130,16 +130,6 @@ def turned(x: Floats, y: Floats, cos: Floats, sin: Floats) -> tuple[Floats, Floa
     return cos * x - sin * y, sin * x + cos * y
 
 
-def dot(p: Vectors, q: Vectors) -> Floats:
-    """The inner product of columns of vectors."""
-    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
-
-
-def length(v: Vectors) -> Floats:
-    """The length of columns of vectors."""
-    return np.asarray(np.sqrt(dot(v, v)))
-
-
 def flat_length(x: Floats, y: Floats) -> Floats:
     """The length of (x, y): four times as fast as np.hypot, and no component here is near the ends of a float's range."""
     return np.asarray(np.sqrt(x * x + y * y))

@@ -20,6 +20,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.vectors import row_dot
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .scallop import TINY, facet_curvature, flat_interval, kink_factor, scallop_height, turned_along
@@ -171,7 +172,7 @@ def smallest_interval(here: FacetPass, across: Floats, radius: float, scallop: f
     side = across - (here.normal @ across)[:, None] * here.normal
     slope = np.linalg.norm(side, axis=1)
     side /= np.maximum(slope, LEVEL)[:, None]
-    spread = 1.0 + radius * _dot(turned_along(here.tensor, side), side)
+    spread = 1.0 + radius * row_dot(turned_along(here.tensor, side), side)
     share = slope / np.sqrt(np.maximum(spread, LEVEL))
     return flat_interval(radius, scallop) * float(share.min(initial=1.0 / LEVEL))
 
@@ -210,14 +211,14 @@ class _Opposite:
         there = other.segment[other.tree.query(one.point)[1]]
         self._across, self._chord, opposite = _way_over(one.point, other.start[there], other.way[there])
         turned = turned_along(0.5 * (one.tensor[:, one.segment] + other.tensor[:, there]), self._across)
-        self._curvature = _dot(turned, self._across)
+        self._curvature = row_dot(turned, self._across)
         first, second = one.normal[one.segment], other.normal[there]
         self._upward = _unit(first + second)
         kink = second - first - self._chord[:, None] * turned
         travel = np.cross(self._across, self._upward)
-        down, up = np.abs(_dot(second, self._across)), np.abs(_dot(first, self._across))
+        down, up = np.abs(row_dot(second, self._across)), np.abs(row_dot(first, self._across))
         far = np.maximum(down, up) / np.maximum(down + up, TINY)  # where the planes of both facets meet
-        factor = kink_factor(self._chord, radius, _dot(kink, self._across), np.abs(_dot(kink, travel)), far)
+        factor = kink_factor(self._chord, radius, row_dot(kink, self._across), np.abs(row_dot(kink, travel)), far)
         height = scallop_height(self._chord, radius, self._curvature) * factor
         self.bound = np.where(opposite, height, 0.0)
 
@@ -252,11 +253,6 @@ def _way_over(point: Floats, start: Floats, way: Floats) -> tuple[Floats, Floats
     across -= past[:, None] * along
     chord = np.maximum(np.linalg.norm(across, axis=1), TINY)
     return across / chord[:, None], chord, opposite
-
-
-def _dot(a: Floats, b: Floats) -> Floats:
-    result: Floats = np.einsum("ij,ij->i", a, b)
-    return result
 
 
 def _unit(vector: Floats) -> Floats:

@@ -15,6 +15,7 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.vectors import row_dot
 
 LEVEL = 1e-12
 """Sine below which a level bottom lies on the surface."""
@@ -29,9 +30,9 @@ CHUNK = 256
 def effective_radius(normal: Floats, axis: Floats, direction: Floats, ring: float, corner: float) -> Floats:
     """Radius (n,) mm of the shadow at the contact; see :meth:`.Cutter.effective_radius`."""
     across = _tangent(direction, normal)
-    meridian = axis - _dot(axis, normal)[:, None] * normal
-    square = _dot(meridian, meridian)  # t^2
-    beside = np.maximum(square - _dot(across, meridian) ** 2, 0.0)  # (t sin w)^2
+    meridian = axis - row_dot(axis, normal)[:, None] * normal
+    square = row_dot(meridian, meridian)  # t^2
+    beside = np.maximum(square - row_dot(across, meridian) ** 2, 0.0)  # (t sin w)^2
     level = square <= LEVEL**2
     cubed = np.where(level, 1.0, square * np.sqrt(square))
     return np.asarray(corner + ring * np.where(level, np.inf if ring > 0.0 else 0.0, beside / cubed))
@@ -70,12 +71,12 @@ def _outline(normal: Floats, axis: Floats, across: Floats, angle: Floats, discs:
     """Places (n, m) across, above and along the way of the points that support the body in directions ``angle`` (m,) from
     straight down."""
     down, aside = -np.cos(angle), np.sin(angle)
-    up_axis, side_axis = _dot(normal, axis)[:, None], _dot(across, axis)[:, None]
+    up_axis, side_axis = row_dot(normal, axis)[:, None], row_dot(across, axis)[:, None]
     along = down * up_axis + aside * side_axis
     radial_up, radial_side = down - along * up_axis, aside - along * side_axis
     length = np.sqrt(np.maximum(1.0 - along * along, LEVEL))
     best = np.full(along.shape, -np.inf)
-    way_axis = _dot(np.cross(across, normal), axis)[:, None]
+    way_axis = row_dot(np.cross(across, normal), axis)[:, None]
     x, y, z = np.zeros(along.shape), np.zeros(along.shape), np.zeros(along.shape)
     for radius, rounding, height in discs:
         support = radius * length + rounding + height * along
@@ -88,9 +89,5 @@ def _outline(normal: Floats, axis: Floats, across: Floats, angle: Floats, discs:
 
 
 def _tangent(direction: Floats, normal: Floats) -> Floats:
-    across = direction - _dot(direction, normal)[:, None] * normal
-    return np.asarray(across / np.sqrt(_dot(across, across))[:, None])
-
-
-def _dot(one: Floats, two: Floats) -> Floats:
-    return np.asarray(np.einsum("ij,ij->i", one, two))
+    across = direction - row_dot(direction, normal)[:, None] * normal
+    return np.asarray(across / np.sqrt(row_dot(across, across))[:, None])

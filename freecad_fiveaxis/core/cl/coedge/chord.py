@@ -14,8 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
+from freecad_fiveaxis.core.base.vectors import dot
 
-from .junction import CONCAVE, CONVEX, END, Junctions, Segments, arc_weights, direction, dot
+from .junction import CONCAVE, CONVEX, END, Junctions, Segments, arc_weights, direction
 
 SPREAD = np.uint64(0x9E3779B97F4A7C15)
 """Multiplier that spreads row numbers (golden ratio), so that ties do not fall in order of the path."""

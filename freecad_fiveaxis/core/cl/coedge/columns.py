@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.vectors import dot
 from freecad_fiveaxis.core.passes import ContactPath
 
-from .junction import CHUNK, Rows, Segments, chosen, direction, dot
+from .junction import CHUNK, Rows, Segments, chosen, direction
 from .rows import NO_ROWS, Closed
 
 

@@ -20,6 +20,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.vectors import dot
 from freecad_fiveaxis.core.passes import ContactPath
 
 END, FLAT, CONVEX, CONCAVE = range(4)
@@ -253,11 +254,6 @@ def direction(segments: Segments, segment: Ints) -> Floats:
     step = segments.point.take(2 * segment + 1, axis=1) - segments.point.take(2 * segment, axis=1)
     step /= segments.length.take(segment)
     return np.asarray(step)
-
-
-def dot(one: Floats, two: Floats) -> Floats:
-    """Scalar products of the columns of two (3, k) arrays."""
-    return np.asarray(one[0] * two[0] + one[1] * two[1] + one[2] * two[2])
 
 
 def arc_weights(theta: Floats, angle: Floats) -> tuple[Floats, Floats, Floats]:

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.vectors import dot, length
 
 from .chord import Chords, height_above, make_chords, place_on
 from .junction import (
@@ -30,7 +31,6 @@ from .junction import (
     arc_weights,
     arcs_needed,
     direction,
-    dot,
     one_is_cut,
 )
 
@@ -275,7 +275,7 @@ def _what_is_left(chords: Chords, segments: Segments) -> tuple[Ints, Floats, Int
     ends = [segments.point.take(2 * segments.live[chords.at[gone]] + side, axis=1) for side in (0, 1)]
     near += [_to_chord(chords, chord, end) for chord in (heir, onward) for end in ends]
     depth = chords.radius - np.min(near, axis=0)
-    far = [np.minimum(_length(stop - end), _length(go - end)) for end in ends]
+    far = [np.minimum(length(stop - end), length(go - end)) for end in ends]
     height = np.maximum(*far) - chords.radius
     stuck = np.flatnonzero(chords.alive & chords.stuck)
     depth = np.concatenate([depth, np.full(len(stuck), chords.radius)])  # not known, so the worst
@@ -288,14 +288,10 @@ def _to_segment(chords: Chords, segments: Segments, chord: Ints, place: Floats) 
     """From ``place`` (3, c) to the nearest point of the contact segments of chords, (c,) mm."""
     segment = segments.live[chords.at[chord]]
     along, off = direction(segments, segment), place - segments.point.take(2 * segment, axis=1)
-    return _length(off - np.clip(dot(off, along), 0.0, segments.length[segment]) * along)
+    return length(off - np.clip(dot(off, along), 0.0, segments.length[segment]) * along)
 
 
 def _to_chord(chords: Chords, chord: Ints, place: Floats) -> Floats:
     """From ``place`` (3, c) to the nearest point of what is left of chords, (c,) mm."""
     along, off = chords.along.take(chord, axis=1), place - chords.origin.take(chord, axis=1)
-    return _length(off - np.clip(dot(off, along), chords.start[chord], chords.stop[chord]) * along)
-
-
-def _length(vector: Floats) -> Floats:
-    return np.asarray(np.sqrt(dot(vector, vector)))
+    return length(off - np.clip(dot(off, along), chords.start[chord], chords.stop[chord]) * along)

@@ -16,8 +16,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.vectors import dot
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, joint_words
-from freecad_fiveaxis.core.motion.trajectory import Columns, Frames, Pose, combine, dot, frames, tip
+from freecad_fiveaxis.core.motion.trajectory import Columns, Frames, Pose, combine, frames, tip
 from freecad_fiveaxis.core.tool.contact import ring_direction
 
 MIDDLE = (0.5,)

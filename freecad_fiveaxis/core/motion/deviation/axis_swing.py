@@ -12,7 +12,8 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.motion.trajectory import Frames, Motion, Vectors, at, axis, axis_motion, derivatives, dot
+from freecad_fiveaxis.core.base.vectors import dot
+from freecad_fiveaxis.core.motion.trajectory import Frames, Motion, Vectors, at, axis, axis_motion, derivatives
 
 from .quartic import SMALLEST
 

@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.vectors import length
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.trajectory import (
     Frames,
@@ -33,7 +34,6 @@ from freecad_fiveaxis.core.motion.trajectory import (
     derivatives,
     flat_length,
     frames,
-    length,
     motion,
 )
 

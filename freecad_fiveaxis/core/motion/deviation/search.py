@@ -28,7 +28,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
-from freecad_fiveaxis.core.motion.trajectory import Frames, Motion, Vectors, derivatives, dot
+from freecad_fiveaxis.core.base.vectors import dot
+from freecad_fiveaxis.core.motion.trajectory import Frames, Motion, Vectors, derivatives
 
 from .bound import ABSOLUTE, RELATIVE
 

@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.vectors import dot
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.trajectory import (
     Frames,
@@ -36,7 +37,6 @@ from freecad_fiveaxis.core.motion.trajectory import (
     Vectors,
     at,
     chained_motion,
-    dot,
     frames,
     inner,
     outer,
