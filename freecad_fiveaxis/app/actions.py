@@ -94,7 +94,7 @@ def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> 
     settings = _with_holder(settings)
     drawn = _EXTRA | {one.name.lower() for one in drawn_tool(AUDIT)}
     options = {name: value for name, value in settings.items() if name not in drawn} | {"machine": machine}
-    build_settings(AUDIT, os.fspath(nc_path), auditing.asked(options))
+    build_settings(AUDIT, os.fspath(nc_path), auditing.audit_options(options))
     with _all_or_nothing(doc) as added:
         made = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings, drawn))
         added.append(made)

@@ -40,7 +40,7 @@ class Audit(Proxy):
         if not obj.NCFile:
             raise FileError(say("{label} names no NC file: choose one in its property NCFile", label=obj.Label), "")
         check_readable(obj.NCFile)
-        settings = build_settings(AUDIT, obj.NCFile, asked(convert.options_of(obj, AUDIT)))
+        settings = build_settings(AUDIT, obj.NCFile, audit_options(convert.options_of(obj, AUDIT)))
         return results.Task(settings, read_bytes(obj.NCFile, "NC file"))
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
@@ -52,7 +52,7 @@ class Audit(Proxy):
         results.execute(obj)
 
 
-def asked(options: Mapping[str, Any]) -> dict[str, Any]:
+def audit_options(options: Mapping[str, Any]) -> dict[str, Any]:
     """What the core is asked: shank and holder are always drawn, but checked only against a part, where ``gouge`` is not off."""
     if not is_part(options.get("against") or ""):
         left_out = {"gouge", "shank", "holder"}

@@ -3,7 +3,7 @@
 
 centre     the work zero in the machine frame (mm) about which setups were tried: that of the toolpath when they were.
 place      where in the document a work zero of the map lies: the part as it is drawn, its work zero shifted by so much.
-asked      the map's own settings were changed, so that setups are to be tried anew. A change of the toolpath only puts the map
+wants_trials  the map's own settings were changed, so that setups are to be tried anew. A change of the toolpath only puts the map
            out of date: to try hundreds of setups after every change would hold the user up.
 
 What is recommended is applied to the toolpath by :func:`apply`; the map stays true, for its centre stays where it was.
@@ -140,10 +140,10 @@ class SetupMap(Proxy):
     """Proxy of a map of setups."""
 
     last: Last | None
-    asked: bool
+    wants_trials: bool
 
     def _begin(self) -> None:
-        self.last, self.asked = None, False
+        self.last, self.wants_trials = None, False
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
@@ -166,11 +166,11 @@ class SetupMap(Proxy):
     def onChanged(self, obj: Any, name: str) -> None:
         """A change of the map's own settings asks for other setups."""
         if name in OWN:
-            self.asked = True
+            self.wants_trials = True
 
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
-        if self.asked or not obj.Fingerprint:
+        if self.wants_trials or not obj.Fingerprint:
             try_out(obj)
         else:
             obj.UpToDate = is_up_to_date(obj)
@@ -225,7 +225,7 @@ def try_out(obj: Any) -> None:
             obj.Centre = before
         raise
     _show(obj, trial.chart, obj.Proxy.last.fingerprint)
-    obj.Proxy.asked = False
+    obj.Proxy.wants_trials = False
 
 
 def present_zero(path: Any) -> Vector:

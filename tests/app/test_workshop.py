@@ -12,7 +12,7 @@ from freecad_fiveaxis.app import importing, machines, preferences, recovering, r
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.cl.apt import write_apt
-from freecad_fiveaxis.core.jobs import options as asked
+from freecad_fiveaxis.core.jobs import options
 from freecad_fiveaxis.core.machine import load_machine
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -33,7 +33,7 @@ def pair(doc, ball, tmp_path):
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8, "origin": (10, -5, 20)})
     made = results.result_of(path).made
     (tmp_path / "ball.apt").write_bytes(
-        write_apt(made.path, made.settings.cutter.cutter, "ball", head=asked.cl_head(made.settings))
+        write_apt(made.path, made.settings.cutter.cutter, "ball", head=options.cl_head(made.settings))
     )
     app.post_process(path, tmp_path / "ball.ngc")
     return tmp_path / "ball.apt", tmp_path / "ball.ngc"

@@ -14,7 +14,7 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import machines, results
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.cl.apt import write_apt
-from freecad_fiveaxis.core.jobs import options as asked
+from freecad_fiveaxis.core.jobs import options
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.gui.panels import prove_signs
 
@@ -54,7 +54,7 @@ def pair(window, tmp_path_factory):
     path = app.create_toolpath(doc, ball, **FAST)
     made, made_in = results.result_of(path).made, tmp_path_factory.mktemp("pair")
     (made_in / "ball.apt").write_bytes(
-        write_apt(made.path, made.settings.cutter.cutter, "ball", head=asked.cl_head(made.settings))
+        write_apt(made.path, made.settings.cutter.cutter, "ball", head=options.cl_head(made.settings))
     )
     app.post_process(path, made_in / "ball.ngc")
     FreeCAD.closeDocument("Pair")

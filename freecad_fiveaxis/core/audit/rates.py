@@ -99,7 +99,7 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
         if not len(rows):
             continue
         worst = int(rows[rates.rate[rows, k].argmax()])
-        asked, most = float(rates.rate[worst, k] * DEGREES[k]), float(kinematics.rate[k] * DEGREES[k])
+        commanded, most = float(rates.rate[worst, k] * DEGREES[k]), float(kinematics.rate[k] * DEGREES[k])
         unit = "mm/min" if k < 3 else "deg/min"
         text = say(
             "{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its "
@@ -109,12 +109,12 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
             blocks=_blocks(rows),
             letter=letter,
             line=program.line[worst],
-            asked=measure(asked, unit, ".5g"),
-            share=Number(asked / most, ".4g"),
+            asked=measure(commanded, unit, ".5g"),
+            share=Number(commanded / most, ".4g"),
             most=measure(most, unit, ".5g", bare=True),
             first=program.line[rows[0]],
         )
-        found.append(_finding(Severity.WARNING, "axis-rate", text, asked, most, unit, kinematics, program, worst))
+        found.append(_finding(Severity.WARNING, "axis-rate", text, commanded, most, unit, kinematics, program, worst))
     return tuple(found)
 
 

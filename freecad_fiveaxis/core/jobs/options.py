@@ -120,7 +120,7 @@ def with_head(settings: Settings, said: ClHead) -> Settings:
         coolant="on" if said.coolant else given.coolant,
     )  # fmt: skip
     settings = replace(settings, head=head)
-    if said.cutter is None or "cutter" in settings.asked or settings.machine.control_point != "tip":
+    if said.cutter is None or "cutter" in settings.explicit or settings.machine.control_point != "tip":
         return settings
     return replace(settings, cutter=replace(settings.cutter, cutter=said.cutter))
 

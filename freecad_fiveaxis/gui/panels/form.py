@@ -246,10 +246,10 @@ class Form(QtCore.QObject):
 
     def check_together(self, options: Mapping[str, Any]) -> None:
         """Raises FiveAxisError where values contradict each other."""
-        from freecad_fiveaxis.app.auditing import asked
+        from freecad_fiveaxis.app.auditing import audit_options
         from freecad_fiveaxis.core.jobs.settings import build_settings
 
-        options = asked(options) if self.task == "audit" else options
+        options = audit_options(options) if self.task == "audit" else options
         build_settings(self.task, "part", self.given | dict(options))
 
     def _check_field(self, name: str, field: Field, options: Mapping[str, Any]) -> bool:

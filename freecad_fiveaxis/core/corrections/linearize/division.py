@@ -174,7 +174,7 @@ def _load(deviation: Floats, goal: Floats, rounding: Floats, inside: Bools) -> F
 def _decide(state: _State, trial: _Trial, good: Bools) -> tuple[Ints, Bools]:
     """Choose each block's next count, in ``state``. Returns the blocks that go on, and where fewer pieces may do."""
     count, need = state.count, trial.need
-    asked = np.maximum(np.ceil(need).astype(np.int64), state.lower + 1)
+    wanted = np.maximum(np.ceil(need).astype(np.int64), state.lower + 1)
     state.best[good] = count[good]
     too_few = ~good & (trial.least > state.goal)
     state.lower[too_few] = np.maximum(state.lower, count)[too_few]
@@ -183,8 +183,8 @@ def _decide(state: _State, trial: _Trial, good: Bools) -> tuple[Ints, Bools]:
     patience = np.where(count <= FEW, PATIENCE_FEW, np.where(calm, PATIENCE_CALM, PATIENCE))
     again = ~good & ~too_few & (need <= count + TIE) & (state.tries < patience)
     state.tries = np.where(again, state.tries + 1, 0)
-    _add(state, trial, ~good & ~too_few & ~again, asked)
-    after = np.where(good, np.minimum(asked, count - 1), np.where(again, count, np.maximum(asked, state.lower + 1)))
+    _add(state, trial, ~good & ~too_few & ~again, wanted)
+    after = np.where(good, np.minimum(wanted, count - 1), np.where(again, count, np.maximum(wanted, state.lower + 1)))
     enough = good & (need > count - 1 + np.clip(CLOSE * count, CLOSE_LEAST, CLOSE_MOST))
     done = (state.best > 0) & ((after <= state.lower) | (after >= state.best) | enough)
     endless = (state.best == 0) & (after > state.limit)
@@ -196,13 +196,13 @@ def _decide(state: _State, trial: _Trial, good: Bools) -> tuple[Ints, Bools]:
     )
 
 
-def _add(state: _State, trial: _Trial, tie: Bools, asked: Ints) -> None:
+def _add(state: _State, trial: _Trial, tie: Bools, wanted: Ints) -> None:
     """Take it that more pieces are needed where trials stayed undecided: as many more as the worst piece asks for."""
     excess = np.sqrt(np.minimum(trial.worst / state.goal, 4.0)) - 1.0
     more = np.floor(np.clip(excess, 0.0, MOST_MORE) * state.count).astype(np.int64)
     more[state.count <= FEW] = 0
     state.lower[tie] = np.maximum(state.lower, state.count + more)[tie]
-    state.stuck[tie & (asked <= state.count + 1 + more)] += 1
+    state.stuck[tie & (wanted <= state.count + 1 + more)] += 1
 
 
 def _relax(state: _State, lost: Bools, after: Ints) -> None:

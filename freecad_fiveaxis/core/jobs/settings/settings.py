@@ -61,7 +61,7 @@ def group(cls: type) -> Any:
 
 @dataclass(frozen=True)
 class Settings:
-    """Every input of a job. ``source``: the STL, CL or NC file that the task reads; ``asked``: the options that were given, the
+    """Every input of a job. ``source``: the STL, CL or NC file that the task reads; ``explicit``: the options that were given, the
     others have their defaults."""
 
     task: str = MILL
@@ -84,7 +84,7 @@ class Settings:
     reading: ReadingSettings = group(ReadingSettings)
     audit: AuditSettings = group(AuditSettings)
     output: OutputSettings = group(OutputSettings)
-    asked: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
+    explicit: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
 
 
 def option_fields(task: str | None = None) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
@@ -124,7 +124,7 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
             )
     given = {name: value for name, value in options.items() if value is not None}
     groups = {top.name: _build(top.metadata["group"], task, given) for top in fields(Settings) if "group" in top.metadata}
-    settings = _with_defaults(Settings(task=task, source=source, asked=frozenset(given), **groups), given)
+    settings = _with_defaults(Settings(task=task, source=source, explicit=frozenset(given), **groups), given)
     _check_together(settings)
     return settings
 

@@ -102,7 +102,7 @@ def build_program(
     scale = _FeedScale(dialect, inverse_time)
     times = _time_blocks(stands, words, motion, tip_feed, kinematics, scale, progress)
     line = np.arange(dialect.first_line, dialect.first_line + len(row))
-    findings += more + _feed_findings(times.asked, times.held, scale)
+    findings += more + _feed_findings(times.commanded, times.held, scale)
     modes = np.full(len(row), inverse_time)
     return Program(kinematics.letters, stands, times.feed, modes, motion, times.seconds, row, line, findings, guided, wrap)
 
@@ -194,18 +194,18 @@ class _FeedScale:
         over, mm (deg)."""
         return np.ones(len(change)) if self.inverse_time else feed_distance(self.dialect, change)
 
-    def rounded_down(self, asked: Floats) -> Floats:
-        """F at most ``asked`` and at most the controller's largest, but at least one step."""
+    def rounded_down(self, commanded: Floats) -> Floats:
+        """F at most ``commanded`` and at most the controller's largest, but at least one step."""
         step = 10.0**-self.decimals
-        count = np.floor(np.minimum(asked, self.largest) * ((1.0 + FEED_SLACK) / step))
+        count = np.floor(np.minimum(commanded, self.largest) * ((1.0 + FEED_SLACK) / step))
         return rounded(np.maximum(count, 1.0) * step, self.decimals)
 
 
 class _Times(NamedTuple):
-    """``asked`` (m,) the F that each block asks for, ``feed`` (m,) as rounded (both 0 for rapids); ``held`` (m,) whether an axis
-    holds it back; ``seconds`` (m,) by the rounded F."""
+    """``commanded`` (m,) the F that each block asks for, ``feed`` (m,) as rounded (both 0 for rapids); ``held`` (m,) whether an
+    axis holds it back; ``seconds`` (m,) by the rounded F."""
 
-    asked: Floats
+    commanded: Floats
     held: Bools
     feed: Floats
     seconds: Floats
@@ -230,14 +230,14 @@ def _time_blocks(
         else:
             change[:, 3:] *= np.pi / 180.0
         minutes, held = feed_minutes(kinematics, change, travel, wanted)
-        asked = distance / minutes
-        asked[rapid] = 0.0
+        commanded = distance / minutes
+        commanded[rapid] = 0.0
         held[rapid] = False
-        feed = scale.rounded_down(asked)
+        feed = scale.rounded_down(commanded)
         seconds = 60.0 * distance / feed
         seconds[rapid] = 60.0 * rapid_minutes(kinematics, change[rapid])
         feed[rapid] = 0.0
-        for whole, part in zip(times, (asked, held, feed, seconds), strict=True):
+        for whole, part in zip(times, (commanded, held, feed, seconds), strict=True):
             whole[rows] = part
 
     in_threads(fill, chunks(max(count - 1, 0), TIMED), lambda done: progress("feeds", done))
@@ -262,18 +262,18 @@ ABOVE = Template("In {count} blocks F would exceed the controller's largest; the
 BELOW = Template("In {count} blocks F would be below one step; they run faster than programmed. Use G93.")
 
 
-def _feed_findings(asked: Floats, held: Bools, scale: _FeedScale) -> tuple[Finding, ...]:
+def _feed_findings(commanded: Floats, held: Bools, scale: _FeedScale) -> tuple[Finding, ...]:
     unit, step = "1/min" if scale.inverse_time else "mm/min", 10.0**-scale.decimals
-    below = np.flatnonzero(asked < step / (1.0 + FEED_SLACK))
-    below = below[asked[below] > 0.0]  # not those of rapids
+    below = np.flatnonzero(commanded < step / (1.0 + FEED_SLACK))
+    below = below[commanded[below] > 0.0]  # not those of rapids
     cases = (
         (np.flatnonzero(held), Severity.NOTE, "feed-held-back",
          HELD, float(held.sum()), 0.0, "1"),
-        (np.flatnonzero(asked > scale.largest), Severity.NOTE, "feed-above-largest",
+        (np.flatnonzero(commanded > scale.largest), Severity.NOTE, "feed-above-largest",
          ABOVE,
-         float(asked.max(initial=0.0)), scale.largest, unit),
+         float(commanded.max(initial=0.0)), scale.largest, unit),
         (below, Severity.WARNING, "feed-below-step", BELOW,
-         float(asked[below].min(initial=step)), step, unit),
+         float(commanded[below].min(initial=step)), step, unit),
     )  # fmt: skip
     found = []
     for blocks, severity, code, text, value, limit, unit_of in cases:
