@@ -61,7 +61,7 @@ def group(cls: type) -> Any:
 
 @dataclass(frozen=True)
 class Settings:
-    """Every input of a job. ``source``: the STL, CL or NC file that the task reads; ``explicit``: the options that were given, the
+    """Every input of a job. ``source``: the STL, CL or NC file that the task reads; ``explicit``: the options given, the
     others have their defaults."""
 
     task: str = MILL
