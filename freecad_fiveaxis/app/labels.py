@@ -91,6 +91,9 @@ def _options() -> dict[str, str]:
 def _of_programs() -> dict[str, str]:
     """Options of making and proving a program."""
     return {
+        "passes": translate("FiveAxis", "Pass strategy"),
+        "plane_normal": translate("FiveAxis", "Normal of the planes I, J, K"),
+        "from_": translate("FiveAxis", "Passes begin at"),
         "direction": translate("FiveAxis", "Direction of passes"),
         "scallop": translate("FiveAxis", "Scallop"),
         "stepover": translate("FiveAxis", "Stepover"),
@@ -176,6 +179,8 @@ def _of_machines_and_places() -> dict[str, str]:
 
 def _choices() -> dict[str, str]:
     return {
+        "planes": translate("FiveAxis", "parallel planes"),
+        "zlevel": translate("FiveAxis", "level planes"),
         "facet_mean": translate("FiveAxis", "surface normal"),
         "step_weighted": translate("FiveAxis", "normal weighted by step"),
         "minimax": translate("FiveAxis", "least deviation (minimax)"),

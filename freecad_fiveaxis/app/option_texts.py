@@ -16,6 +16,14 @@ def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
 
 
 TEXTS = {
+    "passes": QT_TRANSLATE_NOOP("App::Property", "How the passes are laid over the part"),
+    "plane_normal": QT_TRANSLATE_NOOP(
+        "App::Property", "Direction I, J, K across the planes of the passes; 0, 0, 0: upright planes along the direction"
+    ),
+    "from_": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Where constant-scallop passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve",
+    ),
     "direction": QT_TRANSLATE_NOOP("App::Property", "Angle of the passes to the X axis, counter-clockwise seen from above"),
     "scallop": QT_TRANSLATE_NOOP("App::Property", "Largest height of the ridges that stay between two passes"),
     "stepover": QT_TRANSLATE_NOOP("App::Property", "Constant distance of the passes, instead of a scallop height"),

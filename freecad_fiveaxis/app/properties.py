@@ -26,6 +26,7 @@ from freecad_fiveaxis.core.base.quantity import stack_text
 from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.jobs.settings import MILL, FacesSettings, OutputSettings, option_fields
+from freecad_fiveaxis.core.passes import PASS_STRATEGIES
 from freecad_fiveaxis.core.tool import KINDS as CUTTER_KINDS
 from freecad_fiveaxis.core.tool import Cutter, kind_of
 
@@ -63,9 +64,10 @@ KINDS = {
     "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance", "counts": "App::PropertyVector",
     "number": "App::PropertyFloat", "count": "App::PropertyInteger", "path": "App::PropertyFile",
     "stack": "App::PropertyString", "height": "App::PropertyString",
+    "place": "App::PropertyString",
 }  # fmt: skip
 """FreeCAD's kind of property for each kind of option. A kind that is not here makes no property."""
-_ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRATEGIES)}
+_ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRATEGIES), "passes": tuple(PASS_STRATEGIES)}
 
 _GROUPS = {
     "PassSettings": QT_TRANSLATE_NOOP("App::Property", "Passes"),
@@ -133,8 +135,14 @@ _PER_MINUTE = {
 """What the editor says of a feed in mm/min."""
 
 
+_NAMED = {"passes": "PassStrategy", "from_": "PassesFrom"}
+"""Options whose own name is that of a result, or Python's."""
+
+
 def property_name(option: str) -> str:
     """``least_interval`` -> ``LeastInterval``."""
+    if option in _NAMED:
+        return _NAMED[option]
     return "".join(part[:1].upper() + part[1:] for part in option.split("_"))
 
 
@@ -201,7 +209,15 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
     """A value of the core (rad, mm/min) as the property holds it."""
     kind = leaf.metadata["kind"]
     if value is None:
-        none = {"height": "", "point": (0.0, 0.0, 0.0), "counts": (0.0, 0.0, 0.0), "count": 0, "text": MACHINES_OWN, "path": ""}
+        none = {
+            "height": "",
+            "vector": (0.0, 0.0, 0.0),
+            "point": (0.0, 0.0, 0.0),
+            "counts": (0.0, 0.0, 0.0),
+            "count": 0,
+            "text": MACHINES_OWN,
+            "path": "",
+        }
         return none.get(kind, 0.0)
     if kind == "angle":
         return round(math.degrees(value), 12)
@@ -209,6 +225,8 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
         return value / 60.0
     if kind == "stack":
         return stack_text(value)
+    if kind == "place" and not isinstance(value, str):
+        return ",".join(f"{number:.12g}" for number in value)
     if kind == "height":
         return f"{value:.12g}"
     return int(value) if kind == "count" else value

@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisErro
 from freecad_fiveaxis.core.base.files import check_readable, check_writable, written
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.memory import keep_freed_memory
-from freecad_fiveaxis.core.base.sentences import one_line, say
+from freecad_fiveaxis.core.base.sentences import Option, one_line, say
 from freecad_fiveaxis.core.base.terminal import bars, show
 
 if TYPE_CHECKING:
@@ -115,12 +115,17 @@ def _bare_said(argv: Sequence[str]) -> list[str]:
     """Options that may stand without a value, followed by something that is none: with the value that they then mean."""
     from freecad_fiveaxis.core.jobs.settings import option_fields
 
-    bare = {"--" + leaf.name.replace("_", "-"): leaf.metadata for _, leaf in option_fields() if leaf.metadata["bare"]}
+    bare = {flag_of(leaf.name): leaf.metadata for _, leaf in option_fields() if leaf.metadata["bare"]}
     following = [*argv[1:], ""]
     return [
         f"{word}={bare[word]['bare']}" if word in bare and after not in bare[word]["choices"] else word
         for word, after in zip(argv, following, strict=True)
     ]
+
+
+def flag_of(name: str) -> str:
+    """The flag of a field of the settings."""
+    return str(Option(name))
 
 
 def _complain(line: str) -> None:
@@ -180,7 +185,7 @@ def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
             parser.add_argument(leaf.name, metavar=SECOND[leaf.name])
             continue
         box = next((g for g in parser._action_groups if g.title == title), None) or parser.add_argument_group(title)
-        flags = SHORT.get(leaf.name, ("--" + leaf.name.replace("_", "-"),))
+        flags = SHORT.get(leaf.name, (flag_of(leaf.name),))
         many = leaf.metadata["kind"] in ("paths", "names")
         extra = {"action": "append"} if many else {"choices": leaf.metadata["choices"] or None}
         box.add_argument(*flags, dest=leaf.name, metavar=_metavar(leaf.metadata), help=_help(leaf), **extra)
@@ -200,6 +205,7 @@ def _metavar(rules: Any) -> str | None:
         "lengths": "X,Y,Z",
         "vector": "I,J,K",
         "counts": "NX,NY,NZ",
+        "place": "border|X,Y,Z|CURVE.csv",
         "stack": "DxL,...",
     }
     return marks.get(rules["kind"], str(rules["kind"]).upper())
@@ -325,11 +331,13 @@ def _controllers(arguments: argparse.Namespace) -> int:
 
 def _strategies(arguments: argparse.Namespace) -> int:
     from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES
+    from freecad_fiveaxis.core.passes import PASS_STRATEGIES
 
     told = {
         name: (strategy.__doc__ or "").strip() for name, strategy in STRATEGIES.items()
     }  # none where Python left them out (-OO)
-    return _list((name, text.partition("\n")[0]) for name, text in told.items())
+    rows = [(name, text.partition("\n")[0]) for name, text in told.items()]
+    return _list([*rows, *((f"--passes {name}", strategy.text) for name, strategy in PASS_STRATEGIES.items())])
 
 
 def _list(rows: Iterable[tuple[str, str]]) -> int:

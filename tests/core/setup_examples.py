@@ -35,4 +35,4 @@ def milled(machine="trunnion_ac", stepover=3.8, rings=20, **options):
 
 def posting(made):
     """As the pipeline posts."""
-    return Posting(made.dialect, True, made.settings.kinematics.clearance, made.settings.cutter.cutter.radius, made.mesh.vertex)
+    return Posting(made.dialect, True, made.settings.links.clearance, made.settings.cutter.cutter.radius, made.mesh.vertex)

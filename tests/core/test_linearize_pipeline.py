@@ -146,7 +146,7 @@ def test_off_is_the_pipeline_without_it_byte_for_byte(part, machine, milled):
     assert milled(part, machine, linearize="off", singularity="report").made.nc == made.nc
     settings = made.settings
     low, high = made.mesh.vertex.min(axis=0), made.mesh.vertex.max(axis=0)
-    bare = job.solve(made.path, made.kinematics, low, high, settings.kinematics.clearance, settings.cutter.cutter.radius)
+    bare = job.solve(made.path, made.kinematics, low, high, settings.links.clearance, settings.cutter.cutter.radius)
     program = build_program(bare, made.kinematics, made.dialect, True)
     height, _ = start_plane(settings, made.machine, made.kinematics, program, (low, high))
     title, options = asked.nc_title(settings, made.machine), asked.post_options(settings)

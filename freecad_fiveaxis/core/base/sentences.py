@@ -145,7 +145,7 @@ class Option:
     given: str = ""
 
     def __str__(self) -> str:
-        return ("--" if self.flag else "") + self.name.replace("_", "-") + (f" {self.given}" if self.given else "")
+        return ("--" if self.flag else "") + self.name.rstrip("_").replace("_", "-") + (f" {self.given}" if self.given else "")
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,6 @@ from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
-from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.cl.apt import cutter_note, cutter_taken, of_cl_file, read_cl_file
 from freecad_fiveaxis.core.cl.cl_offset import cl_offset_path, corner_radius, spacing_radius
 from freecad_fiveaxis.core.cl.cl_path import CLPath, LinkOptions, Motion, link_passes
@@ -42,12 +41,12 @@ from freecad_fiveaxis.core.nc.reader import Assumed, dialect_of_text, read_nc
 from freecad_fiveaxis.core.nc.writer import write_nc
 from freecad_fiveaxis.core.passes import (
     ContactPath,
+    PassStrategy,
+    Region,
+    cut,
     facets_within_limits,
+    find_pass_strategy,
     flat_interval,
-    place_planes,
-    side_findings,
-    slice_mesh,
-    untouched_sides,
 )
 from freecad_fiveaxis.core.report import Figures, judge
 
@@ -57,6 +56,7 @@ from .collision_avoidance import (
     driven_free,
     entered,
     find_left,
+    fitting,
     left_out_rows,
     lifted,
     said_of,
@@ -73,9 +73,9 @@ from .options import (
     driven_to_hub,
     machine_of,
     nc_title,
+    pass_options,
     post_options,
     title_of,
-    wanted_scallop,
     with_head,
 )
 from .part_size import unit_suspected
@@ -143,6 +143,7 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
         dialect = _told(settings, machine, dialect)
     if settings.task == MILL:
         find_strategy(settings.tool_axis.tool_axis)
+        find_pass_strategy(settings.passes.passes)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
         faces, said = _faces(settings, mesh, faces, progress)
         milled = mill(settings, mesh, machine, kinematics, dialect, progress, faces)
@@ -178,13 +179,15 @@ def mill(
     faces: Bools | None = None,
 ) -> Milled:  # fmt: skip
     """From a mesh to a program: the pipeline itself. ``faces`` (f,): the facets to cut; the others are still kept clear of."""
-    passes, cutter = settings.passes, settings.cutter.cutter
+    cutter = settings.cutter.cutter
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
     followed = None if keeps_its_axis(settings, machine) else kinematics
-    keep, left_out = facets_within_limits(mesh, followed, passes.max_axis_angle, faces)
-    planes, spacing = _planes(settings, mesh, keep, progress)
-    contact = slice_mesh(mesh, planes, passes.direction, progress=progress, plain=~keep, order=settings.kinematics.order)
-    spacing = _with_sides(settings, mesh, keep, planes, contact, spacing)
+    keep, left_out = facets_within_limits(mesh, followed, settings.passes.max_axis_angle, faces)
+    strategy, options = find_pass_strategy(settings.passes.passes), pass_options(settings)
+    region = _region(settings, mesh, keep, strategy, progress)
+    field = strategy.field(region, options)
+    contact = cut(region, field, settings.links.order)
+    spacing = strategy.untouched(region, options, field, contact.face)
     closed = close_gaps(
         contact, mesh, corner_radius(cutter), settings.cutter.coedge_tolerance, None if keep.all() else keep, progress
     )
@@ -206,37 +209,24 @@ def mill(
     return Milled(**vars(posted), mesh=mesh, contact=contact, offset=offset, axis=axis, keep=keep)
 
 
-def _planes(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Floats, tuple[Finding, ...]]:
-    """Where the planes lie. For what is no ball: at most as far apart as on a flat, for beyond that its bottom ends."""
-    passes, cutter, scallop = settings.passes, settings.cutter.cutter, wanted_scallop(settings)
-    radius, more = cutter.radius, {}
-    if scallop is not None and cutter.ring > 0.0:
-        stand = (settings.tool_axis.tool_axis, axis_options(settings))
-        radius, more = spacing_radius(cutter, mesh, keep, passes.direction, *stand, scallop), {"widest": 1.0}
-    return place_planes(
-        mesh, passes.direction, radius, stepover=passes.stepover, scallop=scallop, least=passes.least_interval, keep=keep,
-        progress=progress, **more,
-    )  # fmt: skip
-
-
-def _with_sides(
-    settings: Settings, mesh: Mesh, keep: Bools, planes: Floats, contact: ContactPath, spacing: tuple[Finding, ...]
-) -> tuple[Finding, ...]:
-    """What was poor about the planes, and the sides of the part that they leave out."""
-    passes, scallop, radius = settings.passes, wanted_scallop(settings), settings.cutter.cutter.radius
-    interval = passes.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
-    sides = untouched_sides(mesh, keep, contact.face, planes, passes.direction, interval)
-    finer = say("a smaller stepover")
-    if scallop is not None:
-        finer = say("a smaller least interval than {interval}", interval=Length(passes.least_interval))
-    return side_findings(sides, mesh, keep, passes.direction, spacing, passes.least_interval, finer)
+def _region(settings: Settings, mesh: Mesh, keep: Bools, strategy: PassStrategy, progress: Progress) -> Region:
+    """What is to be cut, with the ball whose passes may stand as far apart as the cutter's. For what is no ball: at most as far
+    apart as on a flat, for beyond that its bottom ends."""
+    options, cutter = pass_options(settings), settings.cutter.cutter
+    radius, scallop = cutter.radius, options.scallop
+    interval = options.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
+    if scallop is None or cutter.ring == 0.0:
+        return Region(mesh, keep, radius, interval, None, fitting(settings, mesh, progress), progress)
+    stand = (settings.tool_axis.tool_axis, axis_options(settings))
+    radii = [spacing_radius(cutter, mesh, keep, angle, *stand, scallop) for angle in strategy.travels(options)]
+    return Region(mesh, keep, min(radii), interval, 1.0, None, progress)
 
 
 def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress = silent) -> CLPath:
     """The CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``: the cutter sits anew on
     each of them, whatever led its axis there."""
     options = LinkOptions(
-        clearance=settings.kinematics.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
+        clearance=settings.links.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
         control_point=settings.machine.control_point,
     )  # fmt: skip
     low, high = mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)
@@ -293,7 +283,7 @@ def _driven(
 ) -> JointPath:  # fmt: skip
     """The joint path through ``path``, its blocks divided where the settings ask for that. ``low``, ``high`` (3,) mm: the part's
     box; ``entering`` mm: so much of the tolerance the path itself uses up."""
-    joints = solve(path, kinematics, low, high, settings.kinematics.clearance, settings.cutter.cutter.radius, progress)
+    joints = solve(path, kinematics, low, high, settings.links.clearance, settings.cutter.cutter.radius, progress)
     return _linearized(settings, joints, machine, kinematics, dialect, settings.proof.tolerance - entering, progress)
 
 

@@ -41,6 +41,8 @@ def read_job(path: str) -> Settings:
     beside = {name: _beside(path, value) if name in settings_paths else value for name, value in options.items()}
     for name in {"machine", "machines"} & set(beside):
         beside[name] = _machines_beside(path, beside[name])
+    if str(beside.get("from", "")).lower().endswith(".csv"):
+        beside["from"] = _beside(path, beside["from"])
     return build_settings(given["task"], _beside(path, given["source"]) if given["source"] else "", beside)
 
 

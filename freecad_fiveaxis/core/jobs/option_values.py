@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.base.sentences import IN_FULL, Option, Sentence, Temp
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.tool import Cutter, cutter_text, parse_cutter
 
-UNITS = {"length": "mm", "height": "mm", "lengths": "mm", "point": "mm", "angle": "deg", "feed": "mm/min"}
+UNITS = {"length": "mm", "height": "mm", "lengths": "mm", "point": "mm", "place": "mm", "angle": "deg", "feed": "mm/min"}
 BOUNDS = {"above": Template("above {bound}"), "least": Template("at least {bound}"), "most": Template("at most {bound}")}
 
 
@@ -62,7 +62,7 @@ def _range_said(rules: Mapping[str, Any]) -> Sentence:
         if math.isfinite(rules[bound])
     ]
     both = bounds[0] if len(bounds) == 1 else say("{one} and {other}", one=bounds[0], other=bounds[-1])
-    if rules["kind"] in ("point", "lengths", "vector", "counts"):
+    if rules["kind"] in ("point", "lengths", "vector", "counts", "place"):
         return say("each of its numbers must be {bounds}", bounds=both)
     return say("it must be {bounds}", bounds=both)
 
@@ -89,6 +89,13 @@ def _count(given: Any, name: str) -> float:
 def _counts(given: Any, name: str) -> Vector:
     x, y, z = quantity.parse_triple(given, quantity.NUMBERS, name)
     return _count(x, name), _count(y, name), _count(z, name)
+
+
+def _place(given: Any, name: str) -> str | Vector:
+    """A word or a file's name; three lengths where it is X,Y,Z."""
+    if isinstance(given, str) and given.count(",") != 2:
+        return read_text(given, name)
+    return quantity.parse_triple(given, quantity.LENGTHS, name)
 
 
 def _names(given: Any, name: str) -> tuple[str, ...]:
@@ -118,6 +125,7 @@ READERS: dict[str, Any] = {
     "text": read_text,
     "choice": read_text,
     "path": read_text,
+    "place": _place,
     "paths": _paths,
     "names": _names,
 }

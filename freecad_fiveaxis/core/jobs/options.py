@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.controllers import Dialect, find_dialect
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.nc.head import PostOptions
+from freecad_fiveaxis.core.passes import PassOptions, find_pass_strategy
 from freecad_fiveaxis.core.tool import cutter_name
 
 from .fewer_axes import refuse_what_needs_more_axes
@@ -69,6 +70,19 @@ def wanted_scallop(settings: Settings) -> float | None:
     """The scallop asked for, mm; None where a stepover is."""
     passes = settings.passes
     return DEFAULT_SCALLOP if passes.scallop is None and passes.stepover is None else passes.scallop
+
+
+def pass_options(settings: Settings) -> PassOptions:
+    """Options of the strategies for the passes."""
+    passes = settings.passes
+    return PassOptions(
+        passes.direction, passes.stepover, wanted_scallop(settings), passes.least_interval, passes.plane_normal, passes.from_
+    )
+
+
+def travels(settings: Settings) -> tuple[float, ...]:
+    """rad: directions of travel, seen from above, that stand for all of the passes."""
+    return find_pass_strategy(settings.passes.passes).travels(pass_options(settings))
 
 
 def axis_options(settings: Settings) -> AxisOptions:

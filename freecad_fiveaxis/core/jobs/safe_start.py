@@ -38,7 +38,7 @@ def start_plane(
     if machine.safe_start.retract != BY_CLEARANCE or not len(program.words):
         return 0.0, ()
     body = settings.cutter.cutter.top_radius if machine.has_head else 0.0  # a tool that lies level reaches down by its radius
-    margin = settings.kinematics.clearance + tip_to_driven(settings) + body
+    margin = settings.links.clearance + tip_to_driven(settings) + body
     return within_travel(kinematics, plane_above(kinematics, *box, margin, program.words))
 
 

@@ -1,26 +1,37 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes: where the planes lie, which facets they may cut, what they cut out of the mesh, and which sides they leave out."""
+"""Passes: the strategies that say where to cut, which facets may be cut, and what that cuts out of the mesh."""
 
 from .arc_curvature import arc_centre, arc_curvature, pass_curvature
-from .passes import ContactPath, direction, slice_mesh
+from .field import Fits, PassField, PassOptions, PassStrategy, Region, cut
+from .passes import ContactPath, direction, slice_field, slice_mesh
 from .scallop import CREASE, facet_curvature, flat_interval, turned_along
 from .sides import side_findings, untouched_sides
 from .spacing import place_planes
+from .strategies import PASS_STRATEGIES, find_pass_strategy
 from .within_limits import axes_within_limits, facets_within_limits
 
 __all__ = [
     "CREASE",
+    "PASS_STRATEGIES",
     "ContactPath",
+    "Fits",
+    "PassField",
+    "PassOptions",
+    "PassStrategy",
+    "Region",
     "arc_centre",
     "arc_curvature",
     "axes_within_limits",
+    "cut",
     "direction",
     "facet_curvature",
     "facets_within_limits",
+    "find_pass_strategy",
     "flat_interval",
     "pass_curvature",
     "place_planes",
     "side_findings",
+    "slice_field",
     "slice_mesh",
     "turned_along",
     "untouched_sides",

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parallel vertical planes through a mesh (Lin & Ye, II.B and D). Intersects, nothing else.
+"""Parallel vertical planes through a mesh (Lin & Ye, II.B and D), and level sets of any field on it. Intersects, nothing else.
 
-pass      all that one plane cuts out of the mesh: one or more polylines.
+pass      all that one plane, or one level of a field, cuts out of the mesh: one or more polylines.
 polyline  an ordered run of facet segments, each going on where the one before it ended; open or closed.
 segment   the straight piece that one plane cuts out of one facet; two rows of the path: entry and exit.
 plain     facets that are passed over and not cut: their co-edges say nothing where both sides lie in one plane.
@@ -11,7 +11,9 @@ zigzag    every other pass is cut backwards, so that it begins near the end of t
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -74,9 +76,44 @@ def slice_mesh(
     plane is cut out of the facet below it. Segments of zero length are left out.
     Raises SettingsError for offsets that are not finite or not ascending, a ``keep`` of the wrong length, or an unknown order.
     """
+    planes = _planes(offsets)
+    cosine, sine = direction(angle)
+    x, y, z = mesh.vertex.T
+    columns = (cosine * x + sine * y, z)
+    upright = partial(_upright, planes, (cosine, sine))
+    return _sliced(mesh, planes, columns, cosine * y - sine * x, upright, keep, progress, plain, order)
+
+
+def slice_field(
+    mesh: Mesh, value: Floats, levels: ArrayLike, keep: ArrayLike | None = None, progress: Progress = silent,
+    plain: Bools | None = None, order: str = "one_way",
+) -> ContactPath:  # fmt: skip
+    """Cut the mesh where a field has the ascending ``levels`` (k,): ``value`` (v,) at its vertices, linear over each facet.
+
+    All else as for :func:`slice_mesh`, whose planes are the levels of ``across . p``: a segment runs along ``grad x normal``, so
+    that the field rises to its left; the polylines of a pass go by where they start along X.
+    Raises SettingsError as :func:`slice_mesh` does, and for a field of the wrong length or one that is not finite.
+    """
+    value = np.asarray(value, dtype=np.float64)
+    if value.shape != (len(mesh.vertex),) or not np.isfinite(value).all():
+        raise SettingsError(
+            say("the field of the passes is not one finite number for each of the {count} vertices", count=len(mesh.vertex)),
+            value.shape,
+        )
+    x, y, z = mesh.vertex.T
+    return _sliced(mesh, _planes(levels), (x, y, z), value, _as_it_is, keep, progress, plain, order)
+
+
+Placing = Callable[[Sequence[Floats], Ints, Floats], None]
+"""From the columns (c, n) of crossings and their planes (n,) to their points: x, y, z into the rows of (3, n)."""
+
+
+def _sliced(
+    mesh: Mesh, planes: Floats, columns: tuple[Floats, ...], value: Floats, placing: Placing, keep: ArrayLike | None,
+    progress: Progress, plain: Bools | None, order: str,
+) -> ContactPath:  # fmt: skip
     if order not in ORDERS:
         raise SettingsError(say("order is {order}; choose one of {orders}", order=repr(order), orders=", ".join(ORDERS)), order)
-    planes = _planes(offsets)
     kept = None if keep is None else np.asarray(keep, dtype=np.bool_)
     if kept is not None and kept.shape != (len(mesh.face),):
         raise SettingsError(
@@ -84,9 +121,7 @@ def slice_mesh(
             kept.shape,
         )
     progress("slice", 0.0)
-    cosine, sine = direction(angle)
-    x, y, _ = mesh.vertex.T
-    cross = find_crossings(mesh, planes, cosine * x + sine * y, cosine * y - sine * x, kept)
+    cross = find_crossings(mesh, planes, columns, value, kept)
     progress("slice", 0.5)
     crossing, first, plane = chain(cross)
     if plain is not None and plain.any():
@@ -95,7 +130,7 @@ def slice_mesh(
     chains = _Chains(crossing, first, plane, np.zeros(len(crossing), np.bool_))
     if order == "zigzag":
         chains = _zigzag(chains, cross, plain)
-    path = _contact_path(mesh, cross, chains, planes, (cosine, sine))
+    path = _contact_path(mesh, cross, chains, placing)
     progress("slice", 1.0)
     return path
 
@@ -173,11 +208,11 @@ def _zigzag(chains: _Chains, cross: Crossings, plain: Bools | None) -> _Chains:
     return _Chains(ordered, np.sort(np.where(back[first], mirror, first)), plane, back)
 
 
-def _contact_path(mesh: Mesh, cross: Crossings, chains: _Chains, planes: Floats, heading: tuple[float, float]) -> ContactPath:
+def _contact_path(mesh: Mesh, cross: Crossings, chains: _Chains, placing: Placing) -> ContactPath:
     """Entry and exit of each segment from the chains of crossings."""
     crossing, first, plane, back = chains
-    along, height = in_threads(lambda column: column.take(crossing), (cross.along, cross.height))
-    end, number = _segment_ends(along, height, first)
+    columns = in_threads(lambda column: column.take(crossing), list(cross.place))
+    end, number = _segment_ends(columns, first)
     used = np.flatnonzero(number)
     number, plane = 2 * number.take(used), plane.take(used)
     # one block for the labels and one for the rest: numpy asks for large memory pages where an array is large
@@ -191,8 +226,7 @@ def _contact_path(mesh: Mesh, cross: Crossings, chains: _Chains, planes: Floats,
         at = np.empty(2 * len(exits), dtype=np.int64)
         at[0::2], at[1::2] = exits - 1, exits
         plane.take(polyline[rows], out=pass_[rows], mode="clip")
-        _place(along.take(at), planes.take(pass_[rows]), heading, point[:2, rows])
-        height.take(at, out=point[2, rows], mode="clip")
+        placing([column.take(at) for column in columns], pass_[rows], point[:, rows])
         cross.coedge.take(crossing.take(at), out=coedge[rows], mode="clip")
         cut = cross.left.take(crossing.take(exits - back.take(exits)))  # the facet is left where the chain itself leaves it
         for values, both in ((cut, face[rows]), *zip((n.take(cut) for n in mesh.normal.T), normal[:, rows], strict=True)):
@@ -203,17 +237,23 @@ def _contact_path(mesh: Mesh, cross: Crossings, chains: _Chains, planes: Floats,
     return ContactPath(point.T, normal.T, *label)
 
 
-def _place(along: Floats, offset: Floats, heading: tuple[float, float], out: Floats) -> None:
-    """x and y of points at ``along`` and ``offset``, into the rows of ``out``."""
-    cosine, sine = heading
+def _upright(planes: Floats, heading: tuple[float, float], columns: Sequence[Floats], plane: Ints, out: Floats) -> None:
+    """Points of upright planes from ``along`` and the height; the rest is the plane's own offset, to the last bit."""
+    (along, out[2]), offset, (cosine, sine) = columns, planes.take(plane), heading
     np.subtract(cosine * along, sine * offset, out=out[0])
     np.add(sine * along, cosine * offset, out=out[1])
 
 
-def _segment_ends(along: Floats, height: Floats, first: Ints) -> tuple[Ints, Ints]:
+def _as_it_is(columns: Sequence[Floats], plane: Ints, out: Floats) -> None:
+    """Points whose columns are x, y and z."""
+    for row, column in zip(out, columns, strict=True):
+        row[:] = column
+
+
+def _segment_ends(columns: Sequence[Floats], first: Ints) -> tuple[Ints, Ints]:
     """Rows of the chains' crossings where a segment ends that began in the row before and has a length; number in each chain."""
-    cuts = np.empty(len(along), dtype=np.bool_)
-    np.not_equal(along[1:], along[:-1], out=cuts[1:])
-    cuts[1:] |= height[1:] != height[:-1]
+    cuts = np.zeros(len(columns[0]), dtype=np.bool_)
+    for column in columns:
+        cuts[1:] |= column[1:] != column[:-1]
     cuts[first] = False
     return np.flatnonzero(cuts), np.add.reduceat(cuts, first, dtype=np.int64) if len(first) else first

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How parallel planes cut a mesh, and how the cuts follow one another.
+"""How the level sets of a field cut a mesh, and how the cuts follow one another. Parallel planes are those of a linear field.
 
+field      a value at each vertex, linear over each facet. What is said here of planes is true of the level sets of any field.
 level      of a vertex: the number of planes at or below it. Plane k cuts the edges from level k or less to more than k, so a
            vertex on a plane belongs to the upper side and no case needs a tolerance (simulation of simplicity:
            Edelsbrunner & Muecke, ACM Transactions on Graphics 9 (1990), 66-104).
@@ -68,21 +69,26 @@ class Starts:
 class Crossings:
     """All crossings of a mesh, one row each, and how they link its nodes.
 
-    ``coedge`` (x,); ``left`` (x,) the facet that is left here; ``along`` and ``height`` (x,) mm: the point's coordinates
-    along the travel and along z; ``next_node`` (n + 1,), n where there is none; ``exit`` (n + 1,) the crossing by which a
+    ``coedge`` (x,); ``left`` (x,) the facet that is left here; ``place`` (c, x) mm: the columns that tell where the point is,
+    the first one along the travel; ``next_node`` (n + 1,), n where there is none; ``exit`` (n + 1,) the crossing by which a
     node is left; ``base`` (f + 1,) as first_nodes gives it; ``opening`` the starts of open chains; ``turning`` places where
     the path turns from downward facets to upward ones: starts for closed chains. Row n belongs to no node.
     """
 
     coedge: Ints
     left: Ints
-    along: Floats
-    height: Floats
+    place: Floats
     next_node: Ints
     exit: Ints
     base: Ints
     opening: Starts
     turning: Starts
+
+    @property
+    def along(self) -> Floats:
+        """Where the points (x,) lie along the travel, mm."""
+        along: Floats = self.place[0]
+        return along
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,10 +171,11 @@ def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> list[_Piece]:
     return [piece for pieces in in_threads(of, chunks(number)) for piece in pieces]
 
 
-def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats, keep: Bools | None) -> Crossings:
+def find_crossings(mesh: Mesh, offsets: Floats, columns: tuple[Floats, ...], distance: Floats, keep: Bools | None) -> Crossings:
     """Crossings of the planes at ascending ``offsets`` (k,) with the facets that ``keep`` (f,) has.
 
-    ``along`` and ``distance`` (v,): the vertices' coordinates along the travel and across it, mm.
+    ``distance`` (v,): the field at the vertices, for planes the coordinate across the travel, mm; ``columns`` of (v,) each: what
+    is to be known of the crossings' places, the first one along the travel, mm.
     """
     level = levels(distance, offsets)
     base, nodes = first_nodes(mesh, level, keep)
@@ -178,12 +185,12 @@ def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats,
     downward = present & ~upward
     upward &= present
     # every node has two crossings, so there are at most 2 n; memory that stays unused costs nothing
-    label, place = np.empty((2, 2 * nodes), dtype=np.int64), np.empty((2, 2 * nodes))
+    label, place = np.empty((2, 2 * nodes), dtype=np.int64), np.empty((len(columns), 2 * nodes))
     next_node, exit_ = np.empty((2, nodes + 1), dtype=np.int64)
 
     def fill(piece: _Piece, here: slice) -> tuple[Starts, Starts]:
         label[0, here], label[1, here] = piece.coedge, piece.left
-        _interpolate(piece, offsets, distance, (along, mesh.vertex[:, 2]), place[:, here])
+        _interpolate(piece, offsets, distance, columns, place[:, here])
         leave, enter = (base.take(facet) + piece.plane for facet in (piece.left, piece.entered))
         both = Starts(np.arange(here.start, here.stop), enter, place[0, here])
         outside = np.flatnonzero(leave < 0)
@@ -198,8 +205,8 @@ def find_crossings(mesh: Mesh, offsets: Floats, along: Floats, distance: Floats,
     total, none = bounds[-1], Starts.none()
     starts = in_threads(lambda at: fill(pieces[at], slice(bounds[at], bounds[at + 1])), range(len(pieces)))
     opening, turning = ([none, *(pair[end] for pair in starts)] for end in (0, 1))
-    coedge, left, at, height = label[0, :total], label[1, :total], place[0, :total], place[1, :total]
-    return Crossings(coedge, left, at, height, next_node, exit_, base, Starts.joined(opening), Starts.joined(turning))
+    coedge, left = label[0, :total], label[1, :total]
+    return Crossings(coedge, left, place[:, :total], next_node, exit_, base, Starts.joined(opening), Starts.joined(turning))
 
 
 def _check_size(segments: int) -> None:
@@ -216,7 +223,7 @@ def _check_size(segments: int) -> None:
     check_memory(BYTES * segments, say("{segments} segments of passes", segments=segments), finer)
 
 
-def _interpolate(piece: _Piece, offsets: Floats, distance: Floats, values: tuple[Floats, Floats], out: Floats) -> None:
+def _interpolate(piece: _Piece, offsets: Floats, distance: Floats, values: tuple[Floats, ...], out: Floats) -> None:
     """``values`` at the crossings into the rows of ``out``, linear along each co-edge, exact where a vertex lies on the plane."""
     share = distance.take(piece.top)
     length = share - distance.take(piece.bottom)

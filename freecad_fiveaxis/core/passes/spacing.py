@@ -87,25 +87,32 @@ def place_planes(
     keep: Bools | None = None,
     progress: Progress = silent,
     widest: float = WIDEST,
+    normal: Floats | None = None,
 ) -> tuple[Floats, tuple[Finding, ...]]:
     """Offsets (k,) mm, ascending, of the planes that travel along ``angle`` rad, and what is poor about them.
 
     ``radius`` of the ball, ``stepover`` or ``scallop``, and ``least``, mm; ``keep`` (f,) the facets that are cut, None for all;
-    ``widest``: the largest interval, in intervals of a flat.
+    ``widest``: the largest interval, in intervals of a flat. ``normal`` (3,) unit: of the planes, instead of upright ones.
     Raises SettingsError for values out of range, both or none of stepover and scallop, and too many planes.
     """
     _check(angle, radius, stepover, scallop, least)
-    across = np.array((-math.sin(angle), math.cos(angle), 0.0))
+    across = np.array((-math.sin(angle), math.cos(angle), 0.0)) if normal is None else normal
     rows = np.arange(len(mesh.face)) if keep is None else np.flatnonzero(keep)
     low, high = _extent(mesh, across, rows)
     if not low < high:
-        raise SettingsError(
-            say("no facet lies across planes at {angle}; turn the direction", angle=Angle(math.degrees(angle))), angle
-        )
+        raise _nothing_across(angle, normal)
     if stepover is not None:
         return _even_planes(low, high, stepover), ()
     assert scallop is not None
     return _March(Strip(mesh, across, rows), radius, scallop, least, progress, widest).run()
+
+
+def _nothing_across(angle: float, normal: Floats | None) -> SettingsError:
+    if normal is None:
+        text = say("no facet lies across planes at {angle}; turn the direction", angle=Angle(math.degrees(angle)))
+        return SettingsError(text, angle)
+    given = ",".join(f"{number:.4g}" for number in normal.tolist())
+    return SettingsError(say("no facet lies across planes of the normal {given}; turn the normal", given=given), given)
 
 
 def _check(angle: float, radius: float, stepover: float | None, scallop: float | None, least: float) -> None:

@@ -148,7 +148,7 @@ def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools |
 def _posting(settings: Settings, made: Posted, dialect: Dialect) -> Posting:
     part = made.mesh.vertex if isinstance(made, Milled) else None
     inverse_time = settings.feeds.feed_mode == "g93"
-    return Posting(dialect, inverse_time, settings.kinematics.clearance, settings.cutter.cutter.radius, part)
+    return Posting(dialect, inverse_time, settings.links.clearance, settings.cutter.cutter.radius, part)
 
 
 def _region(settings: Settings, centre: Vector, rows: int, table: float | None) -> Region:

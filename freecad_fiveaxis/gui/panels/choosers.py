@@ -248,9 +248,11 @@ def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
 
 
 def strategy_field(name: str, hint: str) -> ChoiceField:
-    """The tool-axis strategies."""
+    """The strategies for the tool axis, or for the passes."""
     from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES
+    from freecad_fiveaxis.core.passes import PASS_STRATEGIES
 
-    made = ChoiceField(name, [(strategy, choice_label(strategy)) for strategy in STRATEGIES], hint)
-    made.explain({strategy: choice_hint(name, strategy) for strategy in STRATEGIES})
+    known = tuple(PASS_STRATEGIES if name == "passes" else STRATEGIES)
+    made = ChoiceField(name, [(strategy, choice_label(strategy)) for strategy in known], hint)
+    made.explain({strategy: choice_hint(name, strategy) for strategy in known})
     return made

@@ -100,6 +100,7 @@ class Form(QtCore.QObject):
             "machine": lambda leaf: MachineField(leaf.name, option_hint(leaf), self._no_machine()),
             "controller": lambda leaf: controller_field(leaf.name, option_hint(leaf), self.task in READING),
             "tool_axis": lambda leaf: strategy_field(leaf.name, option_hint(leaf)),
+            "passes": lambda leaf: strategy_field(leaf.name, option_hint(leaf)),
             "cutter": lambda leaf: CutterField(leaf.name, option_hint(leaf), doc),
             "spindle": lambda leaf: SpindleField(leaf.name, option_hint(leaf)),
         }

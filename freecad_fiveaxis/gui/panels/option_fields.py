@@ -28,6 +28,7 @@ def option_field(leaf: Any, choices: Sequence[tuple[Any, str]] = (), none_text: 
         "number": lambda: NumberField(leaf.name, hint, optional=optional),
         "count": lambda: NumberField(leaf.name, hint, whole=True, optional=optional),
         "text": lambda: TextField(leaf.name, hint),
+        "place": lambda: TextField(leaf.name, hint),
         "height": lambda: TextField(leaf.name, hint),
         "stack": lambda: TextField(leaf.name, hint, STACK),
         "vector": lambda: TripleField(leaf.name, "vector", hint),

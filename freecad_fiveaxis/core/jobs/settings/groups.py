@@ -62,9 +62,17 @@ def option(
 
 @dataclass(frozen=True)
 class PassSettings:
-    """Where the planes lie (Lin & Ye, II.B and C)."""
+    """Where the passes lie (planes: Lin & Ye, II.B and C)."""
 
-    direction: float = option(0.0, "angle", "travel direction of the passes, counter-clockwise from X")
+    passes: str = option("planes", "text", "pass strategy (see `strategies`)")
+    plane_normal: Vector | None = option(
+        None, "vector", "I,J,K across the planes [upright, along the direction]", least=-LONGEST, most=LONGEST
+    )
+    from_: str | Vector = option(
+        "border", "place", "where scallop passes begin: at the region's border, at a point X,Y,Z or along a curve, X,Y,Z a line",
+        least=-LONGEST, most=LONGEST,
+    )  # fmt: skip
+    direction: float = option(0.0, "angle", "travel direction of the planes, counter-clockwise from X")
     scallop: float | None = option(
         None, "length", "largest scallop left between passes [0.01 where no stepover is given]", least=SMALLEST, most=LONGEST
     )

@@ -54,6 +54,11 @@ SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""
 
 
+def flat_name(name: str) -> str:
+    """The option of a field: ``from_``, which Python keeps for itself, is ``from``."""
+    return name.rstrip("_")
+
+
 def group(cls: type) -> Any:
     """A field that is a settings dataclass of its own."""
     return field(default_factory=cls, metadata={"group": cls})
@@ -71,7 +76,7 @@ class Settings:
     faces: FacesSettings = group(FacesSettings)
     passes: PassSettings = group(PassSettings)
     tool_axis: ToolAxisSettings = group(ToolAxisSettings)
-    kinematics: LinkSettings = group(LinkSettings)
+    links: LinkSettings = group(LinkSettings)
     feeds: FeedSettings = group(FeedSettings)
     head: HeadSettings = group(HeadSettings)
     cure: CureSettings = group(CureSettings)
@@ -113,16 +118,16 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
     """
     if task not in WITHOUT_SOURCE:
         read_text(source, "source")
-    known = {leaf.name for _, leaf in option_fields(task)}
+    known = {flat_name(leaf.name) for _, leaf in option_fields(task)}
     for name in options:
-        if name not in known:
+        if flat_name(name) not in known:
             close = difflib.get_close_matches(name, known, 1)
             raise SettingsError(
                 say("unknown option {name} for {task}", name=repr(name), task=task)
                 + (say("; do you mean {close}?", close=repr(close[0])) if close else ""),
                 name,
             )
-    given = {name: value for name, value in options.items() if value is not None}
+    given = {flat_name(name): value for name, value in options.items() if value is not None}
     groups = {top.name: _build(top.metadata["group"], task, given) for top in fields(Settings) if "group" in top.metadata}
     settings = _with_defaults(Settings(task=task, source=source, explicit=frozenset(given), **groups), given)
     _check_together(settings)
@@ -140,7 +145,10 @@ def _with_defaults(settings: Settings, given: Mapping[str, Any]) -> Settings:
 
 def _build(cls: type, task: str, given: Mapping[str, Any]) -> Any:
     leaves = [_in_task(leaf, task) for leaf in fields(cls)]
-    return cls(**{leaf.name: read_option(leaf, given[leaf.name]) if leaf.name in given else leaf.default for leaf in leaves})
+    names = {leaf.name: flat_name(leaf.name) for leaf in leaves}
+    return cls(
+        **{leaf.name: read_option(leaf, given[at]) if (at := names[leaf.name]) in given else leaf.default for leaf in leaves}
+    )
 
 
 def _refuse_of_cl_file(settings: Settings) -> None:
@@ -247,7 +255,7 @@ def flat_options(settings: Settings) -> dict[str, Any]:
     values = {}
     for cls, leaf in option_fields(settings.task):
         holder = next(getattr(settings, top.name) for top in fields(Settings) if top.metadata.get("group") is cls)
-        values[leaf.name] = write_option(leaf, getattr(holder, leaf.name))
+        values[flat_name(leaf.name)] = write_option(leaf, getattr(holder, leaf.name))
     return {"task": settings.task, "source": settings.source, **values}
 
 

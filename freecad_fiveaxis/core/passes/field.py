@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a pass strategy is asked, and what it answers: a scalar field on the mesh and the levels of it that are cut.
+
+strategy  says where to cut: passes are the level sets of its field. Planes are those of a linear one. What comes after it
+          (slicing, co-edges, tool axes, links, checks) never knows which strategy it was.
+surface   a finer copy of the region that carries the field, where the facets of the part are too large for it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+
+from .passes import ContactPath, slice_field, slice_mesh
+
+Vector = tuple[float, float, float]
+
+Fits = Callable[[Floats, Floats], Bools]
+"""Which contacts (n, 3) mm with unit normals (n, 3) the cutter can stand on."""
+
+ALL_ROUND = (0.0, 0.25 * math.pi, 0.5 * math.pi, 0.75 * math.pi)
+"""rad: travels that stand for all, of a strategy whose passes run in every direction."""
+
+
+@dataclass(frozen=True)
+class PassOptions:
+    """``direction`` rad of the travel of upright planes; ``stepover`` or ``scallop``, and ``least`` interval, mm; ``normal`` of
+    planes, any length, None: upright; ``source`` where passes begin: the word ``border``, a point, or the path of a curve."""
+
+    direction: float = 0.0
+    stepover: float | None = None
+    scallop: float | None = None
+    least: float = 0.05
+    normal: Vector | None = None
+    source: str | Vector = "border"
+
+
+@dataclass(frozen=True, eq=False)
+class Region:
+    """``mesh``; ``keep`` (f,) the facets to cut; ``radius`` mm of the ball whose passes may stand as far apart as the cutter's,
+    at most ``widest`` intervals of a flat (None: the strategy's own); ``interval`` mm of a flat; ``fits``: where the cutter can
+    stand at all, None: not asked."""
+
+    mesh: Mesh
+    keep: Bools
+    radius: float
+    interval: float
+    widest: float | None = None
+    fits: Fits | None = None
+    progress: Progress = field(default=silent, repr=False)
+
+
+class Surface(Protocol):
+    """A finer copy of the region: its ``mesh``, and the way back to the part's."""
+
+    @property
+    def mesh(self) -> Mesh:
+        """Its facets."""
+
+    def on_part(self, contact: ContactPath, part: Mesh) -> ContactPath:
+        """The contact path with the part's facets, co-edges and normals."""
+
+
+@dataclass(frozen=True, eq=False)
+class PassField:
+    """``value`` (v,) at the vertices of the mesh, or of ``surface`` where there is one; ``levels`` (k,) of it, ascending, that
+    are cut; ``upright`` rad: the travel of upright planes, whose points are then exact. ``findings``: what is poor about it."""
+
+    value: Floats
+    levels: Floats
+    findings: tuple[Finding, ...] = ()
+    upright: float | None = None
+    surface: Surface | None = None
+
+    def __post_init__(self) -> None:
+        freeze(self, None, value="f")
+        freeze(self, None, levels="f")
+
+
+class PassStrategy(Protocol):
+    """One entry of the registry."""
+
+    @property
+    def text(self) -> str:
+        """In one line what its passes are."""
+
+    def travels(self, options: PassOptions) -> tuple[float, ...]:
+        """rad: the directions of travel, seen from above, that stand for all of its passes."""
+
+    def field(self, region: Region, options: PassOptions) -> PassField:
+        """The field and its levels. Raises SettingsError for options that cannot be used."""
+
+    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
+        """The field's findings, and what no pass touches; ``touched`` (n,): facets that passes touch."""
+
+
+def cut(region: Region, found: PassField, order: str) -> ContactPath:
+    """The passes: the level sets of the field, in the ``order`` of slice_mesh. Raises SettingsError."""
+    plain: dict[str, Any] = {"order": order, "progress": region.progress}
+    if found.surface is not None:
+        contact = slice_field(found.surface.mesh, found.value, found.levels, **plain)
+        return found.surface.on_part(contact, region.mesh)
+    if found.upright is not None:
+        return slice_mesh(region.mesh, found.levels, found.upright, plain=~region.keep, **plain)
+    return slice_field(region.mesh, found.value, found.levels, plain=~region.keep, **plain)

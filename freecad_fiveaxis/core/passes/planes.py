@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pass strategies of parallel planes: a linear field, spaced by stepover or scallop (Lin & Ye, II.B and C).
+
+upright   planes along a travel direction, or of any ``normal`` that the options give; level planes are those of the normal Z.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Area, Length, say
+
+from .field import ALL_ROUND, PassField, PassOptions, Region, Vector
+from .passes import direction
+from .sides import side_findings, untouched_sides
+from .spacing import place_planes
+
+SHORTEST = 1e-9
+"""Length of a normal whose direction is lost in rounding."""
+
+SHARE = 0.002
+"""Of the area to be cut: what no pass touches is told where it is more."""
+
+
+@dataclass(frozen=True)
+class Planes:
+    """Parallel planes; ``own`` normal: the options' one does not count."""
+
+    text: str
+    own: Vector | None = None
+
+    def travels(self, options: PassOptions) -> tuple[float, ...]:
+        """Along the planes' horizontal lines; level planes have those all round."""
+        normal = self.own or options.normal
+        if normal is None:
+            return (options.direction,)
+        x, y, _ = _unit(normal).tolist()
+        return (math.atan2(-x, y),) if math.hypot(x, y) > SHORTEST else ALL_ROUND
+
+    def field(self, region: Region, options: PassOptions) -> PassField:
+        """Distance across the planes, mm, and where they lie. Raises SettingsError for a normal without direction."""
+        mesh, normal = region.mesh, self.own or options.normal
+        across = None if normal is None else _unit(normal)
+        more = {} if region.widest is None else {"widest": region.widest}
+        levels, found = place_planes(
+            mesh, options.direction, region.radius, stepover=options.stepover, scallop=options.scallop, least=options.least,
+            keep=region.keep, progress=region.progress, normal=across, **more,
+        )  # fmt: skip
+        if across is not None:
+            return PassField(mesh.vertex @ across, levels, found)
+        cosine, sine = direction(options.direction)
+        return PassField(cosine * mesh.vertex[:, 1] - sine * mesh.vertex[:, 0], levels, found, options.direction)
+
+    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
+        """Of upright planes the sides that they leave out, with a remedy; of others the area."""
+        if field.upright is None:
+            return field.findings + area_left(region, touched)
+        mesh, keep = region.mesh, region.keep
+        sides = untouched_sides(mesh, keep, touched, field.levels, field.upright, region.interval)
+        finer = say("a smaller stepover")
+        if options.scallop is not None:
+            finer = say("a smaller least interval than {interval}", interval=Length(options.least))
+        return side_findings(sides, mesh, keep, field.upright, field.findings, options.least, finer)
+
+
+def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
+    """A warning where facets to be cut that no pass touches, ``touched`` (n,) being the others, are more than a little."""
+    out = region.keep.copy()
+    out[touched] = False
+    rows = np.flatnonzero(out)
+    lost, whole = float(region.mesh.area[rows].sum()), float(region.mesh.area[region.keep].sum())
+    if lost <= SHARE * whole:
+        return ()
+    largest = rows[region.mesh.area[rows].argmax()]
+    x, y, z = region.mesh.vertex[region.mesh.face[largest]].mean(axis=0).tolist()
+    text = say(
+        "Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or between two of them. "
+        "Choose other passes, or a smaller stepover or scallop, for those.",
+        count=len(rows),
+        area=Area(lost, ".4g"),
+    )
+    return (Finding(Severity.WARNING, "side-not-machined", text, lost, 0.0, "mm2", place=(x, y, z)),)
+
+
+def _unit(normal: Vector) -> Floats:
+    length = math.hypot(*normal)
+    if length < SHORTEST:
+        given = ",".join(f"{number:g}" for number in normal)
+        raise SettingsError(
+            say("plane normal {given} has no direction; give I,J,K across the planes, as 0,0,1", given=given), normal
+        )
+    return np.array(normal, dtype=np.float64) / length

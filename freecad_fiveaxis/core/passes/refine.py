@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A finer copy of some facets, for a field that the facets of the part are too large for. The part itself stays as it is.
+
+longest   of a facet's sides is the one that is halved first; a facet with any halved side has its longest one halved too. So
+          small angles are halved once at most, and obtuse ones go (Rivara, Int. J. Numer. Meth. Eng. 20 (1984), 745-756).
+parent    the facet of the part in which a facet of the copy lies; its plane, and so its normal, are the parent's.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+
+from .passes import ContactPath
+
+ROUNDS = 40
+"""Times that sides are halved: from a kilometre to less than any rounding."""
+
+INNER = -1
+"""Label of a side that lies inside its parent."""
+
+
+@dataclass(frozen=True, eq=False)
+class Copy:
+    """``mesh``: facets of a copy, in which no vertex belongs to two components; ``parent`` (f,) the facets of the part in which
+    they lie; ``coedge`` (e,) the co-edges of the part on which theirs lie, -1 for none; ``component`` (v,) of each vertex,
+    counted from 0; ``bend`` mm: passes may be that much straighter inside a facet of the part than on the copy; polylines
+    shorter than ``short`` mm are left out."""
+
+    mesh: Mesh
+    parent: Ints
+    coedge: Ints
+    component: Ints
+    bend: float = 0.0
+    short: float = 0.0
+
+    def on_part(self, contact: ContactPath, part: Mesh) -> ContactPath:
+        """The contact path with facets and co-edges of the part; one segment where it is straight within ``bend`` in a facet."""
+        contact = _longer(contact, self.short)
+        face = self.parent[contact.face]
+        first = _straight_runs(contact, face[::2], self.bend)
+        last = np.append(first[1:], len(face) // 2)[: len(first)] - 1
+        rows = np.stack([2 * first, 2 * last + 1], axis=1).reshape(-1)
+        coedge = np.where(contact.coedge < 0, INNER, self.coedge[contact.coedge])[rows]
+        face = face[rows]
+        return replace(
+            contact, point=contact.point[rows], normal=part.normal[face], face=face, coedge=coedge,
+            segment=np.arange(len(rows)) >> 1, polyline=contact.polyline[rows], pass_=contact.pass_[rows],
+        )  # fmt: skip
+
+
+def _longer(contact: ContactPath, short: float) -> ContactPath:
+    """The polylines that are not shorter than ``short`` mm."""
+    segment = np.linalg.norm(contact.point[1::2] - contact.point[::2], axis=1)
+    rows = np.flatnonzero((np.bincount(contact.polyline[::2], segment) >= short)[contact.polyline])
+    columns = {name: getattr(contact, name)[rows] for name in ("point", "normal", "face", "coedge", "pass_")}
+    polyline = np.unique(contact.polyline[rows], return_inverse=True)[1].astype(np.int64)
+    return replace(contact, **columns, segment=np.arange(len(rows)) >> 1, polyline=polyline)
+
+
+def _straight_runs(contact: ContactPath, parent: Ints, bend: float) -> Ints:
+    """Segments (r,) at which runs begin that stay in one parent and within ``bend`` mm of their chords; ``parent`` (s,)."""
+    entry, exit_, line = contact.point[::2], contact.point[1::2], contact.polyline[::2]
+    begins = np.ones(len(parent), np.bool_)
+    begins[1:] = (parent[1:] != parent[:-1]) | (line[1:] != line[:-1])
+    while len(parent):
+        first = np.flatnonzero(begins)
+        run = np.cumsum(begins) - 1
+        start, chord = entry[first], exit_[np.append(first[1:], len(parent)) - 1] - entry[first]
+        along = np.einsum("ij,ij->i", chord, chord)[run]
+        off = entry - start[run]
+        share = np.clip(np.einsum("ij,ij->i", off, chord[run]) / np.where(along > 0.0, along, 1.0), 0.0, 1.0)
+        away = np.linalg.norm(off - share[:, None] * chord[run], axis=1)
+        worst = np.maximum.reduceat(away, first)
+        split = np.flatnonzero((away == worst[run]) & (away > bend) & ~begins)
+        if not len(split):
+            return first
+        begins[split] = True
+    return np.empty(0, np.int64)
+
+
+def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:
+    """The facets ``rows`` (k,) of the part, divided until no side is longer than ``longest`` in the metric of its facet: a tensor
+    (6, k) of xx, yy, zz, xy, yz, zx."""
+    vertex, face, side, parent = np.asarray(part.vertex), part.face[rows], part.face_coedge[rows], np.arange(len(rows))
+    for _ in range(ROUNDS):
+        made = _halved(vertex, face, side, metric[:, parent], longest)
+        if made is None:
+            break
+        vertex, face, side, owner = made
+        parent = parent[owner]
+    return _assembled(part, vertex, face, side, rows[parent])
+
+
+def divided(copy: Copy, part: Mesh, value: Floats, chosen: Bools, times: float) -> tuple[Copy, Floats, Ints]:
+    """The copy with its ``chosen`` facets (f,) that many times smaller, the field (v,) on it, and the given facets (g,)
+    in which its own lie."""
+    corner = copy.mesh.vertex[copy.mesh.face]
+    size = np.linalg.norm(np.roll(corner, -1, axis=1) - corner, axis=2).max(axis=1)
+    metric = np.zeros((6, len(size)))
+    metric[:3] = np.where(chosen, times / size, 0.0) ** 2
+    vertex = np.concatenate([copy.mesh.vertex, value[:, None]], axis=1)
+    face, side, owner = copy.mesh.face, copy.coedge[copy.mesh.face_coedge], np.arange(len(size))
+    for _ in range(ROUNDS):
+        made = _halved(vertex, face, side, metric[:, owner], 1.0)
+        if made is None:
+            break
+        vertex, face, side, mine = made
+        owner = owner[mine]
+    fine = _assembled(part, vertex[:, :3], face, side, copy.parent[owner])
+    carried = np.empty(len(fine.mesh.vertex))
+    carried[fine.mesh.face] = vertex[face, 3]
+    return replace(fine, bend=copy.bend, short=copy.short), carried, owner
+
+
+def taken(copy: Copy, part: Mesh, rows: Ints) -> Copy:
+    """Some facets (k,) of a copy as a copy of their own."""
+    made = _assembled(part, copy.mesh.vertex, copy.mesh.face[rows], copy.coedge[copy.mesh.face_coedge[rows]], copy.parent[rows])
+    return replace(made, bend=copy.bend, short=copy.short)
+
+
+def joined(one: Copy, two: Copy) -> Copy:
+    """Both copies beside each other: one mesh in which nothing of the one hangs together with the other."""
+    a, b = one.mesh, two.mesh
+    vertices, facets, edges = len(a.vertex), len(a.face), len(a.coedge_face)
+    other = np.where(b.coedge_face < 0, -1, b.coedge_face + facets)
+    mesh = Mesh(
+        np.concatenate([a.vertex, b.vertex]), np.concatenate([a.face, b.face + vertices]), np.concatenate([a.normal, b.normal]),
+        np.concatenate([a.area, b.area]), np.concatenate([a.coedge_vertex, b.coedge_vertex + vertices]),
+        np.concatenate([a.coedge_face, other]), np.concatenate([a.face_coedge, b.face_coedge + edges]),
+    )  # fmt: skip
+    component = np.concatenate([one.component, two.component + int(one.component.max(initial=-1)) + 1])
+    return Copy(
+        mesh, np.concatenate([one.parent, two.parent]), np.concatenate([one.coedge, two.coedge]), component, one.bend, one.short
+    )
+
+
+def _sides(face: Ints) -> Ints:
+    """The side (f, 3) that each half-edge is of: one number for all half-edges between the same two vertices."""
+    low, high = np.minimum(face, np.roll(face, -1, axis=1)), np.maximum(face, np.roll(face, -1, axis=1))
+    key = low * (int(face.max(initial=0)) + 1) + high
+    return np.asarray(np.unique(key, return_inverse=True)[1].reshape(face.shape), np.int64)
+
+
+def _halved(vertex: Floats, face: Ints, label: Ints, metric: Floats, longest: float) -> tuple[Floats, Ints, Ints, Ints] | None:
+    """Vertices, facets, labels of their sides and owners after one round; None where no side is too long."""
+    x, y, z = (vertex[np.roll(face, -1, axis=1), :3] - vertex[face, :3]).transpose(2, 1, 0)
+    xx, yy, zz, xy, yz, zx = metric
+    length = np.sqrt(xx * x * x + yy * y * y + zz * z * z + 2.0 * (xy * x * y + yz * y * z + zx * z * x)).T
+    side, top = _sides(face), length.argmax(axis=1)
+    marked = np.zeros(int(side.max(initial=-1)) + 1, np.bool_)
+    marked[side[length > longest]] = True
+    if not marked.any():
+        return None
+    row = np.arange(len(face))
+    leading, count = side[row, top], -1
+    while count != int(marked.sum()):
+        count = int(marked.sum())
+        marked[leading[marked[side].any(axis=1)]] = True
+    turn = (top[:, None] + np.arange(3)) % 3
+    face, label, side = (np.take_along_axis(table, turn, axis=1) for table in (face, label, side))
+    middle = np.full(len(marked), -1)
+    middle[marked] = len(vertex) + np.arange(count)
+    ends = np.empty((len(marked), 2), np.int64)
+    ends[side] = np.stack([face, np.roll(face, -1, axis=1)], axis=2)
+    vertex = np.concatenate([vertex, vertex[ends[marked]].mean(axis=1)])
+    return vertex, *_divided(face, label, middle[side])
+
+
+def _divided(face: Ints, label: Ints, middle: Ints) -> tuple[Ints, Ints, Ints]:
+    """Facets, labels and owners of what facets become whose sides have a ``middle`` (f, 3), or -1; side 0 is the longest."""
+    (a, b, c), (m, n, o), (p, q, r) = face.T, middle.T, label.T
+    inner = np.full(len(face), INNER)
+    whole, first, second = m < 0, (m >= 0) & (n >= 0), (m >= 0) & (o >= 0)
+    no_first, no_second = (m >= 0) & (n < 0), (m >= 0) & (o < 0)
+    pieces = [
+        (whole, (a, b, c), (p, q, r)),
+        (no_second, (a, m, c), (p, inner, r)), (second, (a, m, o), (p, inner, r)), (second, (m, c, o), (inner, r, inner)),
+        (no_first, (m, b, c), (p, q, inner)), (first, (m, b, n), (p, q, inner)), (first, (m, n, c), (inner, q, inner)),
+    ]  # fmt: skip
+    corners = np.concatenate([np.stack(corner, axis=1)[which] for which, corner, _ in pieces])
+    sides = np.concatenate([np.stack(side, axis=1)[which] for which, _, side in pieces])
+    return corners, sides, np.concatenate([np.flatnonzero(which) for which, _, _ in pieces])
+
+
+def _assembled(part: Mesh, vertex: Floats, face: Ints, label: Ints, parent: Ints) -> Copy:
+    """The copy of facets, sides labelled with co-edges of the part. A side that the part does not join is joined nowhere: of two
+    half-edges of one side and one label, in opposite senses, a co-edge is made."""
+    count, half = len(face), _sides(face).reshape(-1)
+    start, end = face.reshape(-1), np.roll(face, -1, axis=1).reshape(-1)
+    order = np.lexsort((start > end, label.reshape(-1), half))
+    same = (np.diff(half[order]) == 0) & (np.diff(label.reshape(-1)[order]) == 0) & (start[order[1:]] == end[order[:-1]])
+    same[1:] &= ~same[:-1]
+    begins = np.append(True, ~same)[: len(order)]
+    coedge = np.empty(len(half), np.int64)
+    coedge[order] = np.cumsum(begins) - 1
+    one, two = order[begins], order[1:][same]
+    coedge_face = np.full((len(one), 2), -1)
+    coedge_face[:, 0] = one // 3
+    coedge_face[coedge[two], 1] = two // 3
+    face, vertex, component = _apart(vertex, face, coedge_face)
+    ends = face.reshape(-1)[one], np.roll(face, -1, axis=1).reshape(-1)[one]
+    a, b, c = (vertex[corner] for corner in face.T)
+    area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    mesh = Mesh(vertex, face, part.normal[parent], area, np.stack(ends, axis=1), coedge_face, coedge.reshape(count, 3))
+    return Copy(mesh, parent, label.reshape(-1)[one], component)
+
+
+def _apart(vertex: Floats, face: Ints, coedge_face: Ints) -> tuple[Ints, Floats, Ints]:
+    """Facets and vertices, those that two components share doubled, and the component of each vertex."""
+    one, two = coedge_face[coedge_face[:, 1] >= 0].T
+    graph = coo_matrix((np.ones(len(one)), (one, two)), shape=(len(face), len(face)))
+    number = connected_components(graph, directed=False)[1].astype(np.int64)
+    key = number[:, None] * len(vertex) + face
+    used, place = np.unique(key, return_inverse=True)
+    return place.reshape(face.shape).astype(np.int64), vertex[used % len(vertex)], used // len(vertex)

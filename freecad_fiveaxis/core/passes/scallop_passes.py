@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pass strategy of constant scallop: passes one admissible step apart, measured over the surface (docs/passes.md).
+
+source    where the distance begins: the border of the region (of a part without one its lowest place), a point or a curve.
+piece     facets that hang together. Each has a source of its own, and its passes follow one another.
+gap       what lies farther from every pass than half a step: where two fronts meet, or behind an edge over which the ball rolls.
+          It is measured, whatever the reason, and passes half-way between the others are laid through it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Area, Length, say
+
+from .field import ALL_ROUND, PassField, PassOptions, Region
+from .geodesic import Frames, as_tensor, distance, frames, from_tensor, gradient, scallop_metric, step_across
+from .passes import slice_field
+from .planes import area_left
+from .refine import Copy, divided, finer_copy, joined, taken
+from .scallop import facet_curvature, flat_interval
+from .sources import read_curve, source_values
+
+AIM = 0.92
+"""Share of the scallop that the passes are laid for: facets and the field's own error leave as much as the rest."""
+
+LONGEST = 1.5
+"""Sides of the facets that carry the field are no longer than so many steps."""
+
+MOST_FACETS = 200_000
+"""About so many facets carry a field: some seconds of work. A larger part has a coarser one, as far as its own facets allow."""
+
+MOST_SQUARES = 20_000_000
+"""Squares of a step on the region, at most: passes as long as so many steps are a program of some gigabytes."""
+
+EVEN = 0.3
+"""Area of a facet over the square of its longest side, where sides are halved."""
+
+FIRST = 0.5
+"""Steps from the source to the first pass: the ball reaches half a step to either side."""
+
+BETWEEN = 0.05
+"""Steps by which a pass through a gap stands beyond the middle between two others, so that none runs along the source."""
+
+GAP = 1.45
+"""Half steps from the nearest pass from which a place counts as left out: twice the scallop stays there. Less would lay a short
+pass, with a retract of its own, into every corner of every pass."""
+
+DENSE = 0.2
+"""Steps between the samples of a pass from which the gaps are measured."""
+
+FACING = 0.5
+"""Steps on a flat that a difference of 1 between two unit normals counts for: no pass covers what lies round an edge."""
+
+DIVIDED = 2.0
+"""Facets on the boundary of where the cutter fits become so many times smaller."""
+
+SHORT = 1.0
+"""Steps: what is shorter is no pass."""
+
+BEND = 0.03
+"""Steps by which a pass may be straighter inside a facet than the field's level is."""
+
+PLACES = np.array(
+    [[0.8, 0.1, 0.1], [0.1, 0.8, 0.1], [0.1, 0.1, 0.8], [0.45, 0.45, 0.1], [0.1, 0.45, 0.45], [0.45, 0.1, 0.45]]
+)  # fmt: skip
+"""Where on a facet gaps are looked for, in shares of its corners."""
+
+
+@dataclass(frozen=True)
+class ConstantScallop:
+    """Level sets of the distance from a source, in steps that leave the scallop."""
+
+    text: str
+
+    def travels(self, options: PassOptions) -> tuple[float, ...]:
+        """Every direction."""
+        return ALL_ROUND
+
+    def field(self, region: Region, options: PassOptions) -> PassField:
+        """Steps from the source, the pieces of the region one after the other. Raises SettingsError for a source that cannot be
+        used and for more passes than any job can want."""
+        curve = read_curve(options.source)
+        region.progress("placing passes", 0.0)
+        surface = _surface(region, options)
+        source, known = source_values(surface.copy, surface.frame, surface.metric, curve, 2.0 * region.radius)
+        region.progress("placing passes", 0.3)
+        steps = distance(surface.copy.mesh.vertex, surface.copy.mesh.face, surface.frame, surface.metric, source, known)
+        region.progress("placing passes", 0.7)
+        surface, steps, findings = _where_it_fits(region, surface, steps)
+        main = _laid(surface.copy, steps, FIRST, 0.0)
+        region.progress("placing passes", 0.8)
+        gaps = _gaps(surface, steps, main)
+        if not gaps.any():
+            return replace(main, findings=findings)
+        between = taken(surface.copy, region.mesh, np.flatnonzero(gaps))
+        more = _laid(between, _carried(surface.copy, steps, gaps, between), BETWEEN, float(np.ceil(main.value.max())) + 1.0)
+        both = joined(surface.copy, between)
+        region.progress("placing passes", 1.0)
+        return PassField(
+            np.concatenate([main.value, more.value]), np.concatenate([main.levels, more.levels]), findings, None, both
+        )  # fmt: skip
+
+    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
+        """What no pass touches of what the cutter fits on."""
+        if not isinstance(field.surface, Copy):
+            return field.findings
+        there = np.zeros(len(region.keep), np.bool_)
+        there[field.surface.parent] = True
+        return field.findings + area_left(replace(region, keep=region.keep & there), touched)
+
+
+class _Surface(NamedTuple):
+    """The finer copy of the region, its frames and its metric, and the step on a flat, mm."""
+
+    copy: Copy
+    frame: Frames
+    metric: Floats
+    flat: float
+
+
+def _surface(region: Region, options: PassOptions) -> _Surface:
+    """The region, its facets small against the steps. Raises SettingsError."""
+    mesh, rows = region.mesh, np.flatnonzero(region.keep)
+    flat, tensor = _flat_step(region, options), np.zeros((6, len(rows)))
+    if options.stepover is None:
+        tensor = facet_curvature(mesh)[:, rows]
+    frame = frames(mesh.vertex, mesh.face[rows])
+    metric = scallop_metric(frame, tensor, region.radius, flat)
+    squares = float((frame.area * np.sqrt(metric[0] * metric[2] - metric[1] ** 2)).sum())
+    if squares > MOST_SQUARES:
+        text = say(
+            "passes so close would be {length} long, more than any job can want; give a larger stepover or scallop, or check the "
+            "units of the part",
+            length=Length(squares * flat, ".3g"),
+        )
+        raise SettingsError(text, squares * flat)
+    longest = max(LONGEST, math.sqrt(squares / (EVEN * MOST_FACETS)))
+    copy = finer_copy(mesh, rows, as_tensor(frame, metric), longest)
+    copy = Copy(copy.mesh, copy.parent, copy.coedge, copy.component, BEND * flat, SHORT * flat)
+    frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(mesh.face), -1)
+    place[rows] = np.arange(len(rows))
+    return _Surface(copy, frame, scallop_metric(frame, tensor[:, place[copy.parent]], region.radius, flat), flat)
+
+
+def _flat_step(region: Region, options: PassOptions) -> float:
+    if options.stepover is not None:
+        return options.stepover
+    assert options.scallop is not None
+    if options.scallop >= region.radius:
+        raise SettingsError(
+            say(
+                "scallop {scallop} is not below the cutter radius {radius}; give a smaller scallop",
+                scallop=Length(options.scallop),
+                radius=Length(region.radius),
+            ),
+            options.scallop,
+        )
+    return max(flat_interval(region.radius, AIM * options.scallop), options.least)
+
+
+def _where_it_fits(region: Region, surface: _Surface, steps: Floats) -> tuple[_Surface, Floats, tuple[Finding, ...]]:
+    """The surface and the field (w,) without the places where the cutter cannot stand: lifted along a wall it would go up to the
+    wall's top. Facets on the boundary between both are divided first, so that little is lost. All of it where it fits nowhere."""
+    if region.fits is None:
+        return surface, steps, ()
+    copy = surface.copy
+    fits = region.fits(copy.mesh.vertex[copy.mesh.face].mean(axis=1), copy.mesh.normal)
+    if fits.all() or not fits.any():
+        return surface, steps, ()
+    close = _touching(copy.mesh.face, fits) & _touching(copy.mesh.face, ~fits)
+    fine, steps, owner = divided(copy, region.mesh, steps, close, DIVIDED)
+    fits, mesh = fits[owner], fine.mesh
+    again = np.flatnonzero(close[owner])
+    fits[again] = region.fits(mesh.vertex[mesh.face[again]].mean(axis=1), mesh.normal[again])
+    rows = np.flatnonzero(fits & ~_touching(mesh.face, ~fits))
+    if not len(rows):
+        return surface, steps, ()
+    less = taken(fine, region.mesh, rows)
+    frame, metric = frames(less.mesh.vertex, less.mesh.face), as_tensor(surface.frame, surface.metric)[:, owner[rows]]
+    smaller = surface._replace(copy=less, frame=frame, metric=from_tensor(frame, metric))
+    return smaller, _carried(fine, steps, rows, less), _not_reached(fine, np.flatnonzero(~fits))
+
+
+def _touching(face: Ints, chosen: Bools) -> Bools:
+    """Facets (f,) that are chosen, or have a vertex in common with one that is."""
+    touched = np.zeros(int(face.max()) + 1, np.bool_)
+    touched[face[chosen]] = True
+    return np.asarray(touched[face].any(axis=1))
+
+
+def _not_reached(copy: Copy, rows: Ints) -> tuple[Finding, ...]:
+    """A warning of facets (k,) of the copy on which the cutter does not fit."""
+    area = copy.mesh.area[rows]
+    x, y, z = copy.mesh.vertex[copy.mesh.face[rows[area.argmax()]]].mean(axis=0).tolist()
+    text = say(
+        "The cutter does not fit on {area} of the facets to be cut; the passes leave them out. Use a smaller cutter or another "
+        "tool axis there.",
+        area=Area(float(area.sum()), ".4g"),
+    )
+    return (Finding(Severity.WARNING, "corner-not-reached", text, float(area.sum()), 0.0, "mm2", place=(x, y, z)),)
+
+
+def _laid(copy: Copy, steps: Floats, first: float, begin: float) -> PassField:
+    """The field with the pieces one after the other from ``begin`` on, and the levels ``first`` beyond each whole number; of a
+    piece in which there is none of those the middle."""
+    pieces = int(copy.component.max(initial=-1)) + 1
+    nearest, farthest = np.full(pieces, math.inf), np.zeros(pieces)
+    np.minimum.at(nearest, copy.component, steps)
+    np.maximum.at(farthest, copy.component, steps)
+    below = np.floor(nearest)
+    room = np.floor(farthest) - below + 1.0
+    start = begin + np.cumsum(room) - room - below
+    levels = begin + first + np.arange(int(room.sum()), dtype=np.float64)
+    piece = np.repeat(np.arange(pieces), room.astype(np.int64))
+    cuts = (levels > (start + nearest)[piece]) & (levels < (start + farthest)[piece])
+    none = np.bincount(piece[cuts], minlength=pieces) == 0
+    middle = (start + 0.5 * (nearest + farthest))[none]
+    return PassField(start[copy.component] + steps, np.sort(np.concatenate([levels[cuts], middle])), surface=copy)
+
+
+def _gaps(surface: _Surface, steps: Floats, main: PassField) -> Bools:
+    """Facets (f,) of the copy that hold a place left out, and those that have a vertex in common with one."""
+    mesh = surface.copy.mesh
+    contact = slice_field(mesh, main.value, main.levels)
+    across = step_across(surface.metric, gradient(surface.frame, mesh.face, steps))
+    near, normal = _sampled(contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.flat)
+    where = (PLACES @ mesh.vertex[mesh.face]).reshape(-1, 3)
+    facing = FACING * surface.flat
+    out = np.ones(len(where), np.bool_)
+    if len(near):
+        tree = cKDTree(np.concatenate([near, facing * normal], axis=1))
+        looking = np.repeat(facing * mesh.normal, len(PLACES), axis=0)
+        far = tree.query(np.concatenate([where, looking], axis=1))[0]
+        out = far > GAP * 0.5 * np.repeat(across, len(PLACES))
+    left_out: Bools = np.any(out.reshape(len(mesh.face), -1), axis=1)
+    return _touching(mesh.face, left_out)
+
+
+def _sampled(entry: Floats, exit_: Floats, normal: Floats, step: float) -> tuple[Floats, Floats]:
+    """Points (n, 3) of segments, at most ``step`` mm apart, and the normals there."""
+    pieces = np.ceil(np.linalg.norm(exit_ - entry, axis=1) / step).astype(np.int64) + 1
+    row = np.repeat(np.arange(len(pieces)), pieces)
+    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[row]
+    return entry[row] + share[:, None] * (exit_ - entry)[row], normal[row]
+
+
+def _carried(copy: Copy, steps: Floats, chosen: Bools | Ints, to: Copy) -> Floats:
+    """The field (w,) at the vertices of ``to``, a copy of the ``chosen`` facets in their order."""
+    value = np.empty(len(to.mesh.vertex))
+    value[to.mesh.face] = steps[copy.mesh.face[chosen]]
+    return value

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the distance of constant-scallop passes begins: the region's border, a point, or a curve in a CSV file."""
+
+from __future__ import annotations
+
+import csv
+import io
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.files import read_bytes
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Length, Option, Point, say
+
+from .field import Vector
+from .geodesic import Frames, side_lengths
+from .refine import Copy
+
+BORDER = "border"
+
+NEAR = 1.6
+"""Sides of the facets: the vertices so near to a curve get their distance from it straight."""
+
+MOST_POINTS = 100_000
+"""Points of a curve; a file of more is no guide curve."""
+
+
+def read_curve(source: str | Vector) -> Floats | None:
+    """The points (n, 3) mm of the source, one for a point; None for the border. Raises SettingsError, FileError."""
+    if not isinstance(source, str):
+        return np.array([source], dtype=np.float64)
+    if source == BORDER:
+        return None
+    if not source.lower().endswith(".csv"):
+        raise SettingsError(
+            say("{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them", option=Option("from_"),
+                source=repr(source)), source,
+        )  # fmt: skip
+    text = read_bytes(source, "guide curve").decode("utf-8-sig", "replace")
+    rows = [row for row in csv.reader(io.StringIO(text, newline="")) if any(cell.strip() for cell in row)]
+    if rows and not _is_number(rows[0][0]):
+        rows = rows[1:]  # the names of the columns
+    try:
+        point = np.array([[float(cell) for cell in row[:3]] for row in rows[:MOST_POINTS]], dtype=np.float64)
+    except ValueError:
+        point = np.empty(0)
+    if point.ndim != 2 or point.shape[1] != 3 or len(point) < 2 or len(rows) > MOST_POINTS or not np.isfinite(point).all():
+        raise SettingsError(
+            say("guide curve {source} needs two points or more, X,Y,Z in mm on a line each, at most {most}", source=source,
+                most=MOST_POINTS), source,
+        )  # fmt: skip
+    return point
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def source_values(copy: Copy, frame: Frames, metric: Floats, curve: Floats | None, far: float) -> tuple[Ints, Floats]:
+    """Vertices (m,) of the copy at the source, and their distance (m,) from it, in steps; of every piece at least one.
+
+    ``curve`` (n, 3) mm as of :func:`read_curve`; no place of it may be more than ``far`` mm off the surface. Raises
+    SettingsError.
+    """
+    if curve is None:
+        return _at_border(copy)
+    length = side_lengths(copy.mesh.vertex, copy.mesh.face, frame, metric)
+    size = np.linalg.norm(np.roll(copy.mesh.vertex[copy.mesh.face], -1, axis=1) - copy.mesh.vertex[copy.mesh.face], axis=2).T
+    at = copy.mesh.face.T.reshape(-1)
+    reach, scale = np.zeros(len(copy.mesh.vertex)), np.zeros(len(copy.mesh.vertex))
+    np.maximum.at(reach, at, size.reshape(-1))
+    np.maximum.at(scale, at, (length / size).reshape(-1))
+    samples = _along(curve, 0.25 * float(np.median(size)))
+    _refuse_off_surface(copy, samples, far, float(np.max(size)))
+    off = cKDTree(samples).query(copy.mesh.vertex)[0]
+    chosen = off <= (NEAR * reach if len(curve) > 1 else 0.0)
+    lonely = np.setdiff1d(copy.component, copy.component[chosen])
+    order = np.lexsort((off, copy.component))
+    nearest = order[np.flatnonzero(np.diff(copy.component[order], prepend=-1))]
+    alone = nearest[np.isin(copy.component[nearest], lonely)]
+    known = off * scale
+    known[alone] = 0.0
+    source = np.union1d(np.flatnonzero(chosen), alone)
+    return source, known[source]
+
+
+def _at_border(copy: Copy) -> tuple[Ints, Floats]:
+    """The vertices on the borders of the pieces; of a piece without one its lowest."""
+    border = np.unique(copy.mesh.coedge_vertex[copy.mesh.coedge_face[:, 1] < 0])
+    closed = np.setdiff1d(copy.component, copy.component[border])
+    order = np.lexsort((copy.mesh.vertex[:, 2], copy.component))
+    lowest = order[np.flatnonzero(np.diff(copy.component[order], prepend=-1))]
+    source = np.union1d(border, lowest[np.isin(copy.component[lowest], closed)])
+    return source, np.zeros(len(source))
+
+
+def _along(curve: Floats, step: float) -> Floats:
+    """Points of a polyline at most ``step`` mm apart, itself where it is one point; at most about MOST_POINTS of them."""
+    if len(curve) == 1:
+        return curve
+    way = np.diff(curve, axis=0)
+    length = np.linalg.norm(way, axis=1)
+    pieces = np.ceil(length / max(step, float(length.sum()) / MOST_POINTS)).astype(np.int64).clip(min=1)
+    row = np.repeat(np.arange(len(way)), pieces)
+    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / pieces[row]
+    return np.concatenate([curve[row] + share[:, None] * way[row], curve[-1:]])
+
+
+def _refuse_off_surface(copy: Copy, samples: Floats, far: float, side: float) -> None:
+    """Raise SettingsError where a place of the source is farther than ``far`` mm, and the facets' ``side``, from the surface."""
+    off = cKDTree(copy.mesh.vertex).query(samples)[0]
+    worst = int(off.argmax())
+    if off[worst] <= far + side:
+        return
+    x, y, z = samples[worst].tolist()
+    raise SettingsError(
+        say(
+            "passes cannot begin at {place}: it is {off} off the surface that is to be cut; give a place or a curve on it",
+            place=Point((x, y, z), ".6g"),
+            off=Length(off[worst], ".4g"),
+        ),
+        float(off[worst]),
+    )

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The registry of pass strategies: one entry, one name on the command line. Nothing outside asks for an entry by its name."""
+
+from __future__ import annotations
+
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.sentences import say
+
+from .field import PassStrategy
+from .planes import Planes
+from .scallop_passes import ConstantScallop
+
+PASS_STRATEGIES: dict[str, PassStrategy] = {
+    "planes": Planes("parallel planes: upright along the direction, or of the plane normal"),
+    "scallop": ConstantScallop("constant scallop: each pass one admissible step from the one before it, over the surface"),
+    "zlevel": Planes("level planes, one below the other", (0.0, 0.0, 1.0)),
+}
+
+
+def find_pass_strategy(name: str) -> PassStrategy:
+    """The strategy of that name. Raises SettingsError for one that there is not."""
+    if name not in PASS_STRATEGIES:
+        known = ", ".join(PASS_STRATEGIES)
+        raise SettingsError(say("unknown passes {name}; choose one of {known}", name=repr(name), known=known), name)
+    return PASS_STRATEGIES[name]

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The distance in the metric of the scallop, against what is known of planes, cylinders and balls."""
+
+import math
+
+import numpy as np
+import pytest
+
+from freecad_fiveaxis.core.geometry.mesh import from_faces
+from freecad_fiveaxis.core.passes import facet_curvature, flat_interval
+from freecad_fiveaxis.core.passes.geodesic import (
+    as_tensor,
+    distance,
+    frames,
+    gradient,
+    scallop_metric,
+    side_lengths,
+    steepness,
+    step_across,
+)
+from freecad_fiveaxis.core.passes.refine import finer_copy, joined, taken
+
+RADIUS, SCALLOP = 3.0, 0.02
+STEP = flat_interval(RADIUS, SCALLOP)
+
+
+def sheet(u, v, place):
+    """Two facets for each square of the values ``u``, ``v``; ``place``: from both to points."""
+    point = np.stack(place(*np.meshgrid(u, v, indexing="ij")), axis=-1)
+    row = np.arange(len(u) * len(v)).reshape(len(u), len(v))
+    a, b, c, d = (part.ravel() for part in (row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:]))
+    return from_faces(point.reshape(-1, 3), np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]))
+
+
+HEIGHTS = np.linspace(0, 20, 41)
+
+
+def cylinder(radius=10.0, count=120, height=HEIGHTS):
+    """The half of a cylinder about Z that looks to +X, convex."""
+    turn = np.linspace(-0.5 * math.pi, 0.5 * math.pi, count)
+    return sheet(turn, height, lambda t, z: (radius * np.cos(t), radius * np.sin(t), z))
+
+
+def measured(mesh, source, tensor=None, radius=RADIUS, known=None):
+    frame = frames(mesh.vertex, mesh.face)
+    metric = scallop_metric(frame, facet_curvature(mesh) if tensor is None else tensor, radius, STEP)
+    known = np.zeros(len(source)) if known is None else known
+    return distance(np.asarray(mesh.vertex), mesh.face, frame, metric, source, known), frame, metric
+
+
+def test_on_a_flat_the_distance_is_the_straight_one():
+    random = np.random.default_rng(2)
+    mesh = sheet(np.linspace(-8, 8, 41), np.linspace(-6, 6, 31), lambda x, y: (x + random.uniform(-0.1, 0.1, x.shape), y, 0 * x))
+    source = np.array([np.linalg.norm(mesh.vertex, axis=1).argmin()])
+    value, frame, metric = measured(mesh, source)
+    straight = np.linalg.norm(mesh.vertex - mesh.vertex[source], axis=1) / STEP
+    assert np.abs(value - straight).max() < 0.6  # nearest the one vertex that is the source
+    far = straight[mesh.face].min(axis=1) > 3.0
+    slope = steepness(metric, gradient(frame, mesh.face, value))[far]
+    assert np.quantile(slope, 0.05) > 0.92 and np.quantile(slope, 0.95) < 1.06
+
+
+def test_round_a_cylinder_a_step_is_shorter_than_along_it():
+    """The ball's own curve on the convex side: ``s / sqrt(1 + r / R)`` round it, s along it (Lin & Ye, eq. 1 on a circle)."""
+    mesh = cylinder()
+    source = np.array([np.linalg.norm(mesh.vertex - (10.0, 0.0, 10.0), axis=1).argmin()])
+    value, *_ = measured(mesh, source)
+    x, y, z = (mesh.vertex - mesh.vertex[source] * (0, 0, 1)).T
+    arc = 10.0 * (np.arctan2(y, x) - math.atan2(*mesh.vertex[source[0], 1::-1]))
+    known = np.sqrt(z**2 + arc**2 * (1.0 + RADIUS / 10.0)) / STEP
+    assert np.abs(value - known).max() < 0.02 * known.max()
+
+
+def test_in_a_hollow_a_step_is_longer_and_never_endless():
+    mesh = cylinder()
+    hollow = from_faces(mesh.vertex, mesh.face[:, ::-1])
+    end = np.flatnonzero(mesh.vertex[:, 1] < -9.999)
+    for radius, spread in ((3.0, 0.7), (9.99, 1.0 / 16.0)):
+        value, *_ = measured(hollow, end, radius=radius)
+        assert value.max() == pytest.approx(math.pi * 10.0 * math.sqrt(spread) / STEP, rel=0.04)
+
+
+@pytest.mark.parametrize("aslant", [0.0, 0.5, 1.1, math.pi / 2])
+def test_a_unit_of_the_metric_leaves_the_scallop_whichever_way_the_pass_runs(aslant):
+    """Two passes on a cylinder at an angle to its axis, one unit apart; what the ball leaves is measured on the way half-way."""
+    ring, radius = 8.0, 3.0
+    mesh = cylinder(ring, 400, np.linspace(0, 20, 3))
+    frame = frames(mesh.vertex, mesh.face)
+    metric = scallop_metric(frame, facet_curvature(mesh), radius, STEP)
+    middle = np.abs(mesh.vertex[mesh.face].mean(axis=1)[:, 1]).argmin()
+    normal = mesh.normal[middle]
+    round_it = np.cross((0, 0, 1.0), normal)
+    across = -math.sin(aslant) * round_it + math.cos(aslant) * np.array((0, 0, 1.0))
+    local = np.array([frame.one[middle] @ across, frame.two[middle] @ across])[:, None]
+    step = float(step_across(metric[:, [middle]], local)[0])
+    way = np.linspace(-8, 8, 40001)
+    turn, rise = math.cos(aslant), math.sin(aslant)
+    arc = way * turn - 0.5 * step * math.sin(aslant)
+    high = way * rise + 0.5 * step * math.cos(aslant)
+    centre = np.stack([(ring + radius) * np.cos(arc / ring), (ring + radius) * np.sin(arc / ring), high], axis=1)
+    low, top = 0.0, 0.1
+    for _ in range(40):
+        level = 0.5 * (low + top)
+        stays = np.linalg.norm(centre - (ring + level, 0, 0), axis=1).min() > radius
+        low, top = (level, top) if stays else (low, level)
+    assert low == pytest.approx(SCALLOP, rel=0.03)
+
+
+def test_the_metric_in_space_is_that_of_the_facets():
+    mesh = cylinder(5.0, 20)
+    frame = frames(mesh.vertex, mesh.face)
+    metric = scallop_metric(frame, facet_curvature(mesh), RADIUS, STEP)
+    side = mesh.vertex[np.roll(mesh.face, -1, axis=1)] - mesh.vertex[mesh.face]
+    xx, yy, zz, xy, yz, zx = as_tensor(frame, metric)
+    x, y, z = side.transpose(2, 1, 0)
+    square = xx * x * x + yy * y * y + zz * z * z + 2.0 * (xy * x * y + yz * y * z + zx * z * x)
+    np.testing.assert_allclose(np.sqrt(square), side_lengths(mesh.vertex, mesh.face, frame, metric))
+
+
+def test_facets_without_heat_still_get_a_distance():
+    """A strip a thousand steps long: heat would fade to nothing, and the time is chosen so that it does not."""
+    mesh = sheet(np.linspace(0, 800, 401), np.linspace(0, 2, 3), lambda x, y: (x, y, 0 * x))
+    value, *_ = measured(mesh, np.flatnonzero(mesh.vertex[:, 0] == 0.0))
+    np.testing.assert_allclose(value, mesh.vertex[:, 0] / STEP, atol=1.0)
+
+
+# ------------------------------------------------------------------------------------------------ the finer copy
+
+
+def flat_metric(mesh, rows):
+    frame = frames(mesh.vertex, mesh.face[rows])
+    return as_tensor(frame, scallop_metric(frame, np.zeros((6, len(rows))), RADIUS, STEP))
+
+
+def test_a_copy_covers_the_same_surface_with_sides_short_enough():
+    mesh = sheet(np.array([0.0, 7.0, 20.0]), np.array([0.0, 1.0, 9.0]), lambda x, y: (x, y, 0.3 * x * y))
+    rows = np.arange(len(mesh.face))
+    copy = finer_copy(mesh, rows, flat_metric(mesh, rows), 1.5)
+    assert copy.mesh.area.sum() == pytest.approx(mesh.area.sum())
+    np.testing.assert_allclose(np.bincount(copy.parent, copy.mesh.area), mesh.area)
+    side = copy.mesh.vertex[np.roll(copy.mesh.face, -1, axis=1)] - copy.mesh.vertex[copy.mesh.face]
+    assert np.linalg.norm(side, axis=2).max() <= 1.5 * STEP * (1 + 1e-9)
+    np.testing.assert_array_equal(copy.mesh.normal, mesh.normal[copy.parent])
+    twice = np.cross(side[:, 0], side[:, 1])
+    assert ((twice * copy.mesh.normal).sum(axis=1) > 0).all()
+
+
+def test_a_copy_hangs_together_where_the_part_does():
+    mesh = sheet(np.array([0.0, 7.0, 20.0]), np.array([0.0, 1.0, 9.0]), lambda x, y: (x, y, 0.3 * x * y))
+    copy = finer_copy(mesh, np.arange(8), flat_metric(mesh, np.arange(8)), 1.5)
+    border = copy.mesh.coedge_face[:, 1] < 0
+    parents = mesh.coedge_face[copy.coedge[border], 1]
+    assert (parents == -1).all() and not copy.component.any()
+    inner = copy.coedge[~border]
+    assert set(inner[inner >= 0]) == set(np.flatnonzero(mesh.coedge_face[:, 1] >= 0))
+    long = np.linalg.norm(np.diff(copy.mesh.vertex[copy.mesh.coedge_vertex[border]], axis=1)[:, 0], axis=1).sum()
+    ends = mesh.vertex[mesh.coedge_vertex[mesh.coedge_face[:, 1] < 0]]
+    assert long == pytest.approx(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
+
+
+def test_facets_that_only_touch_in_a_vertex_are_two_pieces():
+    mesh = from_faces(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1.0, 0]]), np.array([[0, 1, 2], [0, 3, 4]]))
+    copy = finer_copy(mesh, np.arange(2), flat_metric(mesh, np.arange(2)), 1.5)
+    assert copy.component.max() == 1 and not set(copy.mesh.face[copy.parent == 0].ravel()) & set(
+        copy.mesh.face[copy.parent == 1].ravel()
+    )
+    both = joined(copy, taken(copy, mesh, np.arange(3)))
+    assert both.component.max() >= 2 and len(both.mesh.face) == len(copy.mesh.face) + 3
+    again = both.mesh.coedge_vertex[both.mesh.face_coedge]
+    ends = np.stack([both.mesh.face, np.roll(both.mesh.face, -1, axis=1)], axis=2)
+    np.testing.assert_array_equal(np.sort(again, axis=2), np.sort(ends, axis=2))
