@@ -252,6 +252,10 @@
         <translation>Richtung</translation>
     </message>
     <message>
+        <source>Direction I, J, K across the planes of the passes; 0, 0, 0: upright planes along the direction</source>
+        <translation>Richtung I, J, K quer zu den Ebenen der Bahnen; 0, 0, 0: senkrechte Ebenen längs der Richtung</translation>
+    </message>
+    <message>
         <source>Direction I, J, K of the fixed tool axis, from the tip to the holder</source>
         <translation>Richtung I, J, K der festen Werkzeugachse, von der Spitze zum Halter</translation>
     </message>
@@ -318,6 +322,10 @@
     <message>
         <source>Fingerprint</source>
         <translation>Fingerabdruck</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
     </message>
     <message>
         <source>From the spindle's gauge point to the tip; machines with a rotary head need it</source>
@@ -390,6 +398,10 @@
     <message>
         <source>How the deviation from the line is computed: exactly, or by the model of So et al. 2008</source>
         <translation>Wie die Abweichung von der Geraden berechnet wird: genau oder nach dem Modell von So u. a. 2008</translation>
+    </message>
+    <message>
+        <source>How the passes are laid over the part</source>
+        <translation>Wie die Bahnen über das Teil gelegt werden</translation>
     </message>
     <message>
         <source>How the tool axis is found at each contact point</source>
@@ -646,6 +658,10 @@
     <message>
         <source>Places</source>
         <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Plane Normal</source>
+        <translation>Ebenennormale</translation>
     </message>
     <message>
         <source>Plunge Feed</source>
@@ -1058,6 +1074,10 @@
     <message>
         <source>What to do where cutter, shank or holder would enter the part</source>
         <translation>Was geschieht, wo Fräser, Schaft oder Halter in das Werkstück eindringen würde</translation>
+    </message>
+    <message>
+        <source>Where constant-scallop passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve</source>
+        <translation>Wo Bahnen gleicher Rauhöhe beginnen: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve</translation>
     </message>
     <message>
         <source>Where the markers stand in the document</source>
@@ -1703,6 +1723,10 @@
         <translation>Nächster singulärer</translation>
     </message>
     <message>
+        <source>Normal of the planes I, J, K</source>
+        <translation>Normale der Ebenen I, J, K</translation>
+    </message>
+    <message>
         <source>Not drawn, as you stopped it: recompute to draw it</source>
         <translation>Nicht gezeichnet, weil abgebrochen: neu berechnen, um es zu zeichnen</translation>
     </message>
@@ -1783,8 +1807,16 @@
         <translation>Über der Toleranz</translation>
     </message>
     <message>
+        <source>Pass strategy</source>
+        <translation>Bahnstrategie</translation>
+    </message>
+    <message>
         <source>Passes</source>
         <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Passes begin at</source>
+        <translation>Bahnen beginnen bei</translation>
     </message>
     <message>
         <source>Peak of 1st rotary</source>
@@ -2599,6 +2631,10 @@
         <translation>kleinstes Inkrement</translation>
     </message>
     <message>
+        <source>level planes</source>
+        <translation>waagrechte Ebenen</translation>
+    </message>
+    <message>
         <source>lift the tool</source>
         <translation>Werkzeug abheben</translation>
     </message>
@@ -2717,6 +2753,10 @@
     <message>
         <source>over tolerance</source>
         <translation>über der Toleranz</translation>
+    </message>
+    <message>
+        <source>parallel planes</source>
+        <translation>parallele Ebenen</translation>
     </message>
     <message>
         <source>per minute (G94)</source>
@@ -3436,6 +3476,10 @@
         <translation>Auf {length} der Zeilen hält keine Neigung bis {most} Schaft und Halter aus dem Werkstück, am tiefsten bei {place}. Mehr Neigung erlauben ({max_tilt}), ein längeres Werkzeug nehmen oder diese Stellen auslassen.</translation>
     </message>
     <message>
+        <source>Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or between two of them. Choose other passes, or a smaller stepover or scallop, for those.</source>
+        <translation>Bahnen berühren keine der {count} Facetten von {area}, die zu fräsen sind: Sie liegen längs der Bahnen oder zwischen zweien. Für diese andere Bahnen wählen, oder einen kleineren Bahnabstand oder eine kleinere Rauhöhe.</translation>
+    </message>
+    <message>
         <source>Positive {letter} words turn the tool, seen from the work, left-handed about {plus}, against ISO 841; the direction in the file is reversed accordingly.</source>
         <translation>Positive {letter}-Wörter drehen das Werkzeug, vom Werkstück aus gesehen, linksherum um {plus}, entgegen ISO 841; die Richtung in der Datei ist entsprechend umgekehrt.</translation>
     </message>
@@ -3514,6 +3558,10 @@
     <message>
         <source>The cutter does not fit into the corners at {number} facet segments; {much}. Use a smaller cutter there.</source>
         <translation>Der Fräser passt an {number} Facettenstücken nicht in die Ecken; {much}. Dort einen kleineren Fräser nehmen.</translation>
+    </message>
+    <message>
+        <source>The cutter does not fit on {area} of the facets to be cut; the passes leave them out. Use a smaller cutter or another tool axis there.</source>
+        <translation>Auf {area} der zu fräsenden Facetten passt der Fräser nicht; die Bahnen lassen sie aus. Dort einen kleineren Fräser oder eine andere Werkzeugachse nehmen.</translation>
     </message>
     <message>
         <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out ({lift}).</source>
@@ -4252,6 +4300,10 @@
         <translation>Eindringen, Schaft und Halter brauchen das Werkstück: dessen STL mit {against} angeben</translation>
     </message>
     <message>
+        <source>guide curve {source} needs two points or more, X,Y,Z in mm on a line each, at most {most}</source>
+        <translation>die Leitkurve {source} braucht zwei Punkte oder mehr, X,Y,Z in mm je Zeile, höchstens {most}</translation>
+    </message>
+    <message>
         <source>head</source>
         <translation>Kopf</translation>
     </message>
@@ -4592,6 +4644,10 @@
         <translation>keine Facette liegt quer zu Ebenen bei {angle}; die Richtung drehen</translation>
     </message>
     <message>
+        <source>no facet lies across planes of the normal {given}; turn the normal</source>
+        <translation>keine Facette liegt quer zu Ebenen der Normale {given}; die Normale drehen</translation>
+    </message>
+    <message>
         <source>no facet of the part lies on {name} within {tolerance}; export the faces in the part's own place and units, or raise the tolerance</source>
         <translation>keine Facette des Werkstücks liegt innerhalb {tolerance} auf {name}; die Flächen an ihrem Ort und in den Einheiten des Werkstücks exportieren oder die Toleranz erhöhen</translation>
     </message>
@@ -4700,8 +4756,20 @@
         <translation>Zeilen entlang Y, in Richtung {angle}</translation>
     </message>
     <message>
+        <source>passes cannot begin at {place}: it is {off} off the surface that is to be cut; give a place or a curve on it</source>
+        <translation>Bahnen können nicht bei {place} beginnen: Das liegt {off} neben der zu fräsenden Fläche; einen Ort oder eine Kurve auf ihr angeben</translation>
+    </message>
+    <message>
         <source>passes in direction {angle}</source>
         <translation>Zeilen in Richtung {angle}</translation>
+    </message>
+    <message>
+        <source>passes so close would be {length} long, more than any job can want; give a larger stepover or scallop, or check the units of the part</source>
+        <translation>so dichte Bahnen wären {length} lang, mehr als ein Auftrag wollen kann; einen größeren Bahnabstand oder eine größere Rauhöhe angeben, oder die Einheit des Teils prüfen</translation>
+    </message>
+    <message>
+        <source>plane normal {given} has no direction; give I,J,K across the planes, as 0,0,1</source>
+        <translation>die Ebenennormale {given} hat keine Richtung; I,J,K quer zu den Ebenen angeben, etwa 0,0,1</translation>
     </message>
     <message>
         <source>plane offset {offset} follows {before}: give them ascending</source>
@@ -4890,6 +4958,10 @@
     <message>
         <source>the factor is {factor}; it must be between 1e-6 and 1e6</source>
         <translation>der Faktor ist {factor}; er muss zwischen 1e-6 und 1e6 liegen</translation>
+    </message>
+    <message>
+        <source>the field of the passes is not one finite number for each of the {count} vertices</source>
+        <translation>das Feld der Bahnen hat nicht für jede der {count} Ecken eine endliche Zahl</translation>
     </message>
     <message>
         <source>the file became shorter while it was read; export it again</source>
@@ -5214,6 +5286,10 @@
     <message>
         <source>unknown option {name} for {task}</source>
         <translation>unbekannte Einstellung {name} für {task}</translation>
+    </message>
+    <message>
+        <source>unknown passes {name}; choose one of {known}</source>
+        <translation>unbekannte Bahnen {name}; eine von {known} wählen</translation>
     </message>
     <message>
         <source>unknown task {task}; known: {tasks}</source>
@@ -5986,6 +6062,10 @@
     <message>
         <source>{option} is of a CL file, {source} is a part; leave it out</source>
         <translation>{option} gehört zu einer CL-Datei, {source} ist ein Teil; weglassen</translation>
+    </message>
+    <message>
+        <source>{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them</source>
+        <translation>{option} {source} ist weder border noch X,Y,Z noch eine Datei CURVE.csv; eines davon angeben</translation>
     </message>
     <message>
         <source>{output} does not end in {suffix}, as machine files do; name it so</source>
