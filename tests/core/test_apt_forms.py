@@ -278,14 +278,15 @@ def big(lines: int) -> bytes:
 
 
 def test_reading_keeps_up_with_splitting_and_converting_in_plain_python() -> None:
+    """By the processor's time: what else the machine does is not ours."""
     text = big(99_000)
-    start = time.perf_counter()
+    start = time.thread_time()
     path = read_apt(text)
-    ours = time.perf_counter() - start
-    start = time.perf_counter()
+    ours = time.thread_time() - start
+    start = time.thread_time()
     plain = [[float(part) for part in line[5:].split(b",")] for line in text.split(b"\n") if line.startswith(b"GOTO/")]
     assert np.array_equal(np.array(plain)[:, :3], path.tip)
-    assert ours < 10 * (time.perf_counter() - start)  # about twice, where the machine is quiet
+    assert ours < 10 * (time.thread_time() - start)  # about twice
 
 
 WORDS = ["GOTO/", "GODLTA/", "FROM/", "FEDRAT/", "UNITS/", "SPINDL/", "TLAXIS/", "LOADTL/", "CUTTER/", "MULTAX", "RAPID", "FINI", "MSYS/",

@@ -7,7 +7,7 @@ import io
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from report_examples import TRUNNION, TRUNNION_BC, by_hand, dome, empty, table2
 
@@ -82,6 +82,7 @@ def test_rounding_to_nearest_would_break_the_bound():
 
 
 @given(st.floats(0.0, 1e6))
+@settings(deadline=None)
 def test_rounding_up_reaches_the_next_decimal_and_no_further(value):
     up = float(f"{round_up(np.array([value]))[0]:.6f}")
     assert value <= up <= value * (1 + 1e-15) + 1.0000001e-6

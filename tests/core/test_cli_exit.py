@@ -131,7 +131,7 @@ def mill(dome, stepover, head=""):
 def test_a_signal_during_the_work_leaves_nothing(name, code, dome, tmp_path):
     mark = tmp_path / "mark"  # made when the work has begun
     head = f"from freecad_fiveaxis.core.jobs import job; old = job.run\ndef run(*given):\n    open({str(mark)!r}, 'w'); return old(*given)\njob.run = run"
-    done = mill(dome, "0.2", head)
+    done = mill(dome, "0.05", head)  # seconds of work, also for whoever sees the mark late
     until(mark.exists)
     done.send_signal(getattr(signal, name))
     _, error = done.communicate(timeout=30)

@@ -298,9 +298,11 @@ def test_report_is_the_default_and_changes_no_byte(milled):
 
 
 def test_a_driven_centre_runs_the_same_way_with_other_axes(milled):
-    plain, cured = (milled(("control_point", "centre"), ("singularity", kind)) for kind in ("report", "deform"))
+    given = ("stepover", 2.0), ("control_point", "centre")
+    plain, cured = (milled(*given, ("singularity", kind)) for kind in ("report", "deform"))
     rows = [made.path.pass_ >= 0 for made in (plain, cured)]
     np.testing.assert_allclose(cured.path.tip[rows[1]], plain.path.tip[rows[0]], atol=1e-9, rtol=0)
+    assert np.abs(cured.path.axis[rows[1]] - plain.path.axis[rows[0]]).max() > 0.01
 
 
 @pytest.mark.rs274

@@ -61,6 +61,7 @@ def test_random_blocks_agree_with_dense_sampling(kinematics):
 
 
 @pytest.mark.slow
+@pytest.mark.large
 def test_twenty_thousand_random_blocks_agree_with_dense_sampling(kinematics):
     compare_with_sampling(kinematics, 20_000, 12)
 

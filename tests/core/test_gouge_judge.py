@@ -31,6 +31,8 @@ PARTS = {
     "blade": (lambda: blade_beside_hub(cells=40), {"direction": 20}),
 }
 CUTTERS = ("ball:10:40", "bull:10:2:40", "flat:6:40")
+QUICK = ("groove", "step")
+"""Parts on which cutters with a corner are tried in a second too."""
 
 MESHES = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl"))
 """Where the meshes of Debian's occt-misc lie."""
@@ -68,8 +70,11 @@ def test_the_worst_overcut_of_concave_parts_is_the_judges_too(part, cutter):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("cutter", CUTTERS)
-@pytest.mark.parametrize("part", PARTS)
+@pytest.mark.parametrize(
+    ("part", "cutter"),
+    [pytest.param(part, cutter, marks=[] if cutter == CUTTERS[0] or part in QUICK else pytest.mark.large)
+     for part in PARTS for cutter in CUTTERS],
+)  # fmt: skip
 def test_after_the_lift_the_judge_finds_nothing_deeper_than_the_tolerance(part, cutter):
     shape, options = PARTS[part]
     made = milled(shape(), cutter=cutter, stepover=8, gouge="lift", **options)
@@ -115,6 +120,18 @@ def test_the_judge_knows_how_deep_a_cutter_stands_in_a_floor():
 
 KINDS = {"ball": "ball:{0}:{1}", "bull": "bull:{0}:{2}:{1}", "flat": "flat:{0}:{1}"}
 
+FEW = [(name, "ball") for name in REAL if name != "motor"] + [("video_part", "bull"), ("video_part", "flat")]
+"""Meshes and cutters that take seconds; each of the others takes up to two minutes."""
+
+
+def samples(pairs):
+    """Parameters (mesh, cutter) of the slow ring; those that are not among the FEW are of the large one besides."""
+    large = [pytest.mark.slow, pytest.mark.large]
+    return [pytest.param(*pair, marks=pytest.mark.slow if pair in FEW else large) for pair in pairs]
+
+
+EVERY = samples([(name, kind) for name in REAL for kind in KINDS])
+
 
 def milled_real(name, kind, **options):
     """A program over one of the real meshes."""
@@ -127,16 +144,12 @@ def milled_real(name, kind, **options):
     return milled(read_stl(str(path)), **given)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("name", REAL)
+@pytest.mark.parametrize(("name", "kind"), EVERY)
 def test_the_worst_overcut_of_real_meshes_is_the_judges_too(name, kind):
     agree(milled_real(name, kind))
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("name", REAL)
+@pytest.mark.parametrize(("name", "kind"), EVERY)
 def test_after_the_lift_the_judge_finds_nothing_in_real_meshes_either(name, kind):
     """Bearing, propeller and motor have overhangs."""
     found, cuts, verdict = both(milled_real(name, kind, gouge="lift"))
@@ -144,8 +157,7 @@ def test_after_the_lift_the_judge_finds_nothing_in_real_meshes_either(name, kind
     assert (verdict.entry <= found.bound[cuts] + 1e-6).all()
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("name", "kind"), [("head", "ball"), ("propeller", "bull")])
+@pytest.mark.parametrize(("name", "kind"), samples([("head", "ball"), ("propeller", "bull")]))
 def test_without_rows_half_way_the_turning_axis_leads_the_cutter_into_the_part(name, kind, monkeypatch):
     """The tip is led within half the tolerance, but the machine turns the axis otherwise than on a great arc."""
     monkeypatch.setattr(gouge_free, "HALVINGS", 0)

@@ -34,7 +34,8 @@ from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words,
 from freecad_fiveaxis.core.motion.trajectory import tip_at  # noqa: E402
 
 TILT = np.radians(5.0)
-DEPTHS = [150.0, *(pytest.param(depth, marks=pytest.mark.slow) for depth in (None, 60.0, 300.0))]
+LARGE = [pytest.mark.slow, pytest.mark.large]
+DEPTHS = [150.0, pytest.param(None, marks=pytest.mark.slow), *(pytest.param(depth, marks=LARGE) for depth in (60.0, 300.0))]
 FEED = 1000.0
 
 

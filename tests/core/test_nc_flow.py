@@ -114,15 +114,16 @@ def test_what_does_not_end_is_refused_with_its_line(
 
 
 def test_a_loop_that_does_not_end_is_left_within_a_second_when_the_work_is_stopped() -> None:
-    began = time.perf_counter()
+    """By the processor's time: what else the machine does is not ours."""
+    began = time.thread_time()
 
     def stop(stage: str, fraction: float) -> None:
-        if time.perf_counter() - began > 0.1:
+        if time.thread_time() - began > 0.1:
             raise Cancelled("enough")
 
     with pytest.raises(Cancelled):
         read_nc((HEAD + "o1 while [1]\n#1=[#1+1]\no1 endwhile\n").encode(), LINKS, DIALECTS["linuxcnc"], stop)
-    assert time.perf_counter() - began < 1.0
+    assert time.thread_time() - began < 1.0
 
 
 @pytest.mark.parametrize(

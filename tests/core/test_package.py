@@ -21,7 +21,10 @@ ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "freecad_fiveaxis"
 DATA = {".fcm", ".svg", ".ui", ".qm"}
 """What the code opens at run time: machines, icons, forms and translations (the .ts are for translators)."""
-LEFT_HERE = {".git", ".venv", ".cache", "out", "build", "dist", "__pycache__"}
+LEFT_HERE = {".git", ".venv", ".cache", "out", "build", "dist", "__pycache__", ".hypothesis"} | {
+    f".{tool}_cache" for tool in ("pytest", "mypy", "ruff")
+}
+"""What others write here at the same time among them."""
 SETUPTOOLS = 77
 """The first that knows licence expressions (PEP 639), as pyproject.toml says."""
 

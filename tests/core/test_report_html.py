@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from report_examples import TRUNNION, TRUNNION_BC, by_hand, dome, empty, figures_of, table2
 
@@ -151,6 +151,7 @@ def test_pages_of_odd_programs_are_made_too():
 
 
 @given(st.lists(st.floats(-1e3, 1e3), min_size=1, max_size=300), st.integers(1, 40))
+@settings(deadline=None)
 def test_thinning_keeps_the_extremes_the_ends_and_the_order(values, bins):
     values = np.array(values)
     rows = thin(values, bins)

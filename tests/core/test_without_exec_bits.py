@@ -11,7 +11,9 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 SCRIPTS = ("scripts", ".ci", "tests/freecad", "tests/sitting")
-TARGETS = ("demo", "lint", "core", "oldest", "slow", "linuxcnc", "freecad", "sitting", "test-matrix", "install", "bench")
+RINGS = ("lint", "core", "slow", "headless", "window", "linuxcnc", "sitting", "runner")
+MORE = ("large", "oldest", "demo", "chroots", "trixie", "forky")
+TARGETS = ("demo", "test", "test-all", *RINGS, *MORE, "freecad", "test-matrix", "install", "bench")
 
 pytestmark = pytest.mark.skipif(
     os.name != "posix" or not shutil.which("make") or not shutil.which("bash"), reason="needs make and bash"
@@ -86,7 +88,15 @@ def without_freecad(folder):
 def test_what_ci_runs_goes_through_make(unpacked):
     done = run(unpacked, "bash", ".ci/run", PATH=f"{unpacked}/tools:/usr/bin:/bin")
     assert done.returncode == 0, done.stderr
-    assert "make test\n" in done.stdout and "make demo\n" in done.stdout
+    assert "make test-all\n" in done.stdout
+
+
+@pytest.mark.parametrize(("target", "rings"), [("test", RINGS), ("test-all", RINGS + MORE)])
+def test_each_ring_is_run_once(unpacked, target, rings):
+    """``test-all`` is the rings of ``test``, the large samples, the oldest numpy, other FreeCADs and the demo."""
+    done = run(unpacked, shutil.which("make"), target, PATH=f"{unpacked}/tools:/usr/bin:/bin")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert sorted(re.findall(r"^make --no-print-directory (\S+)$", done.stdout, re.MULTILINE)) == sorted(rings)
 
 
 @pytest.mark.parametrize("script", ["tests/freecad/run", "tests/sitting/run"])

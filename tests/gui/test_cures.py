@@ -43,6 +43,7 @@ def calculate(field, click, until):
 
 def test_minimax_and_deform_by_clicks_give_the_bytes_of_the_command_line(panel, doc, field, choose, type_into, click, until,
                                                                          panel_button, screenshot, tmp_path):  # fmt: skip
+    type_into(field("stepover"), "8 mm")  # made twice here, once by the command line
     type_into(field("tolerance"), "0.05 mm")
     assert not shown(field, "max_tilt") and not shown(field, "max_axis_change") and shown(field, "lead")
     choose(field("tool_axis"), "least deviation (minimax)")

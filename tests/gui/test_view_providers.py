@@ -288,7 +288,7 @@ def test_undo_takes_the_picture_away_and_redo_brings_it_back(doc, pump):
     assert _settled(path, pump).drawing is not None
 
 
-def test_a_legend_goes_with_its_object_and_comes_back_with_it(path, doc, pump, screenshot, pixels, view_box):
+def test_a_legend_goes_with_its_object_and_comes_back_with_it(path, doc, pump, until, screenshot, pixels, view_box):
     """Hidden itself, hidden with the part that holds it, deleted, brought back by undo; the other's legend closes up."""
     from freecad_fiveaxis.gui.scene.overlay import INK
 
@@ -310,22 +310,25 @@ def test_a_legend_goes_with_its_object_and_comes_back_with_it(path, doc, pump, s
             for x0, y0, x1, y1 in boxes
         ]
 
-    assert seen("legends_both") == [True, True]
+    def shows(name, expected, what="legends in sight"):
+        until(lambda: seen(name) == expected, 10000, f"{name}: {what}")
+
+    shows("legends_both", [True, True])
     path.ViewObject.Visibility = False
-    assert seen("legend_hidden") == [True, False], "the second one takes the first place"
+    shows("legend_hidden", [True, False], "the second one takes the first place")
     path.ViewObject.Visibility = True
-    assert seen("legends_back") == [True, True]
+    shows("legends_back", [True, True])
     holder = doc.addObject("App::Part", "Holder")
     holder.addObject(second)
     holder.ViewObject.Visibility = False
-    assert seen("legend_in_hidden_part") == [True, False]
+    shows("legend_in_hidden_part", [True, False])
     holder.ViewObject.Visibility = True
     path.ViewObject.Visibility = False
-    assert seen("legend_in_part") == [True, False]
+    shows("legend_in_part", [True, False])
     doc.openTransaction("delete")
     doc.removeObject(second.Name)
     doc.commitTransaction()
-    assert seen("legend_deleted") == [False, False]
+    shows("legend_deleted", [False, False])
     doc.undo()
     pump(300)
-    assert seen("legend_undone") == [True, False]
+    shows("legend_undone", [True, False])
