@@ -51,6 +51,6 @@ def test_a_field_that_is_gone_would_be_noticed(texts):
 
 @pytest.mark.parametrize("page", [*PAGES, ROOT / "docs" / "workbench.md"], ids=lambda path: path.stem)
 def test_links_lead_somewhere(page):
-    kinematics = re.findall(r"\]\(([^)#]+)\)", page.read_text(encoding="utf-8"))
-    assert page.stem != "workbench" or len(kinematics) > 6
-    assert not [link for link in kinematics if "://" not in link and not (page.parent / link).exists()]
+    links = re.findall(r"\]\(([^)#]+)\)", page.read_text(encoding="utf-8"))
+    assert page.stem != "workbench" or len(links) > 6
+    assert not [link for link in links if "://" not in link and not (page.parent / link).exists()]

@@ -31,6 +31,8 @@ def _is_part(against: Any) -> bool:
 
 
 DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], ...] = (
+    ("passes", _is("planes"), ("direction", "plane_normal"), ()),
+    ("passes", _is("scallop"), ("from_",), ()),
     ("tool_axis", _is("fixed"), ("axis",), ()),
     ("tool_axis", _is("minimax"), ("max_tilt",), ("lead", "tilt")),
     ("gouge", _is("tilt"), ("max_tilt",), ()),

@@ -55,7 +55,7 @@ class DrawnMachine:
         """The box (two corners (3,) mm, machine frame) in which the bodies move while the program is played."""
         words = playback.program.words
         chosen = np.unique(np.linspace(0, len(words) - 1, MOMENTS).astype(int))
-        carried = placements(playback.links, words[chosen])["machine_from_carried"]
+        carried = placements(playback.kinematics, words[chosen])["machine_from_carried"]
         reached = [_reached(body, carried) for body in self.bodies]
         return np.min([low for low, _ in reached], axis=0), np.max([high for _, high in reached], axis=0)
 
@@ -66,7 +66,7 @@ def machine_of(
     """The machine of a program whose part has the box ``low``, ``high`` (3,) mm, work frame; ``table`` mm: height of the table's
     face there, None where it is not known."""
     radius, height = size_of(tool)
-    return DrawnMachine(sketch(playback.links, low, high, ToolRoom(height, radius), table))
+    return DrawnMachine(sketch(playback.kinematics, low, high, ToolRoom(height, radius), table))
 
 
 def _reached(body: Body, carried: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

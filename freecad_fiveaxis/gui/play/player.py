@@ -15,7 +15,7 @@ class Player:
 
     def __init__(self, figures: Figures) -> None:
         self.figures = figures
-        self.playback = Playback(figures.links, figures.program, figures.deviation)
+        self.playback = Playback(figures.kinematics, figures.program, figures.deviation)
         self.singular = figures.feeds[figures.singularity.singular[figures.feeds]]
         self.last = len(figures.program.words) - 1
         self.block, self.u = 0, 1.0
