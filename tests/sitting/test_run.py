@@ -60,7 +60,7 @@ def test_a_broken_add_on_fails_where_a_user_would_meet_it(kind, tmp_path):
     at = text.index(after) + after.index('"""\n') + 4
     path.write_text(text[:at] + line + text[at:])
     done = subprocess.run(
-        ["bash", tmp_path / "copy/tests/sitting/run", "short"], capture_output=True, text=True, timeout=200, check=False
+        ["bash", tmp_path / "copy/tests/sitting/run", "short"], capture_output=True, text=True, timeout=600, check=False
     )  # fmt: skip
     assert done.returncode == 1, done.stdout
     steps = re.findall(r"^sitting: (.*?) +\d+ clicks", done.stdout, re.MULTILINE)
