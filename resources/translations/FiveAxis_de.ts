@@ -3560,10 +3560,6 @@
         <translation>Der Fräser passt an {number} Facettenstücken nicht in die Ecken; {much}. Dort einen kleineren Fräser nehmen.</translation>
     </message>
     <message>
-        <source>The cutter does not fit on {area} of the facets to be cut; the passes leave them out. Use a smaller cutter or another tool axis there.</source>
-        <translation>Auf {area} der zu fräsenden Facetten passt der Fräser nicht; die Bahnen lassen sie aus. Dort einen kleineren Fräser oder eine andere Werkzeugachse nehmen.</translation>
-    </message>
-    <message>
         <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out ({lift}).</source>
         <translation>Der Fräser dringt auf dem Weg zwischen den Zeilen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen ({lift}).</translation>
     </message>

@@ -361,6 +361,36 @@ def test_behind_an_edge_over_which_the_ball_rolls_as_much_is_cut():
     assert highest(mesh) < 1.6 * SCALLOP
 
 
+def test_facets_that_no_pass_touches_are_told():
+    keep = np.ones(len(slope().face), bool)
+    found = field_of(slope())
+    near = slope().vertex[slope().face, 0].mean(axis=1) < 0.0
+    assert not CONSTANT.untouched(region(slope(), keep), OPTIONS, found, np.flatnonzero(keep))
+    (warning,) = CONSTANT.untouched(region(slope(), keep), OPTIONS, found, np.flatnonzero(near))
+    assert warning.value == pytest.approx(slope().area[~near].sum(), rel=0.3)
+
+
+def test_facets_between_two_passes_are_not_told():
+    fine = grid(
+        np.stack([*np.meshgrid(np.linspace(0, 9, 91), np.linspace(0, 9, 91), indexing="ij"), np.zeros((91, 91))], axis=-1)
+    )
+    where = region(fine)
+    found = CONSTANT.field(where, OPTIONS)
+    contact = cut(where, found, "zigzag")
+    assert len(np.unique(contact.face)) < 0.8 * len(fine.face)
+    assert not CONSTANT.untouched(where, OPTIONS, found, contact.face)
+
+
+def test_level_planes_say_what_they_leave():
+    mesh = box((30.0, 20.0, 8.0))
+    keep = mesh.normal[:, 2] > -0.5
+    level = PASS_STRATEGIES["zlevel"]
+    found = level.field(region(mesh, keep), OPTIONS)
+    contact = cut(region(mesh, keep), found, "zigzag")
+    (warning,) = [one for one in level.untouched(region(mesh, keep), OPTIONS, found, contact.face) if one.unit == "mm2"]
+    assert warning.value == pytest.approx(600.0) and warning.code == "side-not-machined"
+
+
 # ------------------------------------------------------------------------------------------------ bad input
 
 

@@ -29,7 +29,6 @@ from freecad_fiveaxis.core.collision import (
     find_rest_material,
     program_motion,
     real_motion,
-    still_positions,
     straight_motion,
     too_deep_finding,
     uncut_finding,
@@ -43,8 +42,6 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import Chain, q_to_words
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.passes import Fits
-from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of
 
 from .options import axis_options, tip_to_driven, travels, wanted_scallop
@@ -79,22 +76,6 @@ NEARLY = 0.95
 def tool_body(settings: Settings) -> Body:
     """Cutter, shank and holder."""
     return body_of(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
-
-
-def fitting(settings: Settings, mesh: Mesh, progress: Progress) -> Fits | None:
-    """Which contacts (n, 3) mm with unit normals (n, 3) a ball cutter can stand on without entering the part by more than twice
-    the tolerance: all of it along the normal, of one that leans or is tilted free only its rounded end. None where the settings
-    ask for no cure, and for what is no ball, which touches elsewhere, too."""
-    cutter, tool, limit = settings.cutter.cutter, settings.tool_axis, 2.0 * settings.proof.tolerance
-    if settings.gouge.gouge in ("off", "report") or cutter.ring > 0.0:
-        return None
-    upright = tool.tool_axis != "fixed" and settings.gouge.gouge != "tilt" and tool.lead == tool.tilt == 0.0
-    body, tree = body_of(cutter if upright else Cutter(cutter.diameter, cutter.radius)).only(CUTTER), facet_tree(mesh)
-
-    def fits(point: Floats, normal: Floats) -> Bools:
-        return ~which_enter(body, tree, still_positions(point, normal), limit, np.arange(len(point)), progress)
-
-    return fits
 
 
 def tilted(

@@ -56,7 +56,6 @@ from .collision_avoidance import (
     driven_free,
     entered,
     find_left,
-    fitting,
     left_out_rows,
     lifted,
     said_of,
@@ -216,10 +215,10 @@ def _region(settings: Settings, mesh: Mesh, keep: Bools, strategy: PassStrategy,
     radius, scallop = cutter.radius, options.scallop
     interval = options.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
     if scallop is None or cutter.ring == 0.0:
-        return Region(mesh, keep, radius, interval, None, fitting(settings, mesh, progress), progress)
+        return Region(mesh, keep, radius, interval, progress=progress)
     stand = (settings.tool_axis.tool_axis, axis_options(settings))
     radii = [spacing_radius(cutter, mesh, keep, angle, *stand, scallop) for angle in strategy.travels(options)]
-    return Region(mesh, keep, min(radii), interval, 1.0, None, progress)
+    return Region(mesh, keep, min(radii), interval, 1.0, progress)
 
 
 def linked(settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress = silent) -> CLPath:

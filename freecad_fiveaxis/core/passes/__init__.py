@@ -2,7 +2,7 @@
 """Passes: the strategies that say where to cut, which facets may be cut, and what that cuts out of the mesh."""
 
 from .arc_curvature import arc_centre, arc_curvature, pass_curvature
-from .field import Fits, PassField, PassOptions, PassStrategy, Region, cut
+from .field import PassField, PassOptions, PassStrategy, Region, cut
 from .passes import ContactPath, direction, slice_field, slice_mesh
 from .scallop import CREASE, facet_curvature, flat_interval, turned_along
 from .sides import side_findings, untouched_sides
@@ -14,7 +14,6 @@ __all__ = [
     "CREASE",
     "PASS_STRATEGIES",
     "ContactPath",
-    "Fits",
     "PassField",
     "PassOptions",
     "PassStrategy",

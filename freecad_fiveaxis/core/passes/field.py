@@ -9,7 +9,6 @@ surface   a finer copy of the region that carries the field, where the facets of
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -21,9 +20,6 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from .passes import ContactPath, slice_field, slice_mesh
 
 Vector = tuple[float, float, float]
-
-Fits = Callable[[Floats, Floats], Bools]
-"""Which contacts (n, 3) mm with unit normals (n, 3) the cutter can stand on."""
 
 ALL_ROUND = (0.0, 0.25 * math.pi, 0.5 * math.pi, 0.75 * math.pi)
 """rad: travels that stand for all, of a strategy whose passes run in every direction."""
@@ -45,15 +41,13 @@ class PassOptions:
 @dataclass(frozen=True, eq=False)
 class Region:
     """``mesh``; ``keep`` (f,) the facets to cut; ``radius`` mm of the ball whose passes may stand as far apart as the cutter's,
-    at most ``widest`` intervals of a flat (None: the strategy's own); ``interval`` mm of a flat; ``fits``: where the cutter can
-    stand at all, None: not asked."""
+    at most ``widest`` intervals of a flat (None: the strategy's own); ``interval`` mm of a flat."""
 
     mesh: Mesh
     keep: Bools
     radius: float
     interval: float
     widest: float | None = None
-    fits: Fits | None = None
     progress: Progress = field(default=silent, repr=False)
 
 

@@ -83,16 +83,6 @@ def as_tensor(frame: Frames, metric: Floats) -> Floats:
     return np.asarray(a * one[rows] * one[columns] + b * mixed + d * two[rows] * two[columns])
 
 
-def from_tensor(frame: Frames, tensor: Floats) -> Floats:
-    """The metric (3, f) in the frames of a tensor (6, f) in space."""
-    (xx, yy, zz, xy, yz, zx), made = tensor, []
-    for one, two in ((frame.one.T, frame.one.T), (frame.one.T, frame.two.T), (frame.two.T, frame.two.T)):
-        (x, y, z), (u, v, w) = one, two
-        mixed = xy * (x * v + y * u) + yz * (y * w + z * v) + zx * (z * u + x * w)
-        made.append(xx * x * u + yy * y * v + zz * z * w + mixed)
-    return np.array(made)
-
-
 def _at_least(metric: Floats, least: float) -> Floats:
     """The metric with no eigenvalue below ``least``."""
     a, b, d = metric

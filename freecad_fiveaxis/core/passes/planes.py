@@ -10,6 +10,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
@@ -23,6 +24,9 @@ from .spacing import place_planes
 
 SHORTEST = 1e-9
 """Length of a normal whose direction is lost in rounding."""
+
+BESIDE = 3.0
+"""Intervals of a flat: small facets so near to a pass lie between two."""
 
 SHARE = 0.002
 """Of the area to be cut: what no pass touches is told where it is more."""
@@ -70,10 +74,8 @@ class Planes:
 
 
 def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
-    """A warning where facets to be cut that no pass touches, ``touched`` (n,) being the others, are more than a little."""
-    out = region.keep.copy()
-    out[touched] = False
-    rows = np.flatnonzero(out)
+    """A warning where facets to be cut that no pass touches or comes near are more than a little; ``touched`` (n,) by one."""
+    rows = _without_pass(region, touched)
     lost, whole = float(region.mesh.area[rows].sum()), float(region.mesh.area[region.keep].sum())
     if lost <= SHARE * whole:
         return ()
@@ -86,6 +88,20 @@ def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
         area=Area(lost, ".4g"),
     )
     return (Finding(Severity.WARNING, "side-not-machined", text, lost, 0.0, "mm2", place=(x, y, z)),)
+
+
+def _without_pass(region: Region, touched: Ints) -> Ints:
+    """Facets (k,) to be cut that no pass touches: large ones, and small ones unless they lie beside some that are touched."""
+    mesh, out, beside = region.mesh, region.keep.copy(), np.zeros(len(region.mesh.vertex), np.bool_)
+    out[touched] = False
+    rows, there = np.flatnonzero(out), np.unique(touched)
+    if not len(rows) or not len(there):
+        return rows
+    beside[mesh.face[there]] = True
+    off = cKDTree(mesh.vertex[mesh.face[there]].mean(axis=1)).query(mesh.vertex[mesh.face[rows]].mean(axis=1))[0]
+    small = mesh.area[rows] < region.interval**2
+    close = beside[mesh.face[rows]].any(axis=1) | (off < BESIDE * region.interval)
+    return np.asarray(rows[~(small & close)])
 
 
 def _unit(normal: Vector) -> Floats:

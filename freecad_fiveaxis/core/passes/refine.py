@@ -14,7 +14,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .passes import ContactPath
@@ -98,27 +98,6 @@ def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:
     return _assembled(part, vertex, face, side, rows[parent])
 
 
-def divided(copy: Copy, part: Mesh, value: Floats, chosen: Bools, times: float) -> tuple[Copy, Floats, Ints]:
-    """The copy with its ``chosen`` facets (f,) that many times smaller, the field (v,) on it, and the given facets (g,)
-    in which its own lie."""
-    corner = copy.mesh.vertex[copy.mesh.face]
-    size = np.linalg.norm(np.roll(corner, -1, axis=1) - corner, axis=2).max(axis=1)
-    metric = np.zeros((6, len(size)))
-    metric[:3] = np.where(chosen, times / size, 0.0) ** 2
-    vertex = np.concatenate([copy.mesh.vertex, value[:, None]], axis=1)
-    face, side, owner = copy.mesh.face, copy.coedge[copy.mesh.face_coedge], np.arange(len(size))
-    for _ in range(ROUNDS):
-        made = _halved(vertex, face, side, metric[:, owner], 1.0)
-        if made is None:
-            break
-        vertex, face, side, mine = made
-        owner = owner[mine]
-    fine = _assembled(part, vertex[:, :3], face, side, copy.parent[owner])
-    carried = np.empty(len(fine.mesh.vertex))
-    carried[fine.mesh.face] = vertex[face, 3]
-    return replace(fine, bend=copy.bend, short=copy.short), carried, owner
-
-
 def taken(copy: Copy, part: Mesh, rows: Ints) -> Copy:
     """Some facets (k,) of a copy as a copy of their own."""
     made = _assembled(part, copy.mesh.vertex, copy.mesh.face[rows], copy.coedge[copy.mesh.face_coedge[rows]], copy.parent[rows])
@@ -150,7 +129,7 @@ def _sides(face: Ints) -> Ints:
 
 def _halved(vertex: Floats, face: Ints, label: Ints, metric: Floats, longest: float) -> tuple[Floats, Ints, Ints, Ints] | None:
     """Vertices, facets, labels of their sides and owners after one round; None where no side is too long."""
-    x, y, z = (vertex[np.roll(face, -1, axis=1), :3] - vertex[face, :3]).transpose(2, 1, 0)
+    x, y, z = (vertex[np.roll(face, -1, axis=1)] - vertex[face]).transpose(2, 1, 0)
     xx, yy, zz, xy, yz, zx = metric
     length = np.sqrt(xx * x * x + yy * y * y + zz * z * z + 2.0 * (xy * x * y + yz * y * z + zx * z * x)).T
     side, top = _sides(face), length.argmax(axis=1)

@@ -10,22 +10,22 @@ gap       what lies farther from every pass than half a step: where two fronts m
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Area, Length, say
+from freecad_fiveaxis.core.base.sentences import Length, say
 
 from .field import ALL_ROUND, PassField, PassOptions, Region
-from .geodesic import Frames, as_tensor, distance, frames, from_tensor, gradient, scallop_metric, step_across
+from .geodesic import Frames, as_tensor, distance, frames, gradient, scallop_metric, step_across
 from .passes import slice_field
 from .planes import area_left
-from .refine import Copy, divided, finer_copy, joined, taken
+from .refine import Copy, finer_copy, joined, taken
 from .scallop import facet_curvature, flat_interval
 from .sources import read_curve, source_values
 
@@ -60,9 +60,6 @@ DENSE = 0.2
 FACING = 0.5
 """Steps on a flat that a difference of 1 between two unit normals counts for: no pass covers what lies round an edge."""
 
-DIVIDED = 2.0
-"""Facets on the boundary of where the cutter fits become so many times smaller."""
-
 SHORT = 1.0
 """Steps: what is shorter is no pass."""
 
@@ -95,27 +92,22 @@ class ConstantScallop:
         region.progress("placing passes", 0.3)
         steps = distance(surface.copy.mesh.vertex, surface.copy.mesh.face, surface.frame, surface.metric, source, known)
         region.progress("placing passes", 0.7)
-        surface, steps, findings = _where_it_fits(region, surface, steps)
         main = _laid(surface.copy, steps, FIRST, 0.0)
         region.progress("placing passes", 0.8)
         gaps = _gaps(surface, steps, main)
         if not gaps.any():
-            return replace(main, findings=findings)
+            return main
         between = taken(surface.copy, region.mesh, np.flatnonzero(gaps))
         more = _laid(between, _carried(surface.copy, steps, gaps, between), BETWEEN, float(np.ceil(main.value.max())) + 1.0)
         both = joined(surface.copy, between)
         region.progress("placing passes", 1.0)
         return PassField(
-            np.concatenate([main.value, more.value]), np.concatenate([main.levels, more.levels]), findings, None, both
+            np.concatenate([main.value, more.value]), np.concatenate([main.levels, more.levels]), (), None, both
         )  # fmt: skip
 
     def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
-        """What no pass touches of what the cutter fits on."""
-        if not isinstance(field.surface, Copy):
-            return field.findings
-        there = np.zeros(len(region.keep), np.bool_)
-        there[field.surface.parent] = True
-        return field.findings + area_left(replace(region, keep=region.keep & there), touched)
+        """What no pass touches."""
+        return field.findings + area_left(region, touched)
 
 
 class _Surface(NamedTuple):
@@ -167,46 +159,11 @@ def _flat_step(region: Region, options: PassOptions) -> float:
     return max(flat_interval(region.radius, AIM * options.scallop), options.least)
 
 
-def _where_it_fits(region: Region, surface: _Surface, steps: Floats) -> tuple[_Surface, Floats, tuple[Finding, ...]]:
-    """The surface and the field (w,) without the places where the cutter cannot stand: lifted along a wall it would go up to the
-    wall's top. Facets on the boundary between both are divided first, so that little is lost. All of it where it fits nowhere."""
-    if region.fits is None:
-        return surface, steps, ()
-    copy = surface.copy
-    fits = region.fits(copy.mesh.vertex[copy.mesh.face].mean(axis=1), copy.mesh.normal)
-    if fits.all() or not fits.any():
-        return surface, steps, ()
-    close = _touching(copy.mesh.face, fits) & _touching(copy.mesh.face, ~fits)
-    fine, steps, owner = divided(copy, region.mesh, steps, close, DIVIDED)
-    fits, mesh = fits[owner], fine.mesh
-    again = np.flatnonzero(close[owner])
-    fits[again] = region.fits(mesh.vertex[mesh.face[again]].mean(axis=1), mesh.normal[again])
-    rows = np.flatnonzero(fits & ~_touching(mesh.face, ~fits))
-    if not len(rows):
-        return surface, steps, ()
-    less = taken(fine, region.mesh, rows)
-    frame, metric = frames(less.mesh.vertex, less.mesh.face), as_tensor(surface.frame, surface.metric)[:, owner[rows]]
-    smaller = surface._replace(copy=less, frame=frame, metric=from_tensor(frame, metric))
-    return smaller, _carried(fine, steps, rows, less), _not_reached(fine, np.flatnonzero(~fits))
-
-
 def _touching(face: Ints, chosen: Bools) -> Bools:
     """Facets (f,) that are chosen, or have a vertex in common with one that is."""
     touched = np.zeros(int(face.max()) + 1, np.bool_)
     touched[face[chosen]] = True
     return np.asarray(touched[face].any(axis=1))
-
-
-def _not_reached(copy: Copy, rows: Ints) -> tuple[Finding, ...]:
-    """A warning of facets (k,) of the copy on which the cutter does not fit."""
-    area = copy.mesh.area[rows]
-    x, y, z = copy.mesh.vertex[copy.mesh.face[rows[area.argmax()]]].mean(axis=0).tolist()
-    text = say(
-        "The cutter does not fit on {area} of the facets to be cut; the passes leave them out. Use a smaller cutter or another "
-        "tool axis there.",
-        area=Area(float(area.sum()), ".4g"),
-    )
-    return (Finding(Severity.WARNING, "corner-not-reached", text, float(area.sum()), 0.0, "mm2", place=(x, y, z)),)
 
 
 def _laid(copy: Copy, steps: Floats, first: float, begin: float) -> PassField:
@@ -253,7 +210,7 @@ def _sampled(entry: Floats, exit_: Floats, normal: Floats, step: float) -> tuple
     return entry[row] + share[:, None] * (exit_ - entry)[row], normal[row]
 
 
-def _carried(copy: Copy, steps: Floats, chosen: Bools | Ints, to: Copy) -> Floats:
+def _carried(copy: Copy, steps: Floats, chosen: Bools, to: Copy) -> Floats:
     """The field (w,) at the vertices of ``to``, a copy of the ``chosen`` facets in their order."""
     value = np.empty(len(to.mesh.vertex))
     value[to.mesh.face] = steps[copy.mesh.face[chosen]]
