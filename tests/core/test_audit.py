@@ -29,12 +29,12 @@ C = Axis("C", True, "table", (0, 0, 1), (0, 0, 0), -math.inf, math.inf, math.rad
 SMALL = Machine("small", (C, A, X, Y, Z))
 
 
-def links_at(*origin):
+def kinematics_at(*origin):
     return chain(SMALL, Setup(origin or (0.0, 0.0, 0.0)))
 
 
 def read(text, kinematics=None, controller="linuxcnc"):
-    return read_nc(text.encode(), kinematics or links_at(), find_dialect(controller))
+    return read_nc(text.encode(), kinematics or kinematics_at(), find_dialect(controller))
 
 
 def codes(findings):
@@ -56,7 +56,7 @@ M2
 
 def test_words_beyond_limits_are_counted_with_the_worst_and_the_first_line():
     program = read(BEYOND)
-    limits = check_limits(links_at(), program)
+    limits = check_limits(kinematics_at(), program)
     found = {(one.text.split(" beyond")[0].split()[-1], round(one.limit, 6)): one for one in limits.findings}
     assert sorted(found) == [("A", -30.0), ("A", 120.0), ("X", 100.0), ("Y", -100.0)]
     np.testing.assert_allclose(limits.excess, [0, 0, 1.5, 3.25, 1.5, 1.5], atol=1e-9)
@@ -69,15 +69,15 @@ def test_words_beyond_limits_are_counted_with_the_worst_and_the_first_line():
 
 def test_the_work_zero_moves_the_limits_of_the_words():
     text = "G21 G90\nG0 X60 Y0 Z0 A0 C0\nM2\n"
-    assert check_limits(links_at(), read(text)).findings == ()
-    moved = links_at(50.0, 0.0, 0.0)  # X60 then stands at 110 of the machine
+    assert check_limits(kinematics_at(), read(text)).findings == ()
+    moved = kinematics_at(50.0, 0.0, 0.0)  # X60 then stands at 110 of the machine
     (found,) = check_limits(moved, read(text, moved)).findings
     assert found.code == "limit" and found.limit == pytest.approx(50.0) and found.value == 60.0
 
 
 def test_a_word_rounded_onto_its_limit_is_within_it():
-    assert check_limits(links_at(), read("G0 X100.0005 Y0 Z0 A120.0005 C0\nM2\n")).findings == ()
-    assert len(check_limits(links_at(), read("G0 X100.0006 Y0 Z0 A0 C0\nM2\n")).findings) == 1
+    assert check_limits(kinematics_at(), read("G0 X100.0005 Y0 Z0 A120.0005 C0\nM2\n")).findings == ()
+    assert len(check_limits(kinematics_at(), read("G0 X100.0006 Y0 Z0 A0 C0\nM2\n")).findings) == 1
 
 
 @pytest.mark.parametrize(("wrap", "count"), [("modulo", 0), ("unwound", 1)])
@@ -145,13 +145,13 @@ def test_the_chord_instead_of_the_path_would_be_noticed():
 )
 def test_the_rate_is_that_of_the_dialects_f(controller, line, minutes):
     program = read(f"G21 G90\nG0 X0 Y0 Z0 A0 C0\n{line}\nM2\n", controller=controller)
-    rates = asked_rates(links_at(), program)
+    rates = asked_rates(kinematics_at(), program)
     np.testing.assert_allclose(rates.rate[1] * DEGREES, np.array([30.0 * ("X" in line), 0, 0, 40.0, 0]) / minutes, rtol=1e-9)
 
 
 def test_blocks_that_ask_too_much_of_an_axis_are_named_with_the_worst():
     text = "G21 G90 G93\nG0 X0 Y0 Z0 A0 C0\nG1 X1 A10 F300\nG1 X2 A40 F300\nG1 X3 A41 F3500\nM2\n"
-    kinematics = links_at()
+    kinematics = kinematics_at()
     program = read(text, kinematics)
     rates = asked_rates(kinematics, program)
     np.testing.assert_allclose(rates.ratio, [0, 3000 / 3600, 9000 / 3600, 3500 / 3600], rtol=1e-9)
@@ -163,11 +163,11 @@ def test_blocks_that_ask_too_much_of_an_axis_are_named_with_the_worst():
 def test_a_block_at_exactly_its_rate_is_no_finding_and_one_a_hundredth_above_is():
     for feed, count in ((360.0, 0), (363.6, 1)):
         program = read(f"G21 G93\nG0 X0 Y0 Z0 A0 C0\nG1 A10 F{feed}\nM2\n")
-        assert len(rate_findings(links_at(), program, asked_rates(links_at(), program))) == count
+        assert len(rate_findings(kinematics_at(), program, asked_rates(kinematics_at(), program))) == count
 
 
 def test_rapids_and_blocks_without_time_ask_for_nothing():
-    kinematics = links_at()
+    kinematics = kinematics_at()
     words = np.cumsum(np.ones((4, 5)), axis=0)
     program = program_of(kinematics, words, np.array([0.0, 1.0, 0.0, 1.0]), motion=np.array([3, 3, 0, 0], np.int8))
     rates = asked_rates(kinematics, program)
@@ -177,7 +177,7 @@ def test_rapids_and_blocks_without_time_ask_for_nothing():
 
 def test_a_feed_over_the_part_that_is_not_f_is_a_warning():
     text = "G21 G90 G94\nG0 X0 Y0 Z50 A0 C0\nG1 X10 F600\nG1 X10.5 A30 F600\nM2\n"
-    kinematics = links_at()
+    kinematics = kinematics_at()
     program = read(text, kinematics)
     rates = asked_rates(kinematics, program)
     (found,) = feed_findings(kinematics, program, rates)
@@ -189,7 +189,7 @@ def test_a_feed_over_the_part_that_is_not_f_is_a_warning():
 def test_under_inverse_time_the_median_is_the_measure():
     words = np.zeros((30, 5))
     words[:, 0] = np.arange(30.0)
-    kinematics = links_at()
+    kinematics = kinematics_at()
     seconds = np.full(30, 0.1)
     assert feed_findings(kinematics, program_of(kinematics, words, seconds, 600.0, True), even(kinematics, words, seconds)) == ()
     seconds[17] = 0.01
@@ -206,7 +206,7 @@ def test_where_the_controller_guides_the_tip_it_goes_straight():
     text = "G21 G90 G94\nG0 X0 Y0 Z0 A0 C0\nM428\nG1 X10 Y0 Z0 A20 C30 F500\nM2\n"
     program = read(text)
     assert program.guided is not None and program.guided.on[-1]
-    rates = asked_rates(links_at(), program)
+    rates = asked_rates(kinematics_at(), program)
     assert rates.travel[-1] == pytest.approx(10.0) and rates.tip_feed[-1] == pytest.approx(500.0)
 
 

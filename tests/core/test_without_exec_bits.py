@@ -72,8 +72,8 @@ def test_the_add_on_is_installed(unpacked):
         PATH=without_freecad(unpacked),
     )
     assert done.returncode == 0, done.stderr
-    kinematics = [path for path in (unpacked / "home").rglob("FiveAxis") if path.is_symlink()]
-    assert [link.resolve() for link in kinematics] == [unpacked.resolve()]
+    links = [path for path in (unpacked / "home").rglob("FiveAxis") if path.is_symlink()]
+    assert [link.resolve() for link in links] == [unpacked.resolve()]
 
 
 def without_freecad(folder):

@@ -214,13 +214,13 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools 
     head = _Spot(*(np.where(opened[last], a[first], b) for a, b in zip(begin, seam, strict=True)))._replace(fill=~yes[first])
     place = np.cumsum(used).reshape(used.shape) - 1
     over, on = np.flatnonzero(used[:, 2]), np.flatnonzero(apart)
-    interleave: list[Any] = []
+    interleaved: list[Any] = []
     for begins, ends, lifts, starts in zip(head, end, lift, start, strict=True):
         column = np.empty(int(used.sum()), ends.dtype)
         column[place[first, 0]], column[place[:, 1]] = begins, ends
         column[place[over, 2]], column[place[on, 3]] = lifts[over], starts[on]
-        interleave.append(column)
-    return _Spot(*interleave)
+        interleaved.append(column)
+    return _Spot(*interleaved)
 
 
 def _lifted(chords: Chords, one: Ints, two: Ints) -> Floats:
