@@ -90,4 +90,4 @@ def test_the_laziest_word_travels_least(seed):
 
 def test_the_course_counts_what_is_cut():
     centre = np.array([[0.0, 0, 0], [3, 4, 0], [3, 4, 1], [3, 4, 3]])
-    np.testing.assert_allclose(even.course(centre, np.array([False, False, True, False])), [0, 5, 5, 7])
+    np.testing.assert_allclose(even.cut_length(centre, np.array([False, False, True, False])), [0, 5, 5, 7])

@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.corrections.linearize import linearize, linearize_words
 from freecad_fiveaxis.core.corrections.linearize.balance import balanced_shares
-from freecad_fiveaxis.core.corrections.linearize.course import Steps, courses, follow, most_off
+from freecad_fiveaxis.core.corrections.linearize.commanded_moves import Steps, commanded_moves, follow, most_off
 from freecad_fiveaxis.core.corrections.linearize.proof import judge_pieces, off_segment
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, joint_words, q_to_words, words_to_q
@@ -66,7 +66,7 @@ def sampled(kinematics, words, piece, start, end, block, u=U):
 def course_of(kinematics, start, end):
     words = interleaved(start, end)
     q = words_to_q(words)
-    return courses(kinematics, forward(kinematics, q)[0], q[:, 3:], words, np.arange(1, len(words), 2))
+    return commanded_moves(kinematics, forward(kinematics, q)[0], q[:, 3:], words, np.arange(1, len(words), 2))
 
 
 def holds(kinematics, way, block, low, high, tolerance, steps):

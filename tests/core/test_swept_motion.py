@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How much courses bend, by second differences of dense poses; and blocks that are buried in the part."""
+"""How much motions bend, by second differences of dense poses; and blocks that are buried in the part."""
 
 import numpy as np
 import pytest

@@ -244,18 +244,18 @@ def heel_depth(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> F
     """
     feed, normal = feed_direction(path, axis), seat_normal(path, cutter.ring)
     out = (hub - path.centre) / cutter.ring
-    course = _Course.of(path, normal, feed)
+    profile = _Profile.of(path, normal, feed)
     first, last = _ends(path.polyline)
     depth = np.full(len(axis), -np.inf)
     for sense in (-1.0, 1.0):
         way = sense * cutter.ring * (1.0 + sense * row_dot(out, feed))
-        there = np.clip(course.length + way, course.length[first], course.length[last])
-        rise = np.interp(there, course.length, course.height) - course.height - course.slope * (there - course.length)
+        there = np.clip(profile.length + way, profile.length[first], profile.length[last])
+        rise = np.interp(there, profile.length, profile.height) - profile.height - profile.slope * (there - profile.length)
         depth = np.maximum(depth, rise - cutter.ring * row_dot(out + sense * feed, normal))
     return depth
 
 
-class _Course(NamedTuple):
+class _Profile(NamedTuple):
     """The passes unrolled, one row after the other: ``length`` (n,) mm of all contacts up to each row; ``height`` (n,) mm of the
     surface there, its turns upwards summed up; ``slope`` (n,) rad of the plane on which the cutter sits."""
 
@@ -264,7 +264,7 @@ class _Course(NamedTuple):
     slope: Floats
 
     @classmethod
-    def of(cls, path: OffsetPath, normal: Floats, feed: Floats) -> _Course:
+    def of(cls, path: OffsetPath, normal: Floats, feed: Floats) -> _Profile:
         """All rows of a contact have its co-edge's whole turn; it counts once."""
         step = np.linalg.norm(np.diff(path.point, axis=0, prepend=path.point[:1]), axis=1)
         slope = np.cumsum(np.where(path.fill, 0.0, -row_dot(path.after - path.before, feed)))

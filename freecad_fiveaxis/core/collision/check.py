@@ -68,13 +68,13 @@ CURES = say(
 """What is said against an overcut where nothing has been done yet."""
 
 Where = Callable[[int], tuple[int | None, int | None]]
-"""From a block of the course to the block of the program and the line of the NC file."""
+"""From a block of the swept motion to the block of the program and the line of the NC file."""
 
 
 @dataclass(frozen=True, eq=False)
 class GougeCheck:
-    """``cutter`` and ``above`` (shank and holder): their entries, a row a block of the course; ``buried`` (m,) blocks that are
-    wholly in the part; ``findings``."""
+    """``cutter`` and ``above`` (shank and holder): their entries, a row a block of the swept motion; ``buried`` (m,) blocks
+    that are wholly in the part; ``findings``."""
 
     cutter: Entries
     above: Entries
@@ -100,7 +100,7 @@ def check_motion(
     mesh: Mesh, body: Body, swept: SweptMotion, motion: Bytes, tolerance: float, where: Where | None = None,
     progress: Progress = silent, remedy: str = CURES,
 ) -> GougeCheck:  # fmt: skip
-    """Check every block of a course against the whole mesh.
+    """Check every block of a swept motion against the whole mesh.
 
     ``motion`` (m,) of Motion, what each block does; ``tolerance`` mm: entries up to it are no findings, and none deeper is
     missed. ``where`` tells blocks and lines of the findings; ``remedy``: what the findings advise against overcuts, empty
@@ -118,7 +118,7 @@ def check_motion(
 
 
 def program_motion(kinematics: Chain, program: Program, back: float = 0.0) -> SweptMotion:
-    """The way that the machine really goes: block i of the course leads to row i + 1 of the program.
+    """The way that the machine really goes: block i of the swept motion leads to row i + 1 of the program.
 
     ``back`` mm: how far above the tip the point lies that the words drive. Where the controller guides the tip, its way is taken
     to be straight and the axis to turn on great arcs.

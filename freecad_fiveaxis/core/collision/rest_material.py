@@ -65,8 +65,8 @@ GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 @dataclass(frozen=True, eq=False)
 class RestMaterial:
-    """``point`` (k, 3) mm on the surface; ``facet`` (k,); ``area`` (k,) mm2; ``height`` (k,) mm; ``block`` (k,) of the course
-    that comes nearest; ``spacing`` mm of the samples."""
+    """``point`` (k, 3) mm on the surface; ``facet`` (k,); ``area`` (k,) mm2; ``height`` (k,) mm; ``block`` (k,) of the swept
+    motion that comes nearest; ``spacing`` mm of the samples."""
 
     point: Floats
     facet: Ints
@@ -97,7 +97,7 @@ def find_rest_material(
 ) -> RestMaterial:
     """The heights over samples at most about ``spacing`` mm apart, of these ``facets`` (f,) of the mesh (None: all).
 
-    ``body``: the cutter; ``blocks`` (b,): those of the course that cut. Raises SettingsError where none does.
+    ``body``: the cutter; ``blocks`` (b,): those of the swept motion that cut. Raises SettingsError where none does.
     """
     if not len(blocks):
         raise SettingsError(say("no block cuts, so nothing can be said of what is left"), 0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The deepest entry of a body into the part in every block of a course, with an upper bound for the whole way.
+"""The deepest entry of a body into the part in every block of a swept motion, with an upper bound for the whole way.
 
 pair      a cluster, or a stretch, with a node, or a facet. It is dropped when its bound says that nothing in it is deeper than
           asked for, or than what its block is known to hold already. Of the others the larger partner is divided.
@@ -95,7 +95,7 @@ def find_entries(
 def which_enter(
     body: Body, tree: FacetTree, swept: SweptMotion, limit: float, blocks: Ints, progress: Progress = silent
 ) -> Bools:
-    """Which blocks (m,) of the course enter by more than ``limit`` mm, of these ``blocks`` (k,); how deep is not asked."""
+    """Which blocks (m,) of the swept motion enter by more than ``limit`` mm, of these ``blocks`` (k,); how deep is not asked."""
     return np.asarray(find_entries(body, tree, swept, limit, np.inf, blocks, progress).bound > limit)
 
 

@@ -57,7 +57,7 @@ class SweptMotion:
 
 
 def straight_motion(tips: Floats, axes: Floats) -> SweptMotion:
-    """The course as it is commanded: the tip (n, 3) mm on straight lines, the unit axis (n, 3) on great arcs."""
+    """The swept motion as it is commanded: the tip (n, 3) mm on straight lines, the unit axis (n, 3) on great arcs."""
     start, end = _columns(tips[:-1]), _columns(tips[1:])
     first, last = _columns(axes[:-1]), _columns(axes[1:])
     angle = 2.0 * np.arcsin(np.minimum(0.5 * np.linalg.norm(last - first, axis=0), 1.0))
@@ -92,7 +92,7 @@ def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
 
 
 def real_motion(kinematics: Chain, words: Floats, back: float = 0.0) -> SweptMotion:
-    """The course on the machine, all axes moving linearly between rows of ``words`` (n, 5), mm and **degrees**.
+    """The swept motion on the machine, all axes moving linearly between rows of ``words`` (n, 5), mm and **degrees**.
 
     ``back`` mm: the point that the words drive lies so far above the tip (the ball's centre is driven). Raises ProgramError for
     words that cannot be used.

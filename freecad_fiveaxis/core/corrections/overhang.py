@@ -51,7 +51,7 @@ def is_under(cutter: Body, tree: FacetTree, tip: Floats, axis: Floats, aim: floa
 
 
 def _ways_up(tip: Floats, axis: Floats, way: Floats) -> tuple[SweptMotion, Ints]:
-    """The course of tips (n, 3) that go ``way`` (n,) mm along their axes, and which of its blocks (n,) these ways are."""
+    """The swept motion of tips (n, 3) that go ``way`` (n,) mm along their axes, and which of its blocks (n,) these ways are."""
     ends = np.stack([tip, tip + way[:, None] * axis], axis=1).reshape(-1, 3)
     return straight_motion(ends, np.repeat(axis, 2, axis=0)), 2 * np.arange(len(tip))
 

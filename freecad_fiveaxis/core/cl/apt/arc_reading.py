@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, plural, say
 from freecad_fiveaxis.core.cl.cl_path import Motion
 
-from .arcs import FIT, Arcs, Course, ambiguous, chord_counts, course, inner_ends, misfit, runs_back
+from .arcs import FIT, Arcs, ArcSpans, ambiguous, arc_spans, chord_counts, inner_ends, misfit, runs_back
 from .rows import Put, Rows
 from .source import Source
 from .statements import Kind, Statements
@@ -27,15 +27,15 @@ def chords(
     """The rows that the chords of all arcs put in, and what is wrong about arcs. ``scale`` (n,) mm of the unit at each row;
     ``sagitta`` mm; ``holes`` (h,) rows that no arc ends at. Raises ProgramError."""
     arcs, lost = read_arcs(statements, rows.tip, scale, holes)
-    ways = course(arcs, rows.tip)
+    spans = arc_spans(arcs, rows.tip)
     straight = rows.motion != Motion.RAPID
     straight[arcs.row] = False
-    found = tuple(arc_findings(source, arcs, ways, rows.tip, straight, lost))
-    arcs = arcs.take(fitting(arcs, ways))
-    ways = course(arcs, rows.tip)
-    count = chord_counts(arcs, ways, sagitta)
+    found = tuple(arc_findings(source, arcs, spans, rows.tip, straight, lost))
+    arcs = arcs.take(fitting(arcs, spans))
+    spans = arc_spans(arcs, rows.tip)
+    count = chord_counts(arcs, spans, sagitta)
     refuse_too_many(source, arcs, count)
-    at, tip, axis = inner_ends(arcs, ways, count, rows.axis)
+    at, tip, axis = inner_ends(arcs, spans, count, rows.axis)
     return Put(at, tip, axis, rows.motion[at], rows.speed[at]), found
 
 
@@ -60,9 +60,9 @@ def read_arcs(statements: Statements, tip: Floats, scale: Floats, holes: Ints) -
     ]
 
 
-def fitting(arcs: Arcs, ways: Course) -> Bools:
+def fitting(arcs: Arcs, spans: ArcSpans) -> Bools:
     """Which arcs (a,) pass through both their ends."""
-    return misfit(arcs, ways) <= FIT
+    return misfit(arcs, spans) <= FIT
 
 
 def refuse_too_many(source: Source, arcs: Arcs, count: Ints) -> None:
@@ -77,10 +77,10 @@ def refuse_too_many(source: Source, arcs: Arcs, count: Ints) -> None:
 
 
 def arc_findings(
-    source: Source, arcs: Arcs, ways: Course, tip: Floats, straight: Bools, lost: Ints
+    source: Source, arcs: Arcs, spans: ArcSpans, tip: Floats, straight: Bools, lost: Ints
 ) -> Iterator[Finding]:  # fmt: skip
     """What is wrong about arcs; ``lost`` (k,) statements that say one without its two ends."""
-    off = misfit(arcs, ways)
+    off = misfit(arcs, spans)
     bad = ~(off <= FIT)  # not a number where a row lies beyond all bounds
     if bad.any():
         yield _does_not_fit(source, arcs, off, bad)
@@ -95,12 +95,12 @@ def arc_findings(
             line=line,
         )
         yield Finding(Severity.ERROR, "arc-does-not-fit", text, float(len(lost)), line=line)
-    back = runs_back(arcs, ways, tip, straight) & ~bad
+    back = runs_back(arcs, spans, tip, straight) & ~bad
     if back.any():
         yield _runs_back(source, arcs, back)
-    either = ambiguous(arcs, ways) & ~bad & ~back
+    either = ambiguous(arcs, spans) & ~bad & ~back
     if either.any():
-        yield _ambiguous(source, arcs, ways, either)
+        yield _ambiguous(source, arcs, spans, either)
 
 
 def _does_not_fit(source: Source, arcs: Arcs, off: Floats, bad: Bools) -> Finding:
@@ -132,10 +132,10 @@ def _runs_back(source: Source, arcs: Arcs, back: Bools) -> Finding:
     return Finding(Severity.ERROR, "arc-runs-back", text, float(back.sum()), line=line)
 
 
-def _ambiguous(source: Source, arcs: Arcs, ways: Course, either: Bools) -> Finding:
+def _ambiguous(source: Source, arcs: Arcs, spans: ArcSpans, either: Bools) -> Finding:
     first = int(either.argmax())
     line = int(source.line[arcs.statement[first]])
-    taken = say("a whole turn") if ways.sweep[first] > np.pi else say("the short way")
+    taken = say("a whole turn") if spans.sweep[first] > np.pi else say("the short way")
     text = plural(
         int(either.sum()),
         "The ends of an arc are as near as the printed digits allow (line {line}): it may be a whole turn or next to nothing; "

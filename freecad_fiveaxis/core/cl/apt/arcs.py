@@ -49,7 +49,7 @@ class Arcs:
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
+class ArcSpans:
     """How each arc runs: ``start``, ``end`` (a, 3) mm from the axis of the circle, in its plane; ``height`` (a, 2) mm of both
     over the centre; ``sweep`` (a,) rad, above 0, at most a whole turn."""
 
@@ -59,7 +59,7 @@ class Course:
     sweep: Floats
 
 
-def course(arcs: Arcs, tip: Floats) -> Course:
+def arc_spans(arcs: Arcs, tip: Floats) -> ArcSpans:
     """The arcs between the rows of ``tip`` (n, 3)."""
     both = tip[arcs.row[:, None] - (1, 0)] - arcs.centre[:, None]
     height = (both * arcs.normal[:, None]).sum(axis=2)
@@ -67,28 +67,28 @@ def course(arcs: Arcs, tip: Floats) -> Course:
     sine = (np.cross(start, end) * arcs.normal).sum(axis=1)
     sweep = np.mod(np.arctan2(sine, (start * end).sum(axis=1)), 2.0 * np.pi)
     same = np.linalg.norm(end - start, axis=1) <= 1e-9
-    return Course(start, end, height, np.where(same | (sweep <= 0.0), 2.0 * np.pi, sweep))
+    return ArcSpans(start, end, height, np.where(same | (sweep <= 0.0), 2.0 * np.pi, sweep))
 
 
-def misfit(arcs: Arcs, ways: Course) -> Floats:
+def misfit(arcs: Arcs, spans: ArcSpans) -> Floats:
     """mm (a,) by which the worse end of each arc is off its circle."""
-    radii = np.linalg.norm(np.stack([ways.start, ways.end]), axis=2)
+    radii = np.linalg.norm(np.stack([spans.start, spans.end]), axis=2)
     worst: Floats = np.abs(radii - arcs.radius).max(axis=0)
     return worst
 
 
-def ambiguous(arcs: Arcs, ways: Course) -> Bools:
+def ambiguous(arcs: Arcs, spans: ArcSpans) -> Bools:
     """Which arcs may mean next to nothing as well as a whole turn."""
-    apart = np.linalg.norm(ways.end - ways.start, axis=1)
+    apart = np.linalg.norm(spans.end - spans.start, axis=1)
     near: Bools = (apart > 1e-9) & (apart <= NEAR) & (arcs.radius >= LEAST_RADIUS)
     return near
 
 
-def runs_back(arcs: Arcs, ways: Course, tip: Floats, straight: Bools) -> Bools:
+def runs_back(arcs: Arcs, spans: ArcSpans, tip: Floats, straight: Bools) -> Bools:
     """Which arcs (a,) set out against the straight move before them, and arrive against the one after; ``straight`` (n,) the
     rows that straight feed moves end at. One of both is enough where the other is no straight feed move."""
     against, along = np.zeros(len(arcs.row), np.bool_), np.zeros(len(arcs.row), np.bool_)
-    for place, row in ((ways.start, arcs.row - 1), (ways.end, arcs.row + 1)):
+    for place, row in ((spans.start, arcs.row - 1), (spans.end, arcs.row + 1)):
         there = (row > 0) & (row < len(tip))
         at = np.where(there, row, 1)
         way = tip[at] - tip[at - 1]
@@ -101,16 +101,16 @@ def runs_back(arcs: Arcs, ways: Course, tip: Floats, straight: Bools) -> Bools:
     return against & ~along
 
 
-def chord_counts(arcs: Arcs, ways: Course, sagitta: float) -> Ints:
+def chord_counts(arcs: Arcs, spans: ArcSpans, sagitta: float) -> Ints:
     """Into how many chords (a,) each arc is divided, so that none is off by more than ``sagitta`` mm."""
-    radius = np.maximum(np.linalg.norm(ways.start, axis=1), np.linalg.norm(ways.end, axis=1))
+    radius = np.maximum(np.linalg.norm(spans.start, axis=1), np.linalg.norm(spans.end, axis=1))
     half = np.arcsin(np.sqrt(np.minimum(sagitta / np.maximum(2.0 * radius, 1e-300), 1.0)))  # of a half chord's angle
-    count = np.ceil(ways.sweep / np.minimum(4.0 * half, MOST_ANGLE) - 1e-9)
+    count = np.ceil(spans.sweep / np.minimum(4.0 * half, MOST_ANGLE) - 1e-9)
     whole: Ints = np.maximum(count, 1.0).astype(np.int64)
     return whole
 
 
-def inner_ends(arcs: Arcs, ways: Course, count: Ints, axis: Floats) -> tuple[Ints, Floats, Floats]:
+def inner_ends(arcs: Arcs, spans: ArcSpans, count: Ints, axis: Floats) -> tuple[Ints, Floats, Floats]:
     """The chords' ends but the last of each arc: the row (m,) before which each stands, its place (m, 3) mm and its tool axis
     (m, 3), turned evenly from that of the row before, of ``axis`` (n, 3), to that of its own."""
     inner = count - 1
@@ -118,12 +118,12 @@ def inner_ends(arcs: Arcs, ways: Course, count: Ints, axis: Floats) -> tuple[Int
     of = arc[run_ids(inner[arc])] if len(arc) else arc
     step = np.arange(len(of)) - (np.cumsum(inner) - inner)[of] + 1
     share = (step / count[of])[:, None]
-    radius = np.linalg.norm(ways.start, axis=1), np.linalg.norm(ways.end, axis=1)
-    out = ways.start / np.maximum(radius[0], 1e-300)[:, None]
+    radius = np.linalg.norm(spans.start, axis=1), np.linalg.norm(spans.end, axis=1)
+    out = spans.start / np.maximum(radius[0], 1e-300)[:, None]
     ahead = np.cross(arcs.normal, out)
-    angle = share * ways.sweep[of, None]
+    angle = share * spans.sweep[of, None]
     here = radius[0][of, None] * (1.0 - share) + radius[1][of, None] * share
-    height = ways.height[of, :1] * (1.0 - share) + ways.height[of, 1:] * share
+    height = spans.height[of, :1] * (1.0 - share) + spans.height[of, 1:] * share
     place = arcs.centre[of] + height * arcs.normal[of] + here * (np.cos(angle) * out[of] + np.sin(angle) * ahead[of])
     row = arcs.row[of]
     return row, place, between(axis[row - 1], axis[row], share)

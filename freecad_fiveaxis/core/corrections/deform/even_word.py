@@ -28,7 +28,7 @@ SPARE = 1.1
 """The rate that is allowed, in rates found, where those had to be raised: the given word is then left alone sooner."""
 
 
-def course(centre: Floats, fill: Bools) -> Floats:
+def cut_length(centre: Floats, fill: Bools) -> Floats:
     """The length (n,) mm cut up to each row of one polyline: ``centre`` (n, 3) mm, ``fill`` (n,) as in OffsetPath."""
     step = np.linalg.norm(np.diff(centre, axis=0), axis=1)
     return np.concatenate([[0.0], np.cumsum(np.where(fill[1:], 0.0, step))])

@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.ranges import OFF_POLE
 from freecad_fiveaxis.core.base.records import Bools, Floats
 
 from .drive import SHORT
-from .even_word import course, evened, laziest, leash_of, least_rates
+from .even_word import cut_length, evened, laziest, leash_of, least_rates
 from .meridian import TURN, Globe, angle_between, runs
 
 ZONE = 12.0
@@ -48,7 +48,7 @@ class Given:
 def given(globe: Globe, axis: Floats, centre: Floats, fill: Bools, word: Floats) -> Given:
     """The polyline with that axis (n, 3), ball centre (n, 3) mm, fill (n,) and first rotary word (n,) rad."""
     closed = bool(np.abs(centre[0] - centre[-1]).max() < CLOSED)
-    return Given(axis, course(centre, fill), word, globe.side(axis, word), closed)
+    return Given(axis, cut_length(centre, fill), word, globe.side(axis, word), closed)
 
 
 def mirrored(line: Given) -> Given:

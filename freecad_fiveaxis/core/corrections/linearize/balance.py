@@ -3,7 +3,7 @@
 
 load      of a piece: sqrt(deviation / tolerance). The deviation grows with the square of a piece's length, so a piece's load is
           the number of pieces that it should be, and a block's whole load the number that it needs.
-balance   the shares at which the load, summed along the course, is even (de Boor's equidistribution).
+balance   the shares at which the load, summed along the move, is even (de Boor's equidistribution).
 
 Rows are the ends of all pieces, block after block: a block of n pieces has n + 1 rows, from share 0 to share 1. The load of a
 row is that of the piece which begins there; the last row of a block has none.

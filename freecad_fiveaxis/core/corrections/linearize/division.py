@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.trajectory import frames
 
 from .balance import balanced_shares, even_shares, first_rows
-from .course import Courses, Steps, follow
+from .commanded_moves import CommandedMoves, Steps, follow
 from .proof import judge_pieces, off_segment
 
 ROUNDS = 200
@@ -121,7 +121,7 @@ class _Trial:
     need: Floats
 
 
-def divide(kinematics: Chain, way: Courses, deviation: Floats, limit: Ints, tolerance: float, steps: Steps) -> Divided:
+def divide(kinematics: Chain, way: CommandedMoves, deviation: Floats, limit: Ints, tolerance: float, steps: Steps) -> Divided:
     """Divide blocks into the fewest pieces whose rounded words are proven to stay within ``tolerance`` (mm).
 
     ``deviation`` (b,) mm of the undivided blocks, for a first guess; ``limit`` (b,) of pieces, beyond which a block counts as
@@ -149,7 +149,7 @@ def divide(kinematics: Chain, way: Courses, deviation: Floats, limit: Ints, tole
     return _gathered(records, chosen, goal, held, doubt)
 
 
-def _tried(kinematics: Chain, way: Courses, state: _State, share: Floats, steps: Steps) -> _Trial:
+def _tried(kinematics: Chain, way: CommandedMoves, state: _State, share: Floats, steps: Steps) -> _Trial:
     frame, first = frames(kinematics), first_rows(state.count)
     block = np.repeat(np.arange(len(first)), state.count + 1)
     at, piece, inside = state.row[block], block[1:], block[1:] == block[:-1]

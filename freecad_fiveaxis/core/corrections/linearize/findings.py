@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, measure, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
 
-from .course import Steps, most_off
+from .commanded_moves import Steps, most_off
 
 LIMIT_SLACK = 1e-6
 """mm or rad: excess over a limit that is rounding, not travel."""

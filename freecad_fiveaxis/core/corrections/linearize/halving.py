@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.trajectory import frames
 
-from .course import Courses, Steps, follow
+from .commanded_moves import CommandedMoves, Steps, follow
 from .division import FEW, Divided
 from .proof import judge_pieces, off_segment
 
@@ -54,7 +54,7 @@ def promising(pieces: Divided, blocks: Ints) -> Ints:
     return blocks[count < here.count]
 
 
-def halved(kinematics: Chain, way: Courses, limit: Ints, goal: Floats, steps: Steps) -> Divided:
+def halved(kinematics: Chain, way: CommandedMoves, limit: Ints, goal: Floats, steps: Steps) -> Divided:
     """Halve blocks until all pieces hold their ``goal`` (b,) mm; those that would take ``limit`` (b,) pieces or more are left
     whole, with an infinite goal."""
     size, frame = len(limit), frames(kinematics)

@@ -2,7 +2,7 @@
 """Blocks over tolerance, divided into the fewest that hold it.
 
 divide    a block into pieces whose ends stand on the commanded chord, with the tool axis on the great arc between the
-          commanded end axes (``course``).
+          commanded end axes (``moves``).
 held      every piece's real path is proven to stay within the tolerance of the commanded segment and of its own, with the
           words as rounded for the controller (``proof``).
 fewest    found for all pieces of all blocks at once (``division``).
@@ -33,7 +33,7 @@ from freecad_fiveaxis.core.motion.deviation import quick_bound
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.trajectory import checked_words, frames
 
-from .course import Courses, Steps, courses, most_off, placed_words, tool_axis
+from .commanded_moves import CommandedMoves, Steps, commanded_moves, most_off, placed_words, tool_axis
 from .division import Divided, divide
 from .findings import Outcome, found
 from .halving import halved, promising
@@ -46,7 +46,7 @@ PORTION = 32768
 """Pieces aimed at in a portion of blocks that are divided together."""
 
 LIMIT_SPARE, LIMIT_FACTOR = 64, 8.0
-"""A block may be divided into so many pieces, and so many times what its quick bound asks for: far more than any course needs
+"""A block may be divided into so many pieces, and so many times what its quick bound asks for: far more than any move needs
 whose words stay finite."""
 
 
@@ -121,7 +121,7 @@ def _check(tolerance: float) -> None:
 @dataclass(frozen=True, eq=False)
 class _Way:
     """Rows (k,) of the divided path: ``row`` of the given path that each leads to, ``share`` of that row's block (1 for the row
-    itself), ``words`` (k, 5) mm and degrees, ``axis`` (k, 3) of inserted rows, which are ``new`` (i,), as on their courses."""
+    itself), ``words`` (k, 5) mm and degrees, ``axis`` (k, 3) of inserted rows, which are ``new`` (i,), as on their moves."""
 
     row: Ints
     share: Floats
@@ -144,7 +144,7 @@ def _divided(
     for part in np.split(todo, np.flatnonzero(np.diff(load)) + 1) if len(todo) else []:
         progress("linearize", float(part[0]) / len(over))
         limit = (LIMIT_SPARE + LIMIT_FACTOR * np.sqrt(bound[part] / tolerance)).astype(np.int64)
-        way = courses(kinematics, tip, angles, words, over[part])
+        way = commanded_moves(kinematics, tip, angles, words, over[part])
         divided, even[part] = _of_portion(kinematics, way, deviation[part], limit, tolerance, steps)
         count[part], held[part] = divided.pieces.count, divided.pieces.held
         parts.append(divided)
@@ -179,7 +179,7 @@ class _Part:
 
 
 def _of_portion(
-    kinematics: Chain, way: Courses, deviation: Floats, limit: Ints, tolerance: float, steps: Steps
+    kinematics: Chain, way: CommandedMoves, deviation: Floats, limit: Ints, tolerance: float, steps: Steps
 ) -> tuple[_Part, Bools]:
     """Divide a portion of blocks. Those that cannot be divided along their arcs get even rotary words, those in doubt are
     compared with halving. Also: which are even."""

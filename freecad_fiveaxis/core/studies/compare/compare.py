@@ -158,10 +158,10 @@ def _unguided(where: Station, name: str, joints: JointPath, program: Program, de
 def _guided(where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation) -> Row:
     feeds, row, dialect = feed_blocks(program), program.row, where.posting.dialect
     tip = np.stack([rounded(joints.path.tip[row, k], dialect.decimals(k)) for k in range(3)], axis=1)
-    course = guide(where.kinematics, tip, np.radians(program.words[:, 3:]), program.motion, joints.path.feed[row])
+    guided = guide(where.kinematics, tip, np.radians(program.words[:, 3:]), program.motion, joints.path.feed[row])
     return Row(
         where.name, name, True, where.kinematics.letters, 0.0, 0.0, _largest(deviation.axis[feeds]), len(row), len(feeds),
-        float(course.seconds.sum()), tuple(course.rates(feeds).tolist()), _over(where.kinematics, joints.q),
+        float(guided.seconds.sum()), tuple(guided.rates(feeds).tolist()), _over(where.kinematics, joints.q),
     )  # fmt: skip
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where a block's tool should be at any share of it: the tip on the commanded chord, the axis on the commanded great arc.
 
-course    the way of one block that is to be divided, and the words that follow it. Its ends are the block's own words.
+move      the way of one block that is to be divided, and the words that follow it. Its ends are the block's own words.
 share     how much of the chord is done, 0 to 1.
 arc       the great arc between the tool axes at both ends, followed evenly with the share (slerp).
 even      the rotary words themselves run evenly with the share, and the axis goes where they lead it.
@@ -61,7 +61,7 @@ def most_off(kinematics: Chain, steps: Steps) -> float:
 
 
 @dataclass(frozen=True, eq=False)
-class Courses:
+class CommandedMoves:
     """Blocks (b,): ``tip`` and ``chord`` (b, 3) mm, work frame; ``start`` and ``turn`` (b, 2) rotary words at share 0 and their
     change, rad; ``even`` (b,) where there is no arc; ``axis0``, ``axis1`` (b, 3) and ``angle`` (b,) rad of the arc; ``branch``
     (b,); ``first``, ``last`` (b, 5) rounded words of the ends, mm and degrees."""
@@ -78,9 +78,9 @@ class Courses:
     first: Floats
     last: Floats
 
-    def take(self, rows: Ints) -> Courses:
-        """The courses of some blocks."""
-        return Courses(*(column[rows] for column in vars(self).values()))
+    def take(self, rows: Ints) -> CommandedMoves:
+        """The moves of some blocks."""
+        return CommandedMoves(*(column[rows] for column in vars(self).values()))
 
 
 def placed_words(kinematics: Chain, tip: Floats, angles: Floats, steps: Steps) -> Floats:
@@ -93,8 +93,8 @@ def placed_words(kinematics: Chain, tip: Floats, angles: Floats, steps: Steps) -
     return np.concatenate([rounded(linear, steps.linear), degrees], axis=1)
 
 
-def courses(kinematics: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints) -> Courses:
-    """The courses of the blocks that end in ``rows`` (b,).
+def commanded_moves(kinematics: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints) -> CommandedMoves:
+    """The moves of the blocks that end in ``rows`` (b,).
 
     ``tip`` (m, 3) mm and ``angles`` (m, 2) rad of all rows as commanded, ``words`` (m, 5) their rounded words.
     """
@@ -104,7 +104,7 @@ def courses(kinematics: Chain, tip: Floats, angles: Floats, words: Floats, rows:
     angle = np.arctan2(np.sqrt((across * across).sum(axis=1)), (axis0 * axis1).sum(axis=1))
     even |= angle > math.pi - OPPOSITE
     branch = np.asarray(half % 2, np.int64)
-    return Courses(
+    return CommandedMoves(
         tip[rows - 1], tip[rows] - tip[rows - 1], start, turn, even, axis0, axis1, angle, branch, words[rows - 1], words[rows]
     )  # fmt: skip
 
@@ -139,8 +139,8 @@ def _azimuth(kinematics: Chain, pair: RotaryPair, first: Floats, second: Floats)
     return np.asarray(np.arctan2(t, n))
 
 
-def follow(kinematics: Chain, way: Courses, block: Ints, share: Floats, steps: Steps) -> Floats:
-    """Rounded words (r, 5), mm and **degrees**, at a ``share`` (r,) of the course ``block`` (r,); the block's own at its ends."""
+def follow(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats, steps: Steps) -> Floats:
+    """Rounded words (r, 5), mm and **degrees**, at a ``share`` (r,) of the move ``block`` (r,); the block's own at its ends."""
     tip = way.tip[block] + share[:, None] * way.chord[block]
     words = placed_words(kinematics, tip, _angles(kinematics, way, block, share), steps)
     for end, own in ((0.0, way.first), (1.0, way.last)):
@@ -149,8 +149,8 @@ def follow(kinematics: Chain, way: Courses, block: Ints, share: Floats, steps: S
     return words
 
 
-def _angles(kinematics: Chain, way: Courses, block: Ints, share: Floats) -> Floats:
-    """Rotary words (r, 2) rad at a share of each course."""
+def _angles(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats) -> Floats:
+    """Rotary words (r, 2) rad at a share of each move."""
     angles = way.start[block] + share[:, None] * way.turn[block]
     rows = np.flatnonzero(~way.even[block])
     if len(rows):
@@ -162,16 +162,16 @@ def _angles(kinematics: Chain, way: Courses, block: Ints, share: Floats) -> Floa
     return angles
 
 
-def arc_axis(way: Courses, block: Ints, share: Floats) -> Floats:
-    """The unit tool axis (r, 3) on the arc, of courses that have one."""
+def arc_axis(way: CommandedMoves, block: Ints, share: Floats) -> Floats:
+    """The unit tool axis (r, 3) on the arc, of moves that have one."""
     angle, rest = way.angle[block] / math.pi, 1.0 - share
     start, end = rest * np.sinc(rest * angle), share * np.sinc(share * angle)
     axis = start[:, None] * way.axis0[block] + end[:, None] * way.axis1[block]
     return np.asarray(axis / np.sqrt((axis * axis).sum(axis=1))[:, None])
 
 
-def tool_axis(kinematics: Chain, way: Courses, block: Ints, share: Floats) -> Floats:
-    """The unit tool axis (r, 3) of each course at a share: on the arc, or where the even rotary words lead it."""
+def tool_axis(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats) -> Floats:
+    """The unit tool axis (r, 3) of each move at a share: on the arc, or where the even rotary words lead it."""
     axis = _axis(kinematics, way.start[block] + share[:, None] * way.turn[block])
     rows = np.flatnonzero(~way.even[block])
     axis[rows] = arc_axis(way, block[rows], share[rows])
