@@ -361,6 +361,15 @@ def test_behind_an_edge_over_which_the_ball_rolls_as_much_is_cut():
     assert highest(mesh) < 1.6 * SCALLOP
 
 
+@pytest.mark.parametrize("widest, spread", [(None, 0.5), (1.0, 1.0)])
+def test_in_a_hollow_what_is_no_ball_gets_the_step_of_a_flat(widest, spread):
+    hollow = ball(6.0, 40, 60)
+    hollow = from_faces(hollow.vertex, hollow.face[hollow.vertex[hollow.face, 2].max(axis=1) < 0.1, ::-1])
+    found = CONSTANT.field(Region(hollow, np.ones(len(hollow.face), bool), RADIUS, STEP, widest), OPTIONS)
+    way = 0.5 * math.pi * 6.0 * math.sqrt(spread) / FLAT_STEP
+    assert found.value[found.surface.component == 0].max() == pytest.approx(way, rel=0.05)
+
+
 def test_facets_that_no_pass_touches_are_told():
     keep = np.ones(len(slope().face), bool)
     found = field_of(slope())

@@ -59,9 +59,9 @@ def frames(vertex: Floats, face: Ints) -> Frames:
     return Frames(one, two, slope, 0.5 * twice)
 
 
-def scallop_metric(frame: Frames, tensor: Floats, radius: float, flat: float) -> Floats:
+def scallop_metric(frame: Frames, tensor: Floats, radius: float, flat: float, least: float = FLATTEST) -> Floats:
     """The metric (3, f) 1/mm2 of a ball of ``radius`` mm whose passes stand ``flat`` mm apart on a flat; ``tensor`` (6, f) 1/mm
-    as of :func:`~.scallop.facet_curvature`."""
+    as of :func:`~.scallop.facet_curvature`; ``least``: of ``1 + r curvature``."""
     xx, yy, zz, xy, yz, zx = tensor
 
     def bend(one: Floats, two: Floats) -> Floats:
@@ -72,7 +72,7 @@ def scallop_metric(frame: Frames, tensor: Floats, radius: float, flat: float) ->
         )
 
     a, b, d = 1.0 + radius * bend(frame.one, frame.one), radius * bend(frame.one, frame.two), radius * bend(frame.two, frame.two)
-    return _at_least(np.array([a, b, 1.0 + d]), FLATTEST) / (flat * flat)
+    return _at_least(np.array([a, b, 1.0 + d]), least) / (flat * flat)
 
 
 def as_tensor(frame: Frames, metric: Floats) -> Floats:

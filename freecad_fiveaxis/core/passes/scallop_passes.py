@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, say
 
 from .field import ALL_ROUND, PassField, PassOptions, Region
-from .geodesic import Frames, as_tensor, distance, frames, gradient, scallop_metric, step_across
+from .geodesic import FLATTEST, Frames, as_tensor, distance, frames, gradient, scallop_metric, step_across
 from .passes import slice_field
 from .planes import area_left
 from .refine import Copy, finer_copy, joined, taken
@@ -125,8 +125,9 @@ def _surface(region: Region, options: PassOptions) -> _Surface:
     flat, tensor = _flat_step(region, options), np.zeros((6, len(rows)))
     if options.stepover is None:
         tensor = facet_curvature(mesh)[:, rows]
+    least = FLATTEST if region.widest is None else max(FLATTEST, 1.0 / region.widest**2)
     frame = frames(mesh.vertex, mesh.face[rows])
-    metric = scallop_metric(frame, tensor, region.radius, flat)
+    metric = scallop_metric(frame, tensor, region.radius, flat, least)
     squares = float((frame.area * np.sqrt(metric[0] * metric[2] - metric[1] ** 2)).sum())
     if squares > MOST_SQUARES:
         text = say(
@@ -140,7 +141,7 @@ def _surface(region: Region, options: PassOptions) -> _Surface:
     copy = Copy(copy.mesh, copy.parent, copy.coedge, copy.component, BEND * flat, SHORT * flat)
     frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(mesh.face), -1)
     place[rows] = np.arange(len(rows))
-    return _Surface(copy, frame, scallop_metric(frame, tensor[:, place[copy.parent]], region.radius, flat), flat)
+    return _Surface(copy, frame, scallop_metric(frame, tensor[:, place[copy.parent]], region.radius, flat, least), flat)
 
 
 def _flat_step(region: Region, options: PassOptions) -> float:
