@@ -324,10 +324,6 @@
         <translation>Fingerabdruck</translation>
     </message>
     <message>
-        <source>From</source>
-        <translation>Von</translation>
-    </message>
-    <message>
         <source>From the spindle's gauge point to the tip; machines with a rotary head need it</source>
         <translation>Vom Bezugspunkt der Spindel bis zur Spitze; Maschinen mit Schwenkkopf brauchen sie</translation>
     </message>
@@ -640,8 +636,16 @@
         <translation>Werkstück</translation>
     </message>
     <message>
+        <source>Pass Strategy</source>
+        <translation>Bahnstrategie</translation>
+    </message>
+    <message>
         <source>Passes</source>
         <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Passes From</source>
+        <translation>Bahnen ab</translation>
     </message>
     <message>
         <source>Passes come no closer than this, also on steep walls</source>

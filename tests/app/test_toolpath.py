@@ -339,6 +339,6 @@ def test_by_default_the_path_keeps_its_tolerance_and_stays_out_of_the_part(doc, 
 
 def test_a_guided_tip_and_the_default_do_not_contradict_each_other(doc, ball):
     path = app.create_toolpath(doc, ball, **FAST, controller="heidenhain", rtcp="angles")
-    assert path.GuidedBlocks > 0 and path.Light == "amber" and "the controller guides the tip" in path.Verdict
+    assert path.GuidedBlocks > 0 and path.Light == "amber" and "the path between them is under RTCP" in path.Verdict
     with pytest.raises(FiveAxisError, match="give one"):
         app.create_toolpath(doc, ball, **FAST, controller="heidenhain", rtcp="angles", linearize="on")
