@@ -58,7 +58,7 @@ def most_at_once(log, names):
 def test_rings_run_side_by_side_and_what_each_says_stays_whole(rings, tmp_path):
     names = "abcdef"
     process = rings(dict.fromkeys(names, (0.6, 0)), "a", "b", "c", "--", "d", "e", "f")
-    said = process.communicate(timeout=60)[0]
+    said = process.communicate(timeout=300)[0]
     assert process.returncode == 0, said
     log = (tmp_path / "log").read_text()
     assert most_at_once(log, "abc") == 1, "each of these keeps every core busy"
@@ -71,7 +71,7 @@ def test_rings_run_side_by_side_and_what_each_says_stays_whole(rings, tmp_path):
 
 def test_one_that_fails_makes_all_fail_and_the_others_are_run(rings):
     process = rings({"a": (0, 3), "b": (0, 0), "c": (0, 1), "d": (0, 0)}, "a", "b", "--", "c", "d", waiting=1)
-    said = process.communicate(timeout=60)[0]
+    said = process.communicate(timeout=300)[0]
     assert process.returncode == 1
     told = dict(re.findall(r"^rings: (\w) (passed|FAILED)", said.split("all after")[1], re.MULTILINE))
     assert told == {"a": "FAILED", "b": "passed", "c": "FAILED", "d": "passed"}
@@ -90,7 +90,7 @@ def test_ctrl_c_ends_all_also_what_is_deaf_or_has_a_group_of_its_own(rings, tmp_
         assert time.monotonic() < end
         time.sleep(0.05)
     process.send_signal(number)
-    said = process.communicate(timeout=60)[0]
+    said = process.communicate(timeout=300)[0]
     assert process.returncode == 130 and "rings: stopped" in said and "c begins" not in said, said
     assert not [number for number in ids.read_text().split() if alive(int(number))]
 
