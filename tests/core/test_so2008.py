@@ -151,6 +151,15 @@ def test_samples_as_printed_are_those_of_table_1_wherever_they_differ():
         assert np.diff(samples).min() > 1e-3
 
 
+@pytest.mark.parametrize("printed", [False, True])
+def test_no_two_samples_coincide_wherever_the_middle_lies(printed):
+    """k = 0 or 1 (h = 0.5) puts 0.5 +- h onto an end as h = 0.25 does 0.5 +- 2h; the system of eq. (9) is then singular."""
+    k = np.concatenate([[-0.25, 0.0, 0.25, 0.4, 0.6, 0.75, 1.0, 1.25], np.linspace(-3.0, 4.0, 701)])
+    u = np.sort(so2008._samples(k, printed), axis=0)
+    assert np.diff(u, axis=0).min() > 0.9 * so2008.APART
+    assert np.isfinite(so2008._quartic_roots(u, np.ones_like(u))).all()
+
+
 @pytest.mark.parametrize("kind", ["head_table", "head_head"])
 def test_its_path_near_the_pole_follows_heads_too(kind):
     kinematics = kinematics_of(kind)

@@ -54,7 +54,8 @@ MOST_H = 0.2
 """Largest h of Table 1: at 0.25 the sample 0.5 +- 2h is an end of the block and eq. (9) has no solution."""
 
 APART, MOST_PRINTED = 1e-3, 1e3
-"""As printed h is any number, but so far from 0.25, and no larger: the fourth power of 2h would leave no digits."""
+"""As printed h is any number, but so far from 0.25 and 0.5, where a sample is an end of the block, and no larger: the fourth
+power of 2h would leave no digits."""
 
 STRAIGHT = 1e-12
 """mm per unit of u, of each mm of radius: a cross product below this is rounding; the model's path is then straight."""
@@ -132,7 +133,8 @@ def _samples(k: Floats, printed: bool = False) -> Floats:
     """Table 1: the five u (5, n), with h = |0.5 - k| no larger than :data:`MOST_H` and no smaller than :data:`SYMMETRIC`; or, as
     printed, any h but where two of them coincide."""
     h = np.clip(np.abs(0.5 - k), SYMMETRIC, MOST_PRINTED if printed else MOST_H)
-    h = np.where(np.abs(h - 0.25) < APART, 0.25 - APART, h)
+    for end in (0.25, 0.5):
+        h = np.where(np.abs(h - end) < APART, end - APART, h)
     low, high = np.zeros_like(h), np.ones_like(h)
     below = np.stack([low, 0.5 - 2.0 * h, 0.5 - h, low + 0.5, high])
     above = np.stack([low, low + 0.5, 0.5 + h, 0.5 + 2.0 * h, high])
