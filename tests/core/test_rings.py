@@ -6,6 +6,7 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -16,6 +17,14 @@ ROOT = Path(__file__).parents[2]
 pytestmark = pytest.mark.skipif(
     os.name != "posix" or not shutil.which("make") or not shutil.which("bash"), reason="needs make and bash"
 )
+
+HEARS = """
+import os, signal, sys
+for number in (signal.SIGINT, signal.SIGHUP):
+    signal.signal(number, signal.SIG_DFL)
+os.execvp("bash", ["bash", *sys.argv[1:]])
+"""
+"""A process takes over what its parent ignores, and a shell cannot change that: SIGHUP under nohup, SIGINT behind an ampersand."""
 
 RING = """
 {name}:
@@ -34,7 +43,7 @@ def rings(tmp_path):
         (tmp_path / "Makefile").write_text(text + more)
         around = {**os.environ, "FIVEAXIS_WAITING": str(waiting), "FIVEAXIS_GRACE": "1", "MAKEFLAGS": ""}
         return subprocess.Popen(
-            ["bash", "scripts/rings", *words],
+            [sys.executable, "-c", HEARS, "scripts/rings", *words],
             cwd=tmp_path,
             env=around,
             stdout=subprocess.PIPE,

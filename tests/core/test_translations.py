@@ -61,10 +61,10 @@ def test_the_texts_are_those_of_every_floor():
 
 @pytest.mark.parametrize("task", ["mill", "audit"])
 def test_every_setting_that_is_shown_has_its_help_and_its_name_translated(task):
-    known, seen = german(), 0
+    known, seen, named = german(), 0, translations.literal_of(translations.PROPERTIES.read_text(encoding="utf-8"), "_NAMED")
     for _, leaf in option_fields(task):
         if leaf.metadata["kind"] not in ("path", "paths"):
-            name = "".join(part.capitalize() for part in leaf.name.split("_"))
+            name = named.get(leaf.name) or "".join(part.capitalize() for part in leaf.name.split("_"))
             shown = (
                 [name] if leaf.name != "cutter" else [f"Cutter{one}" for one in ("Kind", "Diameter", "Corner", "Taper", "Length")]
             )
