@@ -8,10 +8,23 @@ from .against_cl import AgainstPath, against_path
 from .against_part import AgainstPart, against_part
 from .audit import Audit, AuditOptions, audit_program
 from .limits import Limits, check_limits
-from .rates import Rates, asked_rates, feed_findings, rate_findings, timed_feeds
+from .rates import Rates, commanded_rates, feed_findings, rate_findings, timed_feeds
 from .tool_in_part import tool_in_part
 
 __all__ = [
-    "AgainstPart", "AgainstPath", "Audit", "AuditOptions", "Limits", "Rates", "against_part", "against_path", "asked_rates",
-    "audit_program", "check_limits", "feed_findings", "rate_findings", "timed_feeds", "tool_in_part",
+    "AgainstPart",
+    "AgainstPath",
+    "Audit",
+    "AuditOptions",
+    "Limits",
+    "Rates",
+    "against_part",
+    "against_path",
+    "audit_program",
+    "check_limits",
+    "commanded_rates",
+    "feed_findings",
+    "rate_findings",
+    "timed_feeds",
+    "tool_in_part",
 ]  # fmt: skip

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.tool.body import Body, body_of
 from .against_cl import AgainstPath, against_path
 from .against_part import AgainstPart, against_part
 from .limits import Limits, check_limits
-from .rates import Rates, asked_rates, feed_findings, rate_findings
+from .rates import Rates, commanded_rates, feed_findings, rate_findings
 from .tool_in_part import is_ball, tool_in_part
 
 
@@ -61,7 +61,7 @@ def audit_program(
     progress: Progress = silent,
 ) -> Audit:  # fmt: skip
     """The audit of a program whose deviation is measured, against a CL path, a part, or neither."""
-    rates, limits = asked_rates(kinematics, program, progress), check_limits(kinematics, program)
+    rates, limits = commanded_rates(kinematics, program, progress), check_limits(kinematics, program)
     found = (*limits.findings, *rate_findings(kinematics, program, rates), *feed_findings(kinematics, program, rates))
     path = part = None
     if isinstance(against, CLPath):

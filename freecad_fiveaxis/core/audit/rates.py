@@ -52,7 +52,7 @@ class Rates:
         freeze(self, None, rate="f5", ratio="f", axis="m", tip_feed="f", travel="f")
 
 
-def asked_rates(kinematics: Chain, program: Program, progress: Progress = silent) -> Rates:
+def commanded_rates(kinematics: Chain, program: Program, progress: Progress = silent) -> Rates:
     """What the F words of ``program`` ask for, block by block."""
     count = len(program.words)
     rate, ratio, tip_feed, travel = np.zeros((5, count)).T, np.zeros(count), np.zeros(count), np.zeros(count)

@@ -225,7 +225,7 @@ def find_left(
     return find_rest_material(mesh, body_of(cutter), swept, cutting(program.motion), spacing, keep, progress)
 
 
-def said_of(left: RestMaterial | None, settings: Settings, mesh: Mesh, keep: Bools) -> tuple[Finding, ...]:
+def rest_material_findings(left: RestMaterial | None, settings: Settings, mesh: Mesh, keep: Bools) -> tuple[Finding, ...]:
     """Where more stays than may, and, where no check tells it, where too much is taken off."""
     if left is None:
         return ()

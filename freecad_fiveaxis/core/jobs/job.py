@@ -58,7 +58,7 @@ from .collision_avoidance import (
     find_left,
     left_out_rows,
     lifted,
-    said_of,
+    rest_material_findings,
     still_true,
     tilted,
     tool_body,
@@ -352,7 +352,7 @@ def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, Re
     settings, mesh, keep = made.settings, made.mesh, made.keep
     gouge = entered(settings, mesh, made.kinematics, made.program, progress)
     left = rest_material_of(made, progress) if settings.gouge.left == "on" and len(cutting(made.program.motion)) else None
-    return gouge, left, (gouge.findings if gouge else ()) + said_of(left, settings, mesh, keep)
+    return gouge, left, (gouge.findings if gouge else ()) + rest_material_findings(left, settings, mesh, keep)
 
 
 def rest_material_of(made: Milled, progress: Progress = silent) -> RestMaterial:

@@ -23,6 +23,7 @@ from scipy.sparse.csgraph import dijkstra
 from scipy.sparse.linalg import splu
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.vectors import row_dot
 
 FLATTEST = 1.0 / 16.0
 """Least ``1 + r curvature``: in a hollow of nearly the ball's radius a step would have no end; it is at most four of a flat."""
@@ -55,7 +56,7 @@ def frames(vertex: Floats, face: Ints) -> Frames:
     two = np.cross(normal / twice[:, None], one)
     slope = np.empty((3, 2, len(face)))
     for corner, side in enumerate((c - b, a - c, b - a)):  # the hat of a corner falls towards the side opposite
-        slope[corner] = -_dot(side, two) / twice, _dot(side, one) / twice
+        slope[corner] = -row_dot(side, two) / twice, row_dot(side, one) / twice
     return Frames(one, two, slope, 0.5 * twice)
 
 
@@ -97,7 +98,7 @@ def side_lengths(vertex: Floats, face: Ints, frame: Frames, metric: Floats) -> F
     """The lengths (3, f) of the sides in the metric, in steps; side k joins corners k and k + 1."""
     side = np.roll(face, -1, axis=1).T, face.T
     way = [vertex[end] - vertex[start] for end, start in zip(*side, strict=True)]
-    local = np.array([(_dot(one, frame.one), _dot(one, frame.two)) for one in way])
+    local = np.array([(row_dot(one, frame.one), row_dot(one, frame.two)) for one in way])
     x, y = local[:, 0], local[:, 1]
     return np.asarray(np.sqrt(metric[0] * x * x + 2.0 * metric[1] * x * y + metric[2] * y * y))
 
@@ -203,7 +204,3 @@ class _Factored:
     def solve(self, right: Floats) -> Floats:
         """The inner unknowns (m,) for a right side (v,)."""
         return np.empty(0) if self._factors is None else np.asarray(self._factors.solve(right[self._inner]))
-
-
-def _dot(one: Floats, two: Floats) -> Floats:
-    return np.asarray(np.einsum("ij,ij->i", one, two))

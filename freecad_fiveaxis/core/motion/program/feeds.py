@@ -72,7 +72,7 @@ def _chords(kinematics: Chain, q: Floats, tip: Floats) -> tuple[Floats, Floats, 
     """Chord (m,) mm and rotary travel (m,) rad of each block, and how far (mm) its tip may be off a straight and even course."""
     first, second = np.abs(np.diff(q[:, 3])), np.abs(np.diff(q[:, 4]))
     turned, chord = first + second, _length(np.diff(tip, axis=0).T)
-    most = chord if len(set(kinematics.slot)) == 1 else chord + _stretch(kinematics) * _length(np.diff(q[:, :3], axis=0).T)
+    most = chord if len(set(kinematics.slot)) == 1 else chord + _travel_factor(kinematics) * _length(np.diff(q[:, :3], axis=0).T)
     bend = turned * (turned * _lever_arms(kinematics, q) + 2.0 * most)
     bend /= 8.0 * (1.0 - np.minimum(turned, WIDE))
     bend[np.flatnonzero(turned > WIDE)] = np.inf
@@ -103,12 +103,12 @@ def _lever_arms(kinematics: Chain, q: Floats) -> Floats:
     end, because the linear words go straight."""
     between = float(np.linalg.norm(kinematics.point2 - kinematics.point1)) + float(np.linalg.norm(kinematics.point2))
     arm = _length(q.T)
-    arm *= _stretch(kinematics)
+    arm *= _travel_factor(kinematics)
     arm += between
     return np.maximum(arm[1:], arm[:-1])
 
 
-def _stretch(kinematics: Chain) -> float:
+def _travel_factor(kinematics: Chain) -> float:
     """How much farther than X Y Z tell all linear axes go at most, those on either side of a rotary one added up."""
     linear = np.abs(kinematics.direction[:3])
     return math.sqrt(len(set(kinematics.slot)) * float(linear.sum(axis=0).max() * linear.sum(axis=1).max()))
