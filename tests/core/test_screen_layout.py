@@ -120,7 +120,7 @@ def test_it_is_quick_enough_for_every_frame():
     placed(anchor, taken=taken)
     times = []
     for _ in range(20):
-        began = time.perf_counter()
+        began = time.process_time()
         placed(anchor, taken=taken)
-        times.append(time.perf_counter() - began)
+        times.append(time.process_time() - began)
     assert min(times) < FRAME, f"{1e3 * min(times):.2f} ms"

@@ -179,12 +179,14 @@ def test_a_tool_length_is_asked_for_where_the_head_turns(panel, doc):
     assert panel.calculate() and doc.Toolpath.ToolLength.Value == 120.0
 
 
-def test_scallop_and_stepover_take_turns(panel):
+def test_scallop_and_stepover_take_turns(panel, until):
     spacing = panel.options.fields["spacing"]
-    assert spacing.value() == {"stepover": 4.0} and not spacing.lengths["scallop"].editor.isVisible()
+    stepover, scallop = (spacing.lengths[name].editor for name in ("stepover", "scallop"))
+    assert spacing.value() == {"stepover": 4.0}
+    until(lambda: stepover.isVisible() and not scallop.isVisible(), 5000, "the stepover alone")
     spacing.kind.show_value("scallop")
     assert spacing.value() == {"scallop": 0.01} and "stepover" not in panel.options.options()
-    assert spacing.lengths["scallop"].editor.isVisible() and not spacing.lengths["stepover"].editor.isVisible()
+    until(lambda: scallop.isVisible() and not stepover.isVisible(), 5000, "the scallop alone")
 
 
 def test_the_cutter_comes_from_a_tool_file(panel, tmp_path):

@@ -116,17 +116,18 @@ def test_what_is_drawn_is_what_the_core_says(path):
     assert near and all(abs(mark.place[0]) < 10 and abs(mark.place[1]) < 10 for mark in near)  # the pole is at the dome's top
 
 
-def test_the_markers_object_stands_where_the_core_says(path, pump):
+def test_the_markers_object_stands_where_the_core_says(path, until):
     markers = app.annotate(path)
-    pump(300)
     expected = report.markers(results.figures_of(path))
     assert [tuple(place) for place in markers.Places] == [pytest.approx(mark.place, abs=1e-5) for mark in expected]
-    nodes = path.ViewObject.Proxy.picture.nodes
-    assert nodes.switches["marks"].whichChild.getValue() == -1  # the path leaves them to the Markers object
-    assert nodes.switches["label"].whichChild.getValue() == -1
+    switches = path.ViewObject.Proxy.picture.nodes.switches
+
+    def shown(name):
+        return switches[name].whichChild.getValue()
+
+    until(lambda: shown("marks") == shown("label") == -1, 5000, "the path leaves them to the Markers object")
     markers.Document.removeObject(markers.Name)
-    pump(300)
-    assert nodes.switches["marks"].whichChild.getValue() == -3
+    until(lambda: shown("marks") == -3, 5000, "the path's own marks")
 
 
 def test_the_colours_are_seen_and_can_be_changed(path, pump, screenshot, pixels, view_box):
