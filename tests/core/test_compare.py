@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.base.errors import Cancelled, MachineError, ReachErro
 from freecad_fiveaxis.core.cl.apt import write_apt
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers import find_dialect
+from freecad_fiveaxis.core.corrections.axis_corrections import AxisCorrection
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine
@@ -57,10 +58,10 @@ def halved(path, where, progress):
     return JointPath(longer, joints.row[high], q, joints.branch[high], joints.sine[high])
 
 
-def leaned(offset, axis, kinematics, progress):
+def leaned(offset, axis, kinematics, options, progress):
     """Axes half way to the vertical."""
     axis = axis + (0.0, 0.0, 1.0)
-    return axis / np.linalg.norm(axis, axis=1)[:, None]
+    return axis / np.linalg.norm(axis, axis=1)[:, None], ()
 
 
 def separate(path, where, cure):
@@ -80,7 +81,7 @@ def cells(row):
 @pytest.mark.slow
 def test_every_cell_is_that_of_a_separate_run_with_every_cure():
     made = milled(tool_length=80.0, **COARSE)
-    tried = {**cures(made), "halved": halved, "leaned": leading(made, leaned)}
+    tried = {**cures(made), "halved": halved, "leaned": leading(AxisCorrection(leaned), made)}
     places = list(stations(made))
     rows = compare(made.path, places, tried, guided=(False,))
     assert [(row.machine, row.cure) for row in rows] == [(where.name, name) for where in places for name in tried]
@@ -177,7 +178,7 @@ def test_a_machine_that_cannot_and_a_cure_that_refuses_are_rows_with_their_reaso
 def test_a_cure_that_leads_the_axes_needs_the_solid():
     made = milled(**COARSE)
     posted = job.Posted(**{name: value for name, value in vars(made).items() if name in job.Posted.__dataclass_fields__})
-    row, _ = compare(made.path, list(stations(made, ["trunnion_ac"])), {"leaned": leading(posted, leaned)})
+    row, _ = compare(made.path, list(stations(made, ["trunnion_ac"])), {"leaned": leading(AxisCorrection(leaned), posted)})
     assert "STL" in row.problem
 
 

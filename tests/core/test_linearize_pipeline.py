@@ -14,12 +14,13 @@ import pytest
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import silent
 from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs import options as asked
 from freecad_fiveaxis.core.jobs.safe_start import start_plane
 from freecad_fiveaxis.core.jobs.settings import build_settings, flat_options
 from freecad_fiveaxis.core.machine.kinematics import forward, q_to_words, words_to_q
+from freecad_fiveaxis.core.motion.joint_path import solve
 from freecad_fiveaxis.core.motion.program import block_findings, build_program
 from freecad_fiveaxis.core.motion.program.feeds import STILL, least_minutes
 from freecad_fiveaxis.core.motion.singularity import in_cone
@@ -145,10 +146,9 @@ def test_off_is_the_pipeline_without_it_byte_for_byte(part, machine, milled):
     made = milled(part, machine).made
     assert milled(part, machine, linearize="off", singularity="report").made.nc == made.nc
     settings = made.settings
-    low, high = made.mesh.vertex.min(axis=0), made.mesh.vertex.max(axis=0)
-    bare = job.solve(made.path, made.kinematics, low, high, settings.links.clearance, settings.cutter.cutter.radius)
+    bare = solve(made.path, made.kinematics, *made.mesh.box, settings.links.clearance, settings.cutter.cutter.radius)
     program = build_program(bare, made.kinematics, made.dialect, True)
-    height, _ = start_plane(settings, made.machine, made.kinematics, program, (low, high))
+    height, _ = start_plane(made.context(silent), program)
     title, options = asked.nc_title(settings, made.machine), asked.post_options(settings)
     assert write_nc(program, made.dialect, title, options, height=height) == made.nc
     assert milled(part, machine, linearize="on").made.nc != made.nc

@@ -7,7 +7,6 @@ import re
 import shutil
 import subprocess
 from dataclasses import replace
-from functools import partial
 from itertools import product
 
 import numpy as np
@@ -16,9 +15,11 @@ from scipy.spatial.transform import Rotation
 
 from freecad_fiveaxis.core.base.errors import MachineError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.base.progress import silent
 from freecad_fiveaxis.core.cl.apt import ClHead, write_apt
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.context import JobContext
 from freecad_fiveaxis.core.jobs.safe_start import start_findings
 from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import SafeStart, load_machine, save_machine, shipped_machines
@@ -262,8 +263,8 @@ def test_a_start_from_below_through_the_part_is_an_error(tmp_path):
     lean = math.radians(-20.0)
     down = (math.cos(lean), 0.0, math.sin(lean))
     made = posted(tmp_path, SafeStart(), axes=(down, down))
-    said = partial(start_findings, made.settings, made.machine, made.dialect, made.kinematics, made.program)
     for side, errors in ((25.0, 2), (-25.0, 0)):  # the tool comes from +X, and a little from below
         box = (np.array([side - 5.0, -20.0, -100.0]), np.array([side + 20.0, 40.0, 58.0]))
-        found = [one for one in said(box) if one.code == "start-through-part"]
+        context = JobContext(made.settings, made.machine, made.kinematics, made.dialect, box, silent)
+        found = [one for one in start_findings(context, made.program) if one.code == "start-through-part"]
         assert [one.severity for one in found] == [Severity.ERROR] * errors

@@ -89,7 +89,8 @@ def step_weighted(path: OffsetPath, options: AxisOptions) -> Floats:
 def minimax(path: OffsetPath, options: AxisOptions) -> Floats:
     """the smallest largest deviation of each pass on this machine and set-up, within --max-tilt of the facet normals
 
-    It needs the machine: here it is only begun, as facet_mean. ``minimax.minimax_axes`` goes on from there (see ``job.mill``).
+    It needs the machine: here it is only begun, as facet_mean. The correction of that name goes on from there
+    (``corrections.axis_corrections``).
     """
     return facet_mean(path, options)
 

@@ -8,13 +8,11 @@ allowed   so much may stay on the part, mm: scallops and tolerance.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.cl_offset import scallop_of
@@ -39,11 +37,13 @@ from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
 from freecad_fiveaxis.core.corrections.tilt import tilt_free
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.machine.kinematics import Chain, q_to_words
+from freecad_fiveaxis.core.machine.kinematics import q_to_words
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of
 
+from .context import MillContext
+from .driving import drive
 from .options import axis_options, tip_to_driven, travels, wanted_scallop
 from .settings import Settings
 
@@ -78,57 +78,58 @@ def tool_body(settings: Settings) -> Body:
     return body_of(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
 
 
-def tilted(
-    settings: Settings, offset: OffsetPath, axis: Floats, mesh: Mesh, kinematics: Chain, progress: Progress
-) -> tuple[OffsetPath, Floats]:
+def tilted(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
     """The path with the tool tilted free of the part, where the settings ask for that; else what is given."""
+    settings = context.settings
     if settings.gouge.gouge != "tilt":
         return offset, axis
+    tree = facet_tree(context.mesh)
     cutter, most, tolerance = settings.cutter.cutter, settings.tool_axis.max_tilt, settings.proof.tolerance
-    return tilt_free(offset, axis, cutter, tool_body(settings), facet_tree(mesh), kinematics, most, tolerance, progress)
+    return tilt_free(offset, axis, cutter, tool_body(settings), tree, context.kinematics, most, tolerance, context.progress)
 
 
-def left_out_rows(settings: Settings, sat: OffsetPath, axis: Floats, mesh: Mesh, progress: Progress) -> tuple[OffsetPath, Floats]:
+def left_out_rows(context: MillContext, sat: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
     """The rows that can be cut without entering the part, where the settings ask to leave out the others. ``sat``: with hubs."""
+    settings = context.settings
     if settings.gouge.gouge != "leave-out":
         return sat, axis
     body, cutter, tolerance = tool_body(settings), settings.cutter.cutter, settings.proof.tolerance
     limit = AIM * tolerance if cutter.ring == 0.0 else tolerance  # a ring rocks from facet to facet
-    return leave_out(sat, axis, facet_tree(mesh), body, limit, cutter.corner, progress)
+    return leave_out(sat, axis, facet_tree(context.mesh), body, limit, cutter.corner, context.progress)
 
 
-def lifted(settings: Settings, path: CLPath, mesh: Mesh, progress: Progress) -> tuple[CLPath, float]:
+def lifted(context: MillContext, path: CLPath) -> tuple[CLPath, float]:
     """The path with the tool lifted out of the part, where the settings ask for that, else the very path given; and how deep, mm,
     what a cure leaves of entries may still be."""
-    tolerance = settings.proof.tolerance
+    settings, tolerance = context.settings, context.settings.proof.tolerance
     if settings.gouge.gouge in ("lift", "tilt"):
-        lifted = lift_path(path, facet_tree(mesh), tool_body(settings), tolerance, tip_to_driven(settings), progress)
+        body, tree = tool_body(settings), facet_tree(context.mesh)
+        lifted = lift_path(path, tree, body, tolerance, tip_to_driven(settings), context.progress)
         return lifted.path, lifted.left
     return path, AIM * tolerance if any(finding.code == "left-out" for finding in path.findings) else 0.0
 
 
-def driven_free(
-    settings: Settings, path: CLPath, mesh: Mesh, kinematics: Chain, drive: Callable[[CLPath], JointPath], progress: Progress
-) -> tuple[CLPath, JointPath]:
-    """The path and its joint path, which ``drive`` makes. Where a cure is asked for and blocks may be divided, rows are put in
+def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLPath, JointPath]:
+    """The path and its joint path (:func:`.driving.drive`). Where a cure is asked for and blocks may be divided, rows are put in
     half-way where the tool still enters on its real way though the path itself does not: the machine turns the axis otherwise
     than on a great arc, and with the tip within the tolerance the rest of the cutter may swing farther."""
-    joints = drive(path)
+    settings, joints = context.settings, drive(context, path, entering)
     if settings.cure.linearize != "on" or settings.gouge.gouge in ("off", "report"):
         return path, joints
     for _ in range(HALVINGS):
-        rows = _entering(settings, path, joints, mesh, kinematics, progress)
+        rows = _entering(context, path, joints)
         if not len(rows):
             break
         path = _halved(path, rows)
-        joints = drive(path)
+        joints = drive(context, path, entering)
     return path, joints
 
 
-def _entering(settings: Settings, path: CLPath, joints: JointPath, mesh: Mesh, kinematics: Chain, progress: Progress) -> Ints:
+def _entering(context: MillContext, path: CLPath, joints: JointPath) -> Ints:
     """The rows (k,) of the path to which the machine leads the cutter through the part, and the path itself does not."""
-    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(mesh), NEARLY * settings.proof.tolerance
-    real = real_motion(kinematics, q_to_words(joints.q), tip_to_driven(settings))
+    settings, progress = context.settings, context.progress
+    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(context.mesh), NEARLY * settings.proof.tolerance
+    real = real_motion(context.kinematics, q_to_words(joints.q), tip_to_driven(settings))
     blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, cutting(joints.path.motion), progress))
     rows = np.unique(joints.row[blocks + 1])
     rows = rows[rows > 0]
@@ -145,15 +146,16 @@ def _halved(path: CLPath, rows: Ints) -> CLPath:
     return replace(path, tip=tip, axis=axis, **columns)
 
 
-def uncut_by_cure(settings: Settings, path: CLPath, mesh: Mesh, keep: Bools, progress: Progress) -> tuple[Finding, ...]:
-    """What a cure leaves on the facets ``keep`` (f,) beyond scallops and tolerance; nothing is looked for where there was no
+def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
+    """What a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked for where there was no
     cure, or where the map of what is left tells it."""
+    settings, mesh, keep = context.settings, context.mesh, context.keep
     if settings.gouge.left == "on" or not CURED & {finding.code for finding in path.findings}:
         return ()
     cutter = settings.cutter.cutter
     swept = straight_motion(path.tip - tip_to_driven(settings) * path.axis, path.axis)
     spacing = LEFT_SPACING * cutter.diameter
-    left = find_rest_material(mesh, body_of(cutter), swept, cutting(path.motion), spacing, keep, progress)
+    left = find_rest_material(mesh, body_of(cutter), swept, cutting(path.motion), spacing, keep, context.progress)
     return uncut_finding(left, allowed(settings, mesh, keep))
 
 
@@ -180,12 +182,13 @@ def cutting(motion: Bytes) -> Ints:
     return np.flatnonzero(np.isin(motion[1:], (Motion.CUT, Motion.FILL)))
 
 
-def entered(settings: Settings, mesh: Mesh, kinematics: Chain, program: Program, progress: Progress) -> GougeCheck | None:
+def entered(context: MillContext, program: Program) -> GougeCheck | None:
     """What the tool enters of the part on its real way, where the settings ask for the check."""
+    settings, tolerance = context.settings, context.settings.proof.tolerance
     if settings.gouge.gouge == "off":
         return None
-    tolerance, remedy = settings.proof.tolerance, _remedy(settings)
-    return check_program(mesh, tool_body(settings), kinematics, program, tolerance, tip_to_driven(settings), progress, remedy)
+    body, driven = tool_body(settings), tip_to_driven(settings)
+    return check_program(context.mesh, body, context.kinematics, program, tolerance, driven, context.progress, _remedy(settings))
 
 
 def _remedy(settings: Settings) -> str:
@@ -215,19 +218,19 @@ def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> 
     return (out + max(area("uncut"), area("side-not-machined"))) / whole
 
 
-def find_left(
-    settings: Settings, mesh: Mesh, keep: Bools, kinematics: Chain, program: Program, progress: Progress
-) -> RestMaterial:
-    """What the cutter leaves on the facets ``keep`` (f,) on its real way. Raises SettingsError where no block cuts."""
-    cutter, swept = settings.cutter.cutter, program_motion(kinematics, program, tip_to_driven(settings))
+def find_left(context: MillContext, program: Program) -> RestMaterial:
+    """What the cutter leaves on the facets that are cut on its real way. Raises SettingsError where no block cuts."""
+    settings, mesh, keep = context.settings, context.mesh, context.keep
+    cutter, swept = settings.cutter.cutter, program_motion(context.kinematics, program, tip_to_driven(settings))
     even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
     spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
-    return find_rest_material(mesh, body_of(cutter), swept, cutting(program.motion), spacing, keep, progress)
+    return find_rest_material(mesh, body_of(cutter), swept, cutting(program.motion), spacing, keep, context.progress)
 
 
-def rest_material_findings(left: RestMaterial | None, settings: Settings, mesh: Mesh, keep: Bools) -> tuple[Finding, ...]:
+def rest_material_findings(left: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:
     """Where more stays than may, and, where no check tells it, where too much is taken off."""
     if left is None:
         return ()
+    settings = context.settings
     deep = too_deep_finding(left, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
-    return uncut_finding(left, allowed(settings, mesh, keep)) + deep
+    return uncut_finding(left, allowed(settings, context.mesh, context.keep)) + deep

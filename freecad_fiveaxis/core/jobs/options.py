@@ -15,6 +15,7 @@ from freecad_fiveaxis.core.base.sentences import Option, one_line, say
 from freecad_fiveaxis.core.cl.apt import ARC_SHARE, ClHead, ClReading
 from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
 from freecad_fiveaxis.core.controllers import Dialect, find_dialect
+from freecad_fiveaxis.core.corrections.axis_corrections import AxisCorrectionOptions
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.nc.head import PostOptions
@@ -89,6 +90,14 @@ def axis_options(settings: Settings) -> AxisOptions:
     """Options of the strategies for the tool axis."""
     tool = settings.tool_axis
     return AxisOptions(fixed=tool.axis, lead=tool.lead, tilt=tool.tilt)
+
+
+def axis_corrections(settings: Settings) -> AxisCorrectionOptions:
+    """Options of the corrections of tool axes."""
+    return AxisCorrectionOptions(
+        driven_to_hub(settings), settings.cutter.cutter.ring, settings.feeds.feed, settings.proof.tolerance,
+        settings.tool_axis.max_tilt, settings.cure.max_axis_change,
+    )  # fmt: skip
 
 
 def driven_to_hub(settings: Settings) -> float:

@@ -17,7 +17,8 @@ from freecad_fiveaxis.core.cl.apt import write_apt
 from freecad_fiveaxis.core.machine import machine_path
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, rates_csv
 
-from .job import Made, Posted, Result, figures
+from .job import figures
+from .made import Made, Posted, Result
 from .options import cl_head, title_of
 from .settings import Settings, option_fields
 

@@ -18,11 +18,8 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_t
 from freecad_fiveaxis.core.motion.program import Program, plane_above, upwards, within_travel
 from freecad_fiveaxis.core.nc.start import UPRIGHT, by_reference, with_start
 
+from .context import Box, JobContext
 from .options import tip_to_driven
-from .settings import Settings
-
-Box = tuple[Floats, Floats]
-"""The part's low and high corner (3,) mm, work frame."""
 
 
 def started(dialect: Dialect, machine: Machine) -> Dialect:
@@ -31,21 +28,19 @@ def started(dialect: Dialect, machine: Machine) -> Dialect:
     return with_start(dialect, machine.safe_start, all(abs(z) > 1.0 - UPRIGHT for _, _, z in table), machine.rotaries > 0)
 
 
-def start_plane(
-    settings: Settings, machine: Machine, kinematics: Chain, program: Program, box: Box
-) -> tuple[float, tuple[Finding, ...]]:
+def start_plane(context: JobContext, program: Program) -> tuple[float, tuple[Finding, ...]]:
     """The word of Z at which the program begins and ends above the part, where the machine file asks for that, else 0."""
+    settings, machine, kinematics = context.settings, context.machine, context.kinematics
     if machine.safe_start.retract != BY_CLEARANCE or not len(program.words):
         return 0.0, ()
     body = settings.cutter.cutter.top_radius if machine.has_head else 0.0  # a tool that lies level reaches down by its radius
     margin = settings.links.clearance + tip_to_driven(settings) + body
-    return within_travel(kinematics, plane_above(kinematics, *box, margin, program.words))
+    return within_travel(kinematics, plane_above(kinematics, *context.box, margin, program.words))
 
 
-def start_findings(
-    settings: Settings, machine: Machine, dialect: Dialect, kinematics: Chain, program: Program, box: Box
-) -> tuple[Finding, ...]:
+def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]:
     """What there is to say of spindle, start and end."""
+    settings, machine, dialect = context.settings, context.machine, context.dialect
     found = _spindle_off() if settings.head.spindle == 0.0 else ()
     if dialect.guide is not None and by_reference(dialect, machine.safe_start):
         text = say(
@@ -56,7 +51,7 @@ def start_findings(
         found += (Finding(Severity.NOTE, "starts-at-reference", text),)
     if machine.safe_start.retract == BY_NOTHING or not len(program.words):
         return found
-    return found + _through_part(kinematics, program, box)
+    return found + _through_part(context.kinematics, program, context.box)
 
 
 def _spindle_off() -> tuple[Finding, ...]:

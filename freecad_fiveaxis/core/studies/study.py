@@ -22,7 +22,8 @@ from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined,
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.jobs.fewer_axes import what_needs_more_axes
-from freecad_fiveaxis.core.jobs.job import Milled, Posted, make
+from freecad_fiveaxis.core.jobs.job import make
+from freecad_fiveaxis.core.jobs.made import Milled, Posted
 from freecad_fiveaxis.core.jobs.options import clamped, stood, title_of
 from freecad_fiveaxis.core.jobs.settings import COMPARE, MILL, POST, SETUP, Settings, flat_options
 from freecad_fiveaxis.core.jobs.settings.groups import USUAL_REGION

@@ -16,7 +16,7 @@ import numpy as np
 from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.base.errors import FiveAxisError
-from freecad_fiveaxis.core.jobs.job import Milled
+from freecad_fiveaxis.core.jobs.made import Milled
 from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.report.playback import NCLines
 from freecad_fiveaxis.gui.failures import attend

@@ -63,6 +63,11 @@ class Mesh:
         freeze(self, None, face="i3", normal="f3", area="f", face_coedge="i3")
         freeze(self, None, coedge_vertex="i2", coedge_face="i2")
 
+    @property
+    def box(self) -> tuple[Floats, Floats]:
+        """Low and high corner (3,) mm."""
+        return self.vertex.min(axis=0), self.vertex.max(axis=0)
+
 
 def from_triangles(corners: ArrayLike) -> Mesh:
     """Weld loose triangles into a mesh.

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What goes through all stages of a job: stages take it and the last record, and give the next one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.controllers import Dialect
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.machine.kinematics import Chain
+
+from .settings import Settings
+
+Box = tuple[Floats, Floats]
+"""Low and high corner (3,) mm, work frame."""
+
+
+@dataclass(frozen=True, eq=False)
+class JobContext:
+    """``kinematics``: the machine's, with the part where it stands; ``dialect``: as it is to be written; ``box``: what rapids
+    stay off: the part's, or, where no part is known, that of the feed moves."""
+
+    settings: Settings
+    machine: Machine
+    kinematics: Chain
+    dialect: Dialect
+    box: Box
+    progress: Progress
+
+
+@dataclass(frozen=True, eq=False)
+class MillContext(JobContext):
+    """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of."""
+
+    mesh: Mesh
+    keep: Bools

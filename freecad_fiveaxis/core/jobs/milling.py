@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a solid to a program: :func:`mill` is the pipeline, a stage a line."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.cl.cl_offset import cl_offset_path, corner_radius, spacing_radius
+from freecad_fiveaxis.core.cl.cl_path import CLPath, LinkOptions, link_passes
+from freecad_fiveaxis.core.cl.coedge import OffsetPath, close_gaps
+from freecad_fiveaxis.core.cl.feasible import feasible_rows
+from freecad_fiveaxis.core.cl.tool_axis import tool_axes
+from freecad_fiveaxis.core.controllers import Dialect
+from freecad_fiveaxis.core.corrections.axis_corrections import AXIS_CORRECTIONS
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.passes import (
+    ContactPath,
+    PassStrategy,
+    Region,
+    cut,
+    facets_within_limits,
+    find_pass_strategy,
+    flat_interval,
+)
+
+from .collision_avoidance import drive_free, left_out_rows, lifted, tilted, uncut_by_cure
+from .context import MillContext
+from .driving import posted
+from .fewer_axes import keeps_its_axis
+from .made import Milled
+from .options import axis_corrections, axis_options, pass_options
+from .settings import Settings
+
+
+def mill_context(
+    settings: Settings, mesh: Mesh, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress,
+    faces: Bools | None = None,
+) -> tuple[MillContext, tuple[Finding, ...]]:  # fmt: skip
+    """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all."""
+    followed = None if keeps_its_axis(settings, machine) else kinematics
+    keep, left_out = facets_within_limits(mesh, followed, settings.passes.max_axis_angle, faces)
+    return MillContext(settings, machine, kinematics, dialect, mesh.box, progress, mesh, keep), left_out
+
+
+def mill(context: MillContext) -> Milled:
+    """From a mesh to a program: passes, CL offset, tool axes, links, the tool kept out of the part, joints, NC blocks."""
+    contact, untouched = laid(context)
+    offset, axis = oriented(context, closed(context, contact))
+    led, said = rerouted(context, offset, axis)
+    turned, led = tilted(context, offset, led)
+    path, entering = lifted(context, linked(context, turned, led))
+    path, joints = drive_free(context, path, entering)
+    found = untouched + contact.findings + turned.findings + said + path.findings + uncut_by_cure(context, path)
+    program = posted(context, path, joints, found)
+    return Milled(**vars(program), mesh=context.mesh, contact=contact, offset=offset, axis=axis, keep=context.keep)
+
+
+def laid(context: MillContext) -> tuple[ContactPath, tuple[Finding, ...]]:
+    """The passes on the facets, and what they do not touch."""
+    strategy, options = find_pass_strategy(context.settings.passes.passes), pass_options(context.settings)
+    region = _region(context, strategy)
+    field = strategy.field(region, options)
+    contact = cut(region, field, context.settings.links.order)
+    return contact, strategy.untouched(region, options, field, contact.face)
+
+
+def _region(context: MillContext, strategy: PassStrategy) -> Region:
+    """What is to be cut, with the ball whose passes may stand as far apart as the cutter's. For what is no ball: at most as far
+    apart as on a flat, for beyond that its bottom ends."""
+    settings, mesh, keep, progress = context.settings, context.mesh, context.keep, context.progress
+    options, cutter = pass_options(settings), settings.cutter.cutter
+    radius, scallop = cutter.radius, options.scallop
+    interval = options.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
+    if scallop is None or cutter.ring == 0.0:
+        return Region(mesh, keep, radius, interval, progress=progress)
+    stand = (settings.tool_axis.tool_axis, axis_options(settings))
+    radii = [spacing_radius(cutter, mesh, keep, angle, *stand, scallop) for angle in strategy.travels(options)]
+    return Region(mesh, keep, min(radii), interval, 1.0, progress)
+
+
+def closed(context: MillContext, contact: ContactPath) -> OffsetPath:
+    """The passes offset by the corner radius, gaps at co-edges closed and overlaps trimmed."""
+    cutter, keep = context.settings.cutter, None if context.keep.all() else context.keep
+    return close_gaps(contact, context.mesh, corner_radius(cutter.cutter), cutter.coedge_tolerance, keep, context.progress)
+
+
+def oriented(context: MillContext, offset: OffsetPath) -> tuple[OffsetPath, Floats]:
+    """The strategy's tool axes (n, 3), and the rows at which the machine can take them up."""
+    settings = context.settings
+    axis = tool_axes(offset, settings.tool_axis.tool_axis, axis_options(settings))
+    return feasible_rows(offset, axis, context.kinematics, settings.cutter.cutter.taper)
+
+
+def rerouted(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[Floats, tuple[Finding, ...]]:
+    """The axes (n, 3) corrected where the settings ask for that: by a strategy that knows the machine, then past the pole."""
+    settings, found = context.settings, tuple[Finding, ...]()
+    rows, options = offset, axis_corrections(settings)
+    for name in (settings.tool_axis.tool_axis, settings.cure.singularity):
+        if (correction := AXIS_CORRECTIONS.get(name)) is not None:
+            given = axis
+            axis, said = correction.axes(rows, given, context.kinematics, options, context.progress)
+            found += said + (correction.trade(rows, given, context.kinematics, options, context.progress) if said else ())
+    return axis, found
+
+
+def linked(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
+    """The CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``: the cutter sits anew on
+    each of them, whatever led its axis there."""
+    settings, cutter = context.settings, context.settings.cutter.cutter
+    options = LinkOptions(
+        clearance=settings.links.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
+        control_point=settings.machine.control_point,
+    )  # fmt: skip
+    sat, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
+    sat, axis = left_out_rows(context, sat, axis)
+    path = link_passes(sat, axis, cutter, *context.box, options, context.progress)
+    return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)
