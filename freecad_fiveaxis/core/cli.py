@@ -47,6 +47,7 @@ ABOUT = {
     "audit": ("PROGRAM.ngc", "audit a finished NC program of any origin"),
     "setup": ("PART.stl|PATH.apt", "find out where on the table the part should stand"),
     "compare": ("PART.stl|PATH.apt", "compare machines and cures on one and the same path"),
+    "reach": ("PART.stl", "map where on a part the tool gets at all, and what is in the way elsewhere"),
     "recover": ("PATH.apt", "recover a machine's offsets and signs from a CL file and the program posted from it"),
     "prove-signs": ("", "make a short safe program and a sheet that show a wrong sign before it cuts"),
 }

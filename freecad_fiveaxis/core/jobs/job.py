@@ -68,7 +68,7 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
         find_strategy(settings.tool_axis.tool_axis)
         find_pass_strategy(settings.passes.passes)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
-        faces, said = _faces(settings, mesh, faces, progress)
+        faces, said = chosen_faces(settings, mesh, faces, progress)
         context, left_out = mill_context(settings, mesh, machine, kinematics, dialect, progress, faces)
         said += mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
         milled = mill(context)
@@ -81,7 +81,9 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
     return Made(settings, machine, kinematics, dialect, program, found + program.findings)
 
 
-def _faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> tuple[Bools | None, tuple[Finding, ...]]:
+def chosen_faces(
+    settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress
+) -> tuple[Bools | None, tuple[Finding, ...]]:
     """The facets to cut: those chosen already, else those on the faces that the settings name. Raises FiveAxisError."""
     name = settings.faces.faces
     if faces is not None or name is None:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two tasks that choose: ``setup``, where the part should stand; ``compare``, which machine and which cure.
+"""Three tasks that write no program: ``setup``, where the part should stand; ``compare``, which machine and which cure;
+``reach``, where the tool gets at all.
 
 trial     a program that is made only to know what it costs. Both tasks make the CL path once, as ``mill`` and ``post`` do, and
           try it many times; no program is written. What is chosen is then given to ``mill`` or ``post``.
@@ -20,20 +21,23 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined, say
 from freecad_fiveaxis.core.controllers import Dialect
-from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.jobs.fewer_axes import what_needs_more_axes
-from freecad_fiveaxis.core.jobs.job import make
+from freecad_fiveaxis.core.jobs.job import chosen_faces, make
 from freecad_fiveaxis.core.jobs.made import Milled, Posted
 from freecad_fiveaxis.core.jobs.options import clamped, stood, title_of
-from freecad_fiveaxis.core.jobs.settings import COMPARE, MILL, POST, SETUP, Settings, flat_options
+from freecad_fiveaxis.core.jobs.settings import COMPARE, MILL, POST, REACH, SETUP, Settings, flat_options, is_part
 from freecad_fiveaxis.core.jobs.settings.groups import USUAL_REGION
 from freecad_fiveaxis.core.machine import Vector, load_machine
+from freecad_fiveaxis.core.machine.kinematics import chain
 
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
 from .corrections import cures, known_cures
+from .reach_map import Reacher, ReachMap, reach_map
+from .reach_report import reach_html, reach_json, reach_text
 from .setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
 
-TRIALS = (SETUP, COMPARE)
+TRIALS = (SETUP, COMPARE, REACH)
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
 """Places along X, Y, Z of a map that nobody asked to be otherwise, the finest first."""
 WORK = 8_000_000
@@ -60,12 +64,40 @@ class Comparison:
     findings: tuple[Finding, ...]
 
 
-Trial = SetupTrial | Comparison
+@dataclass(frozen=True, eq=False)
+class ReachTrial:
+    """``found``: the reach map of the part."""
+
+    settings: Settings
+    found: ReachMap
+    findings: tuple[Finding, ...]
+
+
+Trial = SetupTrial | Comparison | ReachTrial
 
 
 def run(settings: Settings, progress: Progress = silent) -> Trial:
     """Do the task that the settings name. Raises FiveAxisError for input that cannot be used; writes nothing."""
+    if settings.task == REACH:
+        return try_reach(settings, progress)
     return (try_setups if settings.task == SETUP else try_machines)(settings, progress)
+
+
+def try_reach(
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
+) -> ReachTrial:
+    """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`. Raises FiveAxisError."""
+    machine, setup, _ = stood(settings, load_machine(settings.machine.machine))
+    table = machine.table if settings.setup.table_height is None else settings.setup.table_height
+    if not is_part(settings.source) and mesh is None:
+        raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
+    mesh = read_stl(settings.source, progress) if mesh is None else mesh
+    faces, said = chosen_faces(settings, mesh, faces, progress)
+    reacher = Reacher(
+        settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder, chain(machine, setup), settings.proof.tolerance,
+        None if table is None else table - setup.origin[2],
+    )  # fmt: skip
+    return ReachTrial(settings, reach_map(mesh, reacher, faces, progress), mesh.findings + said)
 
 
 def try_setups(
@@ -206,12 +238,16 @@ def as_text(trial: Trial) -> str:
     title = f"{title_of(trial.settings)}: {trial.settings.task}\n"
     if isinstance(trial, SetupTrial):
         return title + setup_text(trial.chart)
+    if isinstance(trial, ReachTrial):
+        return title + reach_text(trial.found)
     return title + compare_text(trial.rows, trial.settings.proof.tolerance)
 
 
 def as_json(trial: Trial) -> str:
     """What was found, for scripts; ``inputs`` is a job file."""
     inputs = flat_options(trial.settings)
+    if isinstance(trial, ReachTrial):
+        return reach_json(trial.found, inputs)
     return setup_json(trial.chart, inputs) if isinstance(trial, SetupTrial) else compare_json(trial.rows, inputs)
 
 
@@ -220,6 +256,8 @@ def as_html(trial: Trial) -> str:
     name = title_of(trial.settings)
     if isinstance(trial, SetupTrial):
         return heat_map_html(trial.chart, name)
+    if isinstance(trial, ReachTrial):
+        return reach_html(trial.found, name)
     return compare_html(trial.rows, name, trial.settings.proof.tolerance)
 
 

@@ -5,7 +5,8 @@ A field knows its quantity (and so its unit), its range, its help and the tasks 
 the groups.
 
 task      ``mill``: from an STL to a program; ``post``: from a CL file to a program; ``audit``: a finished program; ``setup`` and
-          ``compare``: from an STL or a CL file to many programs, of which one is to be chosen; ``recover``: from a CL file and
+          ``compare``: from an STL or a CL file to many programs, of which one is to be chosen; ``reach``: from an STL to where
+          the tool gets; ``recover``: from a CL file and
           its program to the machine; ``prove-signs``: from a machine to a program that proves its signs (no source).
 """
 
@@ -21,8 +22,8 @@ from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.tool import Cutter
 
 MILL, POST, AUDIT, SETUP, COMPARE = "mill", "post", "audit", "setup", "compare"
-RECOVER, PROVE = "recover", "prove-signs"
-TASKS = (MILL, POST, AUDIT, SETUP, COMPARE, RECOVER, PROVE)
+RECOVER, PROVE, REACH = "recover", "prove-signs", "reach"
+TASKS = (MILL, POST, AUDIT, SETUP, COMPARE, REACH, RECOVER, PROVE)
 WITHOUT_SOURCE = (PROVE,)
 FROM_SOLID = (MILL, SETUP, COMPARE)
 FROM_PATH = (MILL, POST, SETUP, COMPARE)
@@ -92,7 +93,10 @@ class FacesSettings:
     """Which faces are machined. The workbench selects them instead."""
 
     faces: str | None = option(
-        None, "path", "an STL file of faces: only the facets of the part that lie on them are machined [all]", FROM_SOLID
+        None,
+        "path",
+        "an STL file of faces: only the facets of the part that lie on them are machined [all]",
+        (*FROM_SOLID, REACH),
     )
 
 
@@ -100,7 +104,7 @@ class FacesSettings:
 class CutterSettings:
     """The cutter and how co-edges are closed."""
 
-    cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in", (*FROM_PATH, AUDIT))
+    cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in", (*FROM_PATH, AUDIT, REACH))
     coedge_tolerance: float = option(
         0.01, "length", "largest R - r at a convex co-edge before an arc is used", least=SMALLEST, most=LONGEST
     )
@@ -180,7 +184,9 @@ class HeadSettings:
 class MachineSettings:
     """The machine and where the part stands on it."""
 
-    machine: str = option("", "text", "a shipped machine's name or a path to a .fcm", (*ONE_PROGRAM, SETUP, RECOVER, PROVE))
+    machine: str = option(
+        "", "text", "a shipped machine's name or a path to a .fcm", (*ONE_PROGRAM, SETUP, REACH, RECOVER, PROVE)
+    )
     controller: str | None = option(None, "text", "the dialect of the NC file [the machine's, or linuxcnc]", TASKS)
     origin: Vector | None = option(
         None, "point", "X,Y,Z of the work zero in the machine frame [the machine's]", TASKS, least=-LONGEST, most=LONGEST
@@ -230,10 +236,10 @@ class GougeSettings:
         (MILL, AUDIT), choices=GOUGE, by_task={MILL: "lift", AUDIT: "report"},
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
-        (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge", (MILL, AUDIT)
+        (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge", (MILL, AUDIT, REACH)
     )
     holder: tuple[tuple[float, float], ...] = option(
-        (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge", (MILL, AUDIT)
+        (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge", (MILL, AUDIT, REACH)
     )
     left: Literal["on", "off"] = option(
         "off", "choice", "map of what stays uncut and of what is cut too deep, on the machined facets", (MILL,),
@@ -246,7 +252,7 @@ class ProofSettings:
     """What is proven of every block."""
 
     tolerance: float = option(
-        0.01, "length", "largest deviation of the tip from the commanded segment", (*FROM_PATH, AUDIT),
+        0.01, "length", "largest deviation of the tip from the commanded segment", (*FROM_PATH, AUDIT, REACH),
         least=SMALLEST, most=LONGEST,
     )  # fmt: skip
     method: Literal["exact", "so2008", "so2008-printed"] = option(
@@ -284,7 +290,7 @@ class SetupSettings:
         None,
         "height",
         "height of the table's face in the machine frame, mm [the machine's]",
-        (SETUP,),
+        (SETUP, REACH),
         least=-LONGEST,
         most=LONGEST,
     )

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The reach map as text, JSON and a page: areas by what is in the way."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from html import escape
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.sentences import Area, Length, Sentence, say
+from freecad_fiveaxis.core.report.text import number
+
+from .reach_map import TILTS, Obstacle, ReachMap
+from .setup_map.sheet import Table, json_text, page, section, table, text_table
+
+VERSION = 1
+"""Of the JSON record: raised when a key changes its meaning."""
+
+KEYS = {
+    Obstacle.CUTTER: "tighter_than_cutter", Obstacle.LIMITS: "beyond_machine", Obstacle.TABLE: "below_table",
+    Obstacle.SHANK: "shank", Obstacle.HOLDER: "holder",
+}  # fmt: skip
+
+NOTE = (
+    "Each place was tried with axes along the facet's normal and up to 80 deg from it. What is called reachable is, with the "
+    "axis tried; what is not may still be, between those axes. Limits are those of the rotary axes; the table counts where its "
+    "height is known. A part of the tool may enter by the tolerance."
+)
+
+
+def reason(obstacle: Obstacle) -> Sentence:
+    """What is in the way, in words."""
+    return {
+        Obstacle.LIMITS: say("beyond the machine's limits"), Obstacle.TABLE: say("below the table"),
+        Obstacle.CUTTER: say("tighter than the cutter"), Obstacle.SHANK: say("shank in the way"),
+        Obstacle.HOLDER: say("holder in the way"), Obstacle.NONE: say("reachable"),
+    }[obstacle]  # fmt: skip
+
+
+def share_reached(found: ReachMap) -> float:
+    """0 to 1 of the area."""
+    return found.area_of(Obstacle.NONE) / float(found.area.sum())
+
+
+def verdict(found: ReachMap) -> Sentence:
+    """One sentence: how much can be reached, and what keeps the tool from most of the rest."""
+    whole, reached = float(found.area.sum()), found.area_of(Obstacle.NONE)
+    if reached >= whole * (1.0 - 1e-9):
+        return say("The tool gets everywhere: {area}.", area=Area(whole))
+    worst = max(KEYS, key=found.area_of)
+    return say(
+        "The tool gets to {share} % of the surface, {reached} of {area}; most of the rest is {reason}.",
+        share=f"{100.0 * reached / whole:.1f}", reached=Area(reached), area=Area(whole), reason=reason(worst),
+    )  # fmt: skip
+
+
+def stick_out(found: ReachMap) -> tuple[Sentence, ...]:
+    """What a tool that sticks out farther would reach besides."""
+    return tuple(
+        say("Let the tool stick out {step} farther and it reaches {area} more.", step=Length(step), area=Area(area))
+        for step, area in found.longer
+    )
+
+
+def _table(found: ReachMap) -> Table:
+    whole = float(found.area.sum())
+    rows = [(f"reachable, tilted {low:.0f} to {high:.0f} deg" if high else "reachable along the normal", area)
+            for low, high, area in _tilts(found)]  # fmt: skip
+    rows += [(str(reason(obstacle)), found.area_of(obstacle)) for obstacle in KEYS]
+    return Table(
+        ("surface", "mm2", "%"),
+        tuple((name, number(area, 1), f"{100.0 * area / whole:.1f}") for name, area in rows if area > 0.0),
+    )
+
+
+def _tilts(found: ReachMap) -> list[tuple[float, float, float]]:
+    """Tilt above, tilt up to, deg, and the area, mm2, that needs it."""
+    deg = [math.degrees(tilt) for tilt in TILTS]
+    level = np.searchsorted(np.array(TILTS), np.where(np.isnan(found.tilt), math.inf, found.tilt - 1e-12))
+    area = np.bincount(level, found.area, len(TILTS) + 1)
+    return [(deg[max(k - 1, 0)], deg[k], float(area[k])) for k in range(len(TILTS)) if area[k] > 0.0]
+
+
+def reach_text(found: ReachMap) -> str:
+    """For the terminal."""
+    return "\n".join([verdict(found), "", *text_table(_table(found)), *stick_out(found), "", NOTE]) + "\n"
+
+
+def reach_json(found: ReachMap, inputs: Mapping[str, object] | None = None) -> str:
+    """For scripts: areas in mm2, angles in degrees; ``inputs``: a job file."""
+    summary = {
+        "area": float(found.area.sum()), "reachable_area": found.area_of(Obstacle.NONE), "reachable_share": share_reached(found),
+        "by_reason": {key: found.area_of(obstacle) for obstacle, key in KEYS.items()},
+        "by_tilt": [{"above": low, "up_to": high, "area": area} for low, high, area in _tilts(found)],
+        "stick_out": [{"longer": step, "area": area} for step, area in found.longer],
+        "places": len(found.area), "spacing": found.spacing,
+    }  # fmt: skip
+    return json_text({"version": VERSION, "summary": summary, "inputs": inputs or {}})
+
+
+def reach_html(found: ReachMap, title: str = "") -> str:
+    """A page that needs nothing else."""
+    longer = "".join(f"<p>{escape(line)}</p>" for line in stick_out(found))
+    body = [section("The surface", table(_table(found)) + longer + f'<p class="note">{escape(NOTE)}</p>')]
+    return page("What the tool reaches", title, verdict(found), "good" if share_reached(found) > 1.0 - 1e-9 else "open", body)

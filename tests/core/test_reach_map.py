@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the tool gets: areas in closed form, every reachable place looked at by dense samples, and each reason on a part made for it."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from gouge_examples import dense_points, sampled_depth
+
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.errors import Cancelled
+from freecad_fiveaxis.core.collision import still_positions
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.studies import reach_map as module
+from freecad_fiveaxis.core.studies.reach_map import Obstacle, Reacher, reach_map, tip_at
+from freecad_fiveaxis.core.tool import Cutter
+
+BALL = Cutter(6.0, 30.0)
+HOLDER = ((40.0, 30.0),)
+
+
+def rectangle(a, b, c, d):
+    """Two triangles over four corners, counter-clockwise seen from outside."""
+    return [[a, b, c], [a, c, d]]
+
+
+def profile(outline, length):
+    """A prism along Y over an outline (x, z), counter-clockwise seen from -Y; its ends are left open."""
+    found = []
+    for (x, z), (u, w) in zip(outline, np.roll(outline, -1, axis=0), strict=True):
+        found += rectangle((x, 0, z), (x, length, z), (u, length, w), (u, 0, w))
+    return from_triangles(np.array(found, float))
+
+
+def block():
+    """40 x 30 x 20 mm, standing on Z 0, without its ends."""
+    return profile(np.array([(0, 0), (40, 0), (40, 20), (0, 20)]), 30.0)
+
+
+def slot(width, depth, length=30.0):
+    """A block 60 mm wide and ``depth`` + 10 high with a slot down its middle, open at both ends."""
+    low, high, half = 0.0, depth + 10.0, 0.5 * width
+    return profile(
+        np.array([(-30, low), (30, low), (30, high), (half, high), (half, 10), (-half, 10), (-half, high), (-30, high)]), length
+    )
+
+
+def test_a_block_on_the_table_is_reached_but_for_its_underside_and_a_strip_as_high_as_the_ball():
+    found = reach_map(block(), Reacher(BALL, table=0.0))
+    sides, top = 2 * 30.0 * 20.0, 40.0 * 30.0
+    row = 30.0 * 2 * found.spacing  # the strip's edge may lie within a row of places on either side
+    assert found.area.sum() == pytest.approx(sides + 2 * top)
+    assert found.area_of(Obstacle.NONE) == pytest.approx(top + sides * (20.0 - 3.0) / 20.0, abs=row)
+    assert found.area_of(Obstacle.TABLE) == pytest.approx(top + sides * 3.0 / 20.0, abs=row)
+    free = reach_map(block(), Reacher(BALL))
+    assert free.area_of(Obstacle.NONE) == pytest.approx(sides + 2 * top) and not free.tilt.any()
+
+
+def test_a_slot_narrower_than_the_ball_is_tighter_than_the_cutter():
+    """Its floor and all of its walls but what the ball's lower half leaves free at the mouth: a ball on the wall stands 3 mm
+    from it, and the other wall is 5 mm off, so only above the mouth's edge less nothing."""
+    found = reach_map(slot(5.0, 20.0), Reacher(BALL))
+    assert found.area_of(Obstacle.CUTTER) == pytest.approx(30.0 * (5.0 + 2 * 20.0), rel=0.12)
+    assert found.area_of(Obstacle.SHANK) == found.area_of(Obstacle.HOLDER) == 0.0
+
+
+def on_floor(found, length):
+    """The places on a slot's floor that a ball may touch, far from its open ends."""
+    x, y, z = found.point.T
+    return np.isclose(z, 10.0) & (np.abs(x) < 3.5) & (np.abs(y - 0.5 * length) < 10.0)
+
+
+@pytest.fixture
+def coarse(monkeypatch):
+    monkeypatch.setattr(module, "PLACES", 2000)
+
+
+def test_a_holder_wider_than_a_deep_slot_is_in_the_way_of_its_floor(coarse):
+    short, mesh = Reacher(Cutter(6.0, 20.0), holder=HOLDER), slot(14.0, 30.0, 160.0)
+    found = reach_map(mesh, short)
+    floor = on_floor(found, 160.0)
+    assert (found.obstacle[floor] == Obstacle.HOLDER).all() and floor.any()
+    step, area = found.longer[-1]
+    assert step >= 10.0 and area >= 0.95 * found.area[floor].sum()
+    longer = reach_map(mesh, replace(short, shank=((6.0, step),)))
+    assert (longer.obstacle[floor] == Obstacle.NONE).all()
+    free = reach_map(block(), short)
+    assert (free.obstacle == Obstacle.NONE).all() and free.longer == ()
+
+
+def test_a_thick_shank_is_named_as_such(coarse):
+    found = reach_map(slot(14.0, 30.0, 160.0), Reacher(Cutter(6.0, 10.0), shank=((13.0, 40.0),)))
+    floor = on_floor(found, 160.0) & (np.abs(found.point[:, 0]) > 1.0)
+    assert (found.obstacle[floor] == Obstacle.SHANK).all() and floor.any()
+
+
+def test_what_the_machine_cannot_turn_to_is_beyond_its_limits(coarse):
+    """No tilt up to 80 deg brings the tool to the underside of a part on a machine that stays within 30 deg."""
+    machine = load_machine("trunnion_ac")
+    kinematics = chain(machine, Setup(machine.origin))
+    low, high = kinematics.low.copy(), kinematics.high.copy()
+    low[4], high[4] = -math.radians(30.0), math.radians(30.0)  # A
+    found = reach_map(block(), Reacher(BALL, kinematics=replace(kinematics, low=low, high=high)))
+    under = np.isclose(found.point[:, 2], 0.0)
+    assert (found.obstacle[under] == Obstacle.LIMITS).all()
+    assert np.degrees(np.arccos(found.axis[~under, 2])).max() <= 30.0 + 1e-9
+    side = ~under & (found.point[:, 2] < 19.0)
+    assert (found.tilt[side] >= math.radians(60.0) - 1e-9).all() and (found.obstacle[side] == Obstacle.NONE).all()
+
+
+CUTTERS = [Cutter(6.0, 20.0), Cutter(6.0, 20.0, 0.0), Cutter(8.0, 20.0, 2.0)]
+
+
+@pytest.mark.parametrize("cutter", CUTTERS, ids=["ball", "flat", "bull"])
+def test_at_every_place_called_reachable_the_tool_is_free_by_dense_samples(cutter):
+    mesh, reacher = slot(14.0, 12.0), Reacher(cutter, holder=HOLDER, limit=0.01)
+    found = reach_map(mesh, reacher)
+    free = np.flatnonzero(found.obstacle == Obstacle.NONE)
+    assert len(free) > 300
+    some = free[:: len(free) // 60]
+    tips = tip_at(cutter, found.point[some], mesh.normal[found.facet[some]], found.axis[some])
+    points, swept = dense_points(mesh, 0.5), still_positions(tips, found.axis[some])
+    assert max(sampled_depth(reacher.body, points, swept, k, 1) for k in range(len(some))) <= 0.01 + 1e-9
+
+
+def test_without_the_look_at_the_holder_the_samples_find_it_in_the_part(coarse):
+    mesh, reacher = slot(14.0, 30.0), Reacher(Cutter(6.0, 20.0), holder=HOLDER)
+    found = reach_map(mesh, replace(reacher, holder=()))
+    free = np.flatnonzero((found.obstacle == Obstacle.NONE) & np.isclose(found.point[:, 2], 10.0))
+    tips = tip_at(reacher.cutter, found.point[free], mesh.normal[found.facet[free]], found.axis[free])
+    points, swept = dense_points(mesh, 0.5), still_positions(tips, found.axis[free])
+    assert max(sampled_depth(reacher.body, points, swept, k, 1) for k in range(len(free))) > 1.0
+
+
+def test_a_flat_bottom_reaches_the_floor_up_to_the_wall_because_its_edge_may_touch():
+    found = reach_map(slot(20.0, 12.0), Reacher(Cutter(6.0, 20.0, 0.0)))
+    floor = np.isclose(found.point[:, 2], 10.0)
+    assert (found.obstacle[floor] == Obstacle.NONE).mean() > 0.95
+
+
+def test_only_chosen_facets_are_looked_at_and_progress_can_stop():
+    mesh = block()
+    top = mesh.normal[:, 2] > 0.9
+    found = reach_map(mesh, Reacher(BALL), top)
+    assert found.area.sum() == pytest.approx(1200.0) and top[found.facet].all()
+
+    def stop(stage, share):
+        raise Cancelled("stopped")
+
+    with pytest.raises(Cancelled):
+        reach_map(mesh, Reacher(BALL), None, stop)
+
+
+def test_more_places_change_little(monkeypatch):
+    """It is sampled: the area found converges."""
+    coarse = reach_map(slot(14.0, 20.0), Reacher(BALL, holder=HOLDER)).area_of(Obstacle.NONE)
+    monkeypatch.setattr(module, "PLACES", 20_000)
+    fine = reach_map(slot(14.0, 20.0), Reacher(BALL, holder=HOLDER)).area_of(Obstacle.NONE)
+    assert fine == pytest.approx(coarse, rel=0.03)
+
+
+@pytest.fixture
+def part(tmp_path):
+    path = tmp_path / "part.stl"
+    write_stl(slot(14.0, 30.0), path)
+    return path
+
+
+def test_the_command_line_writes_every_report(part, tmp_path, capsys):
+    words = ["reach", str(part), "--machine", "trunnion_ac", "--cutter", "ball:6:20", "--holder", "40x30"]
+    outputs = [str(tmp_path / f"reach{ending}") for ending in (".json", ".html", ".txt")]
+    assert cli.main([*words, *(word for path in outputs for word in ("--report", path))]) == cli.DONE
+    said = capsys.readouterr().out
+    summary = json.loads((tmp_path / "reach.json").read_text())["summary"]
+    assert summary["reachable_area"] + sum(summary["by_reason"].values()) == pytest.approx(summary["area"])
+    assert sum(row["area"] for row in summary["by_tilt"]) == pytest.approx(summary["reachable_area"])
+    assert summary["by_reason"]["holder"] > 20.0 and summary["stick_out"]
+    assert "holder in the way" in said and "Let the tool stick out" in said
+    assert "holder in the way" in (tmp_path / "reach.html").read_text()
+
+
+def test_a_cl_file_is_no_part(tmp_path, capsys):
+    path = tmp_path / "a.apt"
+    path.write_text("GOTO/0,0,0\nFINI\n")
+    report = tmp_path / "a.json"
+    assert cli.main(["reach", str(path), "--machine", "trunnion_ac", "--report", str(report)]) == cli.UNUSABLE
+    assert "no part" in capsys.readouterr().err and not report.exists()
