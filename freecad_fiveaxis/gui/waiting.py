@@ -116,6 +116,7 @@ def stage_words() -> dict[str, str]:
         "lift": translate("FiveAxis", "lifting the tool out of the part"),
         "tilt": translate("FiveAxis", "tilting the tool out of the part"),
         "what is left": translate("FiveAxis", "measuring what is left"),
+        "reach": translate("FiveAxis", "looking where the tool gets"),
         "setup map": translate("FiveAxis", "trying setups"),
         "compare": translate("FiveAxis", "comparing machines"),
         "feeds": translate("FiveAxis", "setting feeds"),

@@ -2663,6 +2663,10 @@
         <translation>Suche, wo das Werkzeug in das Teil eindringt</translation>
     </message>
     <message>
+        <source>looking where the tool gets</source>
+        <translation>prüft, wohin das Werkzeug kommt</translation>
+    </message>
+    <message>
         <source>machines</source>
         <translation>Maschinen</translation>
     </message>
@@ -3368,6 +3372,10 @@
         <translation>Das Werkzeug dort abheben lassen oder solche Stellen auslassen ({lift}), oder einen kleineren Fräser nehmen; wo die Maschine den Weg um so viel verlässt, NC-Sätze teilen lassen ({divide}).</translation>
     </message>
     <message>
+        <source>Let the tool stick out {step} farther and it reaches {area} more.</source>
+        <translation>Kragt das Werkzeug {step} weiter aus, erreicht es {area} mehr.</translation>
+    </message>
+    <message>
         <source>Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct them from the machine's data sheet.</source>
         <translation>Die Grenzen{of} bleiben offen, und größte Geschwindigkeiten sind angenommen (10 m/min, 10 Umdrehungen je Minute): keine Zeile sagt sie. Nach dem Datenblatt der Maschine berichtigen.</translation>
     </message>
@@ -3760,6 +3768,14 @@
         <translation>Die Werkzeugachse wurde in {count} Punkten geneigt, am meisten um {angle} bei {place}, damit das Werkzeug nicht ins Werkstück eindringt.</translation>
     </message>
     <message>
+        <source>The tool gets everywhere: {area}.</source>
+        <translation>Das Werkzeug kommt überall hin: {area}.</translation>
+    </message>
+    <message>
+        <source>The tool gets to {share} % of the surface, {reached} of {area}; most of the rest is {reason}.</source>
+        <translation>Das Werkzeug erreicht {share} % der Oberfläche, {reached} von {area}; der Rest ist meist: {reason}.</translation>
+    </message>
+    <message>
         <source>The tool goes {wrong}: {letter} has the wrong sign.</source>
         <translation>Das Werkzeug geht {wrong}: {letter} hat das falsche Vorzeichen.</translation>
     </message>
@@ -4084,6 +4100,14 @@
         <translation>brauchbar sind hier Kugel-, Schaft-, Torus- und kegelige Kugelfräser: einen davon wählen oder den Fräser von Hand angeben</translation>
     </message>
     <message>
+        <source>below the table</source>
+        <translation>unter dem Tisch</translation>
+    </message>
+    <message>
+        <source>beyond the machine's limits</source>
+        <translation>außerhalb der Achsgrenzen der Maschine</translation>
+    </message>
+    <message>
         <source>blend tolerance is {blend}; give 0 (exact path) to 999</source>
         <translation>die Eckenverrundung ist {blend}; 0 (exakter Weg) bis 999 angeben</translation>
     </message>
@@ -4318,6 +4342,10 @@
     <message>
         <source>holder and {given} say the same; give holder</source>
         <translation>Halter und {given} sagen dasselbe; den Halter angeben</translation>
+    </message>
+    <message>
+        <source>holder in the way</source>
+        <translation>Halter im Weg</translation>
     </message>
     <message>
         <source>holder {sizes} is no cone; give z0, r0, z1, r1 in mm with 0 &lt;= z0 &lt; z1 and radii of at least 0</source>
@@ -4788,6 +4816,10 @@
         <translation>die Programmnummer ist {program}; 1 bis 9999 angeben</translation>
     </message>
     <message>
+        <source>reachable</source>
+        <translation>erreichbar</translation>
+    </message>
+    <message>
         <source>region 0,0,0 with 1 turn has one setup only; give {region} a way to go along X, Y or Z, or {turns} above 1</source>
         <translation>der Bereich 0,0,0 mit 1 Drehung hat nur eine Aufspannung; {region} einen Weg entlang X, Y oder Z geben, oder {turns} über 1</translation>
     </message>
@@ -4870,6 +4902,10 @@
     <message>
         <source>shank</source>
         <translation>Schaft</translation>
+    </message>
+    <message>
+        <source>shank in the way</source>
+        <translation>Schaft im Weg</translation>
     </message>
     <message>
         <source>shank or holder hits the part</source>
@@ -5210,6 +5246,10 @@
     <message>
         <source>this machine cannot take up its normal</source>
         <translation>diese Maschine kann ihre Normale nicht einnehmen</translation>
+    </message>
+    <message>
+        <source>tighter than the cutter</source>
+        <translation>enger als der Fräser</translation>
     </message>
     <message>
         <source>to the back</source>
@@ -6214,6 +6254,10 @@
     <message>
         <source>{skipped} blocks have no row of the CL path (moves of the post's own); they are passed over.</source>
         <translation>{skipped} NC-Sätze haben keine Zeile des CL-Wegs (eigene Bewegungen des Postprozessors); sie werden übergangen.</translation>
+    </message>
+    <message>
+        <source>{source} is no part; give its STL</source>
+        <translation>{source} ist kein Teil; geben Sie seine STL-Datei an</translation>
     </message>
     <message>
         <source>{source} is no source of a path; give an STL or a CL file</source>

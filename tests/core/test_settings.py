@@ -111,7 +111,7 @@ def test_the_cutter_belongs_to_the_tasks_that_add_rapids_and_to_audits_against_a
     def tasks(name):
         return {task for task in TASKS for _, leaf in option_fields(task) if leaf.name == name}
 
-    assert tasks("cutter") == {"mill", "post", "setup", "compare", "audit"} and tasks("coedge_tolerance") == {
+    assert tasks("cutter") == {"mill", "post", "setup", "compare", "audit", "reach"} and tasks("coedge_tolerance") == {
         "mill",
         "setup",
         "compare",
