@@ -48,18 +48,18 @@ def verdict(found: ReachMap) -> Sentence:
     """One sentence: how much can be reached, and what keeps the tool from most of the rest."""
     whole, reached = float(found.area.sum()), found.area_of(Obstacle.NONE)
     if reached >= whole * (1.0 - 1e-9):
-        return say("The tool gets everywhere: {area}.", area=Area(whole))
+        return say("The tool gets everywhere: {area}.", area=Area(whole, ".5g"))
     worst = max(KEYS, key=found.area_of)
     return say(
         "The tool gets to {share} % of the surface, {reached} of {area}; most of the rest is {reason}.",
-        share=f"{100.0 * reached / whole:.1f}", reached=Area(reached), area=Area(whole), reason=reason(worst),
+        share=f"{100.0 * reached / whole:.1f}", reached=Area(reached, ".5g"), area=Area(whole, ".5g"), reason=reason(worst),
     )  # fmt: skip
 
 
 def stick_out(found: ReachMap) -> tuple[Sentence, ...]:
     """What a tool that sticks out farther would reach besides."""
     return tuple(
-        say("Let the tool stick out {step} farther and it reaches {area} more.", step=Length(step), area=Area(area))
+        say("Let the tool stick out {step} farther and it reaches {area} more.", step=Length(step), area=Area(area, ".3g"))
         for step, area in found.longer
     )
 
@@ -77,7 +77,7 @@ def _table(found: ReachMap) -> Table:
 
 def _tilts(found: ReachMap) -> list[tuple[float, float, float]]:
     """Tilt above, tilt up to, deg, and the area, mm2, that needs it."""
-    deg = [math.degrees(tilt) for tilt in TILTS]
+    deg = [round(math.degrees(tilt), 6) for tilt in TILTS]
     level = np.searchsorted(np.array(TILTS), np.where(np.isnan(found.tilt), math.inf, found.tilt - 1e-12))
     area = np.bincount(level, found.area, len(TILTS) + 1)
     return [(deg[max(k - 1, 0)], deg[k], float(area[k])) for k in range(len(TILTS)) if area[k] > 0.0]
