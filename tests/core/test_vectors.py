@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from freecad_fiveaxis.core.base.vectors import OPPOSITE, slerp
+from freecad_fiveaxis.core.base.vectors import NO_DIRECTION, slerp
 
 
 def unit_rows(rng, *shape):
@@ -39,7 +39,7 @@ def test_slerp_has_its_ends_and_between_equal_vectors_nothing_turns():
     assert np.abs(slerp(start, start, share) - start).max() < 3e-16
 
 
-@pytest.mark.parametrize("off", [0.0, 0.5 * OPPOSITE])
+@pytest.mark.parametrize("off", [0.0, 0.5 * NO_DIRECTION])
 def test_between_opposite_vectors_slerp_takes_one_great_arc_evenly(off):
     rng = np.random.default_rng(5)
     start = np.concatenate([unit_rows(rng, 20), np.eye(3), -np.eye(3)])
@@ -50,7 +50,7 @@ def test_between_opposite_vectors_slerp_takes_one_great_arc_evenly(off):
     for share in (0.0, 0.2, 0.5, 0.9, 1.0):
         found = slerp(start, end, np.full(26, share))
         assert np.linalg.norm(found, axis=1) == pytest.approx(np.ones(26), abs=1e-15)
-        assert np.abs(found - turned(start, about, np.full(26, share * math.pi))).max() < 2.0 * OPPOSITE
+        assert np.abs(found - turned(start, about, np.full(26, share * math.pi))).max() < 2.0 * NO_DIRECTION
 
 
 def test_slerp_takes_arrays_of_any_shape_and_leaves_them_as_they_are():

@@ -13,9 +13,12 @@ from .records import Floats
 Vectors = Sequence[Any] | Floats
 """Three columns x, y and z, of one shape or that of numbers."""
 
-OPPOSITE = 1e-9
-"""Length of the sum of two unit vectors, at most, that are opposite: which of the great arcs between them is meant, only
-rounding would tell."""
+NO_DIRECTION = 1e-9
+"""Pure number: a sum or a part of unit vectors that is no longer than this has no direction but that of rounding. Two unit
+vectors of such a sum are opposite."""
+
+COINCIDENT_MM = 1e-9
+"""mm; two places nearer than this are one place: coordinates of a part are rounded to about 1e-13 mm."""
 
 
 def row_dot(one: Floats, two: Floats) -> Floats:
@@ -38,14 +41,14 @@ def slerp(start: Floats, end: Floats, share: Floats) -> Floats:
     """Unit vectors (..., 3) at ``share`` (...) of the angle from ``start`` to ``end``, unit vectors by rows (..., 3).
 
     Spherical linear interpolation (Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985): on the great arc, at an
-    angle that grows evenly with the share. Between equal vectors nothing turns. Opposite ones (:data:`OPPOSITE`) name no great
-    arc: the way then goes over the direction square to ``start`` and to the coordinate axis that ``start`` leans on least.
+    angle that grows evenly with the share. Between equal vectors nothing turns. Opposite ones (:data:`NO_DIRECTION`) name no
+    great arc: the way then goes over a direction that is square to ``start`` and to its smallest coordinate's axis.
     """
     wide = _norm(start + end)
     angle = 2.0 * np.arctan2(_norm(end - start), wide)
     rest = 1.0 - share
     mixed = _times(rest * np.sinc(rest * angle / np.pi), start) + _times(share * np.sinc(share * angle / np.pi), end)
-    lost = wide <= OPPOSITE
+    lost = wide <= NO_DIRECTION
     if lost.any():
         turn = (share * angle)[lost]
         mixed[lost] = _times(np.cos(turn), start[lost]) + _times(np.sin(turn), _square_to(start[lost]))

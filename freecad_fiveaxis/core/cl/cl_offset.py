@@ -37,7 +37,7 @@ ROCKING = 0.01
 """mm: by so much the bottom may enter a facet between two smooth co-edges; what rocks further is no smooth surface. It is half of
 what such facets leave the surface behind them by, at most."""
 
-SAME = 2.0 * SHARP
+ONE_HUB_MM = 2.0 * SHARP
 """mm; hubs nearer than this, under one axis, are one place."""
 
 NOTABLE = 0.01
@@ -52,7 +52,7 @@ MOST_PIECES = 64
 SAME_STAND = 2.0
 """deg; facets whose normals differ by less stand alike under a fixed axis when the passes are spaced."""
 
-HAIR = 1e-3
+FOREMOST_LEAD = 1e-3
 """rad: a bottom that stands square is taken to lean forward by this much: it then touches with its foremost point, as it sits."""
 
 MOST = 0.99
@@ -116,7 +116,7 @@ def _stands_still(path: OffsetPath, axis: Floats) -> Bools:
     """Rows (n,) that close a gap and neither move nor turn the tool."""
     moved = np.abs(np.diff(path.centre, axis=0, prepend=path.centre[:1])).max(axis=1)
     turned = np.abs(np.diff(axis, axis=0, prepend=axis[:1])).max(axis=1)
-    return np.asarray(path.fill & (moved <= SAME) & (turned == 0.0))
+    return np.asarray(path.fill & (moved <= ONE_HUB_MM) & (turned == 0.0))
 
 
 # ------------------------------------------------------------------------------------------------ rows between
@@ -294,8 +294,8 @@ def spacing_radius(
         feed = np.cross(side, axis)
         feed /= sense * np.linalg.norm(feed, axis=1)[:, None]
         axis = leaned(axis, feed, options.lead, options.tilt)
-        square = np.linalg.norm(axis - normal, axis=1) < HAIR
-        axis[square] = leaned(axis[square], feed[square], HAIR, 0.0)
+        square = np.linalg.norm(axis - normal, axis=1) < FOREMOST_LEAD
+        axis[square] = leaned(axis[square], feed[square], FOREMOST_LEAD, 0.0)
         stands = np.einsum("ij,ij->i", axis, normal) > STEEPEST
         radii.append(cutter.equivalent_radius(normal[stands], axis[stands], side[stands], scallop, bend))
     least = float(np.concatenate(radii).min())

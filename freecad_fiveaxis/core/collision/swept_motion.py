@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
-from freecad_fiveaxis.core.base.vectors import slerp
+from freecad_fiveaxis.core.base.vectors import NO_DIRECTION, slerp
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation.bound import bending, quick_levers
 from freecad_fiveaxis.core.motion.trajectory import Vectors, at, axis, checked_words, frames, motion, tip, to_work
@@ -32,9 +32,6 @@ WIDE = 4
 
 MOST_PARTS = 64
 """A block is not laid out in more stretches than that at first; what bends more is divided where it matters."""
-
-NO_DIRECTION = 1e-9
-"""Length of the mean of two unit axes, at most, that are opposite: it points nowhere."""
 
 
 class Poses(NamedTuple):

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, run_ids
-from freecad_fiveaxis.core.base.vectors import OPPOSITE, slerp
+from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM, NO_DIRECTION, slerp
 
 FIT = 0.01
 """mm by which an end may be off its circle: several times what four printed decimals of a centre and a radius, in inches, leave
@@ -67,7 +67,7 @@ def arc_spans(arcs: Arcs, tip: Floats) -> ArcSpans:
     start, end = np.moveaxis(both - height[..., None] * arcs.normal[:, None], 1, 0)
     sine = (np.cross(start, end) * arcs.normal).sum(axis=1)
     sweep = np.mod(np.arctan2(sine, (start * end).sum(axis=1)), 2.0 * np.pi)
-    same = np.linalg.norm(end - start, axis=1) <= 1e-9
+    same = np.linalg.norm(end - start, axis=1) <= COINCIDENT_MM
     return ArcSpans(start, end, height, np.where(same | (sweep <= 0.0), 2.0 * np.pi, sweep))
 
 
@@ -81,7 +81,7 @@ def misfit(arcs: Arcs, spans: ArcSpans) -> Floats:
 def ambiguous(arcs: Arcs, spans: ArcSpans) -> Bools:
     """Which arcs may mean next to nothing as well as a whole turn."""
     apart = np.linalg.norm(spans.end - spans.start, axis=1)
-    near: Bools = (apart > 1e-9) & (apart <= NEAR) & (arcs.radius >= LEAST_RADIUS)
+    near: Bools = (apart > COINCIDENT_MM) & (apart <= NEAR) & (arcs.radius >= LEAST_RADIUS)
     return near
 
 
@@ -132,5 +132,5 @@ def inner_ends(arcs: Arcs, spans: ArcSpans, count: Ints, axis: Floats) -> tuple[
 
 def _turned_evenly(first: Floats, last: Floats, share: Floats) -> Floats:
     """The axes (m, 3) at ``share`` (m, 1) of the great arc between ``first`` and ``last`` (m, 3); opposite ones stay first."""
-    opposite = np.linalg.norm(first + last, axis=1, keepdims=True) <= OPPOSITE
+    opposite = np.linalg.norm(first + last, axis=1, keepdims=True) <= NO_DIRECTION
     return np.where(opposite, first, slerp(first, last, share[:, 0]))
