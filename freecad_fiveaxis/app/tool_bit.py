@@ -29,7 +29,7 @@ from freecad_fiveaxis.core.tool import Cutter
 SUFFIX = ".fctb"
 BALLS, FLATS, BULLS, TAPERED = ("ballend", "ballendmill"), ("endmill",), ("bullnose", "torus"), ("taperedballnose",)
 """The shapes that are of use here, under all their names; ``ballendmill`` is how the oldest tools spell it."""
-SAME = 1e-3
+EQUAL_RADIUS_MM = 1e-3
 """mm; a corner radius this near to the radius makes a ball: files give four decimals."""
 REMEDY = say("ball ends, end mills, bull noses and tapered ball noses are of use here: choose one, or give the cutter by hand")
 
@@ -131,7 +131,7 @@ def _corner(name: str, diameter: float, size: Sizes) -> float:
     if corner is None and flat is None:
         raise SettingsError(say("{name} has no corner radius; give it one in FreeCAD's tool editor", name=name), name)
     corner = diameter / 2 - flat if corner is None and flat is not None else corner
-    return diameter / 2 if abs(corner - diameter / 2) <= SAME else corner
+    return diameter / 2 if abs(corner - diameter / 2) <= EQUAL_RADIUS_MM else corner
 
 
 def _taper(name: str, size: Sizes) -> float:

@@ -43,6 +43,15 @@ def test_the_opposite_vector_takes_the_other_way(name: str) -> None:
     assert tip[:, :2].min() == pytest.approx(-10.0, abs=0.002) and len(tip) > 60
 
 
+@pytest.mark.parametrize(("last", "turn"), [("0,0,-1", 0.0), ("0,1,0", 0.5 * np.pi)])
+def test_on_an_arc_the_axis_turns_evenly_and_opposite_ones_stay_the_first(last: str, turn: float) -> None:
+    text = f"MULTAX/ON\nFEDRAT/100\nGOTO/10,0,5,0,0,1\nCIRCLE/0,0,5,0,0,1,10\nGOTO/-10,0,5,{last}\n"
+    path = read_apt(text, ClReading(chord=0.002))
+    angle = turn * np.arctan2(path.tip[:-1, 1], path.tip[:-1, 0]) / np.pi
+    assert np.abs(path.axis[:-1] - np.column_stack([0.0 * angle, np.sin(angle), np.cos(angle)])).max() < 1e-12
+    assert len(angle) > 60 and path.axis[-1].tolist() == [float(number) for number in last.split(",")]
+
+
 def test_catias_tangent_says_the_way_round() -> None:
     text = QUARTERS["catia"].replace("INDIRV/ 0.00000, 1", "INDIRV/ 0.00000, -1").replace("ON,(LINE", "ON,2,INTOF,$\n(LINE")
     tip = _read("GOTO/10,0,5\n" + text + "GOTO/0,20,5\n")

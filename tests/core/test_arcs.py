@@ -82,7 +82,7 @@ def test_inches_scale_the_centre_too():
     assert np.abs(np.hypot(*rows[:, :2].T) - 25.4).max() < 1e-9
 
 
-SAME = "G21 G90 F600\nG0 X10 Y0 Z0 A0 C0\nG3 X0 Y10 I-10 J0\nG2 X-10 Y20 R10\nG3 X-20 Y10 I0 J-10\n"
+THREE_ARCS = "G21 G90 F600\nG0 X10 Y0 Z0 A0 C0\nG3 X0 Y10 I-10 J0\nG2 X-10 Y20 R10\nG3 X-20 Y10 I0 J-10\n"
 SIEMENS = (
     "; a part\nG710 G90 F600\nG0 X10 Y0 Z0 A0 C0\nG3 X0 Y10 I-10 J0\nG2 X-10 Y=20 CR=10\nG3 X-20 Y10 I=AC(-10) J=AC(10)\nM30\n"
 )
@@ -94,7 +94,7 @@ KLARTEXT = (
 
 @pytest.mark.parametrize(("text", "controller"), [(SIEMENS, "siemens840d"), (KLARTEXT, "heidenhain")])
 def test_the_same_arcs_in_every_language_are_the_same_rows(text, controller):
-    plain, other = read(SAME), read(text, controller)
+    plain, other = read(THREE_ARCS), read(text, controller)
     assert other.words == pytest.approx(plain.words, abs=1e-9)
     assert not [found for found in other.findings if found.severity > Severity.NOTE]
 

@@ -180,7 +180,7 @@ def long_case(rng, rows, jump):
     ("jump", "gates", "lost", "shorter"), [(0.0, 0.1, 0.002, True), (0.3, 0.1, 0.002, True), (0.0, 0.01, 0.05, False)]
 )
 @pytest.mark.parametrize("chunk", [7, 64, 16384])
-def test_the_shorter_graph_of_gates_and_stretches_has_the_best_way_or_none(jump, gates, lost, shorter, chunk, monkeypatch):
+def test_the_shorter_graph_of_gates_and_branch_runs_has_the_best_way_or_none(jump, gates, lost, shorter, chunk, monkeypatch):
     monkeypatch.setattr(columns, "CHUNK", chunk)
     rng, changes = np.random.default_rng(11), 0
     free = np.array([-math.inf] * 2), np.array([math.inf] * 2)
@@ -193,7 +193,7 @@ def test_the_shorter_graph_of_gates_and_stretches_has_the_best_way_or_none(jump,
         entry = np.where(fits[:, 0], 0.0, math.inf)
         cost = branches._step_cost(layers, cutting, crossing, slice(0, 1999), slice(1, 2000))
         best = least_path(entry, lambda first, last, cost=cost: cost[:, :, first:last], 1999)
-        state = branches._by_stretches(layers, entry, cutting, crossing, silent)
+        state = branches._by_branch_runs(layers, entry, cutting, crossing, silent)
         assert (state is not None) is shorter
         if state is not None:
             at, changes = np.arange(1999), changes + np.count_nonzero(np.diff(state))
@@ -201,7 +201,7 @@ def test_the_shorter_graph_of_gates_and_stretches_has_the_best_way_or_none(jump,
     assert changes > 3 or not shorter
 
 
-def test_a_break_that_has_to_be_made_inside_a_stretch_is_found():
+def test_a_break_that_has_to_be_made_inside_a_branch_run_is_found():
     """Branch 0 ends and branch 1 begins within one cut: no gate helps, so the shorter graph must not answer."""
     angles = np.zeros((2, 60, 2))
     angles[0], angles[1] = [0.0, 1.0], [math.pi, -1.0]

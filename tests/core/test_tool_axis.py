@@ -162,6 +162,14 @@ def test_opposed_normals_fall_back_on_the_rows_own():
         np.testing.assert_allclose(np.linalg.norm(axis, axis=1), 1, atol=1e-12)
 
 
+@pytest.mark.parametrize("off", [0.0, 3e-7])
+def test_opposed_normals_take_the_rows_own_however_far_opposed_ones_may_be_rounded(off):
+    path = offset([(0, 0), (10, 5), (20, 0)])
+    across = np.broadcast_to((0.0, off, 0.0), path.before.shape)
+    path = replace(path, after=across - path.before, normal=np.broadcast_to((0.6, 0.8, 0.0), path.before.shape).copy())
+    np.testing.assert_array_equal(plain("step_weighted", path), path.normal)
+
+
 def test_a_step_without_length_halves_the_angle():
     path = offset([(0, 0), (10, 5), (20, 0)])
     path = replace(path, step_before=0 * path.step_before, step_after=0 * path.step_after)

@@ -29,6 +29,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Sentence, Task, plural, say
+from freecad_fiveaxis.core.base.vectors import slerp
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation import Deviation
@@ -144,7 +145,6 @@ def _angles(path: CLPath, lines: Segments, place: Floats, axis: Floats, element:
     """Angle (n, k) rad between ``axis`` (n, 3) and that of the CL path at the feet on the lines ``element`` (n, k): on the great
     arc between the axes of a line's ends; where the line is a point, the nearest of that arc."""
     first, last = path.axis[element], path.axis[element + 1]
-    turn = 2.0 * np.arcsin(np.clip(np.linalg.norm(last - first, axis=-1) / 2.0, 0.0, 1.0))
     share = lines.share(place, element)
     here = axis[:, None]
     still = (lines.start[element] == lines.end[element]).all(axis=-1)
@@ -152,12 +152,7 @@ def _angles(path: CLPath, lines: Segments, place: Floats, axis: Floats, element:
     length2 = ((last - first) ** 2).sum(axis=-1)
     by_axis = np.clip(np.divide(towards, length2, out=np.zeros_like(towards), where=length2 > 0.0), 0.0, 1.0)
     share = np.where(still, by_axis, share)
-    sine = np.sin(turn)
-    bent = sine > 1e-9
-    safe = np.where(bent, sine, 1.0)
-    from_first = np.where(bent, np.sin((1.0 - share) * turn) / safe, 1.0 - share)
-    from_last = np.where(bent, np.sin(share * turn) / safe, share)
-    meant = from_first[..., None] * first + from_last[..., None] * last
+    meant = slerp(first, last, share)
     return np.asarray(2.0 * np.arcsin(np.clip(np.linalg.norm(here - meant, axis=-1) / 2.0, 0.0, 1.0)))
 
 

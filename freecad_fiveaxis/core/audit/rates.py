@@ -29,8 +29,8 @@ from freecad_fiveaxis.core.motion.program.feeds import STILL, tip_travel
 
 PORTION = 65536
 """Blocks worked on at a time."""
-SAME = 1e-3
-"""Relative excess over a rate that is rounding of F and of the words."""
+RATE_ROUNDING = 1e-3
+"""Share; excess over a rate that is rounding of F and of the words."""
 OTHER_THAN_F, OTHER_THAN_MEDIAN = 2.0, 5.0
 """A tip feed off by this factor is worth a finding: off the F word under G94; under G93, where approaches are rightly slower than
 cuts, off the median of all feed blocks."""
@@ -95,7 +95,7 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
     """A warning for each axis of which feed blocks ask more than its maximum rate."""
     found = []
     for k, letter in enumerate(program.letters):
-        rows = np.flatnonzero(rates.rate[:, k] > kinematics.rate[k] * (1.0 + SAME))
+        rows = np.flatnonzero(rates.rate[:, k] > kinematics.rate[k] * (1.0 + RATE_ROUNDING))
         if not len(rows):
             continue
         worst = int(rows[rates.rate[rows, k].argmax()])

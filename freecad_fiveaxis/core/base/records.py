@@ -75,7 +75,7 @@ class Insertion:
         begin, end = np.append(0, cut), np.append(cut, count)
         shift = np.append(0, np.searchsorted(at, cut, side="right"))
         whole, size = end - begin >= SHORTEST, end - begin
-        self._stretches = np.stack([begin, end, shift])[:, whole].T.tolist()
+        self._whole_runs = np.stack([begin, end, shift])[:, whole].T.tolist()
         rest = np.flatnonzero(~whole & (size > 0))
         owner = run_ids(size[rest])
         head = np.cumsum(size[rest]) - size[rest]
@@ -85,11 +85,11 @@ class Insertion:
     def interleave(self, own: NDArray[Any], rows: NDArray[Any] | int) -> Any:
         """The table ``own`` (count, ...) with ``rows`` (m, ...) put in, in Fortran order.
 
-        Whole stretches between the cuts go at a time: at the speed of the memory, where picking row by row is half as fast.
+        Whole runs between the cuts go at a time: at the speed of the memory, where picking row by row is half as fast.
         """
         given = own.T
         columns = np.empty((*given.shape[:-1], self.count + len(self.place)), own.dtype)
-        for begin, end, shift in self._stretches:
+        for begin, end, shift in self._whole_runs:
             columns[..., begin + shift : end + shift] = given[..., begin:end]
         columns[..., self._moved] = given[..., self._rows]
         columns[..., self.place] = rows if isinstance(rows, int) else rows.T

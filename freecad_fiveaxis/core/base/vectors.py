@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Inner products and lengths of many vectors at once: by rows (n, 3), or by columns: three arrays, or one (3, ...)."""
+"""Lengths, inner products and great arcs of many vectors: by rows (..., 3), or by columns: three arrays, or one (3, ...)."""
 
 from __future__ import annotations
 
@@ -12,6 +12,13 @@ from .records import Floats
 
 Vectors = Sequence[Any] | Floats
 """Three columns x, y and z, of one shape or that of numbers."""
+
+NO_DIRECTION = 1e-9
+"""Pure number: a sum or a part of unit vectors that is no longer than this has no direction but that of rounding. Two unit
+vectors of such a sum are opposite."""
+
+COINCIDENT_MM = 1e-9
+"""mm; two places nearer than this are one place: coordinates of a part are rounded to about 1e-13 mm."""
 
 
 def row_dot(one: Floats, two: Floats) -> Floats:
@@ -28,3 +35,35 @@ def dot(one: Vectors, two: Vectors) -> Floats:
 def length(vector: Vectors) -> Floats:
     """Lengths of vectors by columns."""
     return np.asarray(np.sqrt(dot(vector, vector)))
+
+
+def slerp(start: Floats, end: Floats, share: Floats) -> Floats:
+    """Unit vectors (..., 3) at ``share`` (...) of the angle from ``start`` to ``end``, unit vectors by rows (..., 3).
+
+    Spherical linear interpolation (Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985): on the great arc, at an
+    angle that grows evenly with the share. Between equal vectors nothing turns. Opposite ones (:data:`NO_DIRECTION`) name no
+    great arc: the way then goes over a direction that is square to ``start`` and to its smallest coordinate's axis.
+    """
+    wide = _norm(start + end)
+    angle = 2.0 * np.arctan2(_norm(end - start), wide)
+    rest = 1.0 - share
+    mixed = _times(rest * np.sinc(rest * angle / np.pi), start) + _times(share * np.sinc(share * angle / np.pi), end)
+    lost = wide <= NO_DIRECTION
+    if lost.any():
+        turn = (share * angle)[lost]
+        mixed[lost] = _times(np.cos(turn), start[lost]) + _times(np.sin(turn), _square_to(start[lost]))
+    return np.asarray(mixed / _norm(mixed)[..., None])
+
+
+def _norm(rows: Floats) -> Floats:
+    return length(np.moveaxis(rows, -1, 0))
+
+
+def _times(factor: Floats, rows: Floats) -> Floats:
+    return np.asarray(factor[..., None] * rows)
+
+
+def _square_to(rows: Floats) -> Floats:
+    """A unit vector (n, 3) square to each of ``rows`` (n, 3)."""
+    across = np.cross(rows, np.eye(3)[np.abs(rows).argmin(axis=1)])
+    return np.asarray(across / _norm(across)[:, None])

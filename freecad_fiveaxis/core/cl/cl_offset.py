@@ -20,7 +20,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Choice, say
-from freecad_fiveaxis.core.base.vectors import row_dot
+from freecad_fiveaxis.core.base.vectors import row_dot, slerp
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes import CREASE, facet_curvature, turned_along
 from freecad_fiveaxis.core.tool import Cutter
@@ -37,14 +37,11 @@ ROCKING = 0.01
 """mm: by so much the bottom may enter a facet between two smooth co-edges; what rocks further is no smooth surface. It is half of
 what such facets leave the surface behind them by, at most."""
 
-SAME = 2.0 * SHARP
+ONE_HUB_MM = 2.0 * SHARP
 """mm; hubs nearer than this, under one axis, are one place."""
 
 NOTABLE = 0.01
 """mm of a heel in the part before it is worth a finding: a usual finishing tolerance."""
-
-NOTHING = 1e-12
-"""Half a chord of unit vectors: nearer to none, or to a whole one, there is no arc between them."""
 
 SWING_HALVINGS = 8
 """Times that a move over an edge is halved at most."""
@@ -55,7 +52,7 @@ MOST_PIECES = 64
 SAME_STAND = 2.0
 """deg; facets whose normals differ by less stand alike under a fixed axis when the passes are spaced."""
 
-HAIR = 1e-3
+FOREMOST_LEAD = 1e-3
 """rad: a bottom that stands square is taken to lean forward by this much: it then touches with its foremost point, as it sits."""
 
 MOST = 0.99
@@ -119,7 +116,7 @@ def _stands_still(path: OffsetPath, axis: Floats) -> Bools:
     """Rows (n,) that close a gap and neither move nor turn the tool."""
     moved = np.abs(np.diff(path.centre, axis=0, prepend=path.centre[:1])).max(axis=1)
     turned = np.abs(np.diff(axis, axis=0, prepend=axis[:1])).max(axis=1)
-    return np.asarray(path.fill & (moved <= SAME) & (turned == 0.0))
+    return np.asarray(path.fill & (moved <= ONE_HUB_MM) & (turned == 0.0))
 
 
 # ------------------------------------------------------------------------------------------------ rows between
@@ -165,7 +162,7 @@ def _swing_depth(path: OffsetPath, axis: Floats, row: Ints, ring: float) -> Floa
     out = ring_direction(seat, axis, feed, ring)
     chord = 0.5 * (out[row - 1] + out[row])
     half = np.full(len(row), 0.5)
-    normal, upright = _between(seat[row - 1], seat[row], half), _between(axis[row - 1], axis[row], half)
+    normal, upright = slerp(seat[row - 1], seat[row], half), slerp(axis[row - 1], axis[row], half)
     sine = np.linalg.norm(np.cross(normal, upright), axis=1)
     return np.asarray(ring * (sine - row_dot(chord, normal)))
 
@@ -193,7 +190,7 @@ def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floa
     end, made = row[new], axis[row]
     start, part = end - 1, share[:, None]
     seat = seat_normal(path, ring)
-    normal = _between(seat[start], seat[end], share) if ring > 0.0 else path.before[end]
+    normal = slerp(seat[start], seat[end], share) if ring > 0.0 else path.before[end]
     columns = _columns(path, row)
     for name in ("point", "centre"):
         given = getattr(path, name)
@@ -203,15 +200,8 @@ def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floa
     for name in ("before", "after"):
         columns[name][new[inside]] = normal[inside]
     columns["coedge"][new[inside]] = -1
-    made[new] = _between(axis[start], axis[end], share)
+    made[new] = slerp(axis[start], axis[end], share)
     return OffsetPath(**columns, findings=path.findings), made
-
-
-def _between(one: Floats, two: Floats, share: Floats) -> Floats:
-    """Unit rows at ``share`` of the angle from ``one`` to ``two``."""
-    angle = 2.0 * np.arcsin(np.clip(0.5 * np.linalg.norm(two - one, axis=1), NOTHING, 1.0 - NOTHING))
-    mixed = np.sin((1.0 - share) * angle)[:, None] * one + np.sin(share * angle)[:, None] * two
-    return np.asarray(mixed / np.linalg.norm(mixed, axis=1)[:, None])
 
 
 # ------------------------------------------------------------------------------------------------ hollows
@@ -304,8 +294,8 @@ def spacing_radius(
         feed = np.cross(side, axis)
         feed /= sense * np.linalg.norm(feed, axis=1)[:, None]
         axis = leaned(axis, feed, options.lead, options.tilt)
-        square = np.linalg.norm(axis - normal, axis=1) < HAIR
-        axis[square] = leaned(axis[square], feed[square], HAIR, 0.0)
+        square = np.linalg.norm(axis - normal, axis=1) < FOREMOST_LEAD
+        axis[square] = leaned(axis[square], feed[square], FOREMOST_LEAD, 0.0)
         stands = np.einsum("ij,ij->i", axis, normal) > STEEPEST
         radii.append(cutter.equivalent_radius(normal[stands], axis[stands], side[stands], scallop, bend))
     least = float(np.concatenate(radii).min())

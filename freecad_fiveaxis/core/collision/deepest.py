@@ -13,7 +13,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.vectors import dot
-from freecad_fiveaxis.core.tool.body import NOWHERE, Piece, off_piece, support
+from freecad_fiveaxis.core.tool.body import UNDIRECTED_MM, Piece, off_piece, support
 
 from .swept_motion import Poses
 
@@ -35,7 +35,7 @@ def toward(piece: Piece, axis: Floats, arm: Floats) -> tuple[Floats, Floats]:
     out = arm - height * axis
     radius = np.sqrt((out * out).sum(axis=0))
     off = off_piece(piece, radius, height)
-    g = off.along * axis + (off.across * (radius > NOWHERE) / np.maximum(radius, NOWHERE)) * out
+    g = off.along * axis + (off.across * (radius > UNDIRECTED_MM) / np.maximum(radius, UNDIRECTED_MM)) * out
     bare = np.flatnonzero(radius <= 1e-9)  # on the axis the direction across it is any
     if len(bare):
         g[:, bare] = _unit_on_axis(axis[:, bare], off.along[bare])
@@ -46,8 +46,8 @@ def _from_spine(piece: Piece, axis: Floats, arm: Floats, height: Floats) -> tupl
     """:func:`toward` for a core that is a stretch of the axis: balls, and cylinders with round ends."""
     out = arm - height * axis
     distance = np.sqrt((out * out).sum(axis=0))
-    g = out / np.maximum(distance, NOWHERE)
-    bare = np.flatnonzero(distance <= NOWHERE)
+    g = out / np.maximum(distance, UNDIRECTED_MM)
+    bare = np.flatnonzero(distance <= UNDIRECTED_MM)
     if len(bare):
         g[:, bare] = _unit_on_axis(axis[:, bare], np.zeros(len(bare)))
     return distance - piece.round, g
@@ -72,7 +72,7 @@ def end_and_side(piece: Piece, pose: Poses, point: Floats) -> tuple[Floats, Floa
     arm = point - pose.tip
     height = (arm * pose.axis).sum(axis=0)
     out = arm - height * pose.axis
-    out = out / np.maximum(np.sqrt((out * out).sum(axis=0)), NOWHERE)
+    out = out / np.maximum(np.sqrt((out * out).sum(axis=0)), UNDIRECTED_MM)
     slope = float(np.hypot(piece.high_radius - piece.low_radius, piece.high - piece.low))
     side = ((piece.high - piece.low) * out + (piece.low_radius - piece.high_radius) * pose.axis) / slope
     return np.where(2.0 * height < piece.low + piece.high, -1.0, 1.0) * pose.axis, side

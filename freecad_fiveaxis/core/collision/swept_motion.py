@@ -22,6 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.vectors import NO_DIRECTION, slerp
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation.bound import bending, quick_levers
 from freecad_fiveaxis.core.motion.trajectory import Vectors, at, axis, checked_words, frames, motion, tip, to_work
@@ -31,9 +32,6 @@ WIDE = 4
 
 MOST_PARTS = 64
 """A block is not laid out in more stretches than that at first; what bends more is divided where it matters."""
-
-STRAIGHT = 1e-9
-"""rad; axes that differ by less, or are opposite but for less, do not tell in which plane the arc between them lies."""
 
 
 class Poses(NamedTuple):
@@ -64,7 +62,7 @@ def straight_motion(tips: Floats, axes: Floats) -> SweptMotion:
 
     def pose(block: Ints, u: Floats) -> Poses:
         p, q = start.take(block, axis=1), end.take(block, axis=1)
-        return Poses(p + u * (q - p), _on_arc(first.take(block, axis=1), last.take(block, axis=1), angle.take(block), u))
+        return Poses(p + u * (q - p), slerp(first.take(block, axis=1).T, last.take(block, axis=1).T, u).T)
 
     return SweptMotion(pose, np.zeros(len(angle)), angle * angle)
 
@@ -77,18 +75,6 @@ def still_positions(tips: Floats, axes: Floats) -> SweptMotion:
         return Poses(place.take(block, axis=1), pointing.take(block, axis=1))
 
     return SweptMotion(pose, np.zeros(len(tips)), np.zeros(len(tips)))
-
-
-def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
-    """At share u of the great arc; between opposite axes one of the many there are."""
-    across = last - (first * last).sum(axis=0) * first
-    length = np.linalg.norm(across, axis=0)
-    lost = np.flatnonzero(length < STRAIGHT)
-    if len(lost):
-        any_way = np.cross(first[:, lost], np.eye(3)[np.abs(first[:, lost]).argmin(axis=0)].T, axis=0)
-        across[:, lost] = any_way
-        length[lost] = np.linalg.norm(any_way, axis=0)
-    return np.asarray(np.cos(u * angle) * first + (np.sin(u * angle) / length) * across)
 
 
 def real_motion(kinematics: Chain, words: Floats, back: float = 0.0) -> SweptMotion:
@@ -197,7 +183,7 @@ def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels:
         counts.insert(0, len(first))
     tip, travel, axis, turn, bend_tip, bend_axis = (np.concatenate(column, axis=-1) for column in zip(*rows, strict=True))
     cosine, turned = _length(axis), _length(turn)
-    unit = np.where(cosine > STRAIGHT, axis / np.maximum(cosine, STRAIGHT), np.eye(3)[:, 2:])
+    unit = np.where(cosine > NO_DIRECTION, axis / np.maximum(cosine, NO_DIRECTION), np.eye(3)[:, 2:])
     sweep = [tip, unit, travel, bend_tip[None], bend_axis[None]]
     if turned.any():
         sweep += [turn, cosine[None]]

@@ -51,8 +51,8 @@ ROUNDS = 24
 ROUGHLY = 0.1
 """mm; so near to the deepest point is near enough to lift by. That nothing is deeper than the aim is known all the same."""
 
-SAME = 1e-6
-"""mm; places nearer than this are one place."""
+STILL_MM = 1e-6
+"""mm; a link move that is no longer than this goes nowhere: the next cut goes on from the same place."""
 
 INNER = 0.05
 """Of a block: a row put in at its deepest place is at least so far from its ends."""
@@ -184,7 +184,7 @@ class _Lifter:
     def trapped(self, way: _Way) -> Ints:
         """The rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves, meets the part. Where the
         next cut goes on from the same place nothing comes or leaves."""
-        link_moves = np.flatnonzero(~way.cuts & (np.abs(np.diff(way.tip, axis=0)).max(axis=1) > SAME))
+        link_moves = np.flatnonzero(~way.cuts & (np.abs(np.diff(way.tip, axis=0)).max(axis=1) > STILL_MM))
         cut = np.append(way.cuts, False) | np.append(False, way.cuts)
         ends: Ints = np.unique(np.concatenate([link_moves, link_moves + 1]))
         ends = ends[cut[ends]]

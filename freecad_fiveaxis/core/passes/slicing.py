@@ -29,7 +29,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
-NOWHERE = -(1 << 40)  # base of a facet that is not there; stays negative whatever plane is added
+NO_FACET = -(1 << 40)  # base of a facet that is not there; stays negative whatever plane is added
 
 MOST_SEGMENTS = 20_000_000
 """More than any job can want: a program of them is a file of some gigabytes."""
@@ -115,7 +115,7 @@ def levels(distance: Floats, offsets: Floats) -> Ints:
 
 
 def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]:
-    """First node of each facet less its first plane, NOWHERE for facets left out and for row -1; number of nodes."""
+    """First node of each facet less its first plane, NO_FACET for facets left out and for row -1; number of nodes."""
     base = np.empty(len(mesh.face) + 1, dtype=np.int64)
 
     def count(part: slice) -> int:
@@ -133,9 +133,9 @@ def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]
     counts = in_threads(count, parts)
     for part, before in zip(parts, np.cumsum([0, *counts]).tolist(), strict=False):
         base[:-1][part] += before
-    base[-1] = NOWHERE
+    base[-1] = NO_FACET
     if keep is not None:
-        base[:-1][~keep] = NOWHERE
+        base[:-1][~keep] = NO_FACET
     return base, sum(counts)
 
 
@@ -180,7 +180,7 @@ def find_crossings(mesh: Mesh, offsets: Floats, columns: tuple[Floats, ...], dis
     level = levels(distance, offsets)
     base, nodes = first_nodes(mesh, level, keep)
     _check_size(nodes)
-    present = base != NOWHERE
+    present = base != NO_FACET
     upward = np.append(mesh.normal[:, 2] > 0.0, False)
     downward = present & ~upward
     upward &= present

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.audit import Audit, timed_feeds
-from freecad_fiveaxis.core.audit.rates import DEGREES, SAME
+from freecad_fiveaxis.core.audit.rates import DEGREES, RATE_ROUNDING
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.motion.program.feeds import STILL
@@ -32,7 +32,7 @@ def audited(program: Program, audit: Audit | None) -> dict[str, Any]:
         "max_limit_excess": _largest(audit.limits.excess),
         "limit_axis": _letter(program, audit.limits.axis, farthest, audit.limits.excess),
         "limit_line": _line(program, farthest, audit.limits.excess),
-        "over_rate_blocks": int((audit.rates.ratio > 1.0 + SAME).sum()),
+        "over_rate_blocks": int((audit.rates.ratio > 1.0 + RATE_ROUNDING).sum()),
         "max_rate_ratio": _largest(audit.rates.ratio),
         "rate_axis": _letter(program, audit.rates.axis, quickest, audit.rates.ratio),
         "rate_line": _line(program, quickest, audit.rates.ratio),

@@ -104,7 +104,7 @@ class Spot:
 
 def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
     """The picture of a program; at most about ``strokes`` strokes."""
-    start, end = _stretches(figures.feeds, figures.program.motion, strokes)
+    start, end = _stroke_ends(figures.feeds, figures.program.motion, strokes)
     block = _worst_between(figures.deviation.segment, start, end)
     deviation = figures.deviation.segment[block]
     low, high = _box(figures.tip[figures.feeds])
@@ -192,7 +192,7 @@ def _told(figures: Figures, mark: Marker) -> Finding:
     return Finding(severity, mark.kind, mark.label, value, None, unit, there.block, there.line, mark.place)
 
 
-def _stretches(feeds: Ints, motion: np.ndarray, most: int) -> tuple[Ints, Ints]:
+def _stroke_ends(feeds: Ints, motion: np.ndarray, most: int) -> tuple[Ints, Ints]:
     """First and last block of every stroke. One stroke never spans a rapid or two kinds of motion."""
     if not len(feeds):
         return feeds, feeds
@@ -209,7 +209,7 @@ def _stretches(feeds: Ints, motion: np.ndarray, most: int) -> tuple[Ints, Ints]:
 
 
 def _worst_between(values: Floats, start: Ints, end: Ints) -> Ints:
-    """The row of the largest of ``values`` (m,) in each stretch of rows ``start`` to ``end`` (k,)."""
+    """The row of the largest of ``values`` (m,) in each stroke of rows ``start`` to ``end`` (k,)."""
     worst, known = start.copy(), np.nan_to_num(values, nan=np.inf)
     for step in range(1, int((end - start).max(initial=0)) + 1):
         row = np.minimum(start + step, end)

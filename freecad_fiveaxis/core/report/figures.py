@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.audit import Audit
-from freecad_fiveaxis.core.audit.rates import SAME
+from freecad_fiveaxis.core.audit.rates import RATE_ROUNDING
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.cl.cl_path import Motion
@@ -202,7 +202,7 @@ def worst_of_audit(figures: Figures) -> dict[str, list[dict[str, Any]]]:
     if figures.audit is None:
         return {}
     off = figures.audit.off()[0]
-    kinds = {"limits": (figures.audit.limits.excess, 0.0), "rates": (figures.audit.rates.ratio, 1.0 + SAME)}
+    kinds = {"limits": (figures.audit.limits.excess, 0.0), "rates": (figures.audit.rates.ratio, 1.0 + RATE_ROUNDING)}
     kinds["off"] = (off, figures.tolerance)
     return {name: worst_table(figures, worst_of(values, above)) for name, (values, above) in kinds.items()}
 

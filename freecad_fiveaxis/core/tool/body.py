@@ -32,8 +32,8 @@ PARTS = (say("cutter"), say("shank"), say("holder"))
 LARGEST = 1e4
 """mm; no tool reaches ten metres."""
 
-NOWHERE = 1e-30
-"""mm; a distance from the axis below this has no direction."""
+UNDIRECTED_MM = 1e-30
+"""mm; a distance from a tool's axis, or from the core of a piece, below this has no direction."""
 
 
 class Piece(NamedTuple):
@@ -182,8 +182,8 @@ def _rounded(off: Off, by: float) -> Off:
 
 def _from_point(dr: Floats, dz: Floats) -> Off:
     distance = np.sqrt(dr * dr + dz * dz)
-    safe = np.maximum(distance, NOWHERE)
-    across = np.where(distance > NOWHERE, dr / safe, 1.0)  # in the core itself any direction is as good
+    safe = np.maximum(distance, UNDIRECTED_MM)
+    across = np.where(distance > UNDIRECTED_MM, dr / safe, 1.0)  # in the core itself any direction is as good
     return Off(distance, dz / safe, across)
 
 

@@ -12,13 +12,11 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.vectors import NO_DIRECTION
 
 SLIP = 5e-5
 """mm; the axis counts as square where the bottom, whichever way out points, dips below the plane by no more than this: half of
 a word's last digit, and half of what may be between the cutter and its contact."""
-
-NOWHERE = 1e-9
-"""Length below which the part of the feed across the axis has no direction."""
 
 
 def ring_direction(normal: Floats, axis: Floats, feed: Floats, ring: float) -> Floats:
@@ -32,7 +30,7 @@ def ring_direction(normal: Floats, axis: Floats, feed: Floats, ring: float) -> F
     square = np.flatnonzero(2.0 * ring * sine <= SLIP)
     if len(square):
         back = -_across(feed[square], axis[square])
-        lost = np.flatnonzero(np.einsum("ij,ij->i", back, back) <= NOWHERE**2)
+        lost = np.flatnonzero(np.einsum("ij,ij->i", back, back) <= NO_DIRECTION**2)
         least = np.abs(axis[square[lost]]).argmin(axis=1)
         back[lost] = _across(np.eye(3)[least], axis[square[lost]])
         out[square], sine[square] = back, np.sqrt(np.einsum("ij,ij->i", back, back))

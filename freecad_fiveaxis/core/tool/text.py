@@ -31,7 +31,7 @@ KINDS = {
 FORMS = ("ball:10", "flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:10:1:5deg")
 """An example of each."""
 
-SAME = 1e-4
+EQUAL_SIZE = 1e-4
 """mm and deg; sizes of a CL file that differ by less are the same: they have four decimals."""
 
 
@@ -137,12 +137,12 @@ def cutter_from_apt(numbers: Sequence[float], scale: float = 1.0) -> Cutter | No
     d, r, e, f, a, b, h = (*numbers[:7], *(math.nan,) * (7 - len(numbers)))
     d, r, e, f, h = (scale * size for size in (d, r, e, f, h))
     taper = 0.0 if math.isnan(b) else math.radians(b)
-    if abs(f - r) > SAME or abs(a) > SAME or not 0.0 <= taper < math.pi / 2.0:
+    if abs(f - r) > EQUAL_SIZE or abs(a) > EQUAL_SIZE or not 0.0 <= taper < math.pi / 2.0:
         return None
     ring = 0.5 * d - r * (1.0 - math.sin(taper)) / math.cos(taper) if math.isnan(e) else e
-    if ring < -SAME:
+    if ring < -EQUAL_SIZE:
         return None
-    corner = FULL if abs(ring) <= SAME else r
+    corner = FULL if abs(ring) <= EQUAL_SIZE else r
     sizes: dict[str, Any] = {} if math.isnan(h) or h <= 0.0 else {"length": h}
     try:
         return Cutter(2.0 * (max(ring, 0.0) + r), corner=corner, taper=taper, **sizes)

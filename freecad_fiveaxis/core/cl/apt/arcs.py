@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, run_ids
+from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM, NO_DIRECTION, slerp
 
 FIT = 0.01
 """mm by which an end may be off its circle: several times what four printed decimals of a centre and a radius, in inches, leave
@@ -66,7 +67,7 @@ def arc_spans(arcs: Arcs, tip: Floats) -> ArcSpans:
     start, end = np.moveaxis(both - height[..., None] * arcs.normal[:, None], 1, 0)
     sine = (np.cross(start, end) * arcs.normal).sum(axis=1)
     sweep = np.mod(np.arctan2(sine, (start * end).sum(axis=1)), 2.0 * np.pi)
-    same = np.linalg.norm(end - start, axis=1) <= 1e-9
+    same = np.linalg.norm(end - start, axis=1) <= COINCIDENT_MM
     return ArcSpans(start, end, height, np.where(same | (sweep <= 0.0), 2.0 * np.pi, sweep))
 
 
@@ -80,7 +81,7 @@ def misfit(arcs: Arcs, spans: ArcSpans) -> Floats:
 def ambiguous(arcs: Arcs, spans: ArcSpans) -> Bools:
     """Which arcs may mean next to nothing as well as a whole turn."""
     apart = np.linalg.norm(spans.end - spans.start, axis=1)
-    near: Bools = (apart > 1e-9) & (apart <= NEAR) & (arcs.radius >= LEAST_RADIUS)
+    near: Bools = (apart > COINCIDENT_MM) & (apart <= NEAR) & (arcs.radius >= LEAST_RADIUS)
     return near
 
 
@@ -126,14 +127,10 @@ def inner_ends(arcs: Arcs, spans: ArcSpans, count: Ints, axis: Floats) -> tuple[
     height = spans.height[of, :1] * (1.0 - share) + spans.height[of, 1:] * share
     place = arcs.centre[of] + height * arcs.normal[of] + here * (np.cos(angle) * out[of] + np.sin(angle) * ahead[of])
     row = arcs.row[of]
-    return row, place, between(axis[row - 1], axis[row], share)
+    return row, place, _turned_evenly(axis[row - 1], axis[row], share)
 
 
-def between(first: Floats, last: Floats, share: Floats) -> Floats:
+def _turned_evenly(first: Floats, last: Floats, share: Floats) -> Floats:
     """The axes (m, 3) at ``share`` (m, 1) of the great arc between ``first`` and ``last`` (m, 3); opposite ones stay first."""
-    turn = 2.0 * np.arcsin(np.clip(np.linalg.norm(last - first, axis=1, keepdims=True) / 2.0, 0.0, 1.0))
-    sine = np.sin(turn)
-    bent = sine > 1e-9
-    safe = np.where(bent, sine, 1.0)
-    mixed = (np.sin((1.0 - share) * turn) * first + np.sin(share * turn) * last) / safe
-    return np.where(bent, mixed, np.where(share < 1.0, first, last))
+    opposite = np.linalg.norm(first + last, axis=1, keepdims=True) <= NO_DIRECTION
+    return np.where(opposite, first, slerp(first, last, share[:, 0]))

@@ -21,10 +21,11 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Insertion, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Number, say
+from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
 from freecad_fiveaxis.core.cl.coedge import OffsetPath
 from freecad_fiveaxis.core.tool import Cutter
 
-from .linking import SAME, WayOut, keepout, way_out
+from .linking import WayOut, keepout, way_out
 
 CONTROL_POINTS = ("tip", "centre")
 
@@ -172,7 +173,7 @@ def _merged(path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: 
 
 def _goes_on(centre: Floats, first: Ints, last: Ints) -> Bools:
     """Which polylines start where the one before them ended."""
-    near = np.abs(centre[first[1:]] - centre[last[:-1]]).max(axis=1, initial=0.0) < SAME
+    near = np.abs(centre[first[1:]] - centre[last[:-1]]).max(axis=1, initial=0.0) < COINCIDENT_MM
     return np.concatenate([[False], near])
 
 

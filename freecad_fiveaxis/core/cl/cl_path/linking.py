@@ -16,15 +16,13 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
 
 SAFE_MARGIN = 2.0
 """mm between the keep-out and the safe plane, because joint moves that turn the axis bend the traverse."""
 
 SIDE_MARGIN = 1e-3
 """mm by which the keep-out is larger than it must be, so that rounding of a point or a word never puts a rapid inside."""
-
-SAME = 1e-9
-"""mm; two places nearer than this are one place, and a move between them is left out."""
 
 
 class Keepout(NamedTuple):
@@ -60,7 +58,7 @@ def way_out(centre: Floats, axis: Floats, keep: Keepout) -> WayOut:
     up[:, 2] = np.maximum(up[:, 2], keep.safe)
     station = np.stack([clear, beside, up], axis=1)
     before = np.stack([centre, clear, beside], axis=1)
-    return WayOut(station, np.abs(station - before).max(axis=2) > SAME)
+    return WayOut(station, np.abs(station - before).max(axis=2) > COINCIDENT_MM)
 
 
 def _reach_out(centre: Floats, axis: Floats, keep: Keepout) -> Floats:

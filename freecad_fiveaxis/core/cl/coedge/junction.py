@@ -20,7 +20,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
-from freecad_fiveaxis.core.base.vectors import dot
+from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM, dot
 from freecad_fiveaxis.core.passes import ContactPath
 
 END, FLAT, CONVEX, CONCAVE = range(4)
@@ -29,8 +29,8 @@ FLAT_GAP = 1e-6
 """mm between the two offsets of a contact below which one point serves both: the point is on both offset planes, and this far
 below the step of any controller beside the contact."""
 
-SAME = 1e-9
-"""mm; two places nearer than this are one place: coordinates of a part are rounded to about 1e-13 mm."""
+STEP_ROUNDING = 1e-9
+"""Share of a sub-step: an angle that is larger than k of them by no more is one of k, for its last digit is rounded."""
 
 GRAZING = 1e-6
 """A path that runs along a co-edge within this angle (rad) does not say on which side of it the facets rise: taken as convex."""
@@ -54,7 +54,7 @@ class Segments:
     """The segments of a contact path that have a length.
 
     ``point`` and ``normal`` (3, n) of the contact path; ``length`` (s,) mm of each of its segments; ``live`` (m,) the
-    segments that are longer than SAME; ``following`` (m,) position in ``live`` of the next one, -1 at the end of an open
+    segments that are longer than COINCIDENT_MM; ``following`` (m,) position in ``live`` of the next one, -1 at the end of an open
     polyline, the first one again at the end of a closed one; ``first`` (p,) positions where the polylines begin.
     """
 
@@ -137,13 +137,13 @@ def find_segments(contact: ContactPath) -> Segments:
         np.sqrt(dot(step, step), out=length[part])
 
     in_threads(measure, chunks(len(length)))
-    live = np.flatnonzero(length > SAME)
+    live = np.flatnonzero(length > COINCIDENT_MM)
     label = contact.polyline.take(2 * live)
     first = np.flatnonzero(np.diff(label, prepend=label[:1] - 1))
     last = np.append(first[1:], len(live))[: len(first)] - 1
     seam = np.abs(point.take(2 * live[last] + 1, axis=1) - point.take(2 * live[first], axis=1)).max(axis=0, initial=0.0)
     following = np.arange(1, len(live) + 1)
-    following[last] = np.where((seam < SAME) & (last > first), first, -1)
+    following[last] = np.where((seam < COINCIDENT_MM) & (last > first), first, -1)
     return Segments(point, normal, length, live, following, first)
 
 
@@ -183,7 +183,7 @@ def find_junctions(segments: Segments, radius: float, tolerance: float, cut: Boo
         trim_end[part][hollow], trim_start[part][hollow] = end, start
         meet = radius * apart.take(hollow, axis=1) + end * d1.take(hollow, axis=1) - start * d2.take(hollow, axis=1)
         border = one_is_cut(segments, hollow + low, segments.following[part][hollow], cut)
-        rows[part][hollow] += (dot(meet, meet) >= SAME**2) | border
+        rows[part][hollow] += (dot(meet, meet) >= COINCIDENT_MM**2) | border
     return Junctions(kind, rows, arcs, gap, wide, trim_end, trim_start)
 
 
@@ -236,7 +236,7 @@ def _kinds(following: Ints, gap: Floats, ahead: Floats, behind: Floats, sine: Fl
 def arcs_needed(theta: Floats, radius: float, tolerance: float) -> Ints:
     """The fewest sub-steps with ``radius / cos(theta / 2k) - radius <= tolerance`` (eq. 4 for each sub-step)."""
     widest = 2.0 * np.arctan2(np.sqrt(tolerance * (2.0 * radius + tolerance)), radius)
-    fewest = np.ceil(theta / widest - SAME).astype(np.int64)  # an angle of just k steps needs k, whatever its last digit
+    fewest = np.ceil(theta / widest - STEP_ROUNDING).astype(np.int64)  # an angle of just k steps needs k, whatever its last digit
     return np.asarray(np.maximum(fewest, 1))
 
 
@@ -244,7 +244,7 @@ def _arcs(gap: Floats, wide: Floats, radius: float, tolerance: float) -> Ints:
     """As arcs_needed, of junctions with ``gap`` and ``wide``: an angle only where one sub-step may not do."""
     sine, cosine = np.sqrt(tolerance * (2.0 * radius + tolerance)), radius  # of the widest sub-step's half, times R
     arcs = np.ones(len(gap), np.int64)
-    more = np.flatnonzero(gap * (cosine * (1.0 + SAME)) > wide * sine)
+    more = np.flatnonzero(gap * (cosine * (1.0 + STEP_ROUNDING)) > wide * sine)
     arcs[more] = arcs_needed(2.0 * np.arctan2(gap[more], wide[more]), radius, tolerance)
     return arcs
 

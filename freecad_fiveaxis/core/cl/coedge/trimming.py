@@ -17,14 +17,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.vectors import dot, length
+from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM, dot, length
 
 from .chord import Chords, height_above, make_chords, place_on
 from .junction import (
     FLAT,
     FLAT_GAP,
     GRAZING,
-    SAME,
     Junctions,
     Rows,
     Segments,
@@ -82,7 +81,7 @@ def _drop_used_up(chords: Chords) -> None:
         marked[fresh] = marked[chords.after[fresh]] = marked[waiting] = True
         touched = np.flatnonzero(marked)
         marked[touched] = False
-        used = touched[chords.alive[touched] & (chords.start[touched] - chords.stop[touched] > SAME)]
+        used = touched[chords.alive[touched] & (chords.start[touched] - chords.stop[touched] > COINCIDENT_MM)]
         if not len(used):
             return
         fresh, waiting = _drop(chords, _first_to_go(chords, used)), used
@@ -104,7 +103,7 @@ def _meets(chords: Chords, one: Ints, two: Ints, end: Floats, sense: float) -> F
     tip = place_on(chords, one, end)
     height = dot(chords.normal.take(two, axis=1), tip - chords.origin.take(two, axis=1))
     falls = -sense * dot(chords.along.take(one, axis=1), chords.normal.take(two, axis=1))
-    below, down = height < -SAME, falls > GRAZING
+    below, down = height < -COINCIDENT_MM, falls > GRAZING
     faces = dot(chords.normal.take(one, axis=1), chords.normal.take(two, axis=1)) < 0.0
     place = np.where(below & down, end + sense * height / np.where(down, falls, 1.0), end)
     return np.where(below & ~down & faces, -sense * np.inf, place)
@@ -127,7 +126,7 @@ def _first_to_go(chords: Chords, used: Ints) -> Ints:
     gone = rank[one] < rank[two]
     one_high = height_above(chords, two, place_on(chords, one, np.where(single, chords.start[one], 0.0)))
     two_high = height_above(chords, one, place_on(chords, two, np.where(single, chords.stop[two], 0.0)))
-    gone = np.where(single & (np.abs(one_high - two_high) > SAME), one_high < two_high, gone)
+    gone = np.where(single & (np.abs(one_high - two_high) > COINCIDENT_MM), one_high < two_high, gone)
     stays = np.zeros(len(chords.at), bool)
     stays[np.where(gone, two, one)] = True
     return used[~stays[used]]
@@ -201,7 +200,7 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools 
     start = _Spot(two, chords.start[two], ~yes, ~yes, left, right, yes, none)
     stop, go = place_on(chords, one, chords.stop[one]), place_on(chords, two, chords.start[two])
     border = one_is_cut(segments, chords.at[one], chords.at[two], cut)
-    apart = crosses & ((np.abs(stop - go).max(axis=0) >= SAME) | border)
+    apart = crosses & ((np.abs(stop - go).max(axis=0) >= COINCIDENT_MM) | border)
     dips = np.minimum(height_above(chords, two, stop), height_above(chords, one, go)) < -FLAT_GAP
     facing = dot(chords.normal.take(one, axis=1), chords.normal.take(two, axis=1))
     dips &= facing > 0.0  # nothing is above two planes that face each other

@@ -43,12 +43,14 @@ class Figures:
         """Where (p,) these are better than the others: the first word's peak is lower, its travel is no longer, and leading costs
         the second word no more than a little."""
         lower = self.peak < (1.0 - GAIN) * other.peak
-        return np.asarray(lower & (self.first <= other.first + SAME) & (self.travel <= (1.0 + COST) * other.travel + SAME))
+        return np.asarray(
+            lower & (self.first <= other.first + ROUNDING) & (self.travel <= (1.0 + COST) * other.travel + ROUNDING)
+        )
 
     def worse(self, other: Figures) -> Bools:
         """Where (p,) any of these is larger than the other's."""
-        higher = self.peak > (1.0 + SAME) * other.peak + SAME
-        return np.asarray(higher | (self.first > other.first + SAME) | (self.travel > other.travel + SAME))
+        higher = self.peak > (1.0 + ROUNDING) * other.peak + ROUNDING
+        return np.asarray(higher | (self.first > other.first + ROUNDING) | (self.travel > other.travel + ROUNDING))
 
 
 GAIN = 0.05
@@ -56,8 +58,8 @@ GAIN = 0.05
 COST = 0.01
 """Share by which the turns of both words together may grow: an axis led around the pole keeps further off it, which the second
 word has to follow."""
-SAME = 1e-6
-"""rad, and share: figures that differ by less are the same; solving anew rounds anew."""
+ROUNDING = 1e-6
+"""rad, rad/mm, and share: figures that differ by less are the same; solving anew rounds anew."""
 
 
 def drive(offset: OffsetPath, axis: Floats, kinematics: Chain, progress: Progress = silent) -> Floats:

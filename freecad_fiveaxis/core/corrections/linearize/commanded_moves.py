@@ -28,6 +28,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.number_text import rounded
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.vectors import slerp
 from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, forward, inverse_axis, joint_words
 
 NUDGE = 1e-7
@@ -63,8 +64,8 @@ def most_off(kinematics: Chain, steps: Steps) -> float:
 @dataclass(frozen=True, eq=False)
 class CommandedMoves:
     """Blocks (b,): ``tip`` and ``chord`` (b, 3) mm, work frame; ``start`` and ``turn`` (b, 2) rotary words at share 0 and their
-    change, rad; ``even`` (b,) where there is no arc; ``axis0``, ``axis1`` (b, 3) and ``angle`` (b,) rad of the arc; ``branch``
-    (b,); ``first``, ``last`` (b, 5) rounded words of the ends, mm and degrees."""
+    change, rad; ``even`` (b,) where there is no arc; ``axis0``, ``axis1`` (b, 3) the ends of the arc; ``branch`` (b,);
+    ``first``, ``last`` (b, 5) rounded words of the ends, mm and degrees."""
 
     tip: Floats
     chord: Floats
@@ -73,7 +74,6 @@ class CommandedMoves:
     even: Bools
     axis0: Floats
     axis1: Floats
-    angle: Floats
     branch: Ints
     first: Floats
     last: Floats
@@ -105,7 +105,7 @@ def commanded_moves(kinematics: Chain, tip: Floats, angles: Floats, words: Float
     even |= angle > math.pi - OPPOSITE
     branch = np.asarray(half % 2, np.int64)
     return CommandedMoves(
-        tip[rows - 1], tip[rows] - tip[rows - 1], start, turn, even, axis0, axis1, angle, branch, words[rows - 1], words[rows]
+        tip[rows - 1], tip[rows] - tip[rows - 1], start, turn, even, axis0, axis1, branch, words[rows - 1], words[rows]
     )  # fmt: skip
 
 
@@ -164,10 +164,7 @@ def _angles(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats) 
 
 def arc_axis(way: CommandedMoves, block: Ints, share: Floats) -> Floats:
     """The unit tool axis (r, 3) on the arc, of moves that have one."""
-    angle, rest = way.angle[block] / math.pi, 1.0 - share
-    start, end = rest * np.sinc(rest * angle), share * np.sinc(share * angle)
-    axis = start[:, None] * way.axis0[block] + end[:, None] * way.axis1[block]
-    return np.asarray(axis / np.sqrt((axis * axis).sum(axis=1))[:, None])
+    return slerp(way.axis0[block], way.axis1[block], share)
 
 
 def tool_axis(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats) -> Floats:

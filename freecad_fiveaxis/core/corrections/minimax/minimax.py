@@ -47,7 +47,7 @@ INSTANT = 1e-15
 """Minutes that a block takes at least: no time for any turn, but an axis without a rate has one that is infinite."""
 CHECKS = 10
 """Runs influence each other's branch: after so many checks with some of them put back, all are."""
-SAME = 1e-9
+EQUAL_DEVIATION = 1e-9
 """mm, and a share: deviations that differ by less are the same."""
 ROOM = 1e3
 """mm of clearance for the joint path that is only measured: wide, for nothing is cut by it."""
@@ -102,7 +102,7 @@ def _followed(path: OffsetPath, task: Task, at: Rows, start: Floats, progress: P
     for _ in range(AGAIN):
         taken, after = _driven(path, axes_of(kinematics, words), kinematics, task.reach, task.ring_radius)
         haste = hastes(task, at, taken)
-        fast, other = haste > HASTE, after > OTHER * levels(task, at, words) + SAME
+        fast, other = haste > HASTE, after > OTHER * levels(task, at, words) + EQUAL_DEVIATION
         if not (fast | other).any():
             break
         room /= np.where(fast, HASTE * haste, 1.0)
@@ -138,7 +138,7 @@ def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, b
     for _ in range(CHECKS):
         mixed = np.where(keep[at.run][:, None], found, axis)
         words, after = _driven(path, mixed, task.kinematics, task.reach, task.ring_radius)
-        worse = np.where(keep, after >= GAIN * before, after > before * (1.0 + SAME) + SAME)
+        worse = np.where(keep, after >= GAIN * before, after > before * (1.0 + EQUAL_DEVIATION) + EQUAL_DEVIATION)
         worse |= keep & (hastes(task, at, words) > HASTE)
         if not worse.any():
             return mixed

@@ -2,11 +2,11 @@
 """Near the pole: another way for a run to begin with, through the pole or wide around it.
 
 pole      the tool axis that leaves the first rotary word free. Passing beside it, that word turns far for little.
-stretch   the rows of a run that are near the pole, with one on either side that stays where it is.
+passage   the rows of a run that are near the pole, with one on either side that stays where it is.
 lattice   rotary words at equal distances: the same first words at every row, so that a straight way through the pole is there.
 
 A corridor about the known way does not find the one through the pole, for between the two the deviation is larger. So all ways on
-a coarse lattice are searched at once. Behind a stretch that was crossed the words go on on the other branch.
+a coarse lattice are searched at once. Behind a passage that was crossed the words go on on the other branch.
 """
 
 from __future__ import annotations
@@ -33,22 +33,22 @@ SECOND = 0.4
 
 
 def other_way(task: Task, at: Rows, angles: Floats, level: Floats) -> tuple[Ints, Floats]:
-    """The runs (p',) that have a stretch, and rotary words (k, 2) rad of all rows: in stretches the best on the lattice,
-    elsewhere the axes of ``angles`` (k, 2), on the other branch behind a stretch that goes through the pole."""
+    """The runs (p',) that have a passage, and rotary words (k, 2) rad of all rows: in passages the best on the lattice,
+    elsewhere the axes of ``angles`` (k, 2), on the other branch behind a passage that goes through the pole."""
     axis, branch = axes_of(task.kinematics, angles), side(task, angles[:, 1])
-    stretch, rows, inner = _stretches(task, at, axis)
+    passage, rows, inner = _pole_passages(task, at, axis)
     if not len(rows):
         return np.empty(0, np.int64), angles
-    level = level[at.run[rows[stretch.first]]]
+    level = level[at.run[rows[passage.first]]]
     found = np.empty((len(rows), 2))
-    for part in portions(stretch, np.arange(len(stretch.first)), (4 * _count(task)) ** 2):
-        some, own = stretch.take(part)
+    for part in portions(passage, np.arange(len(passage.first)), (4 * _count(task)) ** 2):
+        some, own = passage.take(part)
         mine = rows[own]
         found[own] = _searched(task.take(mine), some, angles[mine], axis[mine], inner[own], level[part])
     axis[rows] = axes_of(task.kinematics, found)
     swapped = np.zeros(len(angles), bool)
     swapped[rows] = side(task, found[:, 1]) != branch[rows]
-    swapped ^= _behind(swapped, at, rows[stretch.first + stretch.size - 1])
+    swapped ^= _behind(swapped, at, rows[passage.first + passage.size - 1])
     return np.unique(at.run[rows]), _words(task, at, axis, branch ^ swapped, angles)
 
 
@@ -57,8 +57,8 @@ def _count(task: Task) -> int:
     return round(math.pi / SECOND) * round(math.pi / FIRST) // 4
 
 
-def _stretches(task: Task, at: Rows, axis: Floats) -> tuple[Rows, Ints, Bools]:
-    """The stretches as runs of their own, their rows (s,), and which of these are near the pole."""
+def _pole_passages(task: Task, at: Rows, axis: Floats) -> tuple[Rows, Ints, Bools]:
+    """The passages as runs of their own, their rows (s,), and which of these are near the pole."""
     near = np.linalg.norm(np.cross(axis, task.kinematics.direction[3]), axis=1) < math.sin(min(NEAR * task.max_tilt, 1.0))
     wider = near.copy()
     same = at.run[1:] == at.run[:-1]
@@ -68,12 +68,12 @@ def _stretches(task: Task, at: Rows, axis: Floats) -> tuple[Rows, Ints, Bools]:
     begins = (np.diff(rows, prepend=-2) != 1) | (np.diff(at.run[rows], prepend=-1) != 0)
     first = np.flatnonzero(begins)
     run, size = np.cumsum(begins) - 1, np.diff(first, append=len(rows))
-    stretch = Rows(first, size, run, at.centre[rows], at.before[rows], at.after[rows])
-    return stretch, rows, near[rows]
+    passage = Rows(first, size, run, at.centre[rows], at.before[rows], at.after[rows])
+    return passage, rows, near[rows]
 
 
 def _searched(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools, level: Floats) -> Floats:
-    """The best states (s, 2) of stretches on the lattice."""
+    """The best states (s, 2) of passages on the lattice."""
     grid, good = _lattice(task, at, angles, axis, inner)
     grid = np.ascontiguousarray(grid.transpose(2, 1, 0))
     there = states(task.kinematics, grid, at.centre, task.reach, task.ring)
@@ -86,7 +86,7 @@ def _searched(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools, 
 
 def _lattice(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools) -> tuple[Floats, Bools]:
     """States (s, m, 2) and which of them count (s, m). The last is the present one, the last but one the same axis on the other
-    branch, which the first row of a stretch does not have if it stays where it is."""
+    branch, which the first row of a passage does not have if it stays where it is."""
     most = (NEAR + 3.0) * task.max_tilt
     second = SECOND * task.max_tilt * (np.arange(math.ceil(most / (SECOND * task.max_tilt))) + 0.5)
     first = np.arange(-math.pi, math.pi - 0.5 * FIRST, FIRST)
@@ -109,7 +109,7 @@ def _other(task: Task, axis: Floats, angles: Floats) -> Floats:
 
 
 def _behind(swapped: Bools, at: Rows, ends: Ints) -> Bools:
-    """Which rows (k,) lie behind an odd number of crossings of their run; ``ends``: the last rows of stretches."""
+    """Which rows (k,) lie behind an odd number of crossings of their run; ``ends``: the last rows of passages."""
     ends = ends[swapped[ends] & (ends < at.first[at.run[ends]] + at.size[at.run[ends]] - 1)]
     count = np.cumsum(np.bincount(ends + 1, minlength=len(swapped)))
     return np.asarray((count - count[at.first][at.run]) % 2 == 1)

@@ -17,10 +17,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
 from freecad_fiveaxis.core.cl.coedge import OffsetPath
 
-SAME = 1e-9
-"""mm; a polyline that starts so near to the end of the one before goes on without a retract."""
 ONE_NORMAL = 1e-9
 """Sine of the angle between two facet normals below which their arc is a point."""
 EDGE = 1e-9
@@ -58,7 +57,7 @@ def find_rows(path: OffsetPath) -> Rows:
 def run_begins(path: OffsetPath) -> Bools:
     """The rows (n,) with which a run begins."""
     begins = np.diff(path.polyline, prepend=path.polyline[0] - 1) != 0
-    begins[1:] &= np.abs(np.diff(path.centre, axis=0)).max(axis=1, initial=0.0) >= SAME
+    begins[1:] &= np.abs(np.diff(path.centre, axis=0)).max(axis=1, initial=0.0) >= COINCIDENT_MM
     return np.asarray(begins)
 
 

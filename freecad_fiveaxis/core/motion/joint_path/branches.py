@@ -16,7 +16,7 @@ Without limits only the two branches are states and every step takes the nearest
 the limited problem's; so when it fits into the limits after whole turns it is the answer there too.
 
 gate      a step where the branch may change without a break: of a rapid, at the pole, or hardly a turn.
-stretch   the steps between gates, each way through them on one branch: one step of a much shorter graph.
+run       of a branch: the steps between gates, each way through them on one branch: one step of a much shorter graph.
 
 Of the ways that change branch at gates only, the shorter graph has the best. Any other way costs a break more than every step
 at its least; so the best one is the best of all where it costs less than that, and mostly no other search is needed.
@@ -48,8 +48,8 @@ STATES = 24
 """Most states that are searched: the work grows with their cube. A word that fits into its limits on the nearest windings alone
 never needs them; of one that does not, on an axis of more turns, only the turns around zero are used, at the price of rewinds."""
 LONGEST = 16384
-"""Steps of a stretch at most. A portion is a whole number of them: the sums, which decide between ways that cost the same but for
-rounding, do not depend on portions then."""
+"""Steps of a branch run at most. A portion is a whole number of them: the sums, which decide between ways that cost the same but
+for rounding, do not depend on portions then."""
 SLAB = 1 << 20
 """Costs (states x states x steps) that are held at once: 8 MB."""
 
@@ -173,7 +173,7 @@ def _solve(layers: Layers, cutting: Bools, crossing: Bools, progress: Progress) 
     """The best states' words (n, 2), unwound where they wrap, and branch (n,)."""
     entry = PREFER_ZERO * np.abs(layers.word[:, :, 0]).sum(0)
     entry[~layers.fits[:, 0]] = math.inf
-    state = _by_stretches(layers, entry, cutting, crossing, progress) if all(layers.wraps) else None
+    state = _by_branch_runs(layers, entry, cutting, crossing, progress) if all(layers.wraps) else None
     if state is None:
 
         def cost(start: int, end: int) -> Floats:
@@ -239,7 +239,7 @@ def _step_cost(layers: Layers, cutting: Bools, crossing: Bools, start: slice | I
     return cost
 
 
-def _by_stretches(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools, progress: Progress) -> Ints | None:
+def _by_branch_runs(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools, progress: Progress) -> Ints | None:
     """The best states (n,) where both words wrap; None where changing branch at gates only is not proven to be the best."""
     if len(layers.branch) == 1:
         return np.zeros(len(cutting) + 1, np.int64)
@@ -247,7 +247,7 @@ def _by_stretches(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools
         return np.array([entry.argmin()])
 
     def cut(rows: slice) -> tuple[Ints, Floats, float]:
-        return _stretches(layers, cutting, crossing, rows)
+        return _branch_runs(layers, cutting, crossing, rows)
 
     parts = in_threads(cut, chunks(len(cutting)), lambda done: progress("joint path", done))
     starts, costs, bounds = zip(*parts, strict=True)
@@ -259,9 +259,9 @@ def _by_stretches(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools
     return np.repeat(state, np.diff(start, append=len(cutting) + 1))
 
 
-def _stretches(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -> tuple[Ints, Floats, float]:
-    """The steps ``rows`` cut into gates and stretches of at most LONGEST steps: the first step of each, their costs
-    (2, 2, m), and the sum of all steps' least costs. On a gate's step both branches may follow, on a stretch's only one."""
+def _branch_runs(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -> tuple[Ints, Floats, float]:
+    """The steps ``rows`` cut into gates and branch runs of at most LONGEST steps: the first step of each, their costs
+    (2, 2, m), and the sum of all steps' least costs. On a gate's step both branches may follow, on a branch run's only one."""
     ends, after = slice(rows.start, rows.stop + 1), slice(rows.start + 1, rows.stop + 1)
     first, second = layers.word[:, :, ends]
     stay = _nearest(np.diff(first)) + _nearest(np.diff(second))

@@ -10,7 +10,6 @@ rapid     its tip goes straight and its rotary words go evenly, the tip put back
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,6 +19,7 @@ from freecad_fiveaxis.core.base.chunks import in_threads
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Insertion, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Length, say
+from freecad_fiveaxis.core.base.vectors import slerp
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion, keepout, way_out
 from freecad_fiveaxis.core.machine.kinematics import Chain, branch_of, forward, inverse_axis, joint_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import quick_bound
@@ -134,11 +134,7 @@ def _follow(drive: Drive, kinematics: Chain, breaks: Ints, share: Floats, end: i
 
 def _axis_at(path: CLPath, breaks: Ints, share: Floats) -> Floats:
     """The commanded axis (b, 3) at a share of the step: along the great arc (slerp)."""
-    start, end = path.axis[breaks], path.axis[breaks + 1]
-    angle = np.arctan2(np.linalg.norm(np.cross(start, end), axis=1), (start * end).sum(1)) / math.pi
-    rest = 1.0 - share
-    axis = (rest * np.sinc(rest * angle))[:, None] * start + (share * np.sinc(share * angle))[:, None] * end
-    return np.asarray(axis / np.linalg.norm(axis, axis=1)[:, None])
+    return slerp(path.axis[breaks], path.axis[breaks + 1], share)
 
 
 def _part_way(points: Floats, breaks: Ints, share: Floats) -> Floats:

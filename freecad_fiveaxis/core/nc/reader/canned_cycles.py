@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.base.sentences import Length, say
 from . import codes
 from .arcs import AXES
 from .codes import INCH, Grammar
-from .cycle_plan import FINE, LINUXCNC, PECKING, WAYS, Hole, Ways, steps_of
+from .cycle_plan import EQUAL_HEIGHT, FINE, LINUXCNC, PECKING, WAYS, Hole, Ways, steps_of
 from .lines import Lines, tenfold
 from .positions import ABSOLUTE, STEP, axis_words
 from .words import Words
@@ -33,9 +33,7 @@ BACK = np.argsort(AXES, axis=1)
 """By plane: where X, Y and Z stand in :data:`AXES`."""
 WORDS = "XYZRQPLKIJ"
 """The words of a cycle, which mean nothing in the moves that it becomes."""
-SAME = 1e-6
-"""mm; heights that are one."""
-NOWHERE = -1
+NOT_IN_TEXT = -1
 """``Words.start`` of a word that stands nowhere in the text."""
 MOST_NAMED = 20
 MOST = 2_000_000
@@ -199,13 +197,13 @@ class _Table:
             if hole.initial < r and times:
                 moves.append((True, at[0], at[1], r))
                 level = r
-            level = level if level > r + SAME else clear
+            level = level if level > r + EQUAL_HEIGHT else clear
         body = steps_of(hole, clear, ways)
         u, v = across
         for _ in range(min(times, MOST // max(len(body), 1))):
             u, v = u + step[0], v + step[1]
             moves.append((True, u, v, level))
-            if abs(level - r) > SAME:
+            if abs(level - r) > EQUAL_HEIGHT:
                 moves.append((True, u, v, r))
             moves += [(fast, u, v, w) for fast, w in body]
             level = body[-1][1]
@@ -231,7 +229,7 @@ def spread(words: Words, more: Ints, keep: Bools, letter: Bytes, put: tuple[Ints
     they stand, letters, values."""
     at, letters, values = put
     shift = np.cumsum(more) - more
-    start = np.full(len(letter), NOWHERE) if words.start is None else words.start[keep]
+    start = np.full(len(letter), NOT_IN_TEXT) if words.start is None else words.start[keep]
     line = np.concatenate([(words.line + shift[words.line])[keep], at])
     order = np.argsort(line, kind="stable")
     source = np.repeat(np.arange(len(more)), more + 1)
@@ -240,7 +238,7 @@ def spread(words: Words, more: Ints, keep: Bools, letter: Bytes, put: tuple[Ints
         letter=np.concatenate([letter, letters])[order],
         value=np.concatenate([words.value[keep], values])[order],
         line=line[order],
-        start=np.concatenate([start, np.full(len(at), NOWHERE)])[order],
+        start=np.concatenate([start, np.full(len(at), NOT_IN_TEXT)])[order],
         source=source if words.source is None else words.source[source],
     )
 

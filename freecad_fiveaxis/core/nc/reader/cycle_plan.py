@@ -16,6 +16,8 @@ READ = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)
 FINE = 760
 """Fine boring on Fanuc and Haas: as G86, but the spindle stops oriented and the tool leaves the wall before it rises."""
 PECKING = (730, 830)
+EQUAL_HEIGHT = 1e-6
+"""mm, inch where a Siemens call is in inches: heights of a hole that differ by less are one."""
 Steps = list[tuple[bool, float]]
 """Whether it is a rapid, and the height where it ends."""
 

@@ -23,7 +23,7 @@ from itertools import pairwise
 from freecad_fiveaxis.core.base.sentences import say
 
 from .codes import INCH
-from .cycle_plan import Hole, Steps, Ways, pecks, steps_of
+from .cycle_plan import EQUAL_HEIGHT, Hole, Steps, Ways, pecks, steps_of
 from .expressions import LARGEST, NUMBER, Parser, Unread, Variables, number
 
 BASIC = ("RTP", "RFP", "SDIS", "DP", "DPR")
@@ -60,7 +60,6 @@ COARSE = {
 """Pitch, mm, of metric coarse threads (ISO 261), for MPIT."""
 MOST_PECKS = 10_000
 FARTHEST = 1e7
-SAME = 1e-6
 WAYS = Ways()
 CALL = re.compile(
     rb"(?<![A-Z0-9_$])(MCALL *)?(CYCLE(?:8[1-9]|840)) *\(((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*)\)"
@@ -131,11 +130,11 @@ def _wrong_depth(name: str, told: dict[str, float]) -> str:
     for one, other in (("DP", "DPR"), ("FDEP", "FDPR"))[: 2 if name == "CYCLE83" else 1]:
         if one not in told and other not in told:
             return say("it has no {name}", name=f"{one}, {other}")
-        if one in told and told.get(other) and abs(told["RFP"] - abs(told[other]) - told[one]) > SAME:
+        if one in told and told.get(other) and abs(told["RFP"] - abs(told[other]) - told[one]) > EQUAL_HEIGHT:
             return say("{one} and {other} tell two depths; leave one out", one=one, other=other)
     if _depth(told, "DP", "DPR") > told["RFP"] or told["RTP"] < told["RFP"]:
         return say("RTP, RFP and its depth do not lie one below the other")
-    if name == "CYCLE83" and not _depth(told, "FDEP", "FDPR") < told["RFP"] - SAME:
+    if name == "CYCLE83" and not _depth(told, "FDEP", "FDPR") < told["RFP"] - EQUAL_HEIGHT:
         return say("its first depth does not lie below RFP")
     return say("it makes too many pecks") if name == "CYCLE83" and len(_depths(told)) >= MOST_PECKS else ""
 
@@ -150,7 +149,7 @@ def _depths(told: dict[str, float]) -> list[float]:
     stroke, less = at - max(_depth(told, "FDEP", "FDPR"), bottom), told.get("_DAM", 0.0)
     floor = told.get("_MDEP", 0.0) or max(less, 0.0)
     depths = list[float]()
-    while at - stroke > bottom + SAME and len(depths) < MOST_PECKS:
+    while at - stroke > bottom + EQUAL_HEIGHT and len(depths) < MOST_PECKS:
         if less > 0.0 and stroke <= floor and at - bottom < 2.0 * stroke:
             return [*depths, (at + bottom) / 2.0]
         at -= stroke

@@ -28,7 +28,7 @@ SET_DECIMALS = 3
 """Of a work zero, mm: nobody sets one finer than a micrometre."""
 BELOW = 1e-6
 """mm below the table that are rounding."""
-NOWHERE = Cost(math.nan, math.nan, math.nan, math.nan)
+NO_COST = Cost(math.nan, math.nan, math.nan, math.nan)
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,7 +116,7 @@ class _Rows:
             self._done += 1.0
 
     def nowhere(self, zeros: Floats, turn: float, kind: Kind) -> None:
-        self.rows += [_Row(origin, turn, NOWHERE, 0, kind) for origin in zeros]
+        self.rows += [_Row(origin, turn, NO_COST, 0, kind) for origin in zeros]
         self._done += len(zeros) + (SEARCH_WORTH if kind == Kind.GRID else 0)
 
     def search(self, driven: Driven, region: Region, present: Floats, enough: float) -> Found:
