@@ -22,7 +22,6 @@ from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.base.vectors import slerp
 
 from .coedge import OffsetPath
 
@@ -84,10 +83,7 @@ def step_weighted(path: OffsetPath, options: AxisOptions) -> Floats:
     """
     total = path.step_before + path.step_after
     share = np.divide(path.step_after, total, out=np.full(len(total), 0.5), where=total > SHORT)
-    axis = slerp(path.before, path.after, share)
-    opposed = np.flatnonzero(np.linalg.norm(path.before + path.after, axis=1) <= OPPOSED)
-    axis[opposed] = path.normal[opposed]
-    return axis
+    return _slerp(path.before, path.after, share, path.normal)
 
 
 def minimax(path: OffsetPath, options: AxisOptions) -> Floats:
@@ -218,3 +214,17 @@ def _unit(vector: Floats, instead: Floats) -> Floats:
 
 def _is_zero(vector: Floats) -> Bools:
     return np.asarray(~vector.any(axis=1))
+
+
+def _slerp(start: Floats, end: Floats, share: Floats, instead: Floats) -> Floats:
+    """Unit rows at ``share`` of the angle from ``start`` to ``end``; ``instead`` where they are opposed.
+
+    Not :func:`~.vectors.slerp`: its last digits differ, and programs with step weighting would."""
+    wide = np.linalg.norm(start + end, axis=1)
+    angle = 2.0 * np.arctan2(np.linalg.norm(end - start, axis=1), wide)
+    angle = np.maximum(angle, np.finfo(float).tiny)
+    mixed = (np.sin((1.0 - share) * angle) / np.sin(angle))[:, None] * start
+    mixed += (np.sin(share * angle) / np.sin(angle))[:, None] * end
+    opposed = np.flatnonzero(wide <= OPPOSED)
+    mixed[opposed] = instead[opposed]
+    return _unit(mixed, instead)

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
-from freecad_fiveaxis.core.base.vectors import NO_DIRECTION, slerp
+from freecad_fiveaxis.core.base.vectors import NO_DIRECTION
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation.bound import bending, quick_levers
 from freecad_fiveaxis.core.motion.trajectory import Vectors, at, axis, checked_words, frames, motion, tip, to_work
@@ -62,7 +62,7 @@ def straight_motion(tips: Floats, axes: Floats) -> SweptMotion:
 
     def pose(block: Ints, u: Floats) -> Poses:
         p, q = start.take(block, axis=1), end.take(block, axis=1)
-        return Poses(p + u * (q - p), slerp(first.take(block, axis=1).T, last.take(block, axis=1).T, u).T)
+        return Poses(p + u * (q - p), _on_arc(first.take(block, axis=1), last.take(block, axis=1), angle.take(block), u))
 
     return SweptMotion(pose, np.zeros(len(angle)), angle * angle)
 
@@ -75,6 +75,21 @@ def still_positions(tips: Floats, axes: Floats) -> SweptMotion:
         return Poses(place.take(block, axis=1), pointing.take(block, axis=1))
 
     return SweptMotion(pose, np.zeros(len(tips)), np.zeros(len(tips)))
+
+
+def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
+    """At share u of the great arc, columns; between opposite axes one of the many there are.
+
+    Not :func:`~.vectors.slerp`: its last digits differ, and the lift, which stops at the first depth that will do, would make
+    other programs of the same solid."""
+    across = last - (first * last).sum(axis=0) * first
+    length = np.linalg.norm(across, axis=0)
+    lost = np.flatnonzero(length < NO_DIRECTION)
+    if len(lost):
+        any_way = np.cross(first[:, lost], np.eye(3)[np.abs(first[:, lost]).argmin(axis=0)].T, axis=0)
+        across[:, lost] = any_way
+        length[lost] = np.linalg.norm(any_way, axis=0)
+    return np.asarray(np.cos(u * angle) * first + (np.sin(u * angle) / length) * across)
 
 
 def real_motion(kinematics: Chain, words: Floats, back: float = 0.0) -> SweptMotion:
