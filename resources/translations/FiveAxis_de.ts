@@ -3672,6 +3672,10 @@
         <translation>Die tiefste Stelle des Werkstücks ist dann {height} über dem Tisch.</translation>
     </message>
     <message>
+        <source>The part's lowest place would be {depth} below the table: the table is not looked at. Give the work zero with {origin}, or the table's height with {table_height}.</source>
+        <translation>Die tiefste Stelle des Teils läge {depth} unter dem Tisch: Der Tisch wird nicht beachtet. Geben Sie den Werkstücknullpunkt mit {origin} an oder die Höhe des Tischs mit {table_height}.</translation>
+    </message>
+    <message>
         <source>The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.</source>
         <translation>Der Werkzeugweg selbst ist dort frei vom Werkstück, aber die Maschine verlässt ihn zwischen den Enden der NC-Sätze: {way}.</translation>
     </message>

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from gouge_examples import dense_points, sampled_depth
+from test_fewer_axes import MACHINES
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled
@@ -181,6 +182,45 @@ def test_the_command_line_writes_every_report(part, tmp_path, capsys):
     assert summary["by_reason"]["holder"] > 20.0 and summary["stick_out"]
     assert "holder in the way" in said and "Let the tool stick out" in said
     assert "holder in the way" in (tmp_path / "reach.html").read_text()
+
+
+def test_a_part_that_would_lie_in_the_table_is_looked_at_without_one_and_that_is_said(tmp_path, capsys):
+    """The block stands on Z 0 of the work: 30 mm below the table where the work zero is, on it where it is 30 mm higher."""
+    path, report = tmp_path / "block.stl", tmp_path / "a.json"
+    write_stl(block(), path)
+    words = [
+        "reach",
+        str(path),
+        "--machine",
+        "trunnion_ac",
+        "--cutter",
+        "ball:6:30",
+        "--table-height",
+        "30",
+        "--report",
+        str(report),
+    ]
+    shares = {}
+    for height in (0, 30):
+        assert cli.main([*words, "--origin", f"0,0,{height}"]) == cli.DONE
+        said, made = capsys.readouterr().out, json.loads(report.read_text())
+        shares[height] = made["summary"]["by_reason"]["below_table"] > 0.0
+        assert (
+            ("30 mm below the table" in said)
+            == (height == 0)
+            == ("part-below-table" in {one["code"] for one in made["findings"]})
+        )
+    assert shares == {0: False, 30: True}
+
+
+@pytest.mark.parametrize(("name", "never"), [("three", (0, 1)), ("table_a", (0,)), ("head_b", (1,))])
+def test_machines_of_fewer_axes_get_only_where_they_can_turn_to(name, never):
+    """Without rotary axes the tool stands along Z; about X or Y alone it never leans along that axis."""
+    machine, mesh = MACHINES[name](), block()
+    found = reach_map(mesh, Reacher(BALL, kinematics=chain(machine, Setup(machine.origin))))
+    free, up = found.obstacle == Obstacle.NONE, np.isclose(found.point[:, 2], 20.0)
+    assert free[up].all() and np.abs(found.axis[free][:, never]).max() < 1e-6
+    assert name != "three" or (found.obstacle[~up] == Obstacle.LIMITS).all()
 
 
 def test_a_cl_file_is_no_part(tmp_path, capsys):

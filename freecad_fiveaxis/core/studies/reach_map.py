@@ -113,7 +113,9 @@ def reach_map(mesh: Mesh, reacher: Reacher, facets: Bools | None = None, progres
     obstacle, tilt = np.full(len(point), int(Obstacle.LIMITS)), np.full(len(point), np.nan)
     axis = np.full((len(point), 3), np.nan)
     progress("reach", 0.0)
-    obstacle[_too_tight(reacher, tree, point, normal)] = Obstacle.CUTTER
+    for part in batches(len(point)):
+        progress("reach", 0.0)
+        obstacle[part][_too_tight(reacher, tree, point[part], normal[part])] = Obstacle.CUTTER
     open_ = np.flatnonzero(obstacle == Obstacle.LIMITS)
     for k, angle in enumerate(TILTS):
         for part in batches(len(open_)):

@@ -4,16 +4,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+import textwrap
+from collections.abc import Mapping, Sequence
 from html import escape
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.sentences import Area, Length, Sentence, say
 from freecad_fiveaxis.core.report.text import number
 
 from .reach_map import TILTS, Obstacle, ReachMap
-from .setup_map.sheet import Table, json_text, page, section, table, text_table
+from .setup_map.page import WIDTH
+from .setup_map.sheet import Table, findings_list, json_text, page, section, table, text_table
 
 VERSION = 1
 """Of the JSON record: raised when a key changes its meaning."""
@@ -83,12 +86,14 @@ def _tilts(found: ReachMap) -> list[tuple[float, float, float]]:
     return [(deg[max(k - 1, 0)], deg[k], float(area[k])) for k in range(len(TILTS)) if area[k] > 0.0]
 
 
-def reach_text(found: ReachMap) -> str:
+def reach_text(found: ReachMap, findings: Sequence[Finding] = ()) -> str:
     """For the terminal."""
-    return "\n".join([verdict(found), "", *text_table(_table(found)), *stick_out(found), "", NOTE]) + "\n"
+    lines = [verdict(found), "", *text_table(_table(found)), "", *stick_out(found)]
+    lines += [f"{one.severity.name} {one.code}: {one.text}" for one in findings]
+    return "\n".join(part for line in [*lines, NOTE] for part in textwrap.wrap(line, WIDTH) or [""]) + "\n"
 
 
-def reach_json(found: ReachMap, inputs: Mapping[str, object] | None = None) -> str:
+def reach_json(found: ReachMap, inputs: Mapping[str, object] | None = None, findings: Sequence[Finding] = ()) -> str:
     """For scripts: areas in mm2, angles in degrees; ``inputs``: a job file."""
     summary = {
         "area": float(found.area.sum()), "reachable_area": found.area_of(Obstacle.NONE), "reachable_share": share_reached(found),
@@ -97,11 +102,14 @@ def reach_json(found: ReachMap, inputs: Mapping[str, object] | None = None) -> s
         "stick_out": [{"longer": step, "area": area} for step, area in found.longer],
         "places": len(found.area), "spacing": found.spacing,
     }  # fmt: skip
-    return json_text({"version": VERSION, "summary": summary, "inputs": inputs or {}})
+    return json_text({"version": VERSION, "summary": summary, "findings": findings, "inputs": inputs or {}})
 
 
-def reach_html(found: ReachMap, title: str = "") -> str:
+def reach_html(found: ReachMap, title: str = "", findings: Sequence[Finding] = ()) -> str:
     """A page that needs nothing else."""
     longer = "".join(f"<p>{escape(line)}</p>" for line in stick_out(found))
-    body = [section("The surface", table(_table(found)) + longer + f'<p class="note">{escape(NOTE)}</p>')]
+    body = [
+        section("The surface", table(_table(found)) + longer + f'<p class="note">{escape(NOTE)}</p>'),
+        section("Findings", findings_list(findings)),
+    ]
     return page("What the tool reaches", title, verdict(found), "good" if share_reached(found) > 1.0 - 1e-9 else "open", body)

@@ -40,6 +40,8 @@ from .setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, set
 TRIALS = (SETUP, COMPARE, REACH)
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
 """Places along X, Y, Z of a map that nobody asked to be otherwise, the finest first."""
+IN_TABLE = 0.1
+"""mm by which a part may lie in its table: zeros are touched off no better."""
 WORK = 8_000_000
 """Rows of all trials of such a map together: some ten to twenty seconds."""
 
@@ -93,11 +95,24 @@ def try_reach(
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
     faces, said = chosen_faces(settings, mesh, faces, progress)
-    reacher = Reacher(
-        settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder, chain(machine, setup), settings.proof.tolerance,
-        None if table is None else table - setup.origin[2],
+    table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
+    tool = settings.gouge
+    reacher = Reacher(settings.cutter.cutter, tool.shank, tool.holder, chain(machine, setup), settings.proof.tolerance, table)
+    return ReachTrial(settings, reach_map(mesh, reacher, faces, progress), mesh.findings + said + below)
+
+
+def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[Finding, ...]]:
+    """The height of the table's face in the work frame, mm; None where it is not known, or cannot be right because the part would
+    lie in the table: that is said."""
+    lowest = float(mesh.box[0][2])
+    if table is None or lowest >= table - IN_TABLE:
+        return table, ()
+    text = say(
+        "The part's lowest place would be {depth} below the table: the table is not looked at. Give the work zero with {origin}, "
+        "or the table's height with {table_height}.",
+        depth=Length(table - lowest), origin=Option("origin"), table_height=Option("table_height"),
     )  # fmt: skip
-    return ReachTrial(settings, reach_map(mesh, reacher, faces, progress), mesh.findings + said)
+    return None, (Finding(Severity.WARNING, "part-below-table", text, value=table - lowest, unit="mm"),)
 
 
 def try_setups(
@@ -239,7 +254,7 @@ def as_text(trial: Trial) -> str:
     if isinstance(trial, SetupTrial):
         return title + setup_text(trial.chart)
     if isinstance(trial, ReachTrial):
-        return title + reach_text(trial.found)
+        return title + reach_text(trial.found, trial.findings)
     return title + compare_text(trial.rows, trial.settings.proof.tolerance)
 
 
@@ -247,7 +262,7 @@ def as_json(trial: Trial) -> str:
     """What was found, for scripts; ``inputs`` is a job file."""
     inputs = flat_options(trial.settings)
     if isinstance(trial, ReachTrial):
-        return reach_json(trial.found, inputs)
+        return reach_json(trial.found, inputs, trial.findings)
     return setup_json(trial.chart, inputs) if isinstance(trial, SetupTrial) else compare_json(trial.rows, inputs)
 
 
@@ -257,7 +272,7 @@ def as_html(trial: Trial) -> str:
     if isinstance(trial, SetupTrial):
         return heat_map_html(trial.chart, name)
     if isinstance(trial, ReachTrial):
-        return reach_html(trial.found, name)
+        return reach_html(trial.found, name, trial.findings)
     return compare_html(trial.rows, name, trial.settings.proof.tolerance)
 
 
