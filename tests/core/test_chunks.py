@@ -26,6 +26,19 @@ def two_threads(monkeypatch):
     assert threading.active_count() == before
 
 
+def both_taking_part(work=lambda part: None):
+    """``work`` on two threads, neither of which ends its first part before the other has begun one, however busy the machine."""
+    seen, both = set(), threading.Barrier(2)
+
+    def wait_and_work(part):
+        if (thread := threading.get_ident()) not in seen:
+            seen.add(thread)
+            both.wait(60.0)
+        return work(part)
+
+    return wait_and_work
+
+
 @pytest.mark.parametrize("count", [0, 1, 6, 7, 8, 21, 23])
 def test_chunks_make_up_all_rows_in_order(monkeypatch, count):
     monkeypatch.setattr(chunks_module, "PORTION", 7)
@@ -35,15 +48,7 @@ def test_chunks_make_up_all_rows_in_order(monkeypatch, count):
 
 
 def test_results_stand_in_the_order_of_the_parts_and_both_threads_took_some():
-    seen = set()
-
-    def work(part):
-        seen.add(threading.get_ident())
-        time.sleep(0.002)
-        return part * part
-
-    assert in_threads(work, range(20)) == [k * k for k in range(20)]
-    assert len(seen) == 2
+    assert in_threads(both_taking_part(lambda part: part * part), range(20)) == [k * k for k in range(20)]
 
 
 @pytest.mark.parametrize("count", [0, 1])
@@ -58,11 +63,10 @@ def test_with_one_processor_all_stays_on_the_calling_thread(monkeypatch):
 
 def test_within_work_another_on_all_keeps_to_its_thread_and_afterwards_there_are_two_again():
     def work(part):
-        time.sleep(0.002)
         return {threading.get_ident(), *in_threads(lambda inner: threading.get_ident(), range(5))}
 
-    assert all(len(threads) == 1 for threads in in_threads(work, range(6)))
-    assert len(set.union(*in_threads(work, range(6)))) == 2
+    assert all(len(threads) == 1 for threads in in_threads(both_taking_part(work), range(6)))
+    assert len(set.union(*in_threads(both_taking_part(work), range(6)))) == 2
 
 
 def test_progress_is_told_on_the_calling_thread_and_only_grows():
@@ -73,7 +77,7 @@ def test_progress_is_told_on_the_calling_thread_and_only_grows():
         told.append(done)
 
     caller = threading.current_thread()
-    in_threads(lambda part: time.sleep(0.001), range(20), tell)
+    in_threads(both_taking_part(), range(20), tell)
     assert told == sorted(told) and told[0] > 0.0 and told[-1] <= 1.0
 
 
@@ -109,16 +113,15 @@ def test_cancelled_from_progress_passes_through_and_ends_both():
 
 
 def test_the_rules_for_floating_point_errors_hold_on_both_threads():
-    def work(part):
-        time.sleep(0.002)
+    def divide(part):
         return float((np.zeros(2) / np.zeros(2))[0])
 
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         with np.errstate(invalid="ignore"):
-            assert np.isnan(in_threads(work, range(8))).all()
+            assert np.isnan(in_threads(both_taking_part(divide), range(8))).all()
         with np.errstate(invalid="raise"), pytest.raises(FloatingPointError):
-            in_threads(work, range(8))
+            in_threads(both_taking_part(divide), range(8))
 
 
 def test_meanwhile_gives_what_work_gives_and_raises_what_the_helper_raises():

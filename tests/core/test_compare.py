@@ -16,10 +16,12 @@ from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers import find_dialect
 from freecad_fiveaxis.core.corrections.axis_corrections import AxisCorrection
 from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.options import DEFAULT_CONTROLLER
 from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, joint_words
 from freecad_fiveaxis.core.motion.joint_path import JointPath
+from freecad_fiveaxis.core.motion.program import build_program
 from freecad_fiveaxis.core.report import summary
 from freecad_fiveaxis.core.report.figures import axis_rates, feed_blocks
 from freecad_fiveaxis.core.report.text import duration
@@ -38,7 +40,7 @@ def stations(made, names=MACHINES):
     how = posting(made)
     for name in names:
         machine = load_machine(name)
-        dialect = find_dialect(machine.controller or job.DEFAULT_CONTROLLER)
+        dialect = find_dialect(machine.controller or DEFAULT_CONTROLLER)
         yield station(machine, Setup(machine.origin, 80.0), replace(how, dialect=dialect))
 
 
@@ -67,7 +69,7 @@ def leaned(offset, axis, kinematics, options, progress):
 def separate(path, where, cure):
     """The figures of one cell, by the pipeline's own calls."""
     joints = cure(path, where, lambda stage, fraction: None)
-    program = job.build_program(joints, where.kinematics, where.posting.dialect, True)
+    program = build_program(joints, where.kinematics, where.posting.dialect, True)
     deviation, feeds = job.measure(where.kinematics, program.words), feed_blocks(program)
     rates = axis_rates(program)[feeds].max(axis=0) * np.array([1.0, 1.0, 1.0, math.pi / 180.0, math.pi / 180.0])
     largest = [column[feeds].max() for column in (deviation.segment, deviation.bound, deviation.axis)]
