@@ -90,8 +90,9 @@ def test_an_error_of_somebody_else_is_not_ours_to_tell(panel, pump):
 
 
 def shown_boxes():
-    every = QtWidgets.QApplication.topLevelWidgets()
-    return [one for one in every if one.objectName() == "FiveAxisFailure" and one.isVisible()]
+    """Of the main window's own: PySide2 crashes now and then where all widgets of FreeCAD are asked for."""
+    boxes = FreeCADGui.getMainWindow().findChildren(QtWidgets.QMessageBox, "FiveAxisFailure")
+    return [one for one in boxes if one.isVisible()]
 
 
 def closed_box(until, pump):
