@@ -146,6 +146,7 @@ class Turn:
         """ez turned; where the axis leans, 1 - cos is taken without cancellation, so that a small tilt keeps its direction."""
         x, y, z = self.of((0.0, 0.0, 1.0), cos, sin)
         if not is_zero(self.along[0][2]) or not is_zero(self.along[1][2]):
+            # where cos is not above 0 the other branch counts; its size keeps the one that does not from dividing by 0
             versine = np.where(cos > 0.0, sin * sin / (1.0 + np.abs(cos)), 1.0 - cos)
             x, y = (plus(times(versine, self.along[i][2]), times(sin, self.cross[i][2])) for i in (0, 1))
         return [x, y, z]

@@ -112,7 +112,6 @@ def reach_map(mesh: Mesh, reacher: Reacher, facets: Bools | None = None, progres
     tree, normal = facet_tree(mesh), mesh.normal[facet]
     obstacle, tilt = np.full(len(point), int(Obstacle.LIMITS)), np.full(len(point), np.nan)
     axis = np.full((len(point), 3), np.nan)
-    progress("reach", 0.0)
     for part in batches(len(point)):
         progress("reach", 0.0)
         obstacle[part][_too_tight(reacher, tree, point[part], normal[part])] = Obstacle.CUTTER

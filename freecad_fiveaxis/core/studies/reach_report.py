@@ -12,11 +12,10 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.sentences import Area, Length, Sentence, say
-from freecad_fiveaxis.core.report.text import number
+from freecad_fiveaxis.core.report.text import WIDTH, number
 
 from .reach_map import TILTS, Obstacle, ReachMap
-from .setup_map.page import WIDTH
-from .setup_map.sheet import Table, findings_list, json_text, page, section, table, text_table
+from .setup_map.sheet import Table, findings_list, findings_text, json_text, page, section, table, text_table
 
 VERSION = 1
 """Of the JSON record: raised when a key changes its meaning."""
@@ -88,9 +87,9 @@ def _tilts(found: ReachMap) -> list[tuple[float, float, float]]:
 
 def reach_text(found: ReachMap, findings: Sequence[Finding] = ()) -> str:
     """For the terminal."""
-    lines = [verdict(found), "", *text_table(_table(found)), "", *stick_out(found)]
-    lines += [f"{one.severity.name} {one.code}: {one.text}" for one in findings]
-    return "\n".join(part for line in [*lines, NOTE] for part in textwrap.wrap(line, WIDTH) or [""]) + "\n"
+    said = [verdict(found), "", *text_table(_table(found)), "", *stick_out(found)]
+    lines = [part for line in said for part in textwrap.wrap(line, WIDTH) or [""]]
+    return "\n".join([*lines, *findings_text(findings), *textwrap.wrap(NOTE, WIDTH)]) + "\n"
 
 
 def reach_json(found: ReachMap, inputs: Mapping[str, object] | None = None, findings: Sequence[Finding] = ()) -> str:

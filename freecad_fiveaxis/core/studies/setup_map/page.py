@@ -14,17 +14,16 @@ from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Sentence, joined, say
 from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.markers import MARKERS, Marker
-from freecad_fiveaxis.core.report.text import duration, number
+from freecad_fiveaxis.core.report.text import WIDTH, duration, number
 
 from .heat_map import heat_maps
 from .setups import Kind, SetupMap
-from .sheet import Table, figures, findings_list, json_text, page, section, table, text_table
+from .sheet import Table, figures, findings_list, findings_text, json_text, page, section, table, text_table
 
 VERSION = 1
 """Of the JSON record: raised when a key changes its meaning."""
 LEAST_GAIN = 1.05
 """A setup that lowers the deviation by less than this is no reason to move the part."""
-WIDTH = 100
 
 HEAD = ("setup", "X, mm", "Y, mm", "Z, mm", "turn, deg", "deviation, mm", "rotary travel, deg", "time", "rewinds", "limits")
 
@@ -100,10 +99,7 @@ def setup_text(chart: SetupMap) -> str:
     """The map for the terminal: the sentence, the setups worth naming, the findings."""
     lines = [*textwrap.wrap(verdict(chart), WIDTH), *(f"  {step}" for step in advice(chart)), "", *text_table(_named(chart)), ""]
     lines += textwrap.wrap(_proven(chart), WIDTH)
-    for one in chart.findings:
-        lines += textwrap.wrap(
-            f"{one.severity.name} {one.code}: {one.text}", WIDTH, initial_indent="  ", subsequent_indent="    "
-        )
+    lines += findings_text(chart.findings)
     return "\n".join(lines) + "\n"
 
 

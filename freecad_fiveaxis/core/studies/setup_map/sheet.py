@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import base64
 import json
+import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
@@ -13,6 +14,7 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.report.html_page import STYLE
 from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.plots import Plot
+from freecad_fiveaxis.core.report.text import WIDTH
 
 NO_PLOTS = "The pictures are left out because matplotlib is not installed. To get them: <code>pip install matplotlib</code>"
 
@@ -81,3 +83,9 @@ def findings_list(findings: Sequence[Finding]) -> str:
         f'<div class="finding"><p><code>{escape(one.code)}</code> {one.severity.name.lower()}: {escape(one.text)}</p></div>\n'
         for one in findings
     )
+
+
+def findings_text(findings: Sequence[Finding]) -> list[str]:
+    """The findings as lines of text, indented."""
+    said = (f"{one.severity.name} {one.code}: {one.text}" for one in findings)
+    return [line for one in said for line in textwrap.wrap(one, WIDTH, initial_indent="  ", subsequent_indent="    ")]
