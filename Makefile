@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # make demo   mills a saddle whose middle passes the singularity; results in out/
-# make test   every ring of tests, side by side, on the FreeCAD that is installed; make test-all   also on FreeCAD 1.0 and 1.1, large samples
-# make install   link this folder into the Mod folder of the FreeCAD that is here; make bench   speeds as ratios to peers
+# make test   what shows in eight minutes that all is well: lint, core, LinuxCNC's interpreter, the FreeCAD that is installed
+# make test-all   every test: also what takes long to prove, every window, FreeCAD 1.0 and 1.1
+# make changed   the tests that reach what has changed since the last commit, nearest first, for a minute
+# make install   link this folder into the Mod folder of the FreeCAD that is here
+# make bench   speeds as ratios to peers; make bench-window   those of the 3D view, inside FreeCAD's window
 PYTHON := .venv/bin/python
 FIVEAXIS := $(PYTHON) -m freecad_fiveaxis
 
 TWO := -n 2 --dist worksteal
 # half of the tests each, in their order, so that what the tests of a file share is made once; who is done takes of the other's half
-SLOWEST := --durations=10
 
-.PHONY: help demo test test-all lint core oldest slow large linuxcnc freecad runner headless window sitting test-matrix trixie forky \
-    chroots install bench clean
+.PHONY: help demo test test-all changed lint core oldest slow large interpreter linuxcnc freecad runner headless window window-short \
+    sitting test-matrix trixie forky chroots install bench bench-window clean
 
 help:
-	@sed -n '2,4s/^# //p' Makefile
+	@sed -n '2,7s/^# //p' Makefile
 
 demo:
 	@bash scripts/prepare demo
@@ -21,11 +23,15 @@ demo:
 
 test:
 	@bash scripts/prepare test
-	@bash scripts/rings lint core slow headless -- window linuxcnc sitting runner
+	@bash scripts/rings lint core headless -- window-short interpreter sitting
 
 test-all: # what must pass before anything lands
 	@bash scripts/prepare test
 	@bash scripts/rings lint core slow headless large oldest demo -- chroots window forky trixie linuxcnc sitting runner
+
+changed:
+	@bash scripts/prepare test
+	@$(PYTHON) scripts/changed
 
 lint:
 	@bash scripts/prepare test
@@ -35,34 +41,39 @@ lint:
 
 core:
 	@bash scripts/prepare test
-	$(PYTHON) -m pytest $(TWO) $(SLOWEST) -m "not rs274 and not slow"
+	$(PYTHON) -m pytest $(TWO) -m "not rs274 and not slow and not thorough"
 
-oldest: # the core ring on the oldest numpy and scipy that pyproject.toml allows
+oldest: # the core's tests, but for the slow ones, on the oldest numpy and scipy that pyproject.toml allows
 	@bash scripts/prepare oldest
-	[ ! -e .cache/oldest/.complete ] || .cache/oldest/bin/python -m pytest $(TWO) $(SLOWEST) -m "not rs274 and not slow" -p no:cacheprovider
+	[ ! -e .cache/oldest/.complete ] || .cache/oldest/bin/python -m pytest $(TWO) -m "not rs274 and not slow" -p no:cacheprovider
 
-slow: # what takes long to prove: dense samples of many blocks, dynamic programmes, every cure on every machine, real meshes
+slow: # what takes long to prove, and more kinds of what the core ring shows: dense samples, dynamic programmes, real meshes
 	@bash scripts/prepare test
 	@bash scripts/prepare meshes
-	$(PYTHON) -m pytest $(TWO) $(SLOWEST) -m "slow and not large and not rs274"
+	$(PYTHON) -m pytest $(TWO) -m "(slow or thorough) and not large and not rs274"
 
 large: # more samples of what the slow ring proves by one of each kind
 	@bash scripts/prepare test
 	@bash scripts/prepare meshes
-	$(PYTHON) -m pytest $(TWO) $(SLOWEST) -m large
+	$(PYTHON) -m pytest $(TWO) -m large
 
-linuxcnc:
+interpreter: # LinuxCNC's, over what we post
 	@bash scripts/prepare test
 	@bash scripts/prepare linuxcnc
-	$(PYTHON) -m pytest $(SLOWEST) -m rs274
-	$(PYTHON) -m pytest $(SLOWEST) -m linuxcnc tests/linuxcnc
+	$(PYTHON) -m pytest -m rs274
+
+linuxcnc: interpreter # and its whole controller
+	@bash scripts/prepare test
+	@bash scripts/prepare linuxcnc
+	$(PYTHON) -m pytest -m linuxcnc tests/linuxcnc
 
 freecad: runner headless window
 
-runner: # of the two rings below, from outside FreeCAD: what it says of tests that fail, hang and crash
+runner: # of the rings in FreeCAD, from outside: what it says of tests that fail, hang and crash, and of an add-on that is broken
 	@bash scripts/prepare test
-	@bash scripts/prepare freecad
-	$(PYTHON) -m pytest $(SLOWEST) tests/freecad/test_run.py
+	@bash scripts/prepare sitting
+	$(PYTHON) -m pytest tests/freecad/test_run.py
+	$(PYTHON) -m pytest tests/sitting/test_run.py
 
 headless:
 	@bash scripts/prepare test
@@ -74,10 +85,14 @@ window:
 	@bash scripts/prepare freecad
 	bash tests/freecad/run window
 
+window-short: # the way of a user once through, in one FreeCAD
+	@bash scripts/prepare test
+	@bash scripts/prepare freecad
+	bash tests/freecad/run window -m short tests/freecad/test_loading.py tests/gui
+
 sitting: # FreeCAD as a user starts it, by mouse and keys alone; pictures and table.md in out/sitting
 	@bash scripts/prepare test
 	@bash scripts/prepare sitting
-	$(PYTHON) -m pytest $(SLOWEST) tests/sitting/test_run.py
 	bash tests/sitting/run short
 
 test-matrix: trixie forky
@@ -99,6 +114,11 @@ bench:
 	@bash scripts/prepare bench
 	@bash scripts/prepare meshes
 	$(PYTHON) benchmarks/run.py
+
+bench-window: # what a frame of the 3D view takes
+	@bash scripts/prepare test
+	@bash scripts/prepare freecad
+	bash tests/freecad/run window benchmarks/freecad/bench_scene.py
 
 clean:
 	rm -rf out build dist *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis

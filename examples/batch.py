@@ -308,7 +308,7 @@ def one_line(error):
 
 def table(rows):
     """The summary: one line a part."""
-    head = ("part", "blocks", "minutes", "deviation mm", "over", "singular", "errors", "result")
+    head = ("part", "blocks", "minutes", "surface mm", "tip mm", "over", "singular", "errors", "result")
     lines = [head, *(cells(row) for row in rows)]
     widths = [max(len(line[i]) for line in lines) for i in range(len(head))]
     for line in lines:
@@ -326,9 +326,10 @@ def failures(rows):
 def cells(row):
     """A row of the table as texts."""
     if row.error:
-        return (row.name, *("-",) * 6, "failed")
+        return (row.name, *("-",) * 7, "failed")
     one = row.summary
-    numbers = (str(one["blocks"]), f"{one['time_s'] / 60:.1f}", f"{one['max_segment_deviation']:.4f}")
+    surface = one["max_segment_deviation"] if one["max_surface_deviation"] is None else one["max_surface_deviation"]
+    numbers = (str(one["blocks"]), f"{one['time_s'] / 60:.1f}", f"{surface:.4f}", f"{one['max_segment_deviation']:.4f}")
     counts = (str(one["over_tolerance"]), str(one["singular_blocks"]), str(one["findings"]["error"]))
     return (row.name, *numbers, *counts, "proven" if one["proven"] else "look at it" if row.spoiled else "not proven")
 

@@ -24,8 +24,8 @@ from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.jobs.option_values import read_option
-from freecad_fiveaxis.core.jobs.settings import Settings, build_settings
-from freecad_fiveaxis.core.report import Figures, summary, verdict
+from freecad_fiveaxis.core.jobs.settings import AUDIT, Settings, build_settings
+from freecad_fiveaxis.core.report import Figures, judged_largest, summary, verdict
 from freecad_fiveaxis.core.tool import Cutter, parse_cutter, sizes_text
 from freecad_fiveaxis.core.tool.body import Body, body_of
 
@@ -64,13 +64,20 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
     for _, leaf in shown_options(task):
         kind = leaf.metadata["kind"]
         if kind == "cutter":
-            options[leaf.name] = cutter_of(obj)
+            options |= _cutter_option(obj, task, leaf)
         elif kind == "point":
             if not getattr(obj, property_name(leaf.name) + "FromMachine"):
                 options[leaf.name] = plain(getattr(obj, property_name(leaf.name)))
         elif (value := plain(getattr(obj, property_name(leaf.name)))) != plain(default_value(leaf)):
             options[leaf.name] = float(f"{value * 60.0:.11g}") if kind == "feed" else value  # of mm/s 12 digits are known
     return options
+
+
+def _cutter_option(obj: Any, task: str, leaf: Any) -> dict[str, Any]:
+    """The cutter; that of an audit at its default only beside a part: otherwise nobody has said that it is the one that cuts."""
+    given = cutter_of(obj)
+    unsaid = task == AUDIT and not obj.Against and parse_cutter(given) == leaf.default
+    return {} if unsaid else {leaf.name: given}
 
 
 def cutter_of(obj: Any) -> str:
@@ -212,12 +219,14 @@ def put_result(obj: Any, figures: Figures, fingerprint: str) -> None:
     """Show the figures in the result properties."""
     told = summary(figures)
     whole = verdict(figures, told)
+    surface, proven_below = judged_largest(told)
     values = {
         "Passes": told["passes"], "Blocks": told["blocks"], "SingularBlocks": told["singular_blocks"],
         "GuidedBlocks": told["guided_blocks"], "Verdict": wording.told(whole.text), "Light": whole.light.value,
         "OverTolerance": told["over_tolerance"],
         "WorstLine": told["worst_line"] or 0, "Time": told["time_s"],
-        "CutLength": told["cut_length"], "MaxSegmentDeviation": told["max_segment_deviation"],
+        "CutLength": told["cut_length"], "MaxSurfaceDeviation": surface, "MaxSurfaceBound": proven_below,
+        "MaxSegmentDeviation": told["max_segment_deviation"],
         "MaxLineDeviation": told["max_line_deviation"], "MaxBound": told["max_bound"], "Proven": told["proven"],
         "Findings": [wording.told(finding.text) for finding in figures.findings], "Fingerprint": fingerprint,
     }  # fmt: skip

@@ -107,7 +107,9 @@ def _of_programs() -> dict[str, str]:
         "tilt": translate("FiveAxis", "Tilt"),
         "max_tilt": translate("FiveAxis", "Largest axis angle"),
         "order": translate("FiveAxis", "Cut pattern"),
+        "links": translate("FiveAxis", "Links"),
         "clearance": translate("FiveAxis", "Clearance"),
+        "lead_in": translate("FiveAxis", "Lead-in radius"),
         "table_height": translate("FiveAxis", "Height of the table"),
         "feed": translate("FiveAxis", "Feed"),
         "plunge_feed": translate("FiveAxis", "Plunge feed"),
@@ -184,9 +186,12 @@ def _choices() -> dict[str, str]:
         "facet_mean": translate("FiveAxis", "surface normal"),
         "step_weighted": translate("FiveAxis", "normal weighted by step"),
         "minimax": translate("FiveAxis", "least deviation (minimax)"),
+        "auto": translate("FiveAxis", "free of the part (auto)"),
         "fixed": translate("FiveAxis", "fixed axis"),
         "zigzag": translate("FiveAxis", "zigzag"),
         "one_way": translate("FiveAxis", "one way"),
+        "near": translate("FiveAxis", "near the part where it is free"),
+        "over": translate("FiveAxis", "always over the part"),
         "g93": translate("FiveAxis", "inverse time (G93)"),
         "g94": translate("FiveAxis", "per minute (G94)"),
         "report": translate("FiveAxis", "only report"),
@@ -227,6 +232,9 @@ def _choice_hints() -> dict[tuple[str, str], str]:
         ),
         ("tool_axis", "minimax"): translate(
             "FiveAxis", "The axis that makes the deviation of this machine smallest, within the largest axis angle; takes long."
+        ),
+        ("tool_axis", "auto"): translate(
+            "FiveAxis", "The axis that keeps cutter, shank and holder out of the part and turns smoothly over the surface."
         ),
         ("tool_axis", "fixed"): translate("FiveAxis", "One axis everywhere: three-axis milling, or 3 + 2 with a tilted axis."),
         ("rtcp", "off"): translate("FiveAxis", "The program gives the positions of all axes; any controller can run it."),

@@ -28,7 +28,9 @@ TEXTS = {
     "scallop": QT_TRANSLATE_NOOP("App::Property", "Largest height of the ridges that stay between two passes"),
     "stepover": QT_TRANSLATE_NOOP("App::Property", "Constant distance of the passes, instead of a scallop height"),
     "least_interval": QT_TRANSLATE_NOOP("App::Property", "Passes come no closer than this, also on steep walls"),
-    "max_axis_angle": QT_TRANSLATE_NOOP("App::Property", "Surfaces steeper than this are not machined"),
+    "max_axis_angle": QT_TRANSLATE_NOOP(
+        "App::Property", "Surfaces steeper than this are not machined; with auto no tool axis leans more"
+    ),
     "cutter": QT_TRANSLATE_NOOP("App::Property", "Shape and sizes of the cutter"),
     "coedge_tolerance": QT_TRANSLATE_NOOP(
         "App::Property", "Largest distance between cutter and a convex edge; beyond it the tool rolls around the edge in an arc"
@@ -41,7 +43,13 @@ TEXTS = {
         "App::Property", "How far the tool axis may leave the surface normal, for the least deviation or to keep out of the part"
     ),
     "order": QT_TRANSLATE_NOOP("App::Property", "Zigzag cuts in both directions, one way in one direction only"),
+    "links": QT_TRANSLATE_NOOP(
+        "App::Property", "How the tool goes from one pass to the next: near the part where it is free, or over it"
+    ),
     "clearance": QT_TRANSLATE_NOOP("App::Property", "Rapid moves stay this far off the part's bounding box"),
+    "lead_in": QT_TRANSLATE_NOOP(
+        "App::Property", "Radius of the arc tangent to the surface on which the tool enters and leaves a pass; 0: along its axis"
+    ),
     "feed": QT_TRANSLATE_NOOP(
         "App::Property", "Feed rate of the tip over the part"
     ),

@@ -247,6 +247,18 @@ RESULTS = (
         QT_TRANSLATE_NOOP("App::Property", "Way of the tip along the part"), 0.0, RESULT,
     ),
     Property(
+        "MaxSurfaceDeviation", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Largest deviation of what makes the surface, which the verdict goes by: a ball cutter's centre, or the tip",
+        ),
+        0.0, RESULT,
+    ),
+    Property(
+        "MaxSurfaceBound", "App::PropertyLength", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Proven upper bound of the deviation of what makes the surface"), 0.0, RESULT,
+    ),
+    Property(
         "MaxSegmentDeviation", "App::PropertyLength", "Result",
         QT_TRANSLATE_NOOP("App::Property", "Largest deviation of the tip from the commanded segments"), 0.0, RESULT,
     ),
@@ -257,7 +269,7 @@ RESULTS = (
     ),
     Property(
         "MaxBound", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Proven upper bound of the deviation from the commanded segments"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Proven upper bound of the tip's deviation from the commanded segments"), 0.0, RESULT,
     ),
     Property(
         "Proven", "App::PropertyBool", "Result",

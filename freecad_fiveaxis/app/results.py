@@ -123,6 +123,14 @@ def execute(obj: Any) -> None:
     put_result(obj, last.figures, last.fingerprint)
 
 
+def judged_of(obj: Any) -> tuple[float, float]:
+    """Largest deviation of what makes the surface and its proven bound, mm, as the object shows them; the tip's where its
+    document was last computed by a version that knew no others."""
+    if obj.MaxSurfaceBound.Value > 0.0:
+        return obj.MaxSurfaceDeviation.Value, obj.MaxSurfaceBound.Value
+    return obj.MaxSegmentDeviation.Value, obj.MaxBound.Value
+
+
 def out_of_date(obj: Any) -> str:
     """Why the object does not show the result of its base and settings; an empty text where it does."""
     if _base_is_gone(obj):

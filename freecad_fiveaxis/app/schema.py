@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.jobs.settings import MILL
 from . import feed_per_minute
 from .properties import CUTTER, HIDDEN, Property, add_missing, drawn_tool, setting_properties, show_sizes
 
-SCHEMA = 4
+SCHEMA = 5
 LABELS, DOUBLES = "User parameter:BaseApp/Preferences/Document", "DuplicateLabels"
 """Where FreeCAD keeps whether two objects may have one label."""
 VERSION = Property(
@@ -157,5 +157,12 @@ def _from_3(obj: Any) -> None:
         obj.setEditorMode(name, ["Hidden"])
 
 
-STEPS: dict[int, Callable[[Any], None]] = {0: _from_0, 1: _from_1, 2: _from_2, 3: _from_3}
+def _from_4(obj: Any) -> None:
+    """Version 4 went over the part between all passes: so it stays, the path is what it was."""
+    if "LeastInterval" in obj.PropertiesList and not hasattr(obj, "Links"):  # a toolpath
+        add_missing(obj, [one for one in setting_properties(MILL) if one.name == "Links"])
+        obj.Links = "over"
+
+
+STEPS: dict[int, Callable[[Any], None]] = {0: _from_0, 1: _from_1, 2: _from_2, 3: _from_3, 4: _from_4}
 """From each version to the next: what the plain adding of missing properties would lose, as the value of a renamed one."""

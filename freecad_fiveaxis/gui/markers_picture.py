@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from freecad_fiveaxis.app.results import judged_of
+
 from .scene import labels, nodes
 from .scene.marks import Marks, largest_colour
 from .scene.on_screen import Labels
@@ -26,7 +28,7 @@ class MarkersPicture:
         view, kinds, path = self.vobj, list(self.obj.Kinds), self.obj.Path
         places = np.array([tuple(place) for place in self.obj.Places], float).reshape(-1, 3)
         good, bad = rgb(view.ColourGood), rgb(view.ColourBad)
-        deviation, tolerance = (path.MaxSegmentDeviation.Value, path.Tolerance.Value) if path is not None else (0.0, 0.0)
+        deviation, tolerance = (judged_of(path)[0], path.Tolerance.Value) if path is not None else (0.0, 0.0)
         self.marks.show(
             places, kinds, largest_colour(deviation, tolerance, good, bad), bad, rgb(view.ColourSingular), view.MarkerSize
         )  # fmt: skip

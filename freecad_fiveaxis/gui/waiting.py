@@ -109,6 +109,7 @@ def stage_words() -> dict[str, str]:
         "joint path": translate("FiveAxis", "turning the axes"),
         "linearize": translate("FiveAxis", "dividing blocks"),
         "minimax axes": translate("FiveAxis", "seeking the axes of least deviation"),
+        "axis field": translate("FiveAxis", "seeking axes that are free of the part"),
         "leading past the pole": translate("FiveAxis", "turning the axis past the pole"),
         "driving what is led": translate("FiveAxis", "driving the turned axes"),
         "trade of axis change": translate("FiveAxis", "comparing axis changes"),

@@ -404,6 +404,10 @@
         <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird</translation>
     </message>
     <message>
+        <source>How the tool goes from one pass to the next: near the part where it is free, or over it</source>
+        <translation>Weg des Werkzeugs von einer Bahn zur nächsten: nahe am Werkstück, wo er frei ist, oder darüber hinweg</translation>
+    </message>
+    <message>
         <source>Kinds</source>
         <translation>Arten</translation>
     </message>
@@ -448,6 +452,10 @@
         <translation>Größte Abweichung der Spitze von der programmierten Geraden</translation>
     </message>
     <message>
+        <source>Largest deviation of what makes the surface, which the verdict goes by: a ball cutter's centre, or the tip</source>
+        <translation>Größte Abweichung dessen, was die Fläche erzeugt und wonach das Urteil geht: die Mitte eines Kugelfräsers oder die Werkzeugspitze</translation>
+    </message>
+    <message>
         <source>Largest deviation where the work zero stood</source>
         <translation>Größte Abweichung dort, wo der Werkstücknullpunkt stand</translation>
     </message>
@@ -466,6 +474,10 @@
     <message>
         <source>Lead</source>
         <translation>Voreilwinkel</translation>
+    </message>
+    <message>
+        <source>Lead In</source>
+        <translation>Anfahrradius</translation>
     </message>
     <message>
         <source>Lead angle: how far the tool leans in the feed direction</source>
@@ -502,6 +514,10 @@
     <message>
         <source>Linearize</source>
         <translation>Linearisieren</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -566,6 +582,14 @@
     <message>
         <source>Max Segment Deviation</source>
         <translation>Größte Abweichung von der Strecke</translation>
+    </message>
+    <message>
+        <source>Max Surface Bound</source>
+        <translation>Größte Schranke der Fläche</translation>
+    </message>
+    <message>
+        <source>Max Surface Deviation</source>
+        <translation>Größte Abweichung der Fläche</translation>
     </message>
     <message>
         <source>Max Tilt</source>
@@ -688,8 +712,16 @@
         <translation>Bewiesen</translation>
     </message>
     <message>
-        <source>Proven upper bound of the deviation from the commanded segments</source>
-        <translation>Bewiesene obere Schranke der Abweichung von den Sollstrecken</translation>
+        <source>Proven upper bound of the deviation of what makes the surface</source>
+        <translation>Bewiesene obere Schranke der Abweichung dessen, was die Fläche erzeugt</translation>
+    </message>
+    <message>
+        <source>Proven upper bound of the tip's deviation from the commanded segments</source>
+        <translation>Bewiesene obere Schranke der Abweichung der Werkzeugspitze von den Sollstrecken</translation>
+    </message>
+    <message>
+        <source>Radius of the arc tangent to the surface on which the tool enters and leaves a pass; 0: along its axis</source>
+        <translation>Radius des Bogens tangential zur Fläche, auf dem das Werkzeug in eine Bahn ein- und aus ihr ausfährt; 0: entlang seiner Achse</translation>
     </message>
     <message>
         <source>Rapid moves stay this far off the part's bounding box</source>
@@ -852,8 +884,8 @@
         <translation>Zeilensprung</translation>
     </message>
     <message>
-        <source>Surfaces steeper than this are not machined</source>
-        <translation>Steilere Flächen werden nicht bearbeitet</translation>
+        <source>Surfaces steeper than this are not machined; with auto no tool axis leans more</source>
+        <translation>Steilere Flächen werden nicht bearbeitet; bei auto neigt sich keine Werkzeugachse weiter</translation>
     </message>
     <message>
         <source>Table Height</source>
@@ -1259,6 +1291,10 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
+        <source>Centre off its segment</source>
+        <translation>Kugelmitte neben Strecke</translation>
+    </message>
+    <message>
         <source>Certain within</source>
         <translation>Sicher auf</translation>
     </message>
@@ -1395,12 +1431,20 @@
         <translation>Am tiefsten darunter: {depth}</translation>
     </message>
     <message>
+        <source>Deviation of the tip</source>
+        <translation>Abweichung der Spitze</translation>
+    </message>
+    <message>
         <source>Diameter</source>
         <translation>Durchmesser</translation>
     </message>
     <message>
         <source>Direction of passes</source>
         <translation>Richtung der Zeilen</translation>
+    </message>
+    <message>
+        <source>Distance of the ball's centre from the commanded line</source>
+        <translation>Abstand der Kugelmitte von der Sollstrecke</translation>
     </message>
     <message>
         <source>Distance of the tip from the commanded line</source>
@@ -1527,6 +1571,10 @@
         <translation>Halter, Ø x Länge</translation>
     </message>
     <message>
+        <source>How far the ball's centre, which makes the surface, is now from its commanded segment</source>
+        <translation>Wie weit die Kugelmitte, die die Fläche erzeugt, jetzt von ihrer Sollstrecke entfernt ist</translation>
+    </message>
+    <message>
         <source>How far the mesh may leave the solid</source>
         <translation>Wie weit das Netz vom Volumenkörper abweichen darf</translation>
     </message>
@@ -1607,6 +1655,10 @@
         <translation>Voreilwinkel</translation>
     </message>
     <message>
+        <source>Lead-in radius</source>
+        <translation>Anfahrradius</translation>
+    </message>
+    <message>
         <source>Left out</source>
         <translation>Ausgelassen</translation>
     </message>
@@ -1621,6 +1673,10 @@
     <message>
         <source>Line deviation by</source>
         <translation>Abweichung von der Geraden</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
     </message>
     <message>
         <source>LinuxCNC configurations and machine files (*.ini *.fcm)</source>
@@ -1757,10 +1813,6 @@
     <message>
         <source>Nothing to report: all blocks are as they should be.</source>
         <translation>Nichts zu melden: alle NC-Sätze sind, wie sie sein sollen.</translation>
-    </message>
-    <message>
-        <source>Off its segment</source>
-        <translation>Neben der Sollstrecke</translation>
     </message>
     <message>
         <source>On each machine the work zero stands where its file says. The document stays as it is.</source>
@@ -2083,8 +2135,28 @@
         <translation>Die NC-Datei, die geschrieben wird</translation>
     </message>
     <message>
+        <source>The axis that keeps cutter, shank and holder out of the part and turns smoothly over the surface.</source>
+        <translation>Die Achse, die Fräser, Schaft und Halter vom Teil freihält und sich gleichmäßig über die Fläche dreht.</translation>
+    </message>
+    <message>
         <source>The axis that makes the deviation of this machine smallest, within the largest axis angle; takes long.</source>
         <translation>Die Achse mit der kleinsten Abweichung auf dieser Maschine, innerhalb des größten Achswinkels; dauert lange.</translation>
+    </message>
+    <message>
+        <source>The ball's centre leaves its commanded straight line by {deviation}, within the {tolerance} allowed.</source>
+        <translation>Die Kugelmitte weicht um {deviation} von ihrer Sollstrecke ab, innerhalb der erlaubten {tolerance}.</translation>
+    </message>
+    <message>
+        <source>The ball's centre leaves its commanded straight line by {deviation}; allowed are {tolerance}.</source>
+        <translation>Die Kugelmitte weicht um {deviation} von ihrer Sollstrecke ab; erlaubt sind {tolerance}.</translation>
+    </message>
+    <message>
+        <source>The ball's centre leaves its segment by more than the {tolerance} that are allowed.</source>
+        <translation>Die Kugelmitte weicht um mehr als die erlaubten {tolerance} von ihrer Sollstrecke ab.</translation>
+    </message>
+    <message>
+        <source>The ball's centre was seen to leave the line by {deviation}; proven is only that it is no more than {bound}.</source>
+        <translation>Gesehen wurde, dass die Kugelmitte um {deviation} von der Strecke abweicht; bewiesen ist nur, dass es nicht mehr als {bound} ist.</translation>
     </message>
     <message>
         <source>The block is so near to the tolerance of {tolerance} that the proof does not reach.</source>
@@ -2279,6 +2351,10 @@
         <translation>Spitze geführt (RTCP): {count} NC-Sätze,</translation>
     </message>
     <message>
+        <source>Tip off its segment</source>
+        <translation>Spitze neben Strecke</translation>
+    </message>
+    <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>
@@ -2411,6 +2487,10 @@
         <translation>Warum</translation>
     </message>
     <message>
+        <source>Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes turn, even moves of the axes carry the ball's centre along a curve beside the straight line.</source>
+        <translation>In einem Schritt von {step} dreht {first} um {first_turn} und {second} um {second_turn}. Während Rundachsen drehen, tragen gleichmäßige Bewegungen der Achsen die Kugelmitte auf einer Kurve neben der Geraden entlang.</translation>
+    </message>
+    <message>
         <source>Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes turn, even moves of the axes carry the tip along a curve beside the straight line.</source>
         <translation>In einem Schritt von {step} dreht {first} um {first_turn} und {second} um {second_turn}. Während Rundachsen drehen, tragen gleichmäßige Bewegungen der Achsen die Spitze auf einer Kurve neben der Geraden entlang.</translation>
     </message>
@@ -2457,6 +2537,10 @@
     <message>
         <source>along</source>
         <translation>entlang</translation>
+    </message>
+    <message>
+        <source>always over the part</source>
+        <translation>über das Werkstück</translation>
     </message>
     <message>
         <source>and {count} more</source>
@@ -2531,6 +2615,10 @@
         <translation>Kollision zwischen Bahnen: {count} Stellen</translation>
     </message>
     <message>
+        <source>commanded and real way of the ball's centre</source>
+        <translation>Soll- und wirklicher Weg der Kugelmitte</translation>
+    </message>
+    <message>
         <source>commanded line beside the real curve</source>
         <translation>Sollstrecke neben der wirklichen Kurve</translation>
     </message>
@@ -2597,6 +2685,10 @@
     <message>
         <source>found</source>
         <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>free of the part (auto)</source>
+        <translation>frei vom Teil (auto)</translation>
     </message>
     <message>
         <source>grbl with five axes</source>
@@ -2689,6 +2781,10 @@
     <message>
         <source>model of So et al. 2008 as printed</source>
         <translation>Modell von So u. a. 2008 wie gedruckt</translation>
+    </message>
+    <message>
+        <source>near the part where it is free</source>
+        <translation>nahe am Werkstück</translation>
     </message>
     <message>
         <source>near the pole: {count} blocks</source>
@@ -2805,6 +2901,10 @@
     <message>
         <source>recommended: {deviation}</source>
         <translation>empfohlen: {deviation}</translation>
+    </message>
+    <message>
+        <source>seeking axes that are free of the part</source>
+        <translation>freie Werkzeugachsen werden gesucht</translation>
     </message>
     <message>
         <source>seeking the axes of least deviation</source>
@@ -2991,6 +3091,10 @@
     <message>
         <source>{height} left</source>
         <translation>{height} bleibt stehen</translation>
+    </message>
+    <message>
+        <source>{length} (centre)</source>
+        <translation>{length} (Mitte)</translation>
     </message>
     <message>
         <source>{letter} line, {way}</source>
@@ -3228,6 +3332,10 @@
         <translation>Am Ende von {count} Vorschubsätzen steht das Werkzeug nicht so, wie der CL-Weg es sagt: am schlimmsten NC-Zeile {line}, um {lean} ({tolerance} erlaubt); die erste ist NC-Zeile {first}. Sind Vorzeichen, Reihenfolge und Nullpunkte der Rundachsen die der Maschine?</translation>
     </message>
     <message>
+        <source>At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the machine can take up and that keeps the tool out of the part; they are left out. Use a smaller cutter or holder, or a longer tool, or turn the part.</source>
+        <translation>An {count} von {all} Berührpunkten ({share} %), der erste bei {place}, wurde keine Werkzeugachse gefunden, die die Maschine einnehmen kann und die das Werkzeug aus dem Teil hält; sie werden ausgelassen. Kleineren Fräser oder Halter oder längeres Werkzeug nehmen oder das Teil drehen.</translation>
+    </message>
+    <message>
         <source>Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.</source>
         <translation>Achswörter stehen weder unter G0 noch G1; sie werden als G1 genommen. Einen Bewegungscode angeben.</translation>
     </message>
@@ -3416,6 +3524,10 @@
         <translation>Kein Fräser ist angegeben; der der CL-Datei wird genommen: {cutter}.</translation>
     </message>
     <message>
+        <source>No cutter is given; the one that the program names is taken: {cutter}.</source>
+        <translation>Kein Fräser ist angegeben; der im Programm genannte gilt: {cutter}.</translation>
+    </message>
+    <message>
         <source>No setup of the region keeps all axes within their limits and the part on the table.</source>
         <translation>Keine Aufspannung des Bereichs hält alle Achsen in ihren Grenzen und das Werkstück auf dem Tisch.</translation>
     </message>
@@ -3486,6 +3598,10 @@
     <message>
         <source>Over {length} of the passes no tilt of up to {most} keeps shank and holder out of the part, the deepest entry at {place}. Allow more tilt ({max_tilt}), use a longer tool, or leave these places out.</source>
         <translation>Auf {length} der Zeilen hält keine Neigung bis {most} Schaft und Halter aus dem Werkstück, am tiefsten bei {place}. Mehr Neigung erlauben ({max_tilt}), ein längeres Werkzeug nehmen oder diese Stellen auslassen.</translation>
+    </message>
+    <message>
+        <source>Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it could not get out along its axis; they are left out. Turn the part, or use a smaller holder.</source>
+        <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Teil liegt darüber, und es käme entlang seiner Achse nicht heraus; sie werden ausgelassen. Das Teil drehen oder einen kleineren Halter nehmen.</translation>
     </message>
     <message>
         <source>Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or between two of them. Choose other passes, or a smaller stepover or scallop, for those.</source>
@@ -3868,6 +3984,14 @@
         <translation>Was eine Änderung der Achse auf {part} Zeilen bringt, die dem Pol näher als {change} kommen (größte Drehung je Weg und gesamte Drehung von {letter}, NC-Sätze, die {tolerance} einhielten): {rows}.</translation>
     </message>
     <message>
+        <source>While rotary axes turn, straight moves of the axes carry the ball's centre along a curve beside its straight segment, and the surface with it.</source>
+        <translation>Während Rundachsen drehen, tragen gerade Bewegungen der Achsen die Kugelmitte auf einer Kurve neben ihrer Sollstrecke, und die Fläche mit ihr.</translation>
+    </message>
+    <message>
+        <source>While rotary axes turn, straight moves of the axes carry the tip along a curve beside the straight segment.</source>
+        <translation>Während Rundachsen drehen, tragen gerade Bewegungen der Achsen die Werkzeugspitze auf einer Kurve neben der Sollstrecke.</translation>
+    </message>
+    <message>
         <source>With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93).</source>
         <translation>Wenn Rundachsen drehen, bedeutet F unter G94 auf anderen Steuerungen anderes. Mit zeitreziprokem Vorschub (G93) ausgeben.</translation>
     </message>
@@ -4110,6 +4234,10 @@
     <message>
         <source>beyond the machine's limits</source>
         <translation>außerhalb der Achsgrenzen der Maschine</translation>
+    </message>
+    <message>
+        <source>beyond the machine's limits or the largest axis angle; turn the part over, or raise the angle</source>
+        <translation>außerhalb der Grenzen der Maschine oder des größten Achswinkels; das Teil wenden oder den Winkel erhöhen</translation>
     </message>
     <message>
         <source>blend tolerance is {blend}; give 0 (exact path) to 999</source>
@@ -4384,6 +4512,10 @@
         <translation>{name} fehlt</translation>
     </message>
     <message>
+        <source>it is too tight for the cutter; use a smaller one</source>
+        <translation>für den Fräser ist es zu eng; einen kleineren nehmen</translation>
+    </message>
+    <message>
         <source>it makes too many pecks</source>
         <translation>er macht zu viele Zustellungen</translation>
     </message>
@@ -4480,8 +4612,8 @@
         <translation>bekannt: {names}, oder eine {suffix}-Datei angeben</translation>
     </message>
     <message>
-        <source>largest axis angle {angle} is out of range; give more than 0 and at most 90 deg</source>
-        <translation>der größte Achswinkel {angle} liegt außerhalb; mehr als 0 und höchstens 90 Grad angeben</translation>
+        <source>largest axis angle {angle} is out of range; give more than 0 and at most 180 deg</source>
+        <translation>größter Achswinkel {angle} liegt außerhalb; mehr als 0 und höchstens 180° angeben</translation>
     </message>
     <message>
         <source>leave Z out</source>
@@ -4534,6 +4666,10 @@
     <message>
         <source>line {line}: calls are nested deeper than {most}; does a subprogram call itself? Post the moves themselves</source>
         <translation>Zeile {line}: Aufrufe sind tiefer als {most} geschachtelt; ruft ein Unterprogramm sich selbst auf? Die Bewegungen selbst ausgeben</translation>
+    </message>
+    <message>
+        <source>line {line}: digits stand right behind a call, and no letter before them: {found}</source>
+        <translation>Zeile {line}: direkt hinter einem Aufruf stehen Ziffern, und vor ihnen kein Buchstabe: {found}</translation>
     </message>
     <message>
         <source>line {line}: the cycles make more than {most} moves; divide the program</source>
@@ -4666,6 +4802,14 @@
     <message>
         <source>no distance up to {raises} keeps a machine with wrong signs clear of the mark</source>
         <translation>kein Abstand bis {raises} hält eine Maschine mit falschen Vorzeichen von der Marke frei</translation>
+    </message>
+    <message>
+        <source>no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder</source>
+        <translation>keine Facette kann bearbeitet werden: an keinem Berührpunkt der Bahnen ist eine Werkzeugachse frei; kleineren Fräser oder Halter nehmen</translation>
+    </message>
+    <message>
+        <source>no facet can be cut: no tool axis is free on any; {remedy}</source>
+        <translation>keine Facette kann bearbeitet werden: auf keiner ist eine Werkzeugachse frei; {remedy}</translation>
     </message>
     <message>
         <source>no facet can be cut: {down} % look down, {steep} % lean more than {most}, {beyond} % lie beyond the machine's rotary limits of the area; turn the part, raise the largest axis angle or take another machine</source>
@@ -4810,6 +4954,10 @@
     <message>
         <source>plane offsets have shape {shape}: give one ascending row of numbers</source>
         <translation>die Ebenenabstände haben die Form {shape}: eine aufsteigende Reihe von Zahlen angeben</translation>
+    </message>
+    <message>
+        <source>polar coordinates, whose moves are missing here; post X, Y and Z</source>
+        <translation>Polarkoordinaten, deren Bewegungen hier fehlen; X, Y und Z ausgeben</translation>
     </message>
     <message>
         <source>program O{program} is not in this file</source>
@@ -5032,6 +5180,10 @@
         <translation>der Kopf kündigt {facets} Facetten an, die Datei enthält {held}: sie ist abgeschnitten, beschädigt oder kein STL; neu exportieren</translation>
     </message>
     <message>
+        <source>the holder is in the way; let the tool stick out farther</source>
+        <translation>der Halter ist im Weg; das Werkzeug weiter auskragen lassen</translation>
+    </message>
+    <message>
         <source>the key is missing; add "{key}"</source>
         <translation>der Schlüssel fehlt; „{key}“ ergänzen</translation>
     </message>
@@ -5092,6 +5244,10 @@
         <translation>die zweite Rundachse ist parallel zum Werkzeug und neigt es nie; stimmt die Reihenfolge der beiden?</translation>
     </message>
     <message>
+        <source>the shank is in the way; use a thinner or a longer one</source>
+        <translation>der Schaft ist im Weg; einen dünneren oder längeren nehmen</translation>
+    </message>
+    <message>
         <source>the short way</source>
         <translation>der kurze Weg</translation>
     </message>
@@ -5146,6 +5302,10 @@
     <message>
         <source>the tool would enter the part {where}, deepest by {depth} at {place}</source>
         <translation>das Werkzeug {where} ins Werkstück eindringen würde, am tiefsten um {depth} bei {place}</translation>
+    </message>
+    <message>
+        <source>the tool would go below the table; clamp the part higher</source>
+        <translation>das Werkzeug käme unter den Tisch; das Teil höher spannen</translation>
     </message>
     <message>
         <source>the toolpath</source>
@@ -5408,6 +5568,14 @@
         <translation>eines schreiben von {known}</translation>
     </message>
     <message>
+        <source>{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.</source>
+        <translation>{area} ({share} % des Teils) werden ausgelassen, denn dort ist keine Werkzeugachse frei: {remedy}.</translation>
+    </message>
+    <message>
+        <source>{area} ({share} % of the part) look down and are left out: no tool axis within {most} of Z gets there. Turn the part over, or raise the largest axis angle.</source>
+        <translation>{area} ({share} % des Teils) zeigen nach unten und werden ausgelassen: Keine Werkzeugachse bis {most} von Z kommt dorthin. Das Teil wenden oder den größten Achswinkel erhöhen.</translation>
+    </message>
+    <message>
         <source>{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as {post} does.</source>
         <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {asked}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben, wie {post} es tut.</translation>
     </message>
@@ -5420,8 +5588,8 @@
         <translation>{blocks} so nahe an der Toleranz von {tolerance}, dass der Nachweis nicht reicht: die Abweichung liegt darin, ihre bewiesene obere Schranke nicht (am schlimmsten NC-Zeile {line}: Schranke {bound}).</translation>
     </message>
     <message>
-        <source>{blocks} the commanded path by more than {tolerance}; the worst, NC line {line}, by {deviation}: there {turns} within a step of {step}. While rotary axes turn, straight moves of the axes carry the tip along a curve beside the straight segment.</source>
-        <translation>{blocks} den Sollweg um mehr als {tolerance}; am schlimmsten NC-Zeile {line}, um {deviation}: dort {turns} innerhalb eines Schritts von {step}. Während Rundachsen drehen, tragen gerade Bewegungen der Achsen die Werkzeugspitze auf einer Kurve neben der Sollstrecke.</translation>
+        <source>{blocks} the commanded path by more than {tolerance}; the worst, NC line {line}, by {deviation}: there {turns} within a step of {step}.</source>
+        <translation>{blocks} den Sollweg um mehr als {tolerance}; am schlimmsten NC-Zeile {line}, um {deviation}: dort {turns} innerhalb eines Schritts von {step}.</translation>
     </message>
     <message>
         <source>{blocks} {letter} beyond its limit of {limit}: farthest NC line {line}, {letter}{word}, {beyond} too far; first NC line {first}. {help}, or take a machine with more travel.</source>
@@ -5488,6 +5656,14 @@
         <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
     </message>
     <message>
+        <source>{count} corners lie on a side of another facet, the first at {at}; that facet was divided there.</source>
+        <translation>{count} Ecken liegen auf der Seite einer anderen Facette, die erste bei {at}; diese Facette wurde dort geteilt.</translation>
+    </message>
+    <message>
+        <source>{count} corners next to others, the first at {at}, were joined with them.</source>
+        <translation>{count} Ecken dicht neben anderen, die erste bei {at}, wurden mit diesen verbunden.</translation>
+    </message>
+    <message>
         <source>{count} drilling cycles dwell at the bottom (first line {line}): the tool does not wait there in the program.</source>
         <translation>{count} Bohrzyklen verweilen am Grund (zuerst Zeile {line}): Im Programm wartet das Werkzeug dort nicht.</translation>
     </message>
@@ -5500,8 +5676,8 @@
         <translation>{count} Facetten</translation>
     </message>
     <message>
-        <source>{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to cut them.</source>
-        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) zeigen von der Spindel weg und sind ausgelassen; das Werkstück wenden, um sie zu fräsen.</translation>
+        <source>{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to cut them, or raise the largest axis angle.</source>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) zeigen von der Spindel weg und sind ausgelassen; das Werkstück wenden, um sie zu fräsen, oder den größten Achswinkel erhöhen.</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise the largest axis angle to cut them.</source>
@@ -5514,6 +5690,10 @@
     <message>
         <source>{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take another machine to cut them.</source>
         <translation>{count} Facetten mit {area} ({share} % des Werkstücks) brauchen {limits} jenseits der Grenzen und sind ausgelassen; das Werkstück drehen oder eine andere Maschine nehmen, um sie zu fräsen.</translation>
+    </message>
+    <message>
+        <source>{count} facets were there twice, the first at {at}; one of each was kept.</source>
+        <translation>{count} Facetten waren doppelt vorhanden, die erste bei {at}; je eine wurde behalten.</translation>
     </message>
     <message>
         <source>{count} facets without area were left out, the first at {at}; passes end where that leaves a crack.</source>
@@ -5578,6 +5758,14 @@
     <message>
         <source>{count} of them lies</source>
         <translation>{count} davon liegt</translation>
+    </message>
+    <message>
+        <source>{count} of {all} ends of passes has a smaller lead-in or lead-out than {radius}, or none, because the tool would enter the part or the table on it; a smaller radius fits in more places.</source>
+        <translation>{count} von {all} Bahnenden hat einen kleineren An- oder Abfahrbogen als {radius} oder keinen, weil das Werkzeug darauf in das Werkstück oder den Tisch eindringen würde; ein kleinerer Radius passt an mehr Stellen.</translation>
+    </message>
+    <message>
+        <source>{count} of {all} ends of passes have a smaller lead-in or lead-out than {radius}, or none, because the tool would enter the part or the table on it; a smaller radius fits in more places.</source>
+        <translation>{count} von {all} Bahnenden haben einen kleineren An- oder Abfahrbogen als {radius} oder keinen, weil das Werkzeug darauf in das Werkstück oder den Tisch eindringen würde; ein kleinerer Radius passt an mehr Stellen.</translation>
     </message>
     <message>
         <source>{count} of {all} feed blocks leave the path by up to {deviation}, {tolerance} allowed (NC line {line})</source>

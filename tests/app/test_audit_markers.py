@@ -33,6 +33,15 @@ def test_table_2_of_so_is_judged(doc, table2):
     assert (made.WorstLine, made.SingularBlocks, made.OverTolerance, made.Proven) == (3, 1, 1, False)
     assert made.State == ["Up-to-date"] and results.out_of_date(made) == "" and results.nc_of(made) == TABLE_2.encode()
     assert any("2.1264 mm" in text for text in made.Findings)
+    assert (made.MaxSurfaceDeviation, made.MaxSurfaceBound) == (made.MaxSegmentDeviation, made.MaxBound), "judged by the tip"
+    assert not any("centre of the ball" in text for text in made.Findings), "nobody has said that a ball cuts"
+
+
+def test_of_a_ball_that_is_given_the_centre_is_judged_and_the_tip_stands_beside_it(doc, table2):
+    made = app.audit(doc, table2, "mikron_ucp710", cutter="ball:6")
+    assert made.MaxSegmentDeviation.Value == pytest.approx(2.1264, abs=5e-4)
+    centre = results.figures_of(made).surface.segment
+    assert made.MaxSurfaceDeviation.Value == pytest.approx(centre.max(), abs=1e-9) and abs(centre.max() - 2.1264) > 0.01
 
 
 def test_the_marker_stands_at_the_largest_deviation_in_the_document(doc, table2):

@@ -157,7 +157,7 @@ def test_nothing_is_overwritten_unasked(step, tmp_path):
 
 
 def test_findings_of_severity_error_are_exit_1(step, tmp_path):
-    code, lines = batch(step, tmp_path, *words(tolerance="0.000001"))
+    code, lines = batch(step, tmp_path, *words(tolerance="0.000001", linearize="off", gouge="off"))
     assert code == 1 and lines[-1] == "1 parts: 0 well, 1 with errors in the findings, 0 failed", lines
     assert (tmp_path / "dome.ngc").exists()
 

@@ -9,6 +9,7 @@ from freecad_fiveaxis.app import results
 from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.controllers import DIALECTS
 
+pytestmark = pytest.mark.usefixtures("kept")
 EVERY = pytest.mark.parametrize("controller", list(DIALECTS))
 PLANES = 2
 """The machine's safe start and end: one move of Z to the plane above the part before the path's blocks, and one after."""
@@ -17,7 +18,7 @@ GUIDES = [(name, how) for name, dialect in DIALECTS.items() for how in dialect.g
 
 @EVERY
 def test_every_controller_writes_a_program_that_an_audit_reads_again(controller, doc, ball, tmp_path):
-    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller=controller)
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller=controller, tool=3)
     file = tmp_path / ("ball" + DIALECTS[controller].suffix)
     app.post_process(path, file)
     audit = app.audit(doc, file, "trunnion_ac", controller=controller)
@@ -27,7 +28,7 @@ def test_every_controller_writes_a_program_that_an_audit_reads_again(controller,
 
 @pytest.mark.parametrize("controller", ["heidenhain", "siemens840d", "fanuc"])
 def test_the_text_itself_says_whose_it_is(controller, doc, ball, tmp_path):
-    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller=controller)
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller=controller, tool=3)
     app.post_process(path, tmp_path / "ball.txt")
     audit = app.audit(doc, tmp_path / "ball.txt", "trunnion_ac")
     assert audit.Controller == "machine's own" and audit.Blocks == path.Blocks + PLANES

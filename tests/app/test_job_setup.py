@@ -14,6 +14,8 @@ GIVEN = {
     "work_zero": (0, 0, 5),
 }  # fmt: skip
 
+pytestmark = pytest.mark.usefixtures("kept")
+
 
 @pytest.fixture
 def setup(doc):
@@ -26,9 +28,10 @@ def shared(obj):
             tuple(obj.WorkZero)]  # fmt: skip
 
 
-def test_a_path_takes_what_its_setup_says_and_makes_the_same_program_as_with_the_values_themselves(doc, ball, setup):
+def test_a_path_takes_what_its_setup_says_and_makes_the_same_program_as_with_the_values_themselves(doc, ball, setup, anew):
     path = app.create_toolpath(doc, ball, setup=setup, **OWN)
     assert shared(path) == shared(setup) == ["fork_head_bc", "fanuc", (1, 2, 3), False, 120, "G55", (0, 0, 5)]
+    anew()
     alone = app.create_toolpath(doc, ball, setup=None, **OWN, **GIVEN)
     assert alone.Setup is None and results.nc_of(path) == results.nc_of(alone) and path.State == ["Up-to-date"]
 

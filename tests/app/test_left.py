@@ -16,6 +16,8 @@ from freecad_fiveaxis.core.jobs.settings import build_settings
 GROOVE = {"machine": "trunnion_ac", "cutter": "ball:10", "stepover": 1, "direction": 90, "tool_axis": "fixed", "tolerance": 0.02}
 """Passes along the groove, the tool upright."""
 
+pytestmark = pytest.mark.usefixtures("kept")
+
 
 @pytest.fixture
 def groove(doc):
@@ -49,7 +51,7 @@ def test_a_ball_that_is_not_lifted_cuts_the_other_wall(doc, groove):
     assert "cut too deep, at most by" in made.Verdict
 
 
-def test_the_map_is_that_of_the_core(doc, groove, tmp_path):
+def test_the_map_is_that_of_the_core(anew, doc, groove, tmp_path):
     file = str(tmp_path / "groove.stl")
     mesh = app.tessellate(groove, file)
     wanted = job.run(build_settings("mill", file, {**GROOVE, "left": "on"})).left
@@ -76,10 +78,11 @@ def test_a_path_has_one_map_that_follows_it(doc, groove):
     assert not made.UpToDate and left.out_of_date(made)
 
 
-def test_a_reopened_map_keeps_its_numbers_and_finds_its_heights_when_asked(doc, groove, reopen):
+def test_a_reopened_map_keeps_its_numbers_and_finds_its_heights_when_asked(doc, groove, reopen, anew):
     made = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE, work_zero=(1, 2, 3)))
     numbers = made.LargestUndercut.Value, made.LargestOvercut.Value, made.UncutArea.Value, made.MachinedArea.Value
     height = left.heights_of(made).left.height
+    anew()
     again = reopen(doc).LeftMap
     kept = again.LargestUndercut.Value, again.LargestOvercut.Value, again.UncutArea.Value, again.MachinedArea.Value
     assert again.Proxy.last is None and kept == pytest.approx(numbers, rel=1e-12) and again.Verdict
@@ -100,7 +103,7 @@ def test_only_toolpaths_are_mapped_and_nothing_is_left_behind(doc, groove, tmp_p
     assert [one.Name for one in doc.Objects] == names
 
 
-def test_stopped_work_leaves_nothing_behind(doc, groove):
+def test_stopped_work_leaves_nothing_behind(anew, doc, groove):
     from freecad_fiveaxis.app.long_work import reporting
 
     path = app.create_toolpath(doc, top(groove), **GROOVE)

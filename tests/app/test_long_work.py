@@ -17,51 +17,57 @@ from freecad_fiveaxis.app import long_work, results
 from freecad_fiveaxis.core.base.errors import Cancelled, MeshError
 from freecad_fiveaxis.core.base.progress import silent
 
-SOON = 1.0
-"""s within which a stopped caller has its thread back."""
-
 
 class Dialog:
-    """Hears like the window's dialog; ``stop_after`` s it is cancelled. ``gap``: the longest that nobody pumped, s."""
+    """Hears like the window's dialog; at its ``stop_after``-th turn it is cancelled, or calls ``then``. ``turns``: how many it had."""
 
-    def __init__(self, stop_after=1e9, then=None):
-        self.heard, self.threads, self.gap, self.pumps = [], set(), 0.0, 0
-        self.begin = self.last = time.monotonic()
-        self.stop_after, self.then, self.stopped_at = stop_after, then, None
+    def __init__(self, stop_after=10**9, then=None):
+        self.heard, self.threads, self.turns = [], set(), 0
+        self.stop_after, self.then = stop_after, then
 
     def __call__(self, stage, fraction):
         self.heard.append((stage, fraction))
         self.pump()
 
     def pump(self):
-        now = time.monotonic()
         self.threads.add(threading.current_thread())
-        self.gap, self.last, self.pumps = max(self.gap, now - self.last), now, self.pumps + 1
-        if now - self.begin > self.stop_after:
+        self.turns += 1
+        if self.turns >= self.stop_after:
             if self.then:
                 self.then()
                 return
-            self.stopped_at = now
             raise Cancelled("stopped")
 
 
-def in_python(told):
-    """Work that says nothing and goes on for a minute, step by step."""
-    end = time.monotonic() + 60
-    while time.monotonic() < end:
+def in_python(told, freed):
+    """Work that says nothing and goes on step by step, until it is freed."""
+    while not freed.is_set():
         sum(range(1000))
 
 
-def in_one_call(told):
-    """Work that sits in one call for four seconds."""
-    time.sleep(4)
+def in_one_call(told, freed):
+    """Work that sits in one call until it is freed."""
+    freed.wait(600)
 
 
-def talking(told):
-    """Work that says where it stands, and does not end by itself."""
-    for step in range(6000):
-        told("step", step / 6000)
+def talking(told, freed):
+    """Work that says where it stands again and again, until it is freed."""
+    while not freed.is_set():
+        told("step", 0.5)
         time.sleep(0.01)
+
+
+@pytest.fixture
+def freed():
+    """What ends the work above; set at the end of the test."""
+    event = threading.Event()
+    yield event
+    event.set()
+
+
+def still_at_work():
+    """The workers that have not ended."""
+    return [one for one in threading.enumerate() if one.name == "FiveAxis"]
 
 
 def test_without_a_window_nobody_listens():
@@ -109,7 +115,7 @@ def test_the_core_works_in_a_thread_and_the_dialog_in_the_one_that_asked():
     with np.errstate(over="raise"):
         assert long_work.run(work, dialog) == "raise"
     assert dialog.threads == {threading.main_thread()} and not threads & dialog.threads
-    assert dialog.heard[-1] == ("weld", 0.9) and dialog.pumps > 5
+    assert dialog.heard[-1] == ("weld", 0.9) and dialog.turns > 5
 
 
 def test_a_listener_without_a_window_is_told_in_the_same_thread():
@@ -125,44 +131,43 @@ def test_what_the_work_raises_reaches_the_caller():
 
 
 @pytest.mark.parametrize("work", [in_python, in_one_call, talking])
-def test_a_stop_gives_the_thread_back_at_once(work):
-    dialog = Dialog(stop_after=0.3)
+def test_a_stop_gives_the_thread_back_while_the_work_goes_on(work, freed):
+    """No work of these ends by itself: that this test comes to its end is the proof."""
     with pytest.raises(Cancelled):
-        long_work.run(work, dialog)
-    assert time.monotonic() - dialog.stopped_at < SOON and long_work.progress() is silent
+        long_work.run(lambda told: work(told, freed), Dialog(stop_after=10))
+    assert long_work.progress() is silent and not freed.is_set()
+    assert bool(still_at_work()) == (work is in_one_call), "only what sits in one call is abandoned"
+    freed.set()
+    for worker in still_at_work():
+        worker.join(60)
+    assert not still_at_work()
 
 
-def test_a_stopped_worker_ends():
-    before = threading.active_count()
-    for work in (in_python, talking):
-        with pytest.raises(Cancelled):
-            long_work.run(work, Dialog(stop_after=0.1))
-        assert threading.active_count() <= before, work.__name__
-
-
-def test_an_abandoned_worker_ends_after_its_call_and_goes_no_further():
+def test_an_abandoned_worker_ends_after_its_call_and_goes_no_further(freed):
     went_on = []
 
     def work(told):
-        time.sleep(1.5)
+        freed.wait(600)
         went_on.append(1)
         told("never", 1.0)
         went_on.append(2)
 
     with pytest.raises(Cancelled):
-        long_work.run(work, Dialog(stop_after=0.1))
-    time.sleep(2.0)
-    assert not went_on and not [one for one in threading.enumerate() if one.name == "FiveAxis"]
+        long_work.run(work, Dialog(stop_after=4))
+    (worker,) = still_at_work()
+    freed.set()
+    worker.join(60)
+    assert not went_on and not still_at_work()
 
 
 def test_stopping_over_and_over_while_the_work_ends_does_no_harm():
     for _ in range(200):
-        dialog = Dialog(stop_after=0.0)
+        dialog = Dialog(stop_after=1)
         try:
             assert long_work.run(lambda told: [told("a", 0.5), sum(range(20000))][1], dialog) == 199990000
         except Cancelled:
-            assert dialog.stopped_at
-    assert not [one for one in threading.enumerate() if one.name == "FiveAxis"]
+            assert dialog.turns
+    assert not still_at_work()
 
 
 def test_a_recompute_that_nobody_listens_to_is_shown_by_the_window(doc, ball, monkeypatch):
@@ -174,7 +179,7 @@ def test_a_recompute_that_nobody_listens_to_is_shown_by_the_window(doc, ball, mo
 
 
 def test_a_stopped_recompute_keeps_the_last_result_and_says_that_it_is_old(doc, ball, monkeypatch):
-    path, dialog = app.create_toolpath(doc, ball, **FAST), Dialog(stop_after=0.0)
+    path, dialog = app.create_toolpath(doc, ball, **FAST), Dialog(stop_after=1)
     monkeypatch.setattr(long_work, "windows", [lambda: long_work.reporting(dialog)])
     blocks, nc = path.Blocks, results.nc_of(path)
     path.Stepover = 3

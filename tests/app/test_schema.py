@@ -15,6 +15,8 @@ LACKED = {
         "WorkZero",
         "OriginFromMachine",
         "MaxBound",
+        "MaxSurfaceDeviation",
+        "MaxSurfaceBound",
         "Fingerprint",
         "Blend",
     ],
@@ -22,6 +24,8 @@ LACKED = {
     "Markers": ["SchemaVersion", "Labels"],
 }
 """What the objects of version 0 did not have."""
+
+pytestmark = pytest.mark.usefixtures("kept")
 
 
 @pytest.fixture
@@ -40,7 +44,7 @@ def test_a_document_of_version_0_opens_and_nothing_is_lost(old, reopen):
     new = reopen(old)
     for name, lacked in LACKED.items():
         assert set(lacked) <= set(new.getObject(name).PropertiesList)
-        assert new.getObject(name).SchemaVersion == schema.SCHEMA == 4
+        assert new.getObject(name).SchemaVersion == schema.SCHEMA == 5
     path = new.Toolpath
     assert {name: path.getPropertyByName(name) for name in before} == before
     assert (path.CutterKind, path.Holder, path.OriginFromMachine) == ("ball", "", True)
@@ -49,8 +53,9 @@ def test_a_document_of_version_0_opens_and_nothing_is_lost(old, reopen):
     assert "recompute" in results.out_of_date(path)  # a result without a fingerprint: nobody knows what it is of
 
 
-def test_it_is_recomputed_to_the_same_program(old, reopen):
+def test_it_is_recomputed_to_the_same_program(old, reopen, anew):
     blocks = old.Toolpath.Blocks
+    anew()
     new = reopen(old)
     new.Toolpath.touch()
     new.recompute()
@@ -59,15 +64,16 @@ def test_it_is_recomputed_to_the_same_program(old, reopen):
     assert results.out_of_date(again.Toolpath) == "" and list(again.Markers.Labels)
 
 
-def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen):
+def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen, anew):
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, **UNCURED)
     blocks, deviation = path.Blocks, path.MaxSegmentDeviation.Value
     for name in ("Singularity", "MaxTilt", "MaxAxisChange"):
         assert path.removeProperty(name)
     path.Linearize, path.ToolAxis = ["off"], ["facet_mean", "step_weighted", "fixed"]
     path.SchemaVersion = 1
+    anew()
     path = reopen(doc).Toolpath
-    assert (path.SchemaVersion, path.Linearize, path.Singularity, path.ToolAxis) == (4, "off", "report", "facet_mean")
+    assert (path.SchemaVersion, path.Linearize, path.Singularity, path.ToolAxis) == (5, "off", "report", "facet_mean")
     assert (path.MaxTilt.Value, path.MaxAxisChange.Value) == pytest.approx((5, 2))
     path.Document.recompute()
     assert path.Blocks == blocks
@@ -76,7 +82,16 @@ def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen):
     assert path.MaxSegmentDeviation.Value < deviation and path.State == ["Up-to-date"]
 
 
-def test_version_2_knew_three_controllers_and_no_guided_tip(doc, ball, reopen):
+def test_until_it_is_computed_again_an_older_document_shows_the_tips_deviation(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8})
+    assert results.judged_of(path) == (path.MaxSurfaceDeviation.Value, path.MaxSurfaceBound.Value)
+    tip = path.MaxSegmentDeviation.Value, path.MaxBound.Value
+    assert path.removeProperty("MaxSurfaceDeviation") and path.removeProperty("MaxSurfaceBound")
+    path = reopen(doc).Toolpath
+    assert path.MaxSurfaceDeviation == path.MaxSurfaceBound == 0 and results.judged_of(path) == pytest.approx(tip)
+
+
+def test_version_2_knew_three_controllers_and_no_guided_tip(doc, ball, reopen, anew):
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller="fanuc")
     nc = results.nc_of(path)
     for name in ("Rtcp", "HighSpeed", "GuidedBlocks", "Verdict"):
@@ -84,8 +99,9 @@ def test_version_2_knew_three_controllers_and_no_guided_tip(doc, ball, reopen):
     path.Controller = ["machine's own", "fanuc", "linuxcnc"]
     path.Controller = "fanuc"
     path.SchemaVersion = 2
+    anew()
     path = reopen(doc).Toolpath
-    assert (path.SchemaVersion, path.Controller, path.Rtcp, path.HighSpeed) == (4, "fanuc", "off", "off")
+    assert (path.SchemaVersion, path.Controller, path.Rtcp, path.HighSpeed) == (5, "fanuc", "off", "off")
     assert (path.GuidedBlocks, path.Verdict) == (0, "")
     assert results.nc_of(path) == nc, "the same settings give the same program"
     path.Controller, path.Rtcp = "heidenhain", "vectors"
@@ -93,7 +109,7 @@ def test_version_2_knew_three_controllers_and_no_guided_tip(doc, ball, reopen):
     assert path.State == ["Up-to-date"] and path.GuidedBlocks > 0 and b"LN X" in results.nc_of(path)
 
 
-VERSION_4 = ("CutterKind", "CutterCorner", "CutterTaper", "Gouge", "Shank", "Holder")
+VERSION_4 = ("CutterKind", "CutterCorner", "CutterTaper", "Gouge", "Shank", "Holder", "Links")
 """What version 3 had not."""
 
 
@@ -108,12 +124,13 @@ def of_version_3(obj, diameter=40.0, length=60.0):
 
 
 @pytest.mark.parametrize("sizes, text", [((40.0, 60.0), "40x60"), ((31.75, 1 / 3), "31.75x0.333333333333"), ((40.0, 0.0), "")])
-def test_version_3_had_a_holder_of_one_cylinder_and_ball_cutters_only(doc, ball, reopen, sizes, text):
-    path = app.create_toolpath(doc, ball, **FAST, cutter="ball:6:30")
+def test_version_3_had_a_holder_of_one_cylinder_and_ball_cutters_only(doc, ball, reopen, anew, sizes, text):
+    path = app.create_toolpath(doc, ball, **FAST, cutter="ball:6:30", links="over")
     nc = results.nc_of(path)
     of_version_3(path, *sizes)
+    anew()
     path = reopen(doc).Toolpath
-    assert (path.SchemaVersion, path.CutterKind, path.CutterDiameter.Value, path.CutterLength.Value) == (4, "ball", 6, 30)
+    assert (path.SchemaVersion, path.CutterKind, path.CutterDiameter.Value, path.CutterLength.Value) == (5, "ball", 6, 30)
     assert (path.Holder, path.Shank, path.Gouge) == (text, "", "off")
     assert results.nc_of(path) == nc, "a holder that was only drawn changes no program"
     assert path.HolderDiameter.Value == sizes[0] and "Hidden" in path.getEditorMode("HolderDiameter")
@@ -128,7 +145,7 @@ def test_an_audit_of_version_3_keeps_the_holder_that_is_drawn(doc, reopen, tmp_p
     (tmp_path / "a.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z10 A0 C0 F100\nX10 A1\n")
     of_version_3(app.audit(doc, tmp_path / "a.ngc", "trunnion_ac"), 50.0, 25.5)
     judged = reopen(doc).Audit
-    assert (judged.SchemaVersion, judged.CutterKind, judged.Holder) == (4, "ball", "50x25.5")
+    assert (judged.SchemaVersion, judged.CutterKind, judged.Holder) == (5, "ball", "50x25.5")
 
 
 def test_the_groups_of_an_older_document_get_the_names_of_the_trade(doc, ball, reopen):
@@ -221,3 +238,26 @@ def test_a_version_below_the_first_is_taken_for_it(doc, reopen):
     path.SchemaVersion = -5
     again = reopen(doc).Toolpath
     assert again.SchemaVersion == schema.SCHEMA and "Clearance" in again.PropertiesList
+
+
+def test_a_path_of_version_4_goes_over_the_part_as_it_did(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **FAST)
+    assert path.Links == "near"
+    assert path.removeProperty("Links")
+    path.SchemaVersion = 4
+    path = reopen(doc).Toolpath
+    assert (path.SchemaVersion, path.Links) == (schema.SCHEMA, "over")
+
+
+def test_a_path_of_before_lead_ins_has_none_and_keeps_its_program(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **FAST)
+    nc = results.nc_of(path)
+    assert path.getTypeIdOfProperty("LeadIn") == "App::PropertyLength" and path.removeProperty("LeadIn")
+    path = reopen(doc).Toolpath
+    assert path.LeadIn.Value == 0.0
+    path.touch()
+    path.Document.recompute()
+    assert results.nc_of(path) == nc
+    path.LeadIn = "3 mm"
+    path.Document.recompute()
+    assert path.State == ["Up-to-date"] and results.nc_of(path) != nc

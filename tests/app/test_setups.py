@@ -13,6 +13,8 @@ from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 
 SMALL = {"region": (50, 50, 50), "grid": (3, 3, 2)}
 
+pytestmark = pytest.mark.usefixtures("kept")
+
 
 @pytest.fixture
 def path(doc, ball):
@@ -71,7 +73,7 @@ def test_a_turned_part_is_asked_for_not_made(path):
 
 
 def test_the_page_replaces_nothing_unasked(path, tmp_path):
-    made = app.setup_map(path, **SMALL)
+    made = app.setup_map(path, region=(50, 50, 0), grid=(2, 2, 1))
     file = tmp_path / "map.html"
     setups.write_page(made, file)
     assert "Where the part should stand" in file.read_text(encoding="utf-8")
@@ -103,11 +105,11 @@ def test_machines_are_compared_on_the_same_path(path, tmp_path):
     assert len(rows) == 2 * 2 * 2 and not any(row.problem for row in rows.values())
     path.Linearize, path.OriginFromMachine = "off", True
     path.recompute()
-    assert rows["trunnion_ac", "none", False].deviation == pytest.approx(path.MaxSegmentDeviation.Value, abs=1e-12)
+    assert rows["trunnion_ac", "none", False].deviation == pytest.approx(path.MaxSurfaceDeviation.Value, abs=1e-12)
     assert rows["trunnion_ac", "none", False].blocks == path.Blocks
     path.Linearize = "on"
     path.recompute()
-    assert rows["trunnion_ac", "linearize", False].deviation == pytest.approx(path.MaxSegmentDeviation.Value, abs=1e-12)
+    assert rows["trunnion_ac", "linearize", False].deviation == pytest.approx(path.MaxSurfaceDeviation.Value, abs=1e-12)
     file = tmp_path / "table.json"
     comparing.write(comparison, file)
     assert len(json.loads(file.read_text(encoding="utf-8"))["rows"]) == 8

@@ -22,6 +22,8 @@ from freecad_fiveaxis.core.passes import (
     cut,
     find_pass_strategy,
     flat_interval,
+    refine,
+    scallop_passes,
     slice_field,
     slice_mesh,
 )
@@ -335,6 +337,68 @@ def test_a_strip_narrower_than_the_steps_is_cut(width):
     """From both borders at once: what lies between the last passes is a gap, whatever the width."""
     x, y = np.meshgrid(np.linspace(0, 20, 25), np.linspace(0, width * FLAT_STEP, 3), indexing="ij")
     assert highest(grid(np.stack([x, y, 0 * x], axis=-1))) < 1.25 * SCALLOP
+
+
+def rib(length, width, turn=0.0):
+    """A strip of two rows of vertices, all of them on its border."""
+    x, y = np.meshgrid(np.linspace(0, length, int(length / 0.6) + 1), [-0.5 * width, 0.5 * width], indexing="ij")
+    return grid(np.stack([x, y, 0 * x], axis=-1) @ turned(turn).T)
+
+
+@pytest.mark.parametrize("width", [0.01, 0.3, 0.9, 1.2])
+@pytest.mark.parametrize("turn", [0.0, 0.7])
+def test_a_strip_whose_vertices_all_lie_on_the_border_gets_its_pass(width, turn):
+    mesh = rib(20.0, width * FLAT_STEP, turn)
+    assert (np.bincount(mesh.coedge_vertex[mesh.coedge_face[:, 1] < 0].ravel()) == 2).all()
+    x, y, _ = (passes(CONSTANT, mesh).point @ turned(turn)).T
+    assert np.ptp(x) > 20.0 - 2.0 * FLAT_STEP and np.median(np.abs(y)) < 0.3 * width * FLAT_STEP
+    assert highest(mesh) < 1.25 * SCALLOP
+
+
+def test_a_strip_without_vertices_inside_would_get_none(monkeypatch):
+    monkeypatch.setattr(refine, "_split_across", lambda vertex, face, label: (vertex, face, label, np.arange(len(face))))
+    assert not len(passes(CONSTANT, rib(20.0, 0.9 * FLAT_STEP)).point)
+
+
+def test_a_strip_that_leads_from_plate_to_plate_gets_its_pass_too():
+    mesh = plate()
+    middle = mesh.vertex[mesh.face].mean(axis=1)
+    keep = (np.abs(middle[:, 0]) > 5.0) | ((middle[:, 1] > 0.0) & (middle[:, 1] < 0.5))
+    x = passes(CONSTANT, mesh, keep).point[:, 0]
+    assert np.histogram(x, np.linspace(-5, 5, 11))[0].all()
+    assert highest(mesh, keep) < 1.25 * SCALLOP
+
+
+def test_a_facet_alone_is_cut():
+    mesh = from_faces([[0, 0, 0], [3, 0, 0], [0, 2, 0]], [[0, 1, 2]])
+    assert len(passes(CONSTANT, mesh).point) and highest(mesh) < 1.6 * SCALLOP
+
+
+def fan(slivers):
+    """A flat cone of slivers that meet at its tip."""
+    turn, row = np.linspace(0, 2 * np.pi, slivers, endpoint=False), np.arange(slivers)
+    rim = np.stack([6 * np.cos(turn), 6 * np.sin(turn), 0 * turn], axis=1)
+    return from_faces(np.concatenate([[[0, 0, 0.5]], rim]), np.stack([0 * row, 1 + row, 1 + (row + 1) % slivers], axis=1))
+
+
+def test_samples_of_passes_do_not_grow_with_the_slivers_at_a_tip(monkeypatch):
+    """Each place near the tip is as far from all of them, so that a search of the nearest looks at every one."""
+    counts, thinned = [], scallop_passes._thinned
+
+    def counted(point, normal, step):
+        made = thinned(point, normal, step)
+        counts.append((len(point), len(made[0])))
+        return made
+
+    monkeypatch.setattr(scallop_passes, "_thinned", counted)
+    for slivers in (400, 1600):
+        passes(CONSTANT, fan(slivers))
+    (few, few_left), (many, many_left) = counts
+    assert many > 3.0 * few and many_left < 2.5 * few_left
+
+
+def test_a_fan_of_slivers_is_cut():
+    assert highest(fan(400)) < 1.25 * SCALLOP
 
 
 def test_passes_about_a_point_are_rings():

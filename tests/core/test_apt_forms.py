@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import contextlib
 import re
-import time
 
 import numpy as np
 import pytest
@@ -277,16 +276,12 @@ def big(lines: int) -> bytes:
     return "\n".join(rows).encode()
 
 
-def test_reading_keeps_up_with_splitting_and_converting_in_plain_python() -> None:
-    """By the processor's time: what else the machine does is not ours."""
+def test_reading_gives_what_splitting_and_converting_in_plain_python_gives() -> None:
+    """How long either takes: benchmarks/bench_apt.py."""
     text = big(99_000)
-    start = time.thread_time()
     path = read_apt(text)
-    ours = time.thread_time() - start
-    start = time.thread_time()
     plain = [[float(part) for part in line[5:].split(b",")] for line in text.split(b"\n") if line.startswith(b"GOTO/")]
     assert np.array_equal(np.array(plain)[:, :3], path.tip)
-    assert ours < 10 * (time.thread_time() - start)  # about twice
 
 
 WORDS = ["GOTO/", "GODLTA/", "FROM/", "FEDRAT/", "UNITS/", "SPINDL/", "TLAXIS/", "LOADTL/", "CUTTER/", "MULTAX", "RAPID", "FINI", "MSYS/",
@@ -310,6 +305,7 @@ def test_no_string_of_statements_gives_a_traceback(given_text: str, tool: int | 
         assert np.allclose(np.linalg.norm(path.axis, axis=1), 1.0) and (path.feed >= 0.0).all()
 
 
+@pytest.mark.thorough
 @settings(max_examples=400, deadline=None)
 @given(st.lists(st.sampled_from(WORDS), max_size=40).map("".join))
 def test_no_string_of_words_gives_a_traceback(text: str) -> None:

@@ -213,6 +213,7 @@ def test_where_the_controller_guides_the_tip_it_goes_straight():
 # ---------------------------------------------------------------------------------------------- the pipeline
 
 
+@pytest.mark.thorough
 def test_the_reports_of_an_audit_name_it_all(tmp_path):
     source = tmp_path / "p.ngc"
     source.write_text("G21 G90 G94\nG0 X0 Y0 Z50 A0 C0\nG1 X10 F600\nG1 X10.5 A30 F600\nG1 Z900 F9000\nM2\n")

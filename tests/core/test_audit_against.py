@@ -345,6 +345,7 @@ def ball(radius=46.0):
     return from_triangles(sphere(radius, 24, 36))
 
 
+@pytest.mark.thorough
 def test_the_depth_is_that_of_dense_samples_and_brute_force_over_facets():
     mesh, (tip, axis) = ball(), dome()
     rng = np.random.default_rng(3)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from cutter_body import depth, facet_points, inside
 from gouge_examples import knob_in_corner
+from thorough import some_in_core
 from uncured import UNCURED
 
 from freecad_fiveaxis.core.cl import cl_offset as seating
@@ -48,7 +49,7 @@ def on_part(made):
 
 
 @pytest.mark.parametrize("cutter", CUTTERS)
-@pytest.mark.parametrize("lead, tilt", [(0, 0), (5, 0), (0, 5)])
+@some_in_core("lead, tilt", [(0, 0), (5, 0), (0, 5)])
 def test_on_a_dome_no_cutter_enters_the_facets_and_none_stays_off(cutter, lead, tilt, milled, points):
     """By no more than the dome's facets themselves leave the sphere (0.0085 mm), and every row touches."""
     made = milled("dome", "trunnion_ac", cutter=cutter, lead=lead, tilt=tilt, stepover=9).made
@@ -83,7 +84,7 @@ def heels_of(made):
     return [finding for finding in made.findings if finding.code == "heel-in-hollow"]
 
 
-@pytest.mark.parametrize("cutter", ["flat:10", "bull:10:2", "taperbull:8:1:5deg"])
+@some_in_core("cutter", ["flat:10", "bull:10:2", "taperbull:8:1:5deg"], kept=(1,))
 def test_a_heel_in_a_hollow_along_the_pass_is_as_deep_as_estimated(cutter, parts, points, estimated):
     given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 5, "tool_length": 120, **UNCURED}
     made = job.make(build_settings("mill", str(parts / "saddle.stl"), given))
@@ -92,7 +93,7 @@ def test_a_heel_in_a_hollow_along_the_pass_is_as_deep_as_estimated(cutter, parts
     assert estimated[-1] == pytest.approx(deep.max(), rel=0.15)
 
 
-@pytest.mark.parametrize("cutter", ["bull:8:1.5", "flat:6"])
+@some_in_core("cutter", ["bull:8:1.5", "flat:6"], kept=(1,))
 @pytest.mark.parametrize("gouge", ["off", "report"])
 def test_across_the_pass_a_heel_may_be_deeper_so_no_depth_is_told_and_the_check_settles_it(cutter, gouge, estimated):
     """A ball in a corner. With the check on, its own finding says how deep."""
@@ -108,6 +109,7 @@ def test_across_the_pass_a_heel_may_be_deeper_so_no_depth_is_told_and_the_check_
     assert deep > 1.15 * estimated[0]
 
 
+@pytest.mark.thorough
 def test_after_a_lift_nothing_says_that_the_heel_stands_in_the_part(parts):
     given = {"machine": "trunnion_ac", "cutter": "bull:10:2", "stepover": 20, "tool_length": 120, **UNCURED, "gouge": "lift"}
     result = job.prove(job.make(build_settings("mill", str(parts / "saddle.stl"), given)))
@@ -137,10 +139,11 @@ def test_the_program_is_the_path_and_its_deviation_that_of_a_dense_walk(part, le
         assert result.deviation.segment[b] == pytest.approx(dense, rel=1e-5, abs=1e-6)
 
 
-@pytest.mark.parametrize(
+@some_in_core(
     "cutter, options",
     [("flat:10", {"singularity": "deform"}), ("bull:10:2", {"singularity": "deform"}), ("flat:10", {"tool_axis": "step_weighted"}),
      pytest.param("bull:10:2", {"tool_axis": "minimax", "max_tilt": 3}, marks=pytest.mark.slow)],
+    kept=(2,),
 )  # fmt: skip
 def test_the_tip_follows_an_axis_that_was_led(cutter, options, milled, points):
     """The axes are others than the strategy's, and still the cutter touches the dome and does not enter it."""
@@ -369,11 +372,13 @@ def test_cutter_statements_of_other_systems(statement, sizes):
 
 
 def test_post_notes_another_shape(parts, tmp_path):
-    given = {"machine": "trunnion_ac", "cutter": "bull:10:2", "stepover": 15, "cl": str(tmp_path / "a.apt")}
+    given = {"machine": "trunnion_ac", "cutter": "bull:10:2", "stepover": 15, "cl": str(tmp_path / "a.apt"), **UNCURED}
     outputs.write_outputs(job.run(build_settings("mill", str(parts / "dome.stl"), given)))
 
     def notes(cutter):
-        made = job.make(build_settings("post", str(tmp_path / "a.apt"), {"machine": "trunnion_ac", "cutter": cutter}))
+        made = job.make(
+            build_settings("post", str(tmp_path / "a.apt"), {"machine": "trunnion_ac", "cutter": cutter, "linearize": "off"})
+        )
         return [finding for finding in made.findings if finding.code == "cutter-differs"]
 
     assert not notes("bull:10:2")
@@ -382,7 +387,9 @@ def test_post_notes_another_shape(parts, tmp_path):
 
 @pytest.mark.parametrize("shape", CUTTERS)
 def test_a_job_file_and_the_head_name_the_cutter(shape, parts):
-    settings = build_settings("mill", str(parts / "dome.stl"), {"machine": "trunnion_ac", "cutter": shape, "stepover": 20})
+    settings = build_settings(
+        "mill", str(parts / "dome.stl"), {"machine": "trunnion_ac", "cutter": shape, "stepover": 20, **UNCURED}
+    )
     options = json.loads(json.dumps(flat_options(settings)))
     assert build_settings(options.pop("task"), options.pop("source"), options) == settings
     nc = job.make(settings).nc.decode()

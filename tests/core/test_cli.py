@@ -12,6 +12,7 @@ import sys
 
 import numpy as np
 import pytest
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import terminal
@@ -239,6 +240,7 @@ def test_a_work_offset_stands_in_the_head(controller, offset, roof, tmp_path):
     assert offset in (tmp_path / "a.ngc").read_text().splitlines()
 
 
+@pytest.mark.thorough
 def test_a_file_name_that_is_no_unicode_is_milled_reported_and_run_again(roof, tmp_path):
     source = os.path.join(os.fsencode(tmp_path), b"bad\xff.stl")
     try:
@@ -311,7 +313,7 @@ sys.meta_path.insert(0, Stop())
 """
 
 
-@pytest.mark.parametrize("name", ["numpy", "freecad_fiveaxis.core.jobs.settings", "freecad_fiveaxis.core.jobs.job"])
+@some_in_core("name", ["numpy", "freecad_fiveaxis.core.jobs.settings", "freecad_fiveaxis.core.jobs.job"])
 def test_an_interrupt_while_the_core_is_loaded_stops_quietly(name, roof, tmp_path):
     words = ("mill", roof, "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc")
     done = program(*words, head=STOP_AT.format(name=name))

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import files
@@ -127,7 +128,7 @@ def mill(dome, stepover, head=""):
 
 
 @posix
-@pytest.mark.parametrize(("name", "code"), STOPS)
+@some_in_core(("name", "code"), STOPS)
 def test_a_signal_during_the_work_leaves_nothing(name, code, dome, tmp_path):
     mark = tmp_path / "mark"  # made when the work has begun
     head = f"from freecad_fiveaxis.core.jobs import job; old = job.run\ndef run(*given):\n    open({str(mark)!r}, 'w'); return old(*given)\njob.run = run"
@@ -150,7 +151,7 @@ os.replace = replace
 
 
 @posix
-@pytest.mark.parametrize(("name", "code"), STOPS)
+@some_in_core(("name", "code"), STOPS)
 def test_a_signal_while_files_take_their_place_waits_for_them(name, code, dome, tmp_path):
     done = mill(dome, "10", SLOW)
     until(lambda: any(name.endswith(".part") for name in os.listdir(tmp_path)))
@@ -181,6 +182,7 @@ job.run = run
     assert done.communicate(timeout=30)[1] == b"stopped; nothing was written\n" and done.returncode == 143
 
 
+@pytest.mark.thorough
 @posix
 def test_a_signal_that_a_module_makes_another_error_of_is_still_a_signal(nc):
     head = """
@@ -261,9 +263,8 @@ def test_hal_files_come_to_an_end(hal, named, said, tmp_path, capsys):
     for name, text in hal.items():
         (tmp_path / name).write_text(text)
     (tmp_path / "b.ini").write_text(HAL.format(named))
-    begun = time.monotonic()
     assert run("import-machine", tmp_path / "b.ini", "-o", tmp_path / "b.fcm") == cli.UNUSABLE
-    assert said in one_line(capsys) and time.monotonic() - begun < 5.0
+    assert said in one_line(capsys)
 
 
 NEST = "[" * 900 + "]" * 900
@@ -299,12 +300,14 @@ def program(*words, **environment):
     return subprocess.run(command, cwd=ROOT, env=kept | environment, capture_output=True, timeout=60)
 
 
+@pytest.mark.thorough
 def test_without_docstrings_the_lists_and_the_help_are_still_there():
     for words in (["strategies"], ["mill", "--help"]):
         done = program(*words, PYTHONOPTIMIZE="2")
         assert (done.returncode, done.stderr) == (0, b"") and b"facet_mean" in done.stdout
 
 
+@pytest.mark.thorough
 def test_a_plain_locale_without_a_home_is_enough(nc, tmp_path):
     named = tmp_path / "Stück.ngc"
     nc.rename(named)
@@ -332,6 +335,7 @@ def test_numbers_beyond_all_bounds_make_no_warnings(line, code, tmp_path, capsys
     assert ("line" in capsys.readouterr().err) == (code == 2)
 
 
+@pytest.mark.thorough
 def test_a_warning_of_numpys_does_not_reach_the_terminal(nc):
     head = "import numpy as np\nfrom freecad_fiveaxis.core.jobs import job\nold = job.run\ndef run(*given):\n    np.array(1e300) * 1e300\n    return old(*given)\njob.run = run"
     done = start("audit", nc, *AUDIT, head=head)

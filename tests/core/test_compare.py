@@ -107,7 +107,7 @@ def test_a_cl_file_compared_is_the_same_as_posted_to_each_machine(tmp_path):
         numbers = summary(job.figures(job.run(build_settings("post", str(source), {"machine": name, **given, **UNDIVIDED}))))
         assert row.machine == name
         assert [row.deviation, row.bound, row.blocks, row.feed_blocks, row.time] == pytest.approx(
-            [numbers[key] for key in ("max_segment_deviation", "max_bound", "blocks", "feed_blocks", "time_s")], rel=1e-12
+            [numbers[key] for key in ("max_surface_deviation", "max_surface_bound", "blocks", "feed_blocks", "time_s")], rel=1e-12
         )
         peaks = {letter: numbers["axes"][letter]["peak_rate"] for letter in row.letters}
         ours = dict(zip(row.letters, [*row.peak_rate[:3], *map(math.degrees, row.peak_rate[3:])], strict=True))
@@ -115,7 +115,7 @@ def test_a_cl_file_compared_is_the_same_as_posted_to_each_machine(tmp_path):
 
 
 OPTIONS = {
-    "none": {}, "linearize": {"linearize": "on"}, "minimax": {"tool_axis": "minimax"}, "deform": {"singularity": "deform"},
+    "none": {}, "linearize": {"linearize": "on"}, "minimax": {"tool_axis": "minimax"}, "auto": {"tool_axis": "auto"}, "deform": {"singularity": "deform"},
 }  # fmt: skip
 """The options of `mill` that each cure of the table stands for."""
 
@@ -131,7 +131,7 @@ def test_a_solid_compared_is_the_same_as_milled_on_the_first_machine_with_each_c
         numbers = summary(job.figures(job.prove(job.make(settings, mesh=mesh))))
         assert (row.machine, row.tool_centre) == ("trunnion_ac", False)
         assert [row.deviation, row.bound, row.blocks, row.time] == [
-            numbers[key] for key in ("max_segment_deviation", "max_bound", "blocks", "time_s")
+            numbers[key] for key in ("max_surface_deviation", "max_surface_bound", "blocks", "time_s")
         ]
         seen.add((row.deviation, row.blocks))
     assert len(seen) > 2, "the cures change nothing on this part: the comparison shows nothing"

@@ -274,6 +274,7 @@ def program_figures(made, shortest=1e-3):
     return {n: (rate[on_part & (pass_ == n)].max(), step[on_part & (pass_ == n)].sum()) for n in np.unique(pass_[on_part])}
 
 
+@pytest.mark.thorough
 def test_the_programs_c_is_ten_times_slower_and_its_contacts_stay_where_they_are(milled):
     plain, cured = milled(), milled(("singularity", "deform"))
     rows = [made.path.pass_ >= 0 for made in (plain, cured)]
@@ -293,8 +294,9 @@ def test_the_programs_c_is_ten_times_slower_and_its_contacts_stay_where_they_are
 
 
 def test_report_is_the_default_and_changes_no_byte(milled):
-    assert milled(("singularity", "report")).nc == milled().nc != milled(("singularity", "deform")).nc
-    assert milled(("singularity", "report"), ("max_axis_change", 5)).nc == milled().nc
+    wide = ("stepover", 2.0)
+    assert milled(wide, ("singularity", "report")).nc == milled(wide).nc != milled(wide, ("singularity", "deform")).nc
+    assert milled(wide, ("singularity", "report"), ("max_axis_change", 5)).nc == milled(wide).nc
 
 
 def test_a_driven_centre_runs_the_same_way_with_other_axes(milled):

@@ -119,6 +119,7 @@ def test_lead_beyond_the_rotary_limits_leaves_out_and_does_not_refuse(stairs):
     assert (words >= made.kinematics.low[3:] - 1e-6).all() and (words <= made.kinematics.high[3:] + 1e-6).all()
 
 
+@pytest.mark.thorough
 def test_where_nothing_is_left_out_no_row_is_lost(stairs):
     made = milled(stairs)
     assert not {"axis-into-part", "axis-beyond-limits"} & {finding.code for finding in made.findings}

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from mesh_shapes import field
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError, MachineError, ReachError, SettingsError
 from freecad_fiveaxis.core.calibration.calibration import prove as prove_signs
@@ -217,7 +218,7 @@ def test_a_word_of_an_axis_that_is_not_there_is_told(files):
     assert [finding.code for finding in found if finding.severity.name == "ERROR"] == ["unknown-axis"]
 
 
-@pytest.mark.parametrize(("name", "path"), [("three", "level"), ("table_a", "leaning")])
+@some_in_core(("name", "path"), [("three", "level"), ("table_a", "leaning")])
 def test_audit_and_every_output_name_the_real_axes_alone(files, name, path):
     made = posted(files, name, path, linearize="on").made
     nc = files / "out.ngc"

@@ -180,6 +180,7 @@ def balls_everywhere():
     return mesh, centres, found
 
 
+@pytest.mark.thorough
 def test_brute_force_over_all_facets_says_the_same(balls_everywhere):
     mesh, centres, found = balls_everywhere
     depth = np.array([3.0 - brute_distance(mesh, centre) for centre in centres])
@@ -187,6 +188,7 @@ def test_brute_force_over_all_facets_says_the_same(balls_everywhere):
     assert (found.depth <= np.maximum(depth, 0.0) + 1e-9).all() and (found.bound >= depth).all() and (depth > LIMIT).sum() > 100
 
 
+@pytest.mark.thorough
 def test_signed_distances_by_another_library_say_the_same(balls_everywhere):
     trimesh = pytest.importorskip("trimesh")
     mesh, centres, found = balls_everywhere

@@ -7,6 +7,7 @@ import weakref
 import numpy as np
 import pytest
 from gouge_examples import bowl, step
+from thorough import some_in_core
 
 from benchmarks.parts import bumpy
 from freecad_fiveaxis.core.collision import real_motion, straight_motion
@@ -118,7 +119,7 @@ def lowest_bounds(piece, ways, tree, node):
     return {bound.__name__: bound(core, ways, tree, node) + off for bound in (box_bound, plate_bound, facet_bound)}
 
 
-@pytest.mark.parametrize("name", PIECES)
+@some_in_core("name", PIECES, kept=(0, 2, 5))
 def test_no_sample_is_deeper_than_any_of_the_bounds(name):
     rng, piece, near = np.random.default_rng(4), PIECES[name], 0
     for mesh in (bowl(20.0), step(), bumpy(400)):
@@ -204,7 +205,7 @@ def _nearest(piece, corner, share, rng):
     return best[1], best[2]
 
 
-@pytest.mark.parametrize("name", STRAIGHT)
+@some_in_core("name", STRAIGHT, kept=(0, 3))
 def test_a_tool_that_touches_a_facet_anywhere_is_cleared_of_it_at_once(name):
     rng = np.random.default_rng(6)
     piece, corner = touching(name, 300, rng)
@@ -225,6 +226,7 @@ def clearances(piece, corner):
     return np.array(best)
 
 
+@pytest.mark.thorough
 def test_without_the_edges_many_touched_facets_are_not_cleared(monkeypatch):
     rng = np.random.default_rng(6)
     piece, corner = touching("bull nose", 300, rng)

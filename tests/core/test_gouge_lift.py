@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from gouge_examples import bowl, dense_points, prism, round_groove, sampled_depth, shelf, step
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.base.quantity import parse_stack
@@ -112,12 +113,14 @@ def cuts_of_no_length(path):
     return int((cuts & (np.linalg.norm(np.diff(path.tip, axis=0), axis=1) < 1e-4)).sum())
 
 
+@pytest.mark.thorough
 def test_no_rows_are_put_in_that_stand_on_each_other():
     made = milled(step(), cutter="flat:8:40", stepover=4, direction=70, gouge="lift")
     assert any(finding.code == "lifted" for finding in made.findings)
     assert cuts_of_no_length(made.path) == 0
 
 
+@pytest.mark.thorough
 def test_without_room_below_the_aim_rows_are_put_in_for_nothing(monkeypatch):
     """A row that enters by the whole aim has blocks beside it that enter by a hair more, however short they are."""
     monkeypatch.setattr(lift, "ROOM", 1.0)
@@ -194,6 +197,7 @@ def linked_path(tips):
     return replace(path, motion=motion)
 
 
+@pytest.mark.thorough
 def test_a_cut_that_ends_under_a_roof_is_lifted_above_it_before_the_tool_leaves():
     mesh, body = shelf(), body_of(Cutter(4.0, 6.0))
     lifted = lift_path(linked_path(UNDER_AND_OUT), facet_tree(mesh), body, TOLERANCE)
@@ -206,7 +210,7 @@ def test_a_cut_that_ends_under_a_roof_is_lifted_above_it_before_the_tool_leaves(
 
 
 @pytest.mark.parametrize("direction", [0, pytest.param(90, marks=pytest.mark.slow)])
-@pytest.mark.parametrize("gouge", ["lift", "leave-out"])
+@some_in_core("gouge", ["lift", "leave-out"])
 def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
     made = milled(shelf(), cutter="ball:4:6", stepover=4, direction=direction, gouge=gouge)
     assert not {"overcut", "rapid-collision"} & {f.code for f in job.prove(made).findings}
@@ -266,9 +270,9 @@ def test_where_nothing_enters_the_path_stays_the_same_object():
     assert lifted.path is made.path and not lifted.lift.any()
 
 
-@pytest.mark.parametrize("part", ["dome", "half_cylinder"])
+@some_in_core("part", ["dome", "half_cylinder"], kept=(1,))
 def test_convex_parts_are_posted_byte_for_byte_as_without_the_check(parts, part):
-    options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 12, "linearize": "on"}
+    options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 12, "linearize": "on", "links": "over"}
     bytes_of = lambda gouge: job.make(build_settings("mill", str(parts / f"{part}.stl"), {**options, "gouge": gouge})).nc  # noqa: E731
     assert bytes_of("lift") == bytes_of("off") == bytes_of("leave-out")
 
@@ -278,11 +282,19 @@ RINGS = {"cutter": "bull:10:2"}, {"cutter": "bull:10:2", "lead": 0}, {"cutter": 
 
 def over_sharp_edges(parts, part, gouge, **options):
     """A path round the edges of a part that is cut on all sides, so that its hub swings over them."""
-    given = {"machine": "trunnion_ac", "origin": (0, 40, 0), "stepover": 12, "lead": 8, "linearize": "off", **options}
+    given = {
+        "machine": "trunnion_ac",
+        "origin": (0, 40, 0),
+        "stepover": 12,
+        "lead": 8,
+        "linearize": "off",
+        "links": "over",
+        **options,
+    }
     return job.make(build_settings("mill", str(parts / f"{part}.stl"), {**given, "gouge": gouge}))
 
 
-@pytest.mark.parametrize(
+@some_in_core(
     "options",
     [*RINGS[:2], *(pytest.param(ring, marks=pytest.mark.slow) for ring in RINGS[2:])],
     ids=[" ".join(map(str, options.values())) for options in RINGS],
@@ -293,7 +305,7 @@ def test_round_sharp_edges_of_convex_parts_no_cure_touches_a_ring_cutter(parts, 
     assert off.nc == lift.nc == out.nc
 
 
-@pytest.mark.parametrize("options", RINGS[:2], ids=["lead 8", "lead 0"])
+@some_in_core("options", RINGS[:2], ids=["lead 8", "lead 0"])
 def test_divided_within_the_tolerance_of_the_tip_the_ring_swings_farther_and_is_kept_out_all_the_same(parts, options):
     """Blocks that are short enough for the tip are not for the ring: that takes rows half-way, though no row is lifted."""
     report, lift = (job.prove(over_sharp_edges(parts, "dome", gouge, linearize="on", **options)) for gouge in ("report", "lift"))
@@ -318,7 +330,7 @@ def test_without_rows_along_the_hubs_swing_the_edge_is_cut(parts, monkeypatch):
     [(round_groove(4.0), "ball:10"), pytest.param(bowl(15.0, 30), "ball:20", marks=pytest.mark.slow)],
     ids=["groove", "bowl"],
 )
-@pytest.mark.parametrize("gouge", ["lift", "leave-out"])
+@some_in_core("gouge", ["lift", "leave-out"])
 def test_after_the_cure_the_program_does_not_enter_on_its_real_way(mesh, cutter, gouge):
     before = job.prove(milled(mesh, cutter=cutter, gouge="report"))
     assert "overcut" in {f.code for f in before.findings}
@@ -343,7 +355,8 @@ def test_where_the_machine_leaves_a_cured_path_the_overcut_says_so():
         assert said and all(helps in text and "linearize on" in text for text in said)
 
 
-@pytest.mark.parametrize("diameter", [20, 60])
+@pytest.mark.thorough
+@some_in_core("diameter", [20, 60])
 def test_the_worst_overcut_of_a_wavy_patch_is_the_judges_too(parts, diameter):
     mesh = read_stl(str(parts / "freeform_233.stl"))
     made = milled(mesh, tool_axis="facet_mean", cutter=f"ball:{diameter}", stepover=4, gouge="report")

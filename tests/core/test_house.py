@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The house rules that a tool can check: what the core may import, in which order, and that every file names its licence."""
 
-import ast
+import os
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from functools import cache
 from pathlib import Path
 
+import import_graph
 import pytest
 
 ROOT = Path(__file__).parents[2]
@@ -31,20 +33,10 @@ def test_the_block_would_be_noticed():
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60).returncode != 0
 
 
+@cache
 def imports_of(path):
     """The files of the core that a file imports, relative or not."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.ImportFrom):
-            if node.level:
-                base = path.parents[node.level - 1].joinpath(*(node.module or "").split("."))
-            elif (node.module or "").startswith("freecad_fiveaxis.core"):
-                base = ROOT.joinpath(*node.module.split("."))
-            else:
-                continue
-            for found in [base, *(base / alias.name for alias in node.names)]:
-                for file in (found.with_suffix(".py"), found / "__init__.py"):
-                    if file.exists() and file != path:
-                        yield file
+    return frozenset(file for file in import_graph.imports_of(path, [ROOT]) if file.is_relative_to(CORE)) - {path}
 
 
 def test_imports_in_the_core_go_one_way():
@@ -88,13 +80,16 @@ def test_every_package_of_the_core_is_a_layer():
     assert {path.relative_to(CORE).with_suffix("").parts[0] for path in CORE.rglob("*.py")} - {"__init__"} == set(LAYERS)
 
 
+def sources():
+    """Every Python and shell file of the project. Folders that are not its own are never entered: while other tests run, a chroot is
+    built in .cache, and what was listed there is gone before it is read."""
+    for folder, inner, names in os.walk(ROOT):
+        inner[:] = [name for name in inner if name not in (".git", ".venv", ".cache", "out", "build")]
+        yield from (Path(folder) / name for name in names if name.endswith((".py", ".sh")))
+
+
 def test_every_file_names_its_licence():
-    files = [
-        path
-        for suffix in ("*.py", "*.sh")
-        for path in ROOT.rglob(suffix)
-        if not {".venv", ".cache", "out", "build"} & set(path.parts)
-    ]
+    files = list(sources())
     assert len(files) > 40
     assert not [
         str(path) for path in files if "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text(encoding="utf-8")[:200]

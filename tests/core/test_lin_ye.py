@@ -135,6 +135,7 @@ def test_the_part_has_the_papers_233_facets():
     assert len(read_stl(str(parts.workshop() / f"{parts.PART}.stl")).face) == 233
 
 
+@pytest.mark.thorough
 def test_on_the_part_most_passes_gain_through_it_and_lose_far_from_it():
     for depth, gains in ((None, True), (60.0, False), (150.0, False), (300.0, False)):
         one, two = (parts.mill(parts.PART, "table_ab", method, depth).per_pass for method in profiles.METHODS)

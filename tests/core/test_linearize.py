@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from five_kinds import KINDS, TABLE_2, interleaved, kinematics_of, mikron_links, random_blocks, sampled_deviation
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ProgramError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
@@ -182,7 +183,7 @@ def test_random_blocks_hold_and_never_take_more_pieces_than_halving(kind):
     assert (first == start).all() and (last == end).all()  # the whole rotary change is kept
 
 
-@pytest.mark.parametrize("kind", ["table_table", "nutating", "head_head"])
+@some_in_core("kind", ["table_table", "nutating", "head_head"])
 def test_no_block_takes_more_pieces_than_the_longest_steps_one_after_the_other(kind):
     kinematics = kinematics_of(kind)
     start, end = rounded_blocks(kinematics, 40, 62)

@@ -47,33 +47,37 @@ def own_rows(divided, whole):
     return np.array(rows)
 
 
-def walks(made, samples):
-    """Tips (m - 1, samples, 3) mm of every block of a program, by plain forward kinematics."""
+def walks(made, samples, above=0.0):
+    """The points (m - 1, samples, 3) mm that stand ``above`` mm over the tip, of every block of a program, by plain forward
+    kinematics."""
     q = words_to_q(made.program.words)
     u = np.linspace(0.0, 1.0, samples)[None, :, None]
     way = q[:-1, None] + u * np.diff(q, axis=0)[:, None]
-    return forward(made.kinematics, way.reshape(-1, 5))[0].reshape(len(way), samples, 3)
+    tip, axis = forward(made.kinematics, way.reshape(-1, 5))
+    return (tip + above * axis).reshape(len(way), samples, 3)
 
 
 @pytest.mark.parametrize(("part", "machine"), CASES)
 def test_every_feed_block_is_proven_within_tolerance(part, machine, milled):
     before, result = milled(part, machine), milled(part, machine, linearize="on")
     feed = result.made.program.motion != Motion.RAPID
-    assert before.deviation.bound[before.made.program.motion != Motion.RAPID].max() > 0.1
-    assert result.deviation.bound[feed].max() <= 0.01
+    assert before.surface.bound[before.made.program.motion != Motion.RAPID].max() > 0.1
+    assert result.surface.bound[feed].max() <= 0.01
     codes = {finding.code for finding in result.findings}
     assert "linearized" in codes
     assert not codes & {"deviation-over-tolerance", "bound-over-tolerance", "linearize-rounding", "linearize-impossible"}
 
 
 @pytest.mark.parametrize(("part", "machine"), CASES)
-def test_the_real_tip_stays_by_the_commanded_segments_of_the_undivided_path(part, machine, milled):
-    """201 points of every block of the rounded words, against the segments of the CL path."""
+def test_the_real_centre_stays_by_the_commanded_segments_of_the_undivided_path(part, machine, milled):
+    """201 points of every block of the rounded words, against the segments of the ball's centre along the CL path."""
     whole, made = milled(part, machine).made.joints, milled(part, machine, linearize="on").made
     end = np.searchsorted(own_rows(made.joints, whole), made.program.row[1:])  # the undivided row that each block leads to
-    start = whole.path.tip[end - 1][:, None]
-    chord = whole.path.tip[end][:, None] - start
-    way = walks(made, 201) - start
+    radius = made.settings.cutter.cutter.radius
+    centre = whole.path.tip + radius * whole.path.axis
+    start = centre[end - 1][:, None]
+    chord = centre[end][:, None] - start
+    way = walks(made, 201, radius) - start
     share = np.clip((way * chord).sum(2) / np.maximum((chord**2).sum(2), 1e-30), 0.0, 1.0)
     far = np.linalg.norm(way - share[:, :, None] * chord, axis=2).max(1)
     assert far[made.program.motion[1:] != Motion.RAPID].max() <= 0.01
@@ -164,8 +168,8 @@ def test_at_the_pole_only_blocks_that_pass_the_cone_are_divided(machine, milled)
     assert (pieces[near] > 1).any()
     end = np.searchsorted(own_rows(made.joints, whole.joints), made.program.row)
     fed = made.program.motion != Motion.RAPID
-    assert result.deviation.bound[fed & near[end]].max() <= 0.01
-    assert result.deviation.bound[fed & ~near[end]].max() > 0.1  # the rest is only reported
+    assert result.surface.bound[fed & near[end]].max() <= 0.01
+    assert result.surface.bound[fed & ~near[end]].max() > 0.1  # the rest is only reported
     both = milled("saddle", machine, singularity="linearize", linearize="on")
     assert both.made.nc == milled("saddle", machine, linearize="on").made.nc
 
@@ -178,7 +182,7 @@ def test_what_rounding_makes_impossible_is_named_with_its_block_its_line_and_wha
     assert finding.line == program.line[finding.block]
     assert np.linalg.norm(forward(result.made.kinematics, words_to_q(program.words[[finding.block]]))[0] - finding.place) < 1e-9
     feed = program.motion != Motion.RAPID
-    assert result.deviation.bound[feed].max() <= finding.value
+    assert result.surface.bound[feed].max() <= finding.value
     text = f"X{finding.place[0]:.3f} Y{finding.place[1]:.3f} Z{finding.place[2]:.3f}"
     assert text in finding.text and f"{finding.value:.3g} mm" in finding.text
 
@@ -198,6 +202,7 @@ def run(*words):
     return cli.main([str(word) for word in words])
 
 
+@pytest.mark.thorough
 def test_post_of_the_cl_file_and_the_job_file_give_the_same_divided_program(parts, tmp_path):
     words = ("--machine", "trunnion_ac", "--linearize", "on", "--quiet")
     part = parts / "saddle.stl"

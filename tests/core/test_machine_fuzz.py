@@ -63,6 +63,7 @@ def load_or_refuse(content, folder):
     inverse(kinematics, tip, axis)
 
 
+@pytest.mark.thorough
 @QUICK
 @given(st.data(), st.integers(0, len(SHIPPED) - 1), st.integers(1, 3))
 def test_a_file_with_anything_anywhere_loads_or_is_refused_in_one_line(folder, data, which, changes):

@@ -50,6 +50,7 @@ sys.exit(main(["mill", sys.argv[1], "--machine", "trunnion_ac", "-o", sys.argv[2
 """
 
 
+@pytest.mark.thorough
 @linux
 def test_ten_million_facets_under_two_gigabytes_are_refused_before_they_are_read(tmp_path) -> None:
     part, out = tmp_path / "part.stl", tmp_path / "part.ngc"

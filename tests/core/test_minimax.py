@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from thorough import some_in_core
 
 STUDIES = Path(__file__).parents[2] / "docs" / "studies"
 sys.path.insert(0, str(STUDIES))
@@ -35,7 +36,7 @@ from freecad_fiveaxis.core.motion.trajectory import tip_at  # noqa: E402
 
 TILT = np.radians(5.0)
 LARGE = [pytest.mark.slow, pytest.mark.large]
-DEPTHS = [150.0, pytest.param(None, marks=pytest.mark.slow), *(pytest.param(depth, marks=LARGE) for depth in (60.0, 300.0))]
+DEPTHS = [150.0, *(pytest.param(depth, marks=LARGE) for depth in (None, 60.0, 300.0))]
 FEED = 1000.0
 
 
@@ -75,7 +76,7 @@ def beyond(path, axis, samples=2001):
 # ------------------------------------------------------------------------------------------------ what it must reach
 
 
-@pytest.mark.parametrize("depth", DEPTHS)
+@some_in_core("depth", DEPTHS, kept=())
 def test_on_the_part_of_233_facets_at_least_5_times_smaller(depth):
     assert cases.ratio(cases.part(parts.PART, "table_ab", depth)) > 5.0
 
@@ -122,6 +123,7 @@ def test_the_dynamic_programmes_blocks_are_those_of_the_core():
     assert max(bows) == pytest.approx(case.largest(case.mean), rel=0.02)
 
 
+@pytest.mark.thorough
 def test_more_tilt_makes_it_smaller():
     largest = [cases.profile("hill", 1, 300.0, tilt) for tilt in (1.0, 3.0, 8.0)]
     largest = [case.largest(case.found) for case in largest]
@@ -132,8 +134,10 @@ def test_more_tilt_makes_it_smaller():
 
 
 MACHINES = [
-    "head_b_table_c", *(pytest.param(name, marks=pytest.mark.slow) for name in ("trunnion_ac", "nutating_table_b45", "fork_head_bc"))
-]  # fmt: skip
+    "head_b_table_c",
+    *(pytest.param(name, marks=pytest.mark.slow) for name in ("trunnion_ac", "fork_head_bc")),
+    pytest.param("nutating_table_b45", marks=LARGE),
+]
 
 
 @pytest.mark.parametrize("machine", MACHINES)
@@ -194,7 +198,9 @@ def test_the_limits_of_the_rotary_axes_hold():
     assert case.largest(lean) < case.largest(case.mean) / 2.0
 
 
-@pytest.mark.parametrize("control_point", ["tip", pytest.param("centre", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "control_point", [pytest.param("tip", marks=pytest.mark.thorough), pytest.param("centre", marks=pytest.mark.slow)]
+)
 def test_the_surface_is_cut_as_before(control_point):
     """The ball's centre and its contact of every row are those of facet_mean; only the axis moves."""
     one, two = (
@@ -239,7 +245,13 @@ def test_an_empty_path_and_a_flat_one_keep_their_axes():
 
 
 def test_it_says_where_it_stands_and_can_be_stopped():
-    offset, axis, kinematics, reach = given("trunnion_ac")
+    case = cases.profile("hill", 1, 150.0)
+    offset, axis, kinematics, reach = (
+        case.path,
+        tool_axes(case.path, "facet_mean", AxisOptions()),
+        cases.one_axis(case.axis_z),
+        0.0,
+    )
     said = []
     minimax_axes(offset, axis, kinematics, reach, TILT, FEED, lambda stage, share: said.append((stage, share)))
     assert len(said) > 5 and all(0.0 <= share <= 1.0 for _, share in said)

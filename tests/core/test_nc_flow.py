@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-import time
 from pathlib import Path
 
 import numpy as np
@@ -113,17 +112,19 @@ def test_what_does_not_end_is_refused_with_its_line(
     assert int(re.match(r"line (\d+)", str(caught.value))[1]) in line
 
 
-def test_a_loop_that_does_not_end_is_left_within_a_second_when_the_work_is_stopped() -> None:
-    """By the processor's time: what else the machine does is not ours."""
-    began = time.thread_time()
+def test_a_loop_that_does_not_end_is_left_soon_when_the_work_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Soon by the lines that are run before and after: how long it takes is for benchmarks/bench_stop.py."""
+    step, run, looks = interpreter.Run._step, [], []
 
     def stop(stage: str, fraction: float) -> None:
-        if time.thread_time() - began > 0.1:
+        looks.append(len(run))
+        if len(run) >= 10_000:
             raise Cancelled("enough")
 
+    monkeypatch.setattr(interpreter.Run, "_step", lambda self, what: run.append(1) or step(self, what))
     with pytest.raises(Cancelled):
         read_nc((HEAD + "o1 while [1]\n#1=[#1+1]\no1 endwhile\n").encode(), LINKS, DIALECTS["linuxcnc"], stop)
-    assert time.thread_time() - began < 1.0
+    assert 10_000 <= looks[-1] == len(run) < 30_000
 
 
 @pytest.mark.parametrize(
@@ -241,6 +242,7 @@ PIECES = [
 ]
 
 
+@pytest.mark.thorough
 @given(st.lists(st.sampled_from(PIECES), max_size=14), st.sampled_from(["linuxcnc", "haas", "fanuc"]))
 @settings(max_examples=300, deadline=None)
 def test_nothing_but_clear_errors_comes_of_any_text(pieces: list[str], controller: str) -> None:

@@ -159,7 +159,8 @@ def test_vectors_stay_until_the_next_and_an_omitted_component_is_zero():
         ("CYCLE81", "cycle-not-interpreted", "CYCLE81"), ("CYCLE802(111,1,9,9)", "cycle-not-interpreted", "CYCLE802"), ("G58 X5", "offset-not-interpreted", "G58"),
         ("ROT RPL=30", "offset-not-interpreted", "ROT"), ("R1=R7", "macro-not-interpreted", "R7"), ("IF R1>5 GOTOF ENDE", "macro-not-interpreted", "ENDE"),
         ("CIP X1 Y1 I1=2 J1=3", "arc-not-interpreted", "CIP"), ("BSPLINE", "spline-not-interpreted", "BSPLINE"), ("WHATEVER(3)", "unknown-code", "WHATEVER"),
-        ("G1 A2=5 B2=7", "orientation-not-interpreted", "A2"), ("SUPA G0 Z500", "", ""), ("G1 A=ACN(5)", "rotary-direction", "A=ACN()"),
+        ("G1 AP=90 RP=50", "polar-not-interpreted", "AP"), ("G1 X2 RP=IC(5)", "polar-not-interpreted", "RP"), ("AP=R1+5", "polar-not-interpreted", "AP"),
+        ("DIAMON", "offset-not-interpreted", "DIAMON"), ("G1 A2=5 B2=7", "orientation-not-interpreted", "A2"), ("SUPA G0 Z500", "", ""), ("G1 A=ACN(5)", "rotary-direction", "A=ACN()"),
     ],
 )  # fmt: skip
 def test_what_siemens_text_is_not_interpreted_is_named_with_its_line(line, code, name):
@@ -167,6 +168,25 @@ def test_what_siemens_text_is_not_interpreted_is_named_with_its_line(line, code,
     found = [one for one in program.findings if one.code == code]
     assert (found and name in found[0].text and found[0].line == 5) or not code
     assert program.words[-1, 0] == 7 and 500 not in program.words[:, 2]
+
+
+def test_words_beside_siemens_polar_coordinates_are_read():
+    program = read(S_HEAD + "F100\nG1 X1\nG1 AP=90 RP=50 Z-3\nG1 X7\n", "siemens840d")
+    assert program.words[-2, 2] == program.words[-1, 2] == -3.0
+
+
+@pytest.mark.parametrize(
+    ("line", "place"),
+    [("G91 X1 Y=AC(9)", (6, 9, 1)), ("G91 X=IC(1) Y=AC(-9) Z=AC(2.5)", (6, -9, 2.5)), ("G91 X1 Y9", (6, 14, 1))],
+)
+def test_siemens_ac_is_absolute_among_steps_too(line, place):
+    program = read(S_HEAD + "F100\nG1 X5 Y5 Z1\n" + line + "\n", "siemens840d")
+    assert program.words[-1, :3].tolist() == list(place)
+
+
+def test_a_rotary_ac_among_steps_is_absolute():
+    program = read(S_HEAD + "F100\nG1 X5 A10\nG91 A=AC(20)\nA5\n", "siemens840d")
+    assert program.words[-2:, "XYZCA".index("A")].tolist() == [20.0, 25.0]
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from test_nc_cycles import read as read_iso
 from test_nc_planes import TRUNNION, poses
 from test_nc_planes import read as read_on
 
+from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.nc.reader import Assumed, codes, siemens_holes
@@ -136,6 +137,13 @@ def test_what_is_not_known_of_a_cycle_is_named_and_drills_nothing(call: str, sai
     found = [one for one in program.findings if one.severity is Severity.ERROR]
     assert said in found[0].text and found[0].line in (4, 5) and "post" in found[0].text
     assert path(program) == ["f 7 6 50", "f 9 6 50", "f 8 6 50"]
+
+
+@pytest.mark.parametrize("text", ["CYCLE81(1,2)9", "MCALL CYCLE81(1,2)9\nX1", "CYCLE800(1)9\nX1"])
+def test_digits_behind_a_call_are_not_read_as_a_part_of_it(text: str) -> None:
+    """Such a line once made the number of the call ten times as large, and the reader fell."""
+    with pytest.raises(ProgramError, match="9"):
+        read(text)
 
 
 def test_at_machine_positions_and_under_g93_a_cycle_is_named() -> None:

@@ -123,6 +123,7 @@ def test_the_source_archive_is_an_add_on_and_can_be_tested(archive):
     assert not wanted - inside
 
 
+@pytest.mark.thorough
 @builds
 def test_every_module_of_the_core_is_imported_from_the_wheel(scripts, tmp_path):
     names = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in (PACKAGE / "core").rglob("*.py")]
@@ -131,6 +132,7 @@ def test_every_module_of_the_core_is_imported_from_the_wheel(scripts, tmp_path):
     assert Path(done.stdout.strip()).resolve().is_relative_to(scripts.parent.resolve())
 
 
+@pytest.mark.thorough
 @builds
 def test_the_installed_command_lists_and_mills_in_another_folder(scripts, tmp_path):
     fiveaxis = scripts / "fiveaxis"

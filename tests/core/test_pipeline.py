@@ -101,6 +101,7 @@ def test_the_ball_keeps_its_clearance_on_rapids(machine, milled):
     assert least_ball_clearance(milled("dome", machine).made, 5.0) > 5.0
 
 
+@pytest.mark.thorough
 def test_a_narrow_first_axis_never_swings_the_ball_beside_the_part(parts, tmp_path):
     """C of 180 deg in all forces flips of A by 180 deg between passes: they belong above the part."""
     machine = load_machine("trunnion_ac")

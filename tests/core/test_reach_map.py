@@ -9,15 +9,17 @@ import numpy as np
 import pytest
 from gouge_examples import dense_points, sampled_depth
 from test_fewer_axes import MACHINES
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.core.collision import still_positions
+from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, tip_at
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.studies import reach_map as module
-from freecad_fiveaxis.core.studies.reach_map import Obstacle, Reacher, reach_map, tip_at
+from freecad_fiveaxis.core.studies.reach_map import reach_map
 from freecad_fiveaxis.core.tool import Cutter
 
 BALL = Cutter(6.0, 30.0)
@@ -77,7 +79,7 @@ def on_floor(found, length):
 
 @pytest.fixture
 def coarse(monkeypatch):
-    monkeypatch.setattr(module, "PLACES", 2000)
+    monkeypatch.setattr(module, "PLACES", 700)
 
 
 def test_a_holder_wider_than_a_deep_slot_is_in_the_way_of_its_floor(coarse):
@@ -116,7 +118,7 @@ def test_what_the_machine_cannot_turn_to_is_beyond_its_limits(coarse):
 CUTTERS = [Cutter(6.0, 20.0), Cutter(6.0, 20.0, 0.0), Cutter(8.0, 20.0, 2.0)]
 
 
-@pytest.mark.parametrize("cutter", CUTTERS, ids=["ball", "flat", "bull"])
+@some_in_core("cutter", CUTTERS, ids=["ball", "flat", "bull"])
 def test_at_every_place_called_reachable_the_tool_is_free_by_dense_samples(cutter):
     mesh, reacher = slot(14.0, 12.0), Reacher(cutter, holder=HOLDER, limit=0.01)
     found = reach_map(mesh, reacher)
@@ -156,6 +158,7 @@ def test_only_chosen_facets_are_looked_at_and_progress_can_stop():
         reach_map(mesh, Reacher(BALL), None, stop)
 
 
+@pytest.mark.thorough
 def test_more_places_change_little(monkeypatch):
     """It is sampled: the area found converges."""
     few = reach_map(slot(14.0, 20.0), Reacher(BALL, holder=HOLDER)).area_of(Obstacle.NONE)

@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.report import as_json, as_text, markers
 from freecad_fiveaxis.core.report.figures import axis_rates, summary
 from freecad_fiveaxis.core.report.json_text import plain
-from freecad_fiveaxis.core.report.text import duration, number, path_verdict
+from freecad_fiveaxis.core.report.text import duration, facts, number, path_verdict
 
 CALM = np.array([[0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [2, 0, 0, 0, 0.1], [2.5, 0, 0, 0, 0.2]], float)
 
@@ -63,6 +63,20 @@ def test_lengths_and_times_are_those_of_the_path():
     assert numbers["axes"]["X"]["travel"] == 2.5 and numbers["axes"]["X"]["largest"] == 2.5
     assert numbers["axes"]["A"]["high_limit"] == pytest.approx(120.0)
     assert numbers["axes"]["X"]["peak_rate"] == pytest.approx(1000.0)
+
+
+def test_cuts_links_and_rapids_make_up_the_whole_way_and_the_whole_time():
+    """By hand: the motions are rapid, link, cut, rapid, cut, fill, cut; each block is 1 mm long, but the one that turns the table."""
+    figures = by_hand()
+    seconds = np.array([9.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0])
+    numbers = summary(dataclasses.replace(figures, program=dataclasses.replace(figures.program, seconds=seconds)))
+    turned = np.hypot(3.0, 4.0)  # C turns by 90 deg on the way from (3, 0, 0) to (0, 4, 0) or (0, -4, 0)
+    assert numbers["cut_length"] == pytest.approx(3.0 + turned)
+    assert numbers["link_length"] == numbers["rapid_length"] == pytest.approx(1.0)
+    assert numbers["time_shares"] == pytest.approx({"cut": 17 / 21, "link": 1 / 21, "rapid": 3 / 21})
+    told = dict(facts(numbers))
+    assert told["length of links, of rapids"] == "1.0 mm, 1.0 mm"
+    assert told["time"] == "30.0 s (cut 81 %, link 5 %, rapid 14 %)"
 
 
 def test_a_rate_is_travel_by_time_and_none_without_time():

@@ -85,6 +85,7 @@ def test_every_picture_is_whole_and_says_what_it_shows(dome_page):
     assert len(said) == 5 and all(len(text) > 30 for text in said)
 
 
+@pytest.mark.thorough
 def test_the_same_input_gives_the_same_bytes(dome_page):
     assert as_html(dome(passes=8, points=20)) == dome_page
 
@@ -138,6 +139,7 @@ def test_a_proven_program_is_told_so(without_matplotlib):
     assert 'class="verdict open"' in as_html(by_hand(0.0301))
 
 
+@pytest.mark.thorough
 def test_pages_of_odd_programs_are_made_too():
     pytest.importorskip("matplotlib")
     still = figures_of(TRUNNION, np.zeros((3, 5)))

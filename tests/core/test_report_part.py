@@ -107,6 +107,7 @@ def test_the_page_shows_the_places_and_the_map(entered, clear, monkeypatch):
     assert "<p>Nowhere.</p>" in as_html(job.figures(clear))
 
 
+@pytest.mark.thorough
 def test_the_picture_is_sound_small_and_the_same_every_time(clear):
     figures = job.figures(clear)
     made = left_svg(figures.mesh, figures.left, figures.tolerance, figures.allowed)

@@ -86,6 +86,25 @@ def test_one_that_fails_makes_all_fail_and_the_others_are_run(rings):
     assert told == {"a": "FAILED", "b": "passed", "c": "FAILED", "d": "passed"}
 
 
+def test_a_ring_over_its_budget_is_named_with_its_ten_dearest_tests_and_fails_nothing(rings, tmp_path):
+    (tmp_path / "tests").mkdir()
+    (tmp_path / "tests/budget.toml").write_text("# seconds\n[budget]\na = -1\nb = 500\n")
+    lines = "".join(f"\t@echo '{seconds}.25 s of the processor: tests/test_{seconds}.py::test'\n" for seconds in range(12))
+    process = rings({"c": (0, 0)}, "a", "b", "c", more=f"a:\n{lines}b:\n{lines}")
+    said = process.communicate(timeout=300)[0]
+    assert process.returncode == 0, said
+    closing = said.split("all after")[1]
+    assert "(budget -1)" in closing and "(budget 500)" in closing and closing.count("budget") == 4, closing
+    assert re.findall(r"^(\d+)\.25 s  tests/test_\1\.py::test$", closing, re.MULTILINE) == [str(n) for n in range(11, 1, -1)]
+    assert len(re.findall("^rings: a is over its budget: [0-9]", closing, re.MULTILINE)) == 1 and "b is over" not in closing
+
+
+def test_every_ring_of_make_test_all_has_a_budget():
+    names = re.search(r"^test-all:.*\n.*\n\t@bash scripts/rings (.*)", (ROOT / "Makefile").read_text(), re.MULTILINE)[1].split()
+    budgets = re.findall(r"^([\w-]+) = \d+$", (ROOT / "tests/budget.toml").read_text(), re.MULTILINE)
+    assert set(names) - {"--"} <= set(budgets) and len(names) > 10
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_ctrl_c_ends_all_also_what_is_deaf_or_has_a_group_of_its_own(rings, tmp_path, number):
     """``timeout`` has a process group of its own, as FreeCAD has under it; sh is deaf to both signals."""

@@ -76,6 +76,8 @@ def test_nothing_is_claimed_of_a_block_that_the_controller_guides(path_file):
     assert summary(job.figures(joint))["max_segment_deviation"] > 0.01 and summary(job.figures(joint))["guided_blocks"] == 0
     text = " ".join(as_text(numbers).split())
     assert "Only block end points are verified in all 4 feed blocks: the path between them is under RTCP" in text
+    assert "- (the controller guides the tip: only block ends are verified)" in " ".join(text.split())
+    assert "proven upper bound" not in text and "0.000000 mm" not in text
     found = [one for one in result.findings if one.code == "tip-guided-by-controller"]
     assert len(found) == 1 and "not proven here" in found[0].text and 0.0 < found[0].value < 2e-3
     assert not [one for one in result.findings if one.code == "deviation-over-tolerance"]

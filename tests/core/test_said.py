@@ -24,7 +24,7 @@ def has_words(node):
 
 def message_of(call):
     """What a call tells the user, or None: the text of a Finding, the message of an error, the text of a replaced Finding."""
-    name = ast.unparse(call.func).rsplit(".", 1)[-1]
+    name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
     if name == "Finding" and len(call.args) > 2:
         return call.args[2]
     if OUR_OWN.fullmatch(name) and call.args:

@@ -25,7 +25,7 @@ def test_units_are_turned_once_at_the_border():
 @pytest.mark.parametrize(
     "options",
     [{"scallop": "-0.01"}, {"scallop": "0"}, {"stepover": 0}, {"tolerance": "0"}, {"feed": "-1"}, {"cutter": "ball:0"},
-     {"cutter": "ball:-3"}, {"cutter": "cone:3"}, {"order": "spiral"}, {"lead": "80"}, {"max_axis_angle": "120"}, {"origin": "1,2"},
+     {"cutter": "ball:-3"}, {"cutter": "cone:3"}, {"order": "spiral"}, {"lead": "80"}, {"max_axis_angle": "200"}, {"origin": "1,2"},
      {"clearance": "nan"}, {"scallop": "0.1", "stepover": "1"}, {"scalop": "0.1"}, {"linearize": "maybe"}, {"singularity": "ignore"}, {"tool_length": "-1"},
      {"machine": ""}, {"output": 5}, {"report": [3]}, {"axis": "a,b,c"}],
 )  # fmt: skip
@@ -82,7 +82,7 @@ def test_defaults_work_for_a_mill_job():
      ("plunge_feed", "0", "at least 0.001 mm/min"), ("axis", "0,0,1e300", "at most 1000000"), ("tolerance", "1e7", "at most 1000000 mm"),
      ("scallop", "1e9", "at most 1000000 mm"), ("stepover", "1e9", "at most 1000000 mm"), ("least_interval", "1e9", "at most 1000000 mm"),
      ("coedge_tolerance", "1e9", "at most 1000000 mm"), ("tool", "100000", "at most 99999"), ("spindle", "1e6", "at most 999999"),
-     ("blend", "1000", "at most 999 mm"), ("lead", "61", "at most 60 deg"), ("max_axis_angle", "91", "at most 90 deg"),
+     ("blend", "1000", "at most 999 mm"), ("lead", "61", "at most 60 deg"), ("max_axis_angle", "181", "at most 180 deg"),
      ("cutter", "ball:1e9", "0.001 to 10000 mm"), ("cutter", "ball:10:1e9", "0.001 to 10000 mm")],
 )  # fmt: skip
 def test_what_is_out_of_range_is_refused_with_the_option_and_its_range(name, value, bound):
@@ -94,7 +94,7 @@ def test_what_is_out_of_range_is_refused_with_the_option_and_its_range(name, val
 @pytest.mark.parametrize(
     "options",
     [{"clearance": 1e4}, {"origin": "1e6,-1e6,0"}, {"tool_length": 1e6}, {"feed": "0.001"}, {"feed": 1e6}, {"axis": "-1e6,0,0"}, {"tool": 99999},
-     {"spindle": 999999}, {"blend": 999}, {"lead": 60}, {"max_axis_angle": 90}],
+     {"spindle": 999999}, {"blend": 999}, {"lead": 60}, {"max_axis_angle": 180}],
 )  # fmt: skip
 def test_the_ends_of_a_range_belong_to_it(options):
     mill(**options)

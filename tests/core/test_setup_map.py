@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from setup_examples import CENTRE, cap, milled, posting
+from thorough import some_in_core
 from uncured import UNCURED
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsError
@@ -65,7 +66,7 @@ def chart():
     return setup_map(made.path, made.machine, Setup((60.0, 10.0, -20.0)), region, posting(made), 0.01)
 
 
-@pytest.mark.parametrize("machine", ["trunnion_ac", "trunnion_bc"])
+@some_in_core("machine", ["trunnion_ac", "trunnion_bc"])
 def test_the_rotary_centre_is_found_for_a_spherical_part(machine):
     """Both rotary axes meet at (0, 0, z) of these machines; the ball's centre belongs there."""
     centre = np.array([0.0, 0.0, load_machine(machine).axes[0].point[2] - CENTRE])
@@ -93,7 +94,7 @@ def test_the_map_agrees_with_a_full_run_at_20_random_setups():
     assert abs(mapped[0] - full_run(made, made.machine, chart.origin[row] + (1.0, 0.0, 0.0), chart.turn[row])[0]) > 1e-6
 
 
-@pytest.mark.parametrize("machine", ["mikron_ucp710", "head_b_table_c", "nutating_table_b45"])
+@some_in_core("machine", ["mikron_ucp710", "head_b_table_c", "nutating_table_b45"])
 def test_the_map_agrees_with_a_full_run_on_other_chains(machine):
     made = milled(machine, tool_length=80.0, **COARSE)
     region = Region((-50.0, -30.0, 0.0), (40.0, 60.0, 90.0), (2, 1, 1), (1.0,))
@@ -104,6 +105,7 @@ def test_the_map_agrees_with_a_full_run_on_other_chains(machine):
         assert np.abs(np.subtract(mapped, run)).max() <= 1e-6
 
 
+@pytest.mark.thorough
 def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
     """The solid turned about Z, the passes' direction by as much: `mill` makes the same cuts, at the work zero of the map."""
     off, turn = from_faces(cap(rings=8, sectors=24).vertex + (15.0, 5.0, 0.0), cap(rings=8, sectors=24).face), math.radians(120.0)
@@ -124,6 +126,7 @@ def test_the_present_row_is_what_mill_reports(chart):
     assert chart.time[0] == pytest.approx(made.program.seconds.sum(), abs=1e-9)
 
 
+@pytest.mark.thorough
 def test_the_deviation_is_convex_in_the_work_zero():
     """What the proof rests on: at the middle of two work zeros it is no more than the mean, but for the rounding of words."""
     made, rng = milled(**COARSE), np.random.default_rng(1)
@@ -134,6 +137,7 @@ def test_the_deviation_is_convex_in_the_work_zero():
         assert driven.cost(0.5 * (a + b)).deviation <= 0.5 * sum(ends) + 5e-4
 
 
+@pytest.mark.thorough
 def test_no_work_zero_has_less_than_the_proven_least():
     made, rng = milled(**COARSE), np.random.default_rng(2)
     region = Region((-80.0, -80.0, -80.0), (80.0, 80.0, 80.0), (1, 1, 1))
@@ -179,6 +183,7 @@ def test_a_region_that_leaves_every_limit_recommends_nothing_and_tells_by_how_mu
 UNKNOWN = "The height of the table is not known: check that the part stands on it"
 
 
+@pytest.mark.thorough
 def test_no_setup_below_the_table_is_recommended_and_such_setups_are_greyed():
     made = milled(**COARSE)
     bottom = min(made.mesh.vertex[:, 2].tolist())
@@ -277,6 +282,7 @@ def test_the_page_needs_nothing_else_and_the_pictures_have_units(chart):
     assert "What turning the part brings" in page
 
 
+@pytest.mark.thorough
 def test_a_region_along_one_axis_is_drawn_as_a_curve():
     made = milled(**COARSE)
     chart = setup_map(made.path, made.machine, Setup(), Region((-9.0, 0.0, 0.0), (9.0, 0.0, 0.0), (3, 1, 1)), posting(made))

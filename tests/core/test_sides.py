@@ -8,6 +8,7 @@ import pytest
 from gouge_examples import prism
 from mesh_shapes import box, sphere
 from test_verdict import filleted
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.collision import find_rest_material, program_motion
@@ -57,7 +58,7 @@ def test_the_sides_along_the_passes_are_told_with_their_area(part, direction, wh
         assert all(0.0 < value < high for k, (value, high) in enumerate(zip(one.place, (60, 35, 20), strict=True)) if k != axis)
 
 
-@pytest.mark.parametrize("part", [block, fine_block, filleted])
+@some_in_core("part", [block, fine_block, filleted])
 @pytest.mark.parametrize("direction", [0, 90])
 def test_who_follows_the_remedy_sees_the_side_cut(part, direction):
     """By another route: what the cutter leaves at the middle of the side, before and after."""
@@ -82,12 +83,12 @@ def left_at(result, place):
     return left.height[np.linalg.norm(left.point - place, axis=1).argmin()]
 
 
-@pytest.mark.parametrize("part", [block, fine_block])
+@some_in_core("part", [block, fine_block])
 def test_passes_that_cut_every_side_leave_nothing_to_tell(part):
     assert not sides(made(part(), direction=45)) and not sides(made(part(), direction=20))
 
 
-@pytest.mark.parametrize(("stepover", "caps"), [(0.5, 2), (3.9, 0)])
+@some_in_core(("stepover", "caps"), [(0.5, 2), (3.9, 0)])
 def test_strips_between_passes_are_no_sides_but_caps_beyond_the_outermost_are(stepover, caps):
     ball = from_triangles(sphere(20.0, rows=80, columns=160))
     for direction in (0, 33):
@@ -110,6 +111,7 @@ def test_faces_that_nobody_wants_cut_are_not_told():
     assert [one.text.split(" is not")[0] for one in sides(one_side)] == ["The side at Y 0"]
 
 
+@pytest.mark.thorough
 def test_a_side_that_leans_can_be_cut_by_nearer_planes_too():
     told = sides(made(drafted(), stepover=3))
     leaning, plumb = (next(one for one in told if at in one.text) for at in ("Y 29.9", "Y 0"))
@@ -117,6 +119,7 @@ def test_a_side_that_leans_can_be_cut_by_nearer_planes_too():
     assert ["Y 0" in one.text for one in sides(made(drafted(), stepover=0.04))] == [True]
 
 
+@pytest.mark.thorough
 def test_where_a_side_makes_the_least_interval_bind_the_side_is_told_instead():
     result = made(filleted(), stepover=None, scallop=0.01)
     codes = [one.code for one in result.findings]

@@ -10,7 +10,7 @@ import pytest
 from mesh_shapes import box, sphere
 
 from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, MeshError
-from freecad_fiveaxis.core.geometry.mesh import from_triangles, read_stl, stl, write_stl
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, join_loose, read_stl, stl, write_stl
 
 
 def binary(corners, header=b"", count=None):
@@ -211,3 +211,76 @@ def test_a_file_that_shrinks_while_it_is_read_is_an_error():
     assert stl._binary_columns(BytesIO(whole[84:]), facets).shape == (3, 3, facets)
     with pytest.raises(MeshError, match="shorter"):
         stl._binary_columns(BytesIO(whole[84:-1]), facets)
+
+
+# ------------------------------------------------------------------------------------------------ facets that are not welded
+
+
+def sheet(columns, rows, turn=0.0):
+    """Corners (f, 3, 3) of a level sheet of unit squares, tilted by ``turn`` rad about X."""
+    i, j = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
+    square = np.stack([i, j, 0 * i], axis=-1).reshape(-1, 1, 3) + np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    corners = np.concatenate([square[:, [0, 1, 2]], square[:, [0, 2, 3]]]).astype(float)
+    return corners @ np.array([[1, 0, 0], [0, np.cos(turn), np.sin(turn)], [0, -np.sin(turn), np.cos(turn)]])
+
+
+def value(mesh, code):
+    return sum(finding.value for finding in mesh.findings if finding.code == code)
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.6])
+def test_corners_a_rounding_apart_are_joined_and_counted(read, turn):
+    loose = sheet(4, 3, turn) + np.random.default_rng(3).uniform(-1e-6, 1e-6, (24, 3, 3))
+    mesh = read("\n".join(ascii_lines(loose)).encode())
+    assert len(mesh.vertex) == 20 and value(mesh, "open-shell") == 14 and value(mesh, "corners-joined") == 72 - 20
+    assert mesh.area.sum() == pytest.approx(12.0, rel=1e-4)
+
+
+def test_corners_farther_apart_stay_and_are_named(read):
+    loose = sheet(4, 3) + np.random.default_rng(3).uniform(-1e-3, 1e-3, (24, 3, 3))
+    mesh = read("\n".join(ascii_lines(loose)).encode())
+    assert len(mesh.vertex) == 72 and value(mesh, "open-shell") == 72
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.6])
+def test_facets_are_divided_at_t_junctions(read, turn):
+    fine = sheet(8, 2, turn) * 0.5
+    coarse = sheet(4, 1, turn) - [0.0, np.cos(turn), np.sin(turn)]
+    mesh = read("\n".join(ascii_lines(np.concatenate([fine, coarse]))).encode())
+    assert value(mesh, "t-junctions-joined") == 4 and value(mesh, "open-shell") == 8 + 2 * 2 + 4 + 2
+    assert len(mesh.face) == 32 + 8 + 4 and mesh.area.sum() == pytest.approx(8.0)
+
+
+def test_a_facet_with_t_junctions_on_all_its_sides_is_divided_at_each(read):
+    outer = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]])
+    beside = [[[2, 0, 0], [0, 0, 0], [1, -1, 0]], [[4, 0, 0], [2, 0, 0], [3, -1, 0]], [[2, 2, 0], [4, 0, 0], [4, 2, 0]],
+              [[0, 4, 0], [2, 2, 0], [2, 4, 0]], [[0, 2, 0], [0, 4, 0], [-1, 3, 0]], [[0, 0, 0], [0, 2, 0], [-1, 1, 0]]]  # fmt: skip
+    mesh = read("\n".join(ascii_lines(np.concatenate([[outer], beside]))).encode())
+    assert value(mesh, "t-junctions-joined") == 3 and len(mesh.face) == 4 + 6 and value(mesh, "open-shell") == 12
+
+
+def test_of_doubled_facets_one_is_kept(read):
+    once = sheet(3, 3)
+    mesh = read("\n".join(ascii_lines(np.concatenate([once, np.roll(once[4:6], 1, axis=1)]))).encode())
+    assert len(mesh.face) == 18 and value(mesh, "doubled-facets") == 2 and value(mesh, "open-shell") == 12
+    assert not value(mesh, "non-manifold-edges")
+
+
+@pytest.mark.parametrize("back", [slice(None), slice(None, None, -1)])
+def test_the_two_sides_of_a_thin_wall_stay_apart(read, back):
+    one = sheet(3, 3)
+    mesh = read("\n".join(ascii_lines(np.concatenate([one, one[:, back] + [0.0, 0.0, 1e-6]]))).encode())
+    assert len(mesh.vertex) == 32 and not value(mesh, "corners-joined") and value(mesh, "open-shell") == 24
+
+
+def test_a_third_facet_at_an_edge_is_not_joined_with_it(read):
+    fin = np.array([[[1.0, 1.0 + 1e-7, 0.0], [2.0, 1.0 + 1e-7, 0.0], [1.5, 1.0, 1.0]]])
+    mesh = read("\n".join(ascii_lines(np.concatenate([sheet(3, 2), fin]))).encode())
+    assert not value(mesh, "corners-joined") and not value(mesh, "non-manifold-edges")
+
+
+def test_a_clean_mesh_is_the_very_same_object():
+    for mesh in (from_triangles(sheet(4, 3)), from_triangles(box())):
+        assert join_loose(mesh) is mesh
+    loose = from_triangles(sheet(4, 3) + np.random.default_rng(3).uniform(-1e-6, 1e-6, (24, 3, 3)))
+    assert join_loose(loose) is not loose

@@ -2,6 +2,7 @@
 """Whatever bytes an STL file holds, reading it gives a mesh or an error of ours, never anything else."""
 
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from mesh_shapes import box
@@ -76,6 +77,7 @@ def test_words_of_stl_in_any_order(tmp_path, words):
     read_or_refuse(b"solid " + b" ".join(words), tmp_path)
 
 
+@pytest.mark.thorough
 @quick
 @given(st.lists(st.tuples(*[st.integers(0, 3)] * 9), min_size=1, max_size=14))
 def test_triangles_on_a_tiny_grid(corners):

@@ -6,11 +6,11 @@ import signal
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, step
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.geometry.mesh import write_stl
 
@@ -32,7 +32,7 @@ def test_an_option_that_is_too_small_is_refused_in_one_line(given, tmp_path):
     assert "give a larger" in done.stderr or "at least" in done.stderr, done.stderr
 
 
-@pytest.mark.parametrize("size", [1e-40, 1e-20, 1e-8])
+@some_in_core("size", [1e-40, 1e-20, 1e-8])
 def test_a_part_that_is_smaller_than_any_is_refused_with_its_size(size, tmp_path):
     """Its facets' areas are no numbers any more; a pass of them would be divided without end."""
     part, out = tmp_path / "part.stl", tmp_path / "part.ngc"
@@ -48,14 +48,6 @@ def test_a_part_that_is_smaller_than_any_is_refused_with_its_size(size, tmp_path
     assert f"the whole part is {size:.4g} mm long" in done.stderr and "check the units" in done.stderr
 
 
-def waited(process):
-    """What a process has waited so far for a processor that other programs had, s; 0 where the system does not say."""
-    try:
-        return int(Path(f"/proc/{process}/schedstat").read_text(encoding="ascii").split()[1]) / 1e9
-    except (OSError, IndexError):
-        return 0.0
-
-
 def hear_ctrl_c():
     """A process takes over what its parent ignores: SIGINT behind an ampersand."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
@@ -63,21 +55,16 @@ def hear_ctrl_c():
 
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="Windows sends no SIGINT to one process")
-@pytest.mark.parametrize("after", [2.0, 3.5, 5.0, 8.0, 12.0])
-def test_a_long_mill_hears_ctrl_c_within_a_second(after, tmp_path):
-    """After 2 s it slices or lifts, later it lifts and checks; it takes more than 20 s in all."""
+@pytest.mark.parametrize("after", [2.0, 3.5, 5.0, *(pytest.param(late, marks=pytest.mark.large) for late in (8.0, 12.0))])
+def test_a_long_mill_hears_ctrl_c_and_writes_nothing(after, tmp_path):
+    """After 2 s it slices or lifts, later it lifts and checks; it takes more than 20 s in all. How soon: benchmarks/bench_stop.py."""
     part, out = tmp_path / "part.stl", tmp_path / "part.ngc"
     write_stl(blade_beside_hub(cells=120), part)
     words = [*MILL, part, "--machine", "trunnion_ac", "--scallop", "0.002", "--cutter", "ball:4", "-o", out]
     with subprocess.Popen(words, stderr=subprocess.PIPE, text=True, preexec_fn=hear_ctrl_c) as mill:
         time.sleep(after)
         assert mill.poll() is None, mill.stderr.read()
-        sent, before = time.monotonic(), waited(mill.pid)
         mill.send_signal(signal.SIGINT)
-        starved = 0.0
-        while mill.poll() is None and time.monotonic() - sent < 60.0:
-            starved = max(starved, waited(mill.pid) - before)
-            time.sleep(0.01)
-        took, said = time.monotonic() - sent - starved, mill.communicate(timeout=60)[1]
-    assert took < 1.0 and mill.returncode == 130, said
+        said = mill.communicate(timeout=60)[1]
+    assert mill.returncode == 130, said
     assert "nothing was written" in said and not out.exists()

@@ -79,7 +79,7 @@ def test_a_fixed_axis_without_direction_is_refused(fixed):
 
 
 def test_an_unknown_strategy_is_refused_with_those_known():
-    with pytest.raises(SettingsError, match="'magic'; choose one of facet_mean, step_weighted, minimax, fixed"):
+    with pytest.raises(SettingsError, match="'magic'; choose one of facet_mean, step_weighted, minimax, auto, fixed"):
         plain("magic", offset(UNEVEN))
     assert find_strategy("fixed") is STRATEGIES["fixed"]
 

@@ -87,6 +87,7 @@ def test_the_defaults_keep_the_tolerance_and_stay_out_of_the_part(made):
     assert summary(job.figures(made(filleted, direction=90, lead=5, **UNCURED)))["max_segment_deviation"] > 0.1
 
 
+@pytest.mark.thorough
 def test_the_step_by_default_is_entered_nowhere_by_dense_sampling(made):
     """A judge without trees: how deep densely set points of the part lie in the cutter, on all its real way."""
     result, points = made(step, tool_axis="fixed"), dense_points(step(), 0.5)

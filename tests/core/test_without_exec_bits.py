@@ -11,9 +11,21 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 SCRIPTS = ("scripts", ".ci", "tests/freecad", "tests/sitting")
-RINGS = ("lint", "core", "slow", "headless", "window", "linuxcnc", "sitting", "runner")
-MORE = ("large", "oldest", "demo", "chroots", "trixie", "forky")
-TARGETS = ("demo", "test", "test-all", *RINGS, *MORE, "freecad", "test-matrix", "install", "bench")
+BOTH = ("lint", "core", "headless", "sitting")
+SHORT = (*BOTH, "interpreter", "window-short")
+ALL = (*BOTH, "slow", "window", "linuxcnc", "runner", "large", "oldest", "demo", "chroots", "trixie", "forky")
+TARGETS = (
+    "demo",
+    "test",
+    "test-all",
+    "changed",
+    *sorted({*SHORT, *ALL}),
+    "freecad",
+    "test-matrix",
+    "install",
+    "bench",
+    "bench-window",
+)
 
 pytestmark = pytest.mark.skipif(
     os.name != "posix" or not shutil.which("make") or not shutil.which("bash"), reason="needs make and bash"
@@ -51,7 +63,7 @@ def test_no_target_executes_a_script_by_its_name(unpacked):
     assert done.returncode == 0, done.stderr
     scripts = re.findall(r"^.*(?:scripts/|tests/\w+/run\b).*$", done.stdout, re.MULTILINE)
     assert len(scripts) > len(TARGETS)
-    assert not [line for line in scripts if not line.startswith("bash ")]
+    assert not [line for line in scripts if not line.startswith(("bash ", ".venv/bin/python "))]
     inner = [line for line in scripts if re.search(r"freecad_chroot \w+ .", line)]
     assert inner and all(re.search(r"freecad_chroot \w+ bash ", line) for line in inner)
 
@@ -91,9 +103,9 @@ def test_what_ci_runs_goes_through_make(unpacked):
     assert "make test-all\n" in done.stdout
 
 
-@pytest.mark.parametrize(("target", "rings"), [("test", RINGS), ("test-all", RINGS + MORE)])
+@pytest.mark.parametrize(("target", "rings"), [("test", SHORT), ("test-all", ALL)])
 def test_each_ring_is_run_once(unpacked, target, rings):
-    """``test-all`` is the rings of ``test``, the large samples, the oldest numpy, other FreeCADs and the demo."""
+    """What ``test`` has in short, LinuxCNC's interpreter and the way of a user, ``test-all`` has whole."""
     done = run(unpacked, shutil.which("make"), target, PATH=f"{unpacked}/tools:/usr/bin:/bin")
     assert done.returncode == 0, done.stdout + done.stderr
     assert sorted(re.findall(r"^make --no-print-directory (\S+)$", done.stdout, re.MULTILINE)) == sorted(rings)

@@ -3,6 +3,7 @@
 
 import importlib.util
 import sys
+from functools import cache
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 
@@ -21,3 +22,4 @@ def load():
 
 
 translations = load()
+translations.texts = cache(translations.texts)  # of the files as they are; no test changes them

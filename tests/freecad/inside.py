@@ -119,7 +119,15 @@ def run_pytest(out):
 
     os.chdir(ROOT)
     folder = os.environ["FIVEAXIS_OUT"] = output_folder()
-    options = ["-c", "tests/freecad/pytest.ini", "--rootdir", ROOT, *shlex.split(os.environ["FIVEAXIS_PYTEST_ARGUMENTS"])]
+    options = [
+        "-c",
+        "tests/freecad/pytest.ini",
+        "--rootdir",
+        ROOT,
+        "--confcutdir",
+        ROOT,
+        *shlex.split(os.environ["FIVEAXIS_PYTEST_ARGUMENTS"]),
+    ]
     watch = Watch(out, folder)
     code = pytest.main(options, plugins=[watch, SecondTry(out)] if FreeCAD.GuiUp else [watch])
     watch.stop()

@@ -13,6 +13,8 @@ in_window = pytest.mark.skipif(not FreeCAD.GuiUp, reason="needs FreeCAD's window
 late_imports = []
 """What the first panel of the session imported: once for all, because a second one has nothing left to import."""
 
+pytestmark = pytest.mark.short
+
 
 def test_freecad_found_this_add_on():
     import freecad_fiveaxis

@@ -8,7 +8,6 @@ the top left; pictures go to ``$FIVEAXIS_OUT/NAME.png``.
 
 import ctypes
 import os
-import subprocess
 import sys
 import time
 
@@ -26,27 +25,41 @@ except ImportError:  # FreeCAD 0.20 keeps them here
 WORKBENCH = "FiveAxisWorkbench"
 LEFT, NONE = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
 PANELS = ("FiveAxisPanel", "FiveAxisPlay")
+SMALL, WHOLE = (0, 0, 1280, 800), (0, 0, 1920, 1080)  # left, top, width and height of the window, pixels
 REFRESH = 700  # ms until FreeCAD's timer has renewed which commands are enabled
-SETTLED = 2000  # ms until a layout has settled, also where the 3D view is slow to paint
+QUICKLY = 85  # of 0 to 100: Qt's "quality" of a PNG is how little it is packed; nothing is lost at any
+SETTLED = 15000  # ms until a layout has settled, also on a machine that is busy with other FreeCADs
+TAKEN = 2000  # ms until what was clicked shows that; then it is clicked once more, where that does no harm
+READY = 20000  # ms until a command, a panel or a button of it is there to be pressed
 
 
 def _pump(ms=100):
-    """Let the window work for so many milliseconds."""
-    end = time.monotonic() + ms / 1000
-    while time.monotonic() < end:
-        QtWidgets.QApplication.processEvents()
-        time.sleep(0.005)
+    """Let the window work for so many milliseconds; between its events the processor is others'."""
+    end = QtCore.QTimer()
+    end.setSingleShot(True)
+    end.start(ms)
+    while end.isActive():
+        QtWidgets.QApplication.processEvents(QtCore.QEventLoop.AllEvents | QtCore.QEventLoop.WaitForMoreEvents)
 
 
 def _until(condition, ms, what):
     """Let the window work until the condition gives something, and return it; TimeoutError (naming `what`) after so many ms."""
     end = time.monotonic() + ms / 1000
-    while time.monotonic() < end:
+    while True:
         found = condition()
         if found:
             return found
+        if time.monotonic() >= end:
+            raise TimeoutError(f"{what}: not within {ms} ms")
         _pump(30)
-    raise TimeoutError(f"{what}: not within {ms} ms")
+
+
+def _within(ms, condition):
+    """Whether the condition holds within so many ms, while the window works."""
+    try:
+        return _until(condition, ms, "")
+    except TimeoutError:
+        return False
 
 
 def _out():
@@ -56,21 +69,22 @@ def _out():
 
 
 def _shoot(name):
-    """The whole screen as a PNG; its path. (grab() would leave the 3D view blank.)"""
+    """The whole screen as a PNG, packed quickly; its path. (The X server's picture: a widget's grab() would leave the 3D view blank.)"""
     _pump(300)
     path = os.path.join(_out(), f"{name}.png")
-    subprocess.run(["import", "-window", "root", path], check=True, timeout=60)
+    assert QtGui.QGuiApplication.primaryScreen().grabWindow(0).save(path, "PNG", QUICKLY), path
     return path
 
 
-def _mouse(widget, kind, point, button, buttons):
+def _mouse(widget, kind, point, button, buttons, ms=5):
     place = QtCore.QPointF(point)
     window = QtCore.QPointF(widget.mapTo(widget.window(), point))
     event = QtGui.QMouseEvent(
         kind, place, window, QtCore.QPointF(widget.mapToGlobal(point)), button, buttons, QtCore.Qt.NoModifier
     )
     QtWidgets.QApplication.postEvent(widget, event)
-    _pump(5)
+    if ms:
+        _pump(ms)
 
 
 def _scroll_to(widget):
@@ -83,30 +97,35 @@ def _scroll_to(widget):
 
 
 def _hit(widget, point):
-    """The widget under the mouse there, scrolled into sight. Fails unless a hand could click it within SETTLED ms: what was just
-    unfolded is laid out first."""
+    """The widget under the mouse, scrolled into sight, and where in it (without a point: in the middle of the given one). Fails
+    unless a hand could click it within SETTLED ms: what was just unfolded is laid out first."""
     name = f"{type(widget).__name__} {widget.objectName()!r}"
     end = time.monotonic() + SETTLED / 1000
     while True:
         _scroll_to(widget)
-        assert widget.isVisible(), f"{name} is not visible"
-        assert widget.isEnabled(), f"{name} is disabled"
-        hit = QtWidgets.QApplication.widgetAt(widget.mapToGlobal(point))
-        if hit is not None and (hit is widget or widget.isAncestorOf(hit)):
-            return hit
-        assert time.monotonic() < end, f"{name} is covered by {hit}"
+        place = point or widget.rect().center()
+        hit = QtWidgets.QApplication.widgetAt(widget.mapToGlobal(place))
+        if not widget.isVisible():
+            refused = "is not visible"
+        elif not widget.isEnabled():
+            refused = "is disabled"
+        elif hit is widget:
+            return hit, place
+        elif hit is not None and widget.isAncestorOf(hit):
+            return hit, hit.mapFrom(widget, place)
+        else:
+            refused = f"is covered by {hit}"
+        assert time.monotonic() < end, f"{name} {refused}"
         _pump(50)
 
 
 def _click(widget, point=None, double=False):
     """Press and release the left button on the widget (its middle, or a QPoint in it), by mouse events."""
-    point = point or widget.rect().center()
-    target = _hit(widget, point)
-    point = target.mapFrom(widget, point) if target is not widget else point
+    target, point = _hit(widget, point)
     kinds = QtCore.QEvent
     if target.focusPolicy() in (QtCore.Qt.ClickFocus, QtCore.Qt.StrongFocus, QtCore.Qt.WheelFocus):
         target.setFocus(QtCore.Qt.MouseFocusReason)  # Qt does that for events of the server only
-    _mouse(target, kinds.MouseMove, point, NONE, NONE)
+    _mouse(target, kinds.MouseMove, point, NONE, NONE, ms=0)  # handled with the press: painted once, not twice
     _mouse(target, kinds.MouseButtonPress, point, LEFT, LEFT)
     _mouse(target, kinds.MouseButtonRelease, point, LEFT, NONE)
     if double:
@@ -115,11 +134,12 @@ def _click(widget, point=None, double=False):
     _pump(60)
 
 
-def _key(widget, key, text=""):
+def _key(widget, key, text="", ms=10):
     """Press and release a key. Both are posted first: the press may take the widget away."""
     for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
         QtWidgets.QApplication.postEvent(widget, QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, text))
-    _pump(10)
+    if ms:
+        _pump(ms)
 
 
 class _XKeyEvent(ctypes.Structure):
@@ -150,23 +170,31 @@ def _type(widget, text):
     _click(widget)
     line = widget if isinstance(widget, QtWidgets.QLineEdit) else widget.findChild(QtWidgets.QLineEdit)
     line.setFocus()
+    _within(TAKEN, line.hasFocus)  # a window gets the keys late where a list or a dialog over it has just closed
     line.selectAll()
-    for letter in text:
-        _key(line, 0, letter)
+    for letter in text:  # one after the other, and the window painted once: that costs more than all letters
+        _key(line, 0, letter, ms=0)
+    _pump(10)
     _key(line, QtCore.Qt.Key_Tab)
 
 
 def _choose(combo, text):
     """Open a combo box by the mouse, go to the item so named by the arrow keys, and take it."""
+    _within(SETTLED, lambda: combo.findText(text) >= 0)
     at = combo.findText(text)
     assert at >= 0, f"no {text!r} among {[combo.itemText(i) for i in range(combo.count())]}"
-    _click(combo)
-    _until(combo.view().isVisible, 2000, f"{combo.objectName()!r} opened")
-    step = at - combo.currentIndex()
-    for _ in range(abs(step)):
-        _key(combo.view(), QtCore.Qt.Key_Down if step > 0 else QtCore.Qt.Key_Up)
-    _key(combo.view(), QtCore.Qt.Key_Return)
-    _until(lambda: combo.currentIndex() == at, 3000, f"{text!r} chosen in {combo.objectName()!r}")
+    for _ in range(5):  # on a busy machine the list closes now and then as soon as it has opened
+        if not combo.view().isVisible():
+            _click(combo)
+        if not _within(TAKEN, combo.view().isVisible):
+            continue
+        step = at - combo.view().currentIndex().row()
+        for _ in range(abs(step)):
+            _key(combo.view(), QtCore.Qt.Key_Down if step > 0 else QtCore.Qt.Key_Up)
+        _key(combo.view(), QtCore.Qt.Key_Return)
+        if _within(TAKEN, lambda: combo.currentIndex() == at):
+            return
+    raise AssertionError(f"{text!r} cannot be chosen in {combo.objectName()!r}")
 
 
 def _main():
@@ -174,14 +202,20 @@ def _main():
 
 
 def _tool_button(command):
-    """Undo and Redo have menus at their buttons, which FreeCAD leaves without a name: those are known by their text."""
+    """The button of a command in a tool bar that is shown, or None. Undo and Redo have menus at their buttons, which FreeCAD
+    leaves without a name: those are known by their text."""
     text = FreeCADGui.Command.get(command).getInfo()["menuText"]
     bars = [bar for bar in _main().findChildren(QtWidgets.QToolBar) if bar.isVisible()]
     actions = [(bar, action) for bar in bars for action in bar.actions()]
     found = [pair for pair in actions if pair[1].objectName() == command]
     found = found or [pair for pair in actions if not pair[1].objectName() and pair[1].text() == text]
-    assert found, f"no tool bar shows a button for {command}"
-    return found[0][0].widgetForAction(found[0][1])
+    return found[0][0].widgetForAction(found[0][1]) if found else None
+
+
+def _ready_button(command):
+    """The button of a command, once it can be pressed: FreeCAD renews by a timer which of them are enabled."""
+    button = _tool_button(command)
+    return button if button and button.isEnabled() and FreeCADGui.Command.get(command).isActive() else None
 
 
 def _tree():
@@ -205,24 +239,38 @@ def _tree():
 def _viewport():
     """The widget that draws the 3D view of the active document. (There is no *active* one while the window lacks the focus.)"""
     area = _main().findChild(QtWidgets.QMdiArea)
-    return area.currentSubWindow().findChild(QtWidgets.QGraphicsView).viewport()
+    return _until(area.currentSubWindow, SETTLED, "a 3D view").findChild(QtWidgets.QGraphicsView).viewport()
 
 
 @pytest.fixture(scope="session")
 def window():
-    """FreeCAD's main window, as large as the screen, with tree and task panel shown and the workbench active.
+    """FreeCAD's main window with tree and task panel shown and the workbench active. It is as small as most tests need: each change of
+    any widget paints all of it, on the processor.
 
-    The view jumps where it is sent: an animation (FreeCAD 1.1) would still be under way when the test looks.
+    The view jumps where it is sent: an animation (FreeCAD 1.1) would still be under way when the test looks. It has no cube to
+    turn it by: FreeCAD paints that anew for every view, in most of the time that a new document takes.
     """
     main = _main()
-    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View").SetBool("UseNavigationAnimations", False)
-    main.setGeometry(0, 0, 1920, 1080)
+    view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    view.SetBool("UseNavigationAnimations", False)
+    view.SetBool("ShowNaviCube", False)
+    main.setGeometry(*SMALL)
     for dock in main.findChildren(QtWidgets.QDockWidget):
         if dock.objectName() in ("Combo View", "Model", "Tasks"):
             dock.show()
     FreeCADGui.activateWorkbench(WORKBENCH)
     _pump(500)
     return main
+
+
+@pytest.fixture
+def whole_screen(window):
+    """The window as large as the screen, for tests of what needs that room."""
+    window.setGeometry(*WHOLE)
+    _pump(200)
+    yield window
+    window.setGeometry(*SMALL)
+    _pump(200)
 
 
 @pytest.fixture
@@ -321,17 +369,16 @@ def unfold():
 
 @pytest.fixture
 def field():
-    """field(name): the visible widget of that name in the task panel that is open; a folded group around it is clicked open."""
+    """field(name, ms=10000): the visible widget of that name in the task panel that is open, or that opens within so many ms; a
+    folded group around it is clicked open."""
 
-    def find(name):
+    def shown(name):
         forms = [form for panel in PANELS for form in _main().findChildren(QtWidgets.QWidget, panel)]
         for form in forms:
             _unfold(form, name)
-        named = [one for form in forms for one in form.findChildren(QtWidgets.QWidget, name) if one.isVisibleTo(form)]
-        assert named, f"no widget {name!r} is shown in the task panel"
-        return named[-1]
+        return [one for form in forms for one in form.findChildren(QtWidgets.QWidget, name) if one.isVisibleTo(form)]
 
-    return find
+    return lambda name, ms=10000: _until(lambda: shown(name), ms, f"widget {name!r} shown in the task panel")[-1]
 
 
 @pytest.fixture
@@ -352,19 +399,18 @@ def tool_button():
 
     def find(command, wait=REFRESH):
         _pump(wait)
-        return _tool_button(command)
+        return _until(lambda: _tool_button(command), READY, f"a button for {command} in a tool bar")
 
     return find
 
 
 @pytest.fixture
 def press():
-    """press(command id, wait=300): a click on its tool bar button (which must be enabled), then so many ms for the window."""
+    """press(command id, wait=300): a click on its tool bar button once that is enabled, then so many ms for the window."""
 
     def press_button(command, wait=300):
         _pump(50)
-        _until(lambda: _tool_button(command).isEnabled(), 3 * REFRESH, f"{command} enabled")
-        _click(_tool_button(command))
+        _click(_until(lambda: _ready_button(command), READY, f"{command} enabled"))
         _pump(wait)
 
     return press_button
@@ -390,12 +436,19 @@ def panel_button():
     buttons = {"OK": box_type.Ok, "Cancel": box_type.Cancel, "Apply": box_type.Apply, "Close": box_type.Close}
 
     def press_button(name, wait=300):
-        boxes = [box for box in _main().findChildren(box_type) if box.isVisible() and box.button(buttons[name])]
-        assert boxes, f"no task panel with a button {name}"
-        _click(boxes[-1].button(buttons[name]))
+        def found():
+            return [box for box in _main().findChildren(box_type) if box.isVisible() and box.button(buttons[name])]
+
+        _click(_until(found, READY, f"a task panel with a button {name}")[-1].button(buttons[name]))
         _pump(wait)
 
     return press_button
+
+
+@pytest.fixture
+def panel_closed():
+    """panel_closed(): wait until no task panel is open."""
+    return lambda: _until(lambda: not FreeCADGui.Control.activeDialog(), READY, "the task panel closed")
 
 
 @pytest.fixture
@@ -414,14 +467,17 @@ def tree_row():
 
     def click_row(label, double=False):
         tree = _tree()
-        index = _until(
-            lambda: next((index for index in rows(tree.model(), QtCore.QModelIndex()) if index.data() == label), None),
-            3000,
-            f"row {label!r} in the tree",
-        )
-        tree.scrollTo(index)
-        _pump(100)
-        _click(tree.viewport(), tree.visualRect(index).center(), double)
+
+        def row():
+            return next((index for index in rows(tree.model(), QtCore.QModelIndex()) if index.data() == label), None)
+
+        for _ in range(5):  # a tree that is just being laid out again takes its selection back: whoever sees that clicks again
+            tree.scrollTo(_until(row, SETTLED, f"row {label!r} in the tree"))
+            _pump(100)
+            _click(tree.viewport(), tree.visualRect(_until(row, SETTLED, f"row {label!r} in the tree")).center(), double)
+            if double or _within(TAKEN, lambda: label in [one.Label for one in FreeCADGui.Selection.getSelection()]):
+                return
+        raise AssertionError(f"a click on row {label!r} of the tree does not select it")
 
     return click_row
 
@@ -519,24 +575,30 @@ def pixels():
     """
 
     def count(path, rgb, tolerance=12, box=None):
-        seen = picture(path)
+        seen = _bytes_of(path)
         if box:
             left, top, width, height = box
             seen = seen[top : top + height, left : left + width]
-        return int((np.abs(seen - np.asarray(rgb)).max(axis=2) <= tolerance).sum())
+        near = np.ones(seen.shape[:2], bool)
+        for at, part in enumerate(rgb):
+            values = np.abs(np.arange(256) - part) <= tolerance
+            near &= values[seen[..., at]]
+        return int(near.sum())
 
     return count
 
 
-def picture(path):
+def _bytes_of(path):
+    """(height, width, 3) uint8: red, green, blue of each pixel."""
     image = QtGui.QImage(path)
     assert not image.isNull(), path
-    raw, buffer = QtCore.QByteArray(), QtCore.QBuffer()
-    buffer.setBuffer(raw)
-    buffer.open(QtCore.QIODevice.WriteOnly)
-    image.save(buffer, "PPM")
-    size = image.width() * image.height() * 3
-    return np.frombuffer(bytes(buffer.data())[-size:], np.uint8).reshape(image.height(), image.width(), 3).astype(int)
+    image = image.convertToFormat(QtGui.QImage.Format_RGB32)
+    pixel = np.frombuffer(bytes(image.constBits()), np.uint8).reshape(image.height(), image.width(), 4)
+    return pixel[..., 2::-1]  # blue, green, red, nothing, as processors are that FreeCAD runs on
+
+
+def picture(path):
+    return _bytes_of(path).astype(int)
 
 
 @pytest.fixture
@@ -565,10 +627,17 @@ def view_point():
 
 
 @pytest.fixture
-def view_click(view_point):
-    """view_click((x, y, z)): move the mouse in the 3D view to where that point is drawn (mm, document), and click there."""
+def view_click(whole_screen, view_point):
+    """view_click((x, y, z)): move the mouse in the 3D view to where that point is drawn (mm, document), and click there, once the
+    view stands still. On the whole screen: in a small window FreeCAD 1.1 lays its panels over the view."""
+
+    def still(place):
+        before = view_point(place)
+        _pump(200)
+        return view_point(place) == before
 
     def click_at(place):
+        _until(lambda: still(place), SETTLED, "a view that stands still")
         point, viewport = view_point(place), _viewport()
         assert viewport.rect().contains(point), f"{place} is drawn outside the view, at {point}"
         _mouse(viewport, QtCore.QEvent.MouseMove, point + QtCore.QPoint(3, 3), NONE, NONE)

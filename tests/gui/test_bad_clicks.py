@@ -43,23 +43,24 @@ def state(doc):
     return sorted(f"{obj.Name}.{name} = {text(getattr(obj, name))}" for obj in doc.Objects for name in obj.PropertiesList)
 
 
-def test_without_a_part_the_buttons_cannot_be_pressed(doc, tool_button):
+def test_without_a_part_the_buttons_cannot_be_pressed(doc, tool_button, until):
     for command in ("Tessellate", "Toolpath", "PostProcess", "Annotate", "Play"):
-        assert not tool_button("FiveAxis_" + command).isEnabled(), command
-    assert tool_button("FiveAxis_Audit").isEnabled()
+        until(lambda: not tool_button("FiveAxis_" + command).isEnabled(), 20000, f"{command} disabled")  # noqa: B023
+    until(lambda: tool_button("FiveAxis_Audit").isEnabled(), 20000, "Audit enabled")
 
 
 @pytest.mark.parametrize("command", ["FiveAxis_Tessellate", "FiveAxis_Toolpath"])
-def test_nothing_selected_says_what_to_select(command, box, doc, press, modal):
+def test_nothing_selected_says_what_to_select(command, box, doc, press, modal, until):
     FreeCADGui.Selection.clearSelection()
     answer = modal("OK")
     press(command)
+    until(lambda: answer.said, 20000, "what to select")
     assert answer.said == ["Nothing is selected: select a solid, faces of a solid, a body, a compound of solids, or a mesh."]
     assert [obj.Name for obj in doc.Objects] == ["Box"]
     assert not FreeCADGui.Control.activeDialog()
 
 
-def test_a_sketch_says_what_to_select(doc, select, press, modal, screenshot):
+def test_a_sketch_says_what_to_select(doc, select, press, modal, screenshot, until):
     import Part
 
     sketch = doc.addObject("Sketcher::SketchObject", "Sketch")
@@ -73,6 +74,7 @@ def test_a_sketch_says_what_to_select(doc, select, press, modal, screenshot):
 
     answer = modal(look)
     press("FiveAxis_Toolpath")
+    until(lambda: answer.said, 20000, "what to select")
     assert len(answer.said) == 1
     assert "a sketch" in answer.said[0]
     assert "select a solid" in answer.said[0]
@@ -80,23 +82,23 @@ def test_a_sketch_says_what_to_select(doc, select, press, modal, screenshot):
 
 
 def test_an_invalid_value_says_why_in_place_and_ok_keeps_the_panel(
-    box, doc, select, press, field, type_into, panel_button, screenshot
+    box, doc, select, press, field, type_into, panel_button, screenshot, until, panel_closed
 ):
     select(box)
     press("FiveAxis_Toolpath")
     before = state(doc)
     type_into(field("tolerance"), "-1 mm")
+    until(lambda: field("tolerance_error").text(), 20000, "what is wrong")
     screenshot("invalid-value")
-    assert field("tolerance_error").text()
     panel_button("OK")
     assert FreeCADGui.Control.activeDialog()
     assert state(doc) == before
     panel_button("Cancel")
-    assert not FreeCADGui.Control.activeDialog()
+    panel_closed()
 
 
 def test_escape_closes_the_panel_and_takes_a_calculation_back(
-    box, doc, select, press, field, click, real_key, until, pump, window
+    box, doc, select, press, field, click, real_key, until, panel_closed, window
 ):
     before, steps = state(doc), doc.UndoCount
     select(box)
@@ -105,14 +107,14 @@ def test_escape_closes_the_panel_and_takes_a_calculation_back(
     until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
     assert len(doc.Objects) == 3
     real_key(window, "Escape")
-    pump(500)
-    assert not FreeCADGui.Control.activeDialog()
-    assert state(doc) == before
+    panel_closed()
+    until(lambda: state(doc) == before, 20000, "the document as it was")
     assert doc.UndoCount == steps
 
 
 def test_escape_halfway_through_the_work_leaves_the_document_as_it_was(doc, select, press, field, choose, type_into, click,
-                                                                      real_key, pump, panel_button, screenshot):  # fmt: skip
+                                                                      real_key, pump, panel_button, screenshot,
+                                                                       until, panel_closed):  # fmt: skip
     ball = doc.addObject("Part::Sphere", "Ball")
     ball.Radius, ball.Angle1 = 60, 0
     doc.recompute()
@@ -133,29 +135,32 @@ def test_escape_halfway_through_the_work_leaves_the_document_as_it_was(doc, sele
     timer.timeout.connect(escape)
     timer.start(50)
     click(field("calculate"))
+    until(lambda: seen, 60000, "progress shown")
     pump(1000)
     timer.stop()
     screenshot("escaped")
-    assert seen, "no progress was shown"
     assert "<table>" not in field("summary").text(), "the work was not stopped"
     assert state(doc) == before
     panel_button("Cancel")
+    panel_closed()
     assert state(doc) == before
 
 
-def test_a_deleted_base_is_said_and_breaks_nothing(planned, box, doc, press, select, screenshot, pump, tree_row):
+def test_a_deleted_base_is_said_and_breaks_nothing(planned, box, doc, press, select, screenshot, pump, tree_row, until):
     doc.removeObject(box.Name)
     doc.recompute()
+    until(lambda: "Invalid" in planned.Mesh.State, 20000, "an invalid mesh")
     pump(500)
     tree_row(planned.Label)
     screenshot("deleted-base")
-    assert "Invalid" in planned.Mesh.State
     planned.Stepover = 3
     doc.recompute()
     assert planned.Mesh.getStatusString() not in ("Valid", "")
 
 
-def test_a_file_that_is_there_is_replaced_only_when_asked(planned, doc, press, field, type_into, panel_button, modal, tmp_path):
+def test_a_file_that_is_there_is_replaced_only_when_asked(
+    planned, doc, press, field, type_into, panel_button, modal, tmp_path, until
+):
     there = tmp_path / "precious.ngc"
     there.write_text("(mine)\n")
     FreeCADGui.Selection.clearSelection()
@@ -163,26 +168,30 @@ def test_a_file_that_is_there_is_replaced_only_when_asked(planned, doc, press, f
     type_into(field("nc_path"), str(there))
     no = modal("Cancel")
     panel_button("OK", 500)
+    until(lambda: no.said, 20000, "a question")
     assert len(no.said) == 1
     assert there.read_text() == "(mine)\n"
     yes = modal("Replace")
     panel_button("OK", 500)
+    until(lambda: yes.said, 20000, "a question")
     assert len(yes.said) == 1
-    assert there.read_text() != "(mine)\n"
+    until(lambda: there.read_text() != "(mine)\n", 20000, "the file replaced")
 
 
-def test_a_folder_that_cannot_be_written_is_said_in_the_panel(planned, doc, press, field, type_into, panel_button, tmp_path):
+def test_a_folder_that_cannot_be_written_is_said_in_the_panel(
+    planned, doc, press, field, type_into, panel_button, tmp_path, until
+):
     (tmp_path / "file").write_text("no folder")
     objects = len(doc.Objects)
     press("FiveAxis_PostProcess")
     type_into(field("nc_path"), str(tmp_path / "file" / "part.ngc"))
     panel_button("OK", 500)
-    assert field("post_error").text()
+    until(lambda: field("post_error").text(), 20000, "what is wrong")
     assert len(doc.Objects) == objects
     panel_button("Cancel")
 
 
-def test_a_machine_file_that_vanished_marks_the_path(planned, doc, tmp_path, pump, tree_row, screenshot):
+def test_a_machine_file_that_vanished_marks_the_path(planned, doc, tmp_path, pump, tree_row, screenshot, until):
     import shutil
 
     from freecad_fiveaxis.gui.qt import resource
@@ -191,25 +200,25 @@ def test_a_machine_file_that_vanished_marks_the_path(planned, doc, tmp_path, pum
     shutil.copy(resource("machines", "trunnion_ac.fcm"), machine)
     planned.Machine = str(machine)
     doc.recompute()
-    assert "Up-to-date" in planned.State
+    until(lambda: "Up-to-date" in planned.State, 20000, "a path that is up to date")
     machine.unlink()
     planned.touch()
     doc.recompute()
+    until(lambda: "Invalid" in planned.State, 20000, "an invalid path")
     pump(500)
     tree_row(planned.Label)
     screenshot("machine-vanished")
-    assert "Invalid" in planned.State
     assert "mine.fcm" in planned.getStatusString()
 
 
-def test_an_nc_file_that_is_none_is_said_in_the_panel(doc, press, field, type_into, panel_button, tmp_path, screenshot):
+def test_an_nc_file_that_is_none_is_said_in_the_panel(doc, press, field, type_into, panel_button, tmp_path, screenshot, until):
     poem = tmp_path / "poem.ngc"
     poem.write_text("roses are red\n")
     press("FiveAxis_Audit")
     type_into(field("nc_file"), str(poem))
     panel_button("OK", 500)
+    until(lambda: field("form_error").text(), 20000, "what is wrong")
     screenshot("audit-refused")
     assert FreeCADGui.Control.activeDialog()
-    assert field("form_error").text()
     assert not doc.Objects
     panel_button("Cancel")

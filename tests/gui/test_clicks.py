@@ -5,10 +5,6 @@ shown: pixels of the 3D view that have the colours of a drawn path, counted in a
 """
 
 import json
-import os
-import subprocess
-import sys
-from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
@@ -17,10 +13,9 @@ from conftest import QtWidgets, close_all, picture
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results
-from freecad_fiveaxis.core import report
+from freecad_fiveaxis.core import cli, report
 
-ROOT = Path(__file__).parents[2]
-PYTHON = os.path.join(sys.exec_prefix, "bin", "python3")
+pytestmark = pytest.mark.usefixtures("kept")
 HIDDEN = "the part hides the path"
 
 
@@ -62,7 +57,7 @@ def shown(pixels, screenshot, view_box):
 
 
 @pytest.fixture
-def plan(press, panel_button, field, choose, type_into, until, click):
+def plan(press, panel_button, panel_closed, field, choose, type_into, until, click):
     """plan(doc, stepover): press Toolpath, fill the panel, calculate, accept; the new Toolpath object."""
 
     def make(doc, stepover="1.5 mm", tolerance="0.05 mm"):
@@ -74,7 +69,7 @@ def plan(press, panel_button, field, choose, type_into, until, click):
         click(field("calculate"))
         until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
         panel_button("OK", 500)
-        assert not FreeCADGui.Control.activeDialog()
+        panel_closed()
         (path,) = [obj for obj in doc.Objects if obj.Name not in before and obj.isDerivedFrom("App::FeaturePython")
                    and hasattr(obj, "Stepover")]  # fmt: skip
         return path
@@ -83,13 +78,11 @@ def plan(press, panel_button, field, choose, type_into, until, click):
 
 
 def command_line(path, folder):
-    """The NC file that the command line makes, in a process of its own, from the mesh and the settings of a path."""
+    """The NC file that the command line makes from the mesh and the settings of a path."""
     app.tessellate(path.Mesh, folder / "part.stl")
     job = {**results.figures_of(path).inputs, "source": "part.stl", "output": "line.ngc"}
     (folder / "job.json").write_text(json.dumps(job))
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    done = subprocess.run([PYTHON, "-m", "freecad_fiveaxis", "run", str(folder / "job.json"), "--quiet"], env=environment)
-    assert done.returncode < 2
+    assert cli.main(["run", str(folder / "job.json"), "--quiet"]) < 2
     return (folder / "line.ngc").read_bytes()
 
 
@@ -97,16 +90,29 @@ def names(doc):
     return [obj.Name for obj in doc.Objects]
 
 
+@pytest.fixture
+def annotate(press, until, doc):
+    """annotate(): press Markers; the object that is made in the document."""
+
+    def make():
+        press("FiveAxis_Annotate", 500)
+        (markers,) = until(lambda: [obj for obj in doc.Objects if hasattr(obj, "Places")], 20000, "markers")
+        return markers
+
+    return make
+
+
+@pytest.mark.short
 def test_a_solid_made_by_clicks_gets_passes_markers_nc_and_play(window, dome, doc, press, tree_row, plan, shown, tmp_path,
-                                                                panel_button, field, type_into):  # fmt: skip
+                                                                annotate, panel_button, panel_closed, field, type_into, until):  # fmt: skip
     tree_row("Dome")
     press("FiveAxis_Tessellate", 500)
-    (mesh,) = [obj for obj in doc.Objects if obj.isDerivedFrom("Mesh::Feature")]
-    assert mesh.Mesh.CountFacets > 500
+    (mesh,) = until(lambda: [obj for obj in doc.Objects if obj.isDerivedFrom("Mesh::Feature")], 20000, "a mesh")
+    until(lambda: mesh.Mesh.CountFacets > 500, 20000, "its facets")
     press("Std_Undo")
-    assert names(doc) == ["Dome"]
+    until(lambda: names(doc) == ["Dome"], 20000, "undone")
     press("Std_Redo")
-    assert len(names(doc)) == 2
+    until(lambda: len(names(doc)) == 2, 20000, "done again")
 
     tree_row("Dome")
     path = plan(doc)
@@ -115,35 +121,34 @@ def test_a_solid_made_by_clicks_gets_passes_markers_nc_and_play(window, dome, do
     assert path.SingularBlocks > 0
     dome.ViewObject.hide()
     FreeCADGui.Selection.clearSelection()
-    good, bad = shown("toolpath", path, "ColourGood", "ColourBad")
-    assert good > 300, HIDDEN
-    assert bad > 20, HIDDEN
+    until(lambda: shown("toolpath", path, "ColourGood")[0] > 300, 30000, HIDDEN)
+    until(lambda: shown("toolpath", path, "ColourBad")[0] > 20, 30000, "the legend's colours")
 
     tree_row(path.Label)
-    press("FiveAxis_Annotate", 500)
-    (markers,) = [obj for obj in doc.Objects if hasattr(obj, "Places")]
+    markers = annotate()
     expected = report.markers(results.figures_of(path))
     assert [tuple(place) for place in markers.Places] == [pytest.approx(mark.place) for mark in expected]
     assert list(markers.Labels) == [mark.label for mark in expected]
     FreeCADGui.Selection.clearSelection()
-    singular, bad = shown("markers", markers, "ColourSingular", "ColourBad")
-    assert singular > 40, "no marker of a singular block is seen"
+    until(lambda: shown("markers", markers, "ColourSingular")[0] > 40, 30000, "a marker of a singular block")
 
     tree_row(path.Label)
     press("FiveAxis_PostProcess")
     nc = tmp_path / "dome.ngc"
     type_into(field("nc_path"), str(nc))
     panel_button("OK", 500)
+    panel_closed()
     assert nc.read_bytes() == results.nc_of(path) == command_line(path, tmp_path)
     shown("posted", path, "ColourGood")
 
 
-def test_a_marker_picked_in_the_view_shows_its_finding(dome, doc, plan, tree_row, press, view_click, window, screenshot, pump):
+def test_a_marker_picked_in_the_view_shows_its_finding(
+    dome, doc, plan, tree_row, annotate, view_click, window, screenshot, pump, until
+):
     tree_row("Dome")
     path = plan(doc)
     tree_row(path.Label)
-    press("FiveAxis_Annotate", 500)
-    (markers,) = [obj for obj in doc.Objects if hasattr(obj, "Places")]
+    markers = annotate()
     dome.ViewObject.hide()
     path.ViewObject.hide()
     path.Mesh.ViewObject.hide()
@@ -153,17 +158,16 @@ def test_a_marker_picked_in_the_view_shows_its_finding(dome, doc, plan, tree_row
     pump(300)
     largest = report.markers(results.figures_of(path))[0]
     view_click(markers.Places[0])
-    pump(500)
-    screenshot("picked")
-    table = window.findChild(QtWidgets.QTableWidget, "FiveAxisFindingsTable")
+    table = until(lambda: window.findChild(QtWidgets.QTableWidget, "FiveAxisFindingsTable"), 20000, "a list of findings")
     text = window.findChild(QtWidgets.QTextBrowser, "FiveAxisFindingsText")
-    assert table is not None and table.isVisible(), "no list of findings came up"
-    assert table.selectionModel().selectedRows(), "no row is chosen"
+    until(table.isVisible, 20000, "a list of findings that is shown")
+    until(lambda: table.selectionModel().selectedRows(), 20000, "a row that is chosen")
     line = largest.finding.line if largest.finding else path.WorstLine
-    assert f"NC line {line}" in text.toPlainText()
+    until(lambda: f"NC line {line}" in text.toPlainText(), 20000, "what is found there")
+    screenshot("picked")
 
 
-def test_a_row_of_the_findings_moves_the_view(dome, doc, plan, tree_row, press, window, click, pump, screenshot):
+def test_a_row_of_the_findings_moves_the_view(dome, doc, plan, tree_row, press, window, click, pump, screenshot, until):
     from freecad_fiveaxis.gui import findings_panel
 
     tree_row("Dome")
@@ -175,30 +179,33 @@ def test_a_row_of_the_findings_moves_the_view(dome, doc, plan, tree_row, press, 
     table = window.findChild(QtWidgets.QTableWidget, "FiveAxisFindingsTable")
     row, place = next((at, row.finding.place) for at, row in enumerate(panel.rows) if row.finding.place is not None)
     click(table.viewport(), table.visualItemRect(table.item(row, 0)).center())
-    pump(700)
+    until(lambda: view.getCamera() != before, 20000, "the view moved")
+
+    def in_the_middle():
+        return all(abs(at - size / 2) < size / 4 for at, size in zip(view.getPointOnScreen(*place), view.getSize(), strict=True))
+
+    until(in_the_middle, 20000, "the finding in the middle of the view")
     screenshot("findings-row")
-    assert view.getCamera() != before
-    at = view.getPointOnScreen(*place)
-    width, height = view.getSize()
-    assert abs(at[0] - width / 2) < width / 4
-    assert abs(at[1] - height / 2) < height / 4
 
 
-def test_undo_redo_and_a_document_reopened(dome, doc, plan, tree_row, press, shown, pump, tmp_path):
+@pytest.mark.short
+def test_undo_redo_and_a_document_reopened(dome, doc, plan, tree_row, press, shown, pump, tmp_path, anew, until):
     tree_row("Dome")
     path = plan(doc)
     label, blocks, nc = path.Label, path.Blocks, results.nc_of(path)
     after = names(doc)
     press("Std_Undo")
-    assert names(doc) == ["Dome"], "one step of undo for one press of OK"
+    until(lambda: names(doc) == ["Dome"], 20000, "one step of undo for one press of OK")
     press("Std_Redo")
-    assert names(doc) == after
+    until(lambda: names(doc) == after, 20000, "all of it done again")
     if doc.isTouched():  # FreeCAD 1.0 and later leave what redo brings back to be recomputed, plain boxes too
         press("Std_Refresh", 500)
+        until(lambda: not doc.isTouched(), 20000, "recomputed")
     file = str(tmp_path / "dome.FCStd")
     doc.saveAs(file)
     FreeCAD.closeDocument(doc.Name)
     pump(300)
+    anew()
     again = FreeCAD.openDocument(file)
     try:
         pump(500)
@@ -210,14 +217,12 @@ def test_undo_redo_and_a_document_reopened(dome, doc, plan, tree_row, press, sho
         tree_row(label)
         press("FiveAxis_Annotate", 500)
         FreeCADGui.Selection.clearSelection()
-        (good,) = shown("reopened", path, "ColourGood")
-        assert good > 300
+        until(lambda: shown("reopened", path, "ColourGood")[0] > 300, 30000, HIDDEN)
         assert results.nc_of(path) == nc
         again.getObject("Dome").Radius = 15
         assert "Touched" in again.getObject("Dome").State
-        press("Std_Refresh", 2000)
-        assert path.Blocks < blocks
-        assert "Up-to-date" in path.State
+        press("Std_Refresh", 500)
+        until(lambda: 0 < path.Blocks < blocks and "Up-to-date" in path.State, 60000, "a path over the smaller ball")
     finally:
         close_all(again.Name)
 
@@ -257,7 +262,7 @@ def _mesh(doc):
 
 
 @pytest.mark.parametrize("make", [_faces, _body, _compound, _mesh], ids=lambda make: make.__name__[1:])
-def test_what_can_be_selected_gets_a_path_that_is_seen(make, doc, select, plan, shown):
+def test_what_can_be_selected_gets_a_path_that_is_seen(make, doc, select, plan, shown, until):
     base, faces = make(doc)
     look(doc)
     select(base, *faces)
@@ -267,12 +272,11 @@ def test_what_can_be_selected_gets_a_path_that_is_seen(make, doc, select, plan, 
         if obj is not path and obj.Name != path.Name:
             obj.ViewObject.hide()
     FreeCADGui.Selection.clearSelection()
-    good, bad = shown(f"from-{make.__name__[1:]}", path, "ColourGood", "ColourBad")
-    assert good + bad > 150
+    until(lambda: sum(shown(f"from-{make.__name__[1:]}", path, "ColourGood", "ColourBad")) > 150, 30000, HIDDEN)
 
 
 def test_inches_in_the_panel_and_in_the_summary(dome, doc, tree_row, press, field, choose, type_into, click, until, panel_button,
-                                                parameters, screenshot):  # fmt: skip
+                                                panel_closed, parameters, screenshot):  # fmt: skip
     units = parameters("User parameter:BaseApp/Preferences/Units")
     units.SetInt("UserSchema", 3)
     FreeCAD.Units.setSchema(3)
@@ -286,34 +290,37 @@ def test_inches_in_the_panel_and_in_the_summary(dome, doc, tree_row, press, fiel
         screenshot("inches")
         assert "in" in field("summary").text() or '"' in field("summary").text()
         panel_button("OK", 500)
+        panel_closed()
         (path,) = [obj for obj in doc.Objects if hasattr(obj, "Stepover")]
         assert path.Stepover.Value == pytest.approx(3.175)
     finally:
         FreeCAD.Units.setSchema(0)
 
 
-def test_play_moves_tool_and_table(dome, doc, plan, tree_row, press, screenshot, view_box, panel_button, field, click, pump):
+@pytest.mark.short
+def test_play_moves_tool_and_table(dome, doc, plan, tree_row, press, screenshot, view_box, panel_button, panel_closed, field,
+                                   click, until):  # fmt: skip
     tree_row("Dome")
     path = plan(doc)
     before = names(doc)
     tree_row(path.Label)
     press("FiveAxis_Play", 800)
     click(field("worst"))
-    assert str(path.WorstLine) in field("line").text()
+    until(lambda: str(path.WorstLine) in field("line").text(), 20000, "the worst block")
     worst = screenshot("play-worst")
     for _ in range(3):
         click(field("forward"))
+    until(lambda: differing(worst, screenshot("play-later"), view_box()) > 200, 30000, "the tool moved")
     later = screenshot("play-later")
-    assert differing(worst, later, view_box()) > 200, "the tool has not moved"
     click(field("machine"))
-    assert differing(later, screenshot("play-machine"), view_box()) > 2000, "the table has not turned"
+    until(lambda: differing(later, screenshot("play-machine"), view_box()) > 2000, 30000, "the table turned")
     slider = field("slider")
     start = slider.value()
     click(field("play"))
-    pump(1000)
+    until(lambda: slider.value() > start, 20000, "the slider moved")
     click(field("play"))
-    assert slider.value() > start
     panel_button("Close")
+    panel_closed()
     assert names(doc) == before
 
 

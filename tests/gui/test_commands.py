@@ -18,6 +18,8 @@ from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
 ROOT = Path(__file__).parents[2]
 COARSE = {"cutter": "ball:6", "stepover": 6.0, "linear_deflection": 0.5, "angular_deflection": 45.0}
 
+pytestmark = pytest.mark.usefixtures("kept")
+
 
 @pytest.fixture
 def box(doc):
@@ -88,26 +90,29 @@ def test_tool_bars_and_menu_follow_the_order_of_the_work(window):
 FILES_ONLY = {"Audit", "Recover", "ProveSigns", "ImportMachine"}
 
 
-def test_commands_are_enabled_when_they_can_apply(doc, tool_button):
-    assert enabled(tool_button) == FILES_ONLY
+def test_commands_are_enabled_when_they_can_apply(doc, tool_button, until):
+    until(lambda: enabled(tool_button) == FILES_ONLY, 20000, "those for files alone")
     part = doc.addObject("Part::Box", "Box")
     doc.recompute()
-    assert enabled(tool_button) == FILES_ONLY | {"JobSetup", "Tessellate", "Toolpath", "Setup"}
+    of_a_part = FILES_ONLY | {"JobSetup", "Tessellate", "Toolpath", "Setup"}
+    until(lambda: enabled(tool_button) == of_a_part, 20000, "those for a part")
     app.create_toolpath(doc, part, **COARSE)
-    assert enabled(tool_button) == {command.removeprefix("FiveAxis_") for command in commands.NAMES}
+    of_a_path = {command.removeprefix("FiveAxis_") for command in commands.NAMES}
+    until(lambda: enabled(tool_button) == of_a_path, 20000, "all of them")
 
 
-def test_no_command_is_enabled_while_a_panel_is_open(path, select, press, tool_button):
+def test_no_command_is_enabled_while_a_panel_is_open(path, select, press, tool_button, until):
     select(path.Document.Box)
     press("FiveAxis_Toolpath")
-    assert FreeCADGui.Control.activeDialog() and enabled(tool_button) == set()
+    until(FreeCADGui.Control.activeDialog, 20000, "a task panel")
+    until(lambda: enabled(tool_button) == set(), 20000, "all commands disabled")
 
 
-def test_tessellate_makes_a_mesh_in_one_step(box, select, press):
+def test_tessellate_makes_a_mesh_in_one_step(box, select, press, until):
     select(box, "Face6")
     press("FiveAxis_Tessellate")
     doc = box.Document
-    made = doc.Tessellation
+    made = until(lambda: doc.getObject("Tessellation"), 20000, "a mesh")
     assert made.Mesh.CountFacets == 12 and made.Base == (box, ["Face6"]) and doc.UndoCount == 1
     doc.undo()
     assert names(doc) == ["Box"]
@@ -135,7 +140,7 @@ def empty_mesh(doc):
 
 @pytest.mark.parametrize("command", ["FiveAxis_Tessellate", "FiveAxis_Toolpath"])
 @pytest.mark.parametrize("make", [nothing, sketch, shell, empty_mesh])
-def test_what_cannot_be_milled_says_what_to_select(box, make, command, select, press, modal):
+def test_what_cannot_be_milled_says_what_to_select(box, make, command, select, press, modal, until):
     doc = box.Document
     wrong = make(doc)
     doc.recompute()
@@ -145,7 +150,8 @@ def test_what_cannot_be_milled_says_what_to_select(box, make, command, select, p
         select(wrong)
     told = modal("OK")
     press(command, wait=500)
-    assert told.said and "select a" in told.said[0].lower()
+    until(lambda: told.said, 20000, "what to select")
+    assert "select a" in told.said[0].lower()
     assert names(doc) == before and not FreeCADGui.Control.activeDialog() and not doc.HasPendingTransaction
 
 
@@ -168,52 +174,57 @@ def a_mesh(doc, box):
 
 
 @pytest.mark.parametrize("make", [a_compound, a_body, a_mesh])
-def test_compound_body_and_mesh_can_be_milled(box, make, select, press, panel_button):
+def test_compound_body_and_mesh_can_be_milled(box, make, select, press, panel_button, until, panel_closed):
     doc = box.Document
     base = make(doc, box)
     doc.recompute()
     select(base)
     press("FiveAxis_Toolpath")
-    form = FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, "FiveAxisPanel")
+    form = until(lambda: FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, "FiveAxisPanel"), 20000, "the panel")
     kind = form.findChild(QtWidgets.QComboBox, "spacing_kind")
     kind.setCurrentIndex(kind.findData("stepover"))
     form.findChild(QtWidgets.QWidget, "stepover").show_measured(6.0)
     panel_button("OK", wait=500)
-    assert doc.Toolpath.Blocks > 0 and not FreeCADGui.Control.activeDialog()
+    panel_closed()
+    assert doc.Toolpath.Blocks > 0
     assert (doc.Toolpath.Mesh is base) == (make is a_mesh)
 
 
-def test_annotate_marks_the_only_path_in_one_step(path, press):
+def test_annotate_marks_the_only_path_in_one_step(path, press, until):
     doc = path.Document
     FreeCADGui.Selection.clearSelection()
     press("FiveAxis_Annotate")
+    until(lambda: doc.getObject("Markers"), 20000, "markers")
     assert doc.Markers.Path is path and doc.UndoCount == 1
     doc.undo()
     assert "Markers" not in names(doc)
 
 
-def test_several_paths_ask_for_one_and_children_stand_for_theirs(path, press, select, modal):
+def test_several_paths_ask_for_one_and_children_stand_for_theirs(path, press, select, modal, until):
     doc = path.Document
     other = app.create_toolpath(doc, doc.Box, **{**COARSE, "stepover": 5.0})
     FreeCADGui.Selection.clearSelection()
     told = modal("OK")
     press("FiveAxis_Annotate")
+    until(lambda: told.said, 20000, "a question")
     assert told.said == ["There are several paths: select the one to mark."]
     select(other.Mesh)
     press("FiveAxis_Annotate")
+    until(lambda: doc.getObject("Markers"), 20000, "markers")
     assert [obj.Path for obj in doc.Objects if selected.kind_of(obj) == "Markers"] == [other]
     select(doc.Markers)
     assert selected.selected_path(selected.TOOLPATH) is other
 
 
-def test_a_path_that_cannot_be_computed_says_why(path, press, modal):
+def test_a_path_that_cannot_be_computed_says_why(path, press, modal, until):
     path.Machine = "no_such_machine"
     told = modal("OK")
     press("FiveAxis_Annotate", wait=500)
-    assert told.said and "no_such_machine" in told.said[0] and "Markers" not in names(path.Document)
+    until(lambda: told.said, 20000, "what is wrong")
+    assert "no_such_machine" in told.said[0] and "Markers" not in names(path.Document)
 
 
-def test_stopped_work_leaves_the_document_as_it_was(box, select, press, monkeypatch):
+def test_stopped_work_leaves_the_document_as_it_was(box, select, press, monkeypatch, until):
     from freecad_fiveaxis.gui import waiting
 
     begin = waiting.Waiting.__call__
@@ -225,17 +236,18 @@ def test_stopped_work_leaves_the_document_as_it_was(box, select, press, monkeypa
     monkeypatch.setattr(waiting.Waiting, "__call__", stopped)
     select(box)
     press("FiveAxis_Tessellate")
+    until(lambda: "Stopped" in FreeCADGui.getMainWindow().statusBar().currentMessage(), 20000, "that it was stopped")
     assert names(box.Document) == ["Box"] and box.Document.UndoCount == 0
-    assert "Stopped" in FreeCADGui.getMainWindow().statusBar().currentMessage()
 
 
-def test_two_documents_keep_apart(box, select, press):
+def test_two_documents_keep_apart(box, select, press, until):
     other = FreeCAD.newDocument("Other")
     try:
         FreeCAD.setActiveDocument(box.Document.Name)
         select(box)
         press("FiveAxis_Tessellate")
-        assert "Tessellation" in names(box.Document) and names(other) == []
+        until(lambda: "Tessellation" in names(box.Document), 20000, "a mesh")
+        assert names(other) == []
     finally:
         FreeCAD.closeDocument("Other")
 

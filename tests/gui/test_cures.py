@@ -30,9 +30,10 @@ def panel(dome, tree_row, press, field, choose, type_into):
 
 
 def shown(field, name):
+    """Whether that widget is shown now."""
     try:
-        return field(name).isVisible()
-    except AssertionError:
+        return field(name, 0).isVisible()
+    except TimeoutError:
         return False
 
 
@@ -42,12 +43,15 @@ def calculate(field, click, until):
 
 
 def test_minimax_and_deform_by_clicks_give_the_bytes_of_the_command_line(panel, doc, field, choose, type_into, click, until,
-                                                                         panel_button, screenshot, tmp_path):  # fmt: skip
-    type_into(field("stepover"), "8 mm")  # made twice here, once by the command line
+                                                                         panel_button, panel_closed, screenshot,
+                                                                         tmp_path):  # fmt: skip
+    panel.Radius = 10  # made twice here, once by the command line
+    doc.recompute()
+    type_into(field("stepover"), "8 mm")
     type_into(field("tolerance"), "0.05 mm")
     assert not shown(field, "max_tilt") and not shown(field, "max_axis_change") and shown(field, "lead")
     choose(field("tool_axis"), "least deviation (minimax)")
-    assert shown(field, "max_tilt") and not shown(field, "lead") and not shown(field, "tilt")
+    until(lambda: shown(field, "max_tilt") and not shown(field, "lead") and not shown(field, "tilt"), 10000, "fields of minimax")
     type_into(field("max_tilt"), "3 deg")
     choose(field("singularity"), "turn the axis past it")
     type_into(field("max_axis_change"), "1.5 deg")
@@ -55,27 +59,48 @@ def test_minimax_and_deform_by_clicks_give_the_bytes_of_the_command_line(panel, 
     calculate(field, click, until)
     screenshot("panel_minimax")
     panel_button("OK", 500)
+    panel_closed()
     path = doc.Toolpath
     assert (path.ToolAxis, path.Singularity, path.Linearize) == ("minimax", "deform", "on")
     assert (path.MaxTilt.Value, path.MaxAxisChange.Value) == pytest.approx((3, 1.5))
-    assert 0 < path.MaxBound.Value <= 0.05 and path.OverTolerance == 0
+    assert 0 < path.MaxSurfaceBound.Value <= 0.05 and path.OverTolerance == 0
     assert results.nc_of(path) == command_line(path, tmp_path)
 
 
-def test_an_angle_out_of_range_says_so_in_place_and_not_where_it_does_not_count(panel, field, choose, type_into, screenshot):
+def test_auto_and_links_over_the_part_by_clicks_give_the_bytes_of_the_command_line(panel, doc, field, choose, type_into, click, until,
+                                                                                  panel_button, panel_closed, screenshot,
+                                                                                  tmp_path):  # fmt: skip
+    panel.Radius = 10
+    doc.recompute()
+    type_into(field("stepover"), "8 mm")
+    choose(field("tool_axis"), "free of the part (auto)")
+    choose(field("links"), "always over the part")
+    calculate(field, click, until)
+    screenshot("panel_auto")
+    panel_button("OK", 500)
+    panel_closed()
+    path = doc.Toolpath
+    assert (path.ToolAxis, path.Links) == ("auto", "over") and path.Proven
+    assert results.nc_of(path) == command_line(path, tmp_path)
+
+
+def test_an_angle_out_of_range_says_so_in_place_and_not_where_it_does_not_count(
+    panel, field, choose, type_into, screenshot, until
+):
     choose(field("singularity"), "turn the axis past it")
     type_into(field("max_axis_change"), "50 deg")
-    assert "out of range" in field("max_axis_change_error").text()
+    until(lambda: "out of range" in field("max_axis_change_error").text(), 10000, "what is wrong")
     screenshot("panel_out_of_range")
     choose(field("singularity"), "only report")
-    assert not shown(field, "max_axis_change") and not shown(field, "max_axis_change_error")
+    until(lambda: not shown(field, "max_axis_change") and not shown(field, "max_axis_change_error"), 10000, "the field gone")
     type_into(field("lead"), "5 deg")
     choose(field("tool_axis"), "least deviation (minimax)")  # has no lead: what was typed does not count
     assert not shown(field, "form_error")
 
 
 def test_a_divided_path_is_drawn_marked_and_played_block_by_block(panel, doc, dome, field, choose, type_into, click, until, press,
-                                                                  panel_button, tree_row, shown_pixels, screenshot, tmp_path):  # fmt: skip
+                                                                  panel_button, panel_closed, tree_row, shown_pixels, screenshot,
+                                                                  tmp_path):  # fmt: skip
     type_into(field("tolerance"), "0.005 mm")
     choose(field("singularity"), "turn the axis past it")
     choose(field("linearize"), "on")
@@ -84,6 +109,7 @@ def test_a_divided_path_is_drawn_marked_and_played_block_by_block(panel, doc, do
     screenshot("panel_cures")
     assert "turned past the pole" in said and "were divided into" in said, said
     panel_button("OK", 500)
+    panel_closed()
     path = doc.Toolpath
     assert results.nc_of(path) == command_line(path, tmp_path)
     figures = results.figures_of(path)
@@ -92,16 +118,21 @@ def test_a_divided_path_is_drawn_marked_and_played_block_by_block(panel, doc, do
     dome.ViewObject.hide()
     tree_row(path.Label)
     press("FiveAxis_Annotate", 500)
-    assert shown_pixels("divided", path, "ColourGood") > 300
+    until(lambda: shown_pixels("divided", path, "ColourGood") > 300, 30000, "the path")
     tree_row(path.Label)
     press("FiveAxis_Play", 800)
     click(field("worst"))
-    assert str(path.WorstLine) in field("line").text()
+    until(lambda: str(path.WorstLine) in field("line").text(), 20000, "the worst block")
     before = picture(screenshot("divided-play"))
     for _ in range(3):
         click(field("forward"))
-    assert int((abs(before - picture(screenshot("divided-later"))).max(axis=2) > 40).sum()) > 50
+
+    def moved():
+        return int((abs(before - picture(screenshot("divided-later"))).max(axis=2) > 40).sum())
+
+    until(lambda: moved() > 50, 30000, "the tool elsewhere")
     panel_button("Close")
+    panel_closed()
     assert path.Blocks == len(figures.program.words)
 
 

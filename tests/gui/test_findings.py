@@ -31,44 +31,46 @@ def audit(doc, pump, tmp_path):
     findings_panel.forget(doc)
 
 
-def test_a_marker_that_is_clicked_tells_its_finding(audit, view_click, pump, screenshot):
+def test_a_marker_that_is_clicked_tells_its_finding(audit, view_click, pump, screenshot, until):
     markers = app.annotate(audit)
     pump(500)
     view_click(markers.Places[0])
-    pump(300)
+    panel = until(lambda: findings_panel._docks.get("panel"), 20000, "a list of findings")
+    until(lambda: panel.path is audit and panel.dock.isVisible(), 20000, "the list of the audit's findings")
+    until(lambda: "NC line 3" in panel.text.toPlainText(), 20000, "what is found there")
     screenshot("finding-picked")
-    panel = findings_panel._docks["panel"]
-    assert panel.path is audit and panel.dock.isVisible()
     text = panel.text.toPlainText()
-    assert "NC line 3" in text
     for word in ("What happens", "Why", "What helps"):
         assert word in text
     assert "2.126 mm" in text and "27.42" in text
     assert "Largest deviation" in text, "the largest deviation goes before what else stands there"
-    assert panel.table.selectionModel().selectedRows(), "its row is not selected"
+    until(lambda: panel.table.selectionModel().selectedRows(), 20000, "its row selected")
 
 
-def test_a_marker_of_the_path_itself_can_be_clicked_too(audit, view_click, pump):
+def test_a_marker_of_the_path_itself_can_be_clicked_too(audit, view_click, pump, until):
     place = [a + b for a, b in zip(report.markers(results.figures_of(audit))[0].place, (10.0, 20.0, 30.0), strict=True)]
     view_click(place)
-    pump(300)
-    assert findings_panel._docks["panel"].path is audit
-    assert "NC line 3" in findings_panel._docks["panel"].text.toPlainText()
+    panel = until(lambda: findings_panel._docks.get("panel"), 20000, "a list of findings")
+    until(lambda: panel.path is audit, 20000, "the list of the audit's findings")
+    until(lambda: "NC line 3" in panel.text.toPlainText(), 20000, "what is found there")
 
 
-def test_a_row_that_is_picked_moves_the_view_there(audit, doc, pump, click, screenshot):
+def test_a_row_that_is_picked_moves_the_view_there(audit, doc, pump, click, screenshot, until):
     panel = findings_panel.show(audit)
     pump(300)
     at = next(i for i, row in enumerate(panel.rows) if row.finding.place is not None)
     view = FreeCADGui.getDocument(doc.Name).ActiveView
     view.getCameraNode().position.setValue(500.0, 500.0, 500.0)
     click(panel.table.viewport(), panel.table.visualItemRect(panel.table.item(at, 0)).center())
-    pump(400)
-    screenshot("finding-row")
     place = [a + b for a, b in zip(panel.rows[at].finding.place, (10.0, 20.0, 30.0), strict=True)]
-    x, y = view.getPointOnScreen(FreeCAD.Vector(*place))
-    width, height = view.getSize()
-    assert (x, y) == (pytest.approx(width / 2, abs=3), pytest.approx(height / 2, abs=3))
+
+    def in_the_middle():
+        x, y = view.getPointOnScreen(FreeCAD.Vector(*place))
+        width, height = view.getSize()
+        return (x, y) == (pytest.approx(width / 2, abs=3), pytest.approx(height / 2, abs=3))
+
+    until(in_the_middle, 20000, "the finding in the middle of the view")
+    screenshot("finding-row")
 
 
 def test_every_finding_and_every_marker_has_a_row(audit):
@@ -90,20 +92,17 @@ def test_every_row_tells_something_in_words(audit, pump):
         assert "{" not in panel.text.toPlainText()
 
 
-def test_the_list_follows_a_recompute_and_goes_with_its_document(audit, doc, pump):
+def test_the_list_follows_a_recompute_and_goes_with_its_document(audit, doc, pump, until):
     panel = findings_panel.show(audit)
     assert panel.table.rowCount() > 1
     audit.Tolerance = 5.0
     doc.recompute()
-    pump(500)
-    kinds = [row.kind for row in panel.rows]
-    assert "deviation-over-tolerance" not in kinds
+    until(lambda: "deviation-over-tolerance" not in [row.kind for row in panel.rows], 20000, "the list of the new result")
     doc.removeObject(audit.Name)
-    pump(300)
-    assert panel.path is None and not panel.dock.isVisible()
+    until(lambda: panel.path is None and not panel.dock.isVisible(), 20000, "the list gone")
 
 
-def test_where_the_tool_enters_the_part_is_listed_with_its_place(doc, pump, screenshot):
+def test_where_the_tool_enters_the_part_is_listed_with_its_place(doc, pump, screenshot, until):
     attach.register()
     ball = doc.addObject("Part::Sphere", "Dome")
     ball.Radius, ball.Angle1 = 20, 0
@@ -111,15 +110,13 @@ def test_where_the_tool_enters_the_part_is_listed_with_its_place(doc, pump, scre
     given = {"machine": "trunnion_ac", "cutter": "bull:6:1.5:6", "lead": 60, "stepover": 12, "linear_deflection": 0.3}
     path = app.create_toolpath(doc, ball, **given, holder="100x25", gouge="report")
     findings_panel.show(path)
-    pump(500)
     panel = findings_panel._docks["panel"]
+    until(lambda: {"overcut", "holder-collision"} <= {row.finding.code for row in panel.rows}, 20000, "both findings")
     codes = [row.finding.code for row in panel.rows]
-    assert {"overcut", "holder-collision"} <= set(codes)
     at = codes.index("holder-collision")
     cells = [panel.table.item(at, column).text() for column in range(panel.table.columnCount())]
     assert cells[1] == str(panel.rows[at].finding.line) and cells[2].endswith("mm") and all(cells)
     panel.table.selectRow(at)
-    pump(300)
-    assert "holder" in panel.text.toPlainText().lower()
+    until(lambda: "holder" in panel.text.toPlainText().lower(), 20000, "what is found there")
     screenshot("findings-gouge")
     findings_panel.forget(doc)

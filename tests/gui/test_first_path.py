@@ -59,7 +59,7 @@ def calculated(part, pump, **values):
     panel.options.show_options(COARSE | values)
     pump(300)
     assert panel.calculate()
-    pump(path_panel.DRAWN + 500)
+    pump(path_panel.DRAWN + 500)  # a view that is to be fitted is, and one that is not would have been
     return panel
 
 
@@ -68,7 +68,7 @@ def test_a_new_path_out_of_sight_is_brought_into_view_once(dome, pump, until, sc
     turn_away(view, pump)
     panel = calculated(dome, pump)
     for place in ((0, 0, 20), (20, 0, 0), (-20, 0, 0), (0, 20, 0), (0, -20, 0)):
-        until(lambda: all(0.0 < at < 1.0 for at in spot(view, place)), 5000, f"{place} in sight")  # noqa: B023
+        until(lambda: all(0.0 < at < 1.0 for at in spot(view, place)), 20000, f"{place} in sight")  # noqa: B023
     screenshot("first_path")
     turn_away(view, pump)
     panel.options.show_options({"stepover": 8.0})
@@ -89,7 +89,7 @@ def test_a_path_that_is_in_sight_leaves_the_view_alone(dome, pump):
     panel.reject()
 
 
-def test_the_path_over_a_hidden_part_is_brought_into_view(dome, pump):
+def test_the_path_over_a_hidden_part_is_brought_into_view(dome, pump, until):
     view = FreeCADGui.ActiveDocument.ActiveView
     view.viewIsometric()
     view.fitAll()
@@ -100,11 +100,11 @@ def test_the_path_over_a_hidden_part_is_brought_into_view(dome, pump):
     height.setValue(70.0)
     dome.ViewObject.Visibility = False
     panel = calculated(dome, pump)
-    assert height.getValue() != 70.0 and all(0.0 < at < 1.0 for at in spot(view, (0, 0, 20)))
+    until(lambda: height.getValue() != 70.0 and all(0.0 < at < 1.0 for at in spot(view, (0, 0, 20))), 20000, "the path in view")
     panel.reject()
 
 
-def test_the_audit_asks_for_its_file_before_it_complains(doc, pump, click, screenshot):
+def test_the_audit_asks_for_its_file_before_it_complains(doc, pump, click, screenshot, until):
     panel = audit.create(doc)
     pump(300)
     assert (
@@ -114,17 +114,18 @@ def test_the_audit_asks_for_its_file_before_it_complains(doc, pump, click, scree
     )
     screenshot("audit_opened")
     click(panel.calculate_button)
-    assert panel.file.error.isVisible() and panel.file.error.text() == "Choose the NC file to audit." and panel.obj is None
+    until(panel.file.error.isVisible, 20000, "what is missing")
+    assert panel.file.error.text() == "Choose the NC file to audit." and panel.obj is None
     panel.reject()
 
 
-def test_recover_asks_for_its_files_before_it_complains(window, pump, click):
+def test_recover_asks_for_its_files_before_it_complains(window, pump, click, until):
     panel = recover.create()
     pump(300)
     files = [one for one in panel.options.fields.values() if getattr(one, "missing", "")]
     assert len(files) > 1 and not any(one.error.text() for one in files)
     click(panel.calculate_button)
-    assert panel.cl_file.error.text() == panel.cl_file.missing
+    until(lambda: panel.cl_file.error.text() == panel.cl_file.missing, 20000, "what is missing")
     panel.reject()
 
 
@@ -146,7 +147,7 @@ def wheel(box):
     QtWidgets.QApplication.sendEvent(box, event)
 
 
-def test_the_cutters_of_the_setup_are_offered(doc, dome, pump, unfold):
+def test_the_cutters_of_the_setup_are_offered(doc, dome, pump, unfold, until):
     setup = app.create_setup(
         doc, machine="trunnion_bc", tools=["T3 ball:5:20 Small ball", "T7 flat:12:40", "T8 cone:3 Odd", "Nine"]
     )
@@ -157,7 +158,7 @@ def test_the_cutters_of_the_setup_are_offered(doc, dome, pump, unfold):
     assert [box.itemText(at) for at in range(box.count())] == [
         "From the setup…", "T3 Small ball", "T7 flat:12:40", "T8 Odd", "T0 Nine",
     ]  # fmt: skip
-    assert box.isVisible() and not cutter.job.box.isVisible()
+    until(lambda: box.isVisible() and not cutter.job.box.isVisible(), 20000, "the setup's cutters alone")
     box.activated.emit(1)
     assert cutter.value() == "ball:5.0:20.0" and box.currentIndex() == 0
     for at, said in ((3, "cone"), (4, "Nine is no tool")):
@@ -168,20 +169,21 @@ def test_the_cutters_of_the_setup_are_offered(doc, dome, pump, unfold):
     wheel(box)
     assert cutter.value() == "ball:5.0:20.0" and box.focusPolicy() == QtCore.Qt.StrongFocus == cutter.job.box.focusPolicy()
     panel.setup.editor.setCurrentIndex(0)
-    pump(50)
-    assert not box.isVisible()
+    until(lambda: not box.isVisible(), 20000, "no cutters of a setup")
     assert setup.Tools[0] == "T3 ball:5:20 Small ball"
     panel.reject()
 
 
-def test_what_is_shared_can_be_edited_again_where_calculate_takes_the_setup_back(doc, dome, pump, click, modal, monkeypatch):
+def test_what_is_shared_can_be_edited_again_where_calculate_takes_the_setup_back(
+    doc, dome, pump, click, modal, monkeypatch, until
+):
     panel = toolpath.create(dome)
     panel.options.show_options(COARSE | {"machine": "trunnion_bc"})
     pump(300)
     modal(lambda dialog: dialog.findChild(QtWidgets.QDialogButtonBox).button(QtWidgets.QDialogButtonBox.Ok).click())
     click(panel.setup.browse)
     machine = panel.options.fields["machine"]
-    assert doc.getObject("Setup") is not None and not machine.editor.isEnabled()
+    until(lambda: doc.getObject("Setup") is not None and not machine.editor.isEnabled(), 20000, "a setup with the machine")
 
     def refused(*_):
         raise SettingsError("no such path", "")
@@ -202,7 +204,7 @@ def test_a_side_that_is_not_machined_is_marked_with_its_area(doc, block, until, 
     monkeypatch.setattr(on_screen.Labels, "show", lambda self, labels: shown.append(labels) or show(self, labels))
     path = app.create_toolpath(doc, block, cutter="ball:8:40", stepover=3.0, gouge="off", linear_deflection=0.3)
     made = app.annotate(path)
-    until(lambda: shown and len(shown[-1]) > 1, 5000, "the labels are not drawn")
+    until(lambda: shown and len(shown[-1]) > 1, 20000, "the labels drawn")
     sides = [at for at, kind in enumerate(made.Kinds) if kind == "side-not-machined"]
     assert [made.Areas[at] for at in sides] == pytest.approx([60.0 * 20.0] * 2) and not any(made.Depths[at] for at in sides)
     assert not any(area for at, area in enumerate(made.Areas) if made.Kinds[at] == "largest-deviation")

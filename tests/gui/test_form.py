@@ -65,7 +65,7 @@ def language(request, window):
 
 
 @pytest.mark.parametrize("name", PANELS)
-def test_nothing_is_cut_where_the_panel_is_narrow(name, language, open_panel, pump, screenshot):
+def test_nothing_is_cut_where_the_panel_is_narrow(name, language, open_panel, pump, screenshot, until):
     panel = open_panel(name)
     fields = panel.options.fields
     for choice, value in (("machine", "fork_head_bc"), ("controller", "heidenhain_m128"), ("tool_axis", "minimax")):
@@ -74,13 +74,13 @@ def test_nothing_is_cut_where_the_panel_is_narrow(name, language, open_panel, pu
     for group in panel.options.groups.values():
         group.unfold()
     pump(300)
+    until(lambda: panel.form.minimumSizeHint().width() <= NARROW, 20000, "a form as narrow as the panel")
     screenshot(f"narrow_{name}_{language}")
-    assert panel.form.minimumSizeHint().width() <= NARROW
     panel.reject()
     pump(100)
 
 
-def test_at_its_narrowest_every_text_of_a_form_is_to_be_read(doc, dome, language, pump):
+def test_at_its_narrowest_every_text_of_a_form_is_to_be_read(doc, dome, language, pump, until):
     from freecad_fiveaxis.app import changes
 
     panel = toolpath.ToolpathPanel(doc, dome)
@@ -89,8 +89,7 @@ def test_at_its_narrowest_every_text_of_a_form_is_to_be_read(doc, dome, language
         group.unfold()
     panel.form.resize(NARROW - 30, 900)  # what FreeCAD 1.1's panel leaves of its width
     panel.form.show()
-    pump(300)
-    assert panel.form.width() == NARROW - 30 and cut(panel.form) == []
+    until(lambda: panel.form.width() == NARROW - 30 and cut(panel.form) == [], 20000, "no text that is cut")
     wide = [one.field.name for group in panel.options.groups.values() for one in group.body.rows if not one.above]
     assert "tolerance" in wide, "short labels stand beside their editors"
     panel.form.hide()
@@ -100,19 +99,20 @@ def groups(panel):
     return {name for name, group in panel.options.groups.items() if group.is_open()}
 
 
-def test_a_novices_groups_are_open_and_the_panel_comes_again_as_it_was_left(panel, open_panel, click, pump):
+def test_a_novices_groups_are_open_and_the_panel_comes_again_as_it_was_left(panel, open_panel, click, pump, until):
     assert list(panel.options.groups) == ["part", "machine", "tool", "passes", "axis", "safety", "output", "more"]
     assert groups(panel) == NOVICE
     click(panel.options.groups["passes"].header)
     click(panel.options.groups["axis"].header)
-    assert panel.options.fields["lead"].editor.isVisible() and not panel.options.fields["direction"].editor.isVisible()
+    lead, direction = (panel.options.fields[name].editor for name in ("lead", "direction"))
+    until(lambda: lead.isVisible() and not direction.isVisible(), 20000, "one group opened, one folded")
     panel.reject()
     pump(100)
     again = open_panel("toolpath")
     assert groups(again) == {"machine", "tool", "axis"}
 
 
-def test_the_keyboard_goes_from_header_to_field_and_folds(panel, key, pump):
+def test_the_keyboard_goes_from_header_to_field_and_folds(panel, key, pump, until):
     group = panel.options.groups["machine"]
     assert group.header.focusPolicy() & QtCore.Qt.TabFocus
     following, seen = group.header.nextInFocusChain(), []
@@ -121,34 +121,34 @@ def test_the_keyboard_goes_from_header_to_field_and_folds(panel, key, pump):
         following = following.nextInFocusChain()
     assert panel.options.fields["machine"].editor in seen and panel.options.fields["controller"].editor in seen
     key(group.header, QtCore.Qt.Key_Space, " ")
-    pump(50)
-    assert not group.is_open() and not panel.options.fields["machine"].editor.isVisible()
+    until(lambda: not group.is_open() and not panel.options.fields["machine"].editor.isVisible(), 20000, "the group folded")
     key(group.header, QtCore.Qt.Key_Space, " ")
-    pump(50)
-    assert group.is_open()
+    until(group.is_open, 20000, "the group open")
 
 
-def test_titles_say_what_their_groups_hold(panel, field, choose, type_into, pump):
+def test_titles_say_what_their_groups_hold(panel, field, choose, type_into, pump, until):
     told = {name: group.header.toolTip() for name, group in panel.options.groups.items()}
     assert told["machine"] == "Machine — trunnion_ac, LinuxCNC"
     assert told["part"].startswith("Part — Dome, ")
     type_into(field("spindle"), "8000")
     type_into(field("feed"), "1500")
     header = panel.options.groups["tool"].header
-    assert header.toolTip().startswith("Tool — ball") and header.toolTip().endswith("6 mm, S 8000, F 1500")
+    assert header.toolTip().startswith("Tool — ball")
+    until(lambda: header.toolTip().endswith("6 mm, S 8000, F 1500"), 20000, "spindle and feed in the title")
     choose(field("controller"), "Siemens 840D")
-    assert panel.options.groups["machine"].header.toolTip() == "Machine — trunnion_ac, Siemens 840D"
+    header = panel.options.groups["machine"].header
+    until(lambda: header.toolTip() == "Machine — trunnion_ac, Siemens 840D", 20000, "the controller in the title")
     assert panel.options.groups["machine"].header.accessibleDescription() == "trunnion_ac, Siemens 840D"
     widest = max(group.header.fontMetrics().boundingRect(group.header.text()).width() for group in panel.options.groups.values())
     assert widest <= panel.form.width()
 
 
-def test_an_error_in_a_folded_group_opens_it(panel, pump):
+def test_an_error_in_a_folded_group_opens_it(panel, pump, until):
     assert not panel.options.groups["safety"].is_open()
     panel.options.fields["tolerance"].show_value(0.0)
     panel.options.fields["tolerance"].edited.emit()
-    pump(50)
-    assert panel.options.groups["safety"].is_open() and panel.options.fields["tolerance"].error.isVisible()
+    until(panel.options.groups["safety"].is_open, 20000, "the group opened")
+    until(panel.options.fields["tolerance"].error.isVisible, 20000, "what is wrong")
 
 
 def test_every_field_has_a_name_and_every_label_leads_to_its_field(panel, unfold, pump):
@@ -165,15 +165,16 @@ def test_every_field_has_a_name_and_every_label_leads_to_its_field(panel, unfold
     assert len(names) == len(set(names)), "each field is found by its name"
 
 
-def test_the_spindle_is_asked_for_and_goes_into_the_program(panel, doc, field, type_into, panel_button):
+def test_the_spindle_is_asked_for_and_goes_into_the_program(panel, doc, field, type_into, panel_button, until, panel_closed):
     spindle = panel.options.fields["spindle"]
     assert spindle.editor.text() == "not given" and spindle.warning.isVisible()
     assert spindle.warning.text() == "Spindle speed not given: the program will not start the spindle."
     assert "no spindle speed" in panel.options.groups["tool"].header.toolTip()
     type_into(field("spindle"), "8000")
     type_into(field("tool"), "7")
-    assert not spindle.warning.isVisible()
+    until(lambda: not spindle.warning.isVisible(), 20000, "no warning")
     panel_button("OK")
+    panel_closed()
     assert (doc.Toolpath.Spindle, doc.Toolpath.Tool) == (8000.0, 7) and b"S8000 M3" in results.nc_of(doc.Toolpath)
 
 
@@ -185,32 +186,32 @@ def test_a_spindle_speed_that_is_no_whole_number_comes_back(doc, dome, pump):
     opened.reject()
 
 
-def test_calculate_and_the_summary_stay_where_the_form_is_scrolled(panel, unfold, pump, screenshot):
+def test_calculate_and_the_summary_stay_where_the_form_is_scrolled(panel, unfold, pump, screenshot, until):
     unfold()
     area = panel.form.findChild(QtWidgets.QScrollArea, "form_area")
     bar = area.verticalScrollBar()
-    assert bar.maximum() > 0
+    until(lambda: bar.maximum() > 0, 20000, "a scroll bar")
     bar.setValue(bar.maximum())
-    pump(200)
+    last = panel.options.groups["more"].body
+    until(lambda: not last.visibleRegion().isEmpty(), 20000, "the end of the form reached")
     screenshot("form_scrolled_down")
     for head in (panel.calculate_button, panel.summary):
         assert not head.visibleRegion().isEmpty() and head.visibleRegion().boundingRect().height() > 15
-    last = panel.options.groups["more"].body
-    assert not last.visibleRegion().isEmpty(), "the end of the form is to be reached"
     assert area.height() >= 160 and panel.form.visibleRegion().boundingRect().height() == panel.form.height()
 
 
-def test_a_summary_too_long_for_the_screen_scrolls_and_none_of_it_is_cut(panel, pump, screenshot):
+@pytest.mark.usefixtures("whole_screen")
+def test_a_summary_too_long_for_the_screen_scrolls_and_none_of_it_is_cut(panel, pump, screenshot, until):
     area, label = panel.summary.area, panel.summary.text
-    assert area.verticalScrollBar().maximum() == 0, "two lines need no scroll bar"
+    until(lambda: area.verticalScrollBar().maximum() == 0, 20000, "no scroll bar for two lines")
     low = area.height()
     panel.summary.tell("<p>Some words that are told of the path.</p>" * 60)
-    pump(200)
-    screenshot("summary_long")
     form_area = panel.form.findChild(QtWidgets.QScrollArea, "form_area")
-    assert label.height() >= label.heightForWidth(label.width()) > area.height() and area.verticalScrollBar().maximum() > 0
+    until(lambda: area.verticalScrollBar().maximum() > 0, 20000, "a scroll bar for many lines")
+    until(lambda: label.height() >= label.heightForWidth(label.width()) > area.height(), 20000, "none of them cut")
+    screenshot("summary_long")
     assert form_area.height() >= 160 and panel.calculate_button.visibleRegion().boundingRect().height() > 15
     assert panel.form.visibleRegion().boundingRect().height() == panel.form.height(), "the panel itself does not scroll"
     panel.summary.tell("<p>Some words that are told of the path.</p>" * 3)
-    pump(200)
-    assert area.verticalScrollBar().maximum() == 0 and low < area.height() < form_area.height()
+    until(lambda: area.verticalScrollBar().maximum() == 0, 20000, "no scroll bar for a few lines")
+    until(lambda: low < area.height() < form_area.height(), 20000, "as much room as they need")

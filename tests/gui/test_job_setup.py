@@ -29,20 +29,22 @@ def answer(values, button="Ok"):
     return fill
 
 
-def test_the_command_makes_a_setup_in_one_step_and_edits_it(doc, dome, press, modal):
+def test_the_command_makes_a_setup_in_one_step_and_edits_it(doc, dome, press, modal, until):
     told = modal(answer({"setup_name": "Vice", "machine": "trunnion_bc", "work_zero": (0, 0, 20)}))
     press("FiveAxis_JobSetup", 600)
-    assert told.said == ["Setup"] and doc.UndoCount == 1
+    until(lambda: told.said == ["Setup"] and doc.UndoCount == 1, 20000, "a setup made in one step")
     assert (doc.Setup.Label, doc.Setup.Machine, doc.Setup.WorkZero.z) == ("Vice", "trunnion_bc", 20)
     modal(answer({"machine": "trunnion_ac"}))
     press("FiveAxis_JobSetup", 600)
-    assert doc.Setup.Machine == "trunnion_ac" and doc.Setup.WorkZero.z == 20 and doc.UndoCount == 2
-    modal(answer({"machine": "fork_head_bc", "tool_length": 100}, "Cancel"))
+    until(lambda: doc.Setup.Machine == "trunnion_ac" and doc.UndoCount == 2, 20000, "the setup edited in one step")
+    assert doc.Setup.WorkZero.z == 20
+    told = modal(answer({"machine": "fork_head_bc", "tool_length": 100}, "Cancel"))
     press("FiveAxis_JobSetup", 600)
+    until(lambda: told.said, 20000, "the dialog")
     assert doc.Setup.Machine == "trunnion_ac" and doc.UndoCount == 2
 
 
-def test_a_new_path_takes_the_setup_and_follows_what_is_edited_from_its_panel(doc, dome, modal, click, pump, screenshot):
+def test_a_new_path_takes_the_setup_and_follows_what_is_edited_from_its_panel(doc, dome, modal, click, pump, screenshot, until):
     setup = app.create_setup(doc, machine="trunnion_bc", controller="fanuc", work_zero=(0, 0, 20), work_offset="G55")
     panel = toolpath.create(dome)
     panel.options.show_options(COARSE)
@@ -55,26 +57,26 @@ def test_a_new_path_takes_the_setup_and_follows_what_is_edited_from_its_panel(do
     assert panel.calculate() and panel.obj.Setup is setup and panel.obj.WorkOffset == "G55"
     modal(answer({"work_offset": "G56"}))
     click(panel.setup.browse)
-    assert setup.WorkOffset == "G56" == fields["work_offset"].value() and panel.stale
+    until(lambda: setup.WorkOffset == "G56" == fields["work_offset"].value() and panel.stale, 20000, "the setup edited")
     assert panel.calculate() and panel.obj.WorkOffset == "G56" and not panel.stale
     panel.reject()
     assert setup.WorkOffset == "G55" and doc.getObject("Toolpath") is None
 
 
-def test_the_values_of_a_path_are_shared(doc, dome, modal, click, pump):
+def test_the_values_of_a_path_are_shared(doc, dome, modal, click, pump, until):
     panel = toolpath.create(dome)
     panel.options.show_options(COARSE | {"machine": "trunnion_bc"})
     pump(300)
     assert panel.setup.value() is None and panel.options.fields["machine"].editor.isEnabled()
     modal(answer({"setup_name": "Shared"}))
     click(panel.setup.browse)
-    assert doc.Setup.Machine == "trunnion_bc" and panel.setup.value() is doc.Setup
+    until(lambda: doc.getObject("Setup") and panel.setup.value() is doc.Setup, 20000, "a setup of the panel's values")
+    assert doc.Setup.Machine == "trunnion_bc"
     assert panel.calculate()
     panel.step.keep()
     path = panel.obj
     panel.setup.editor.setCurrentIndex(0)
-    pump(50)
-    assert panel.options.fields["machine"].editor.isEnabled()
+    until(panel.options.fields["machine"].editor.isEnabled, 20000, "a machine of the path's own")
     assert panel.calculate() and path.Setup is None and path.Machine == "trunnion_bc"
     panel.reject()
     assert path.Setup is doc.Setup

@@ -18,6 +18,8 @@ from freecad_fiveaxis.gui.scene import left_nodes, marks
 ZERO = (5.0, 2.0, 3.0)
 GROOVE = {"machine": "trunnion_ac", "cutter": "ball:10", "stepover": 1, "direction": 90, "tool_axis": "fixed", "tolerance": 0.02}
 
+pytestmark = pytest.mark.usefixtures("kept")
+
 
 @pytest.fixture
 def groove(doc):
@@ -51,53 +53,66 @@ def drawn(obj):
     return obj.ViewObject.Proxy.picture
 
 
+def in_the_middle(view, place):
+    """Whether that place of the document is drawn there."""
+    x, y = view.getPointOnScreen(FreeCAD.Vector(*place))
+    width, height = view.getSize()
+    return (x, y) == (pytest.approx(width / 2, abs=3), pytest.approx(height / 2, abs=3))
+
+
 def seen(pixels, picture, rgb, box, tolerance=14):
     return pixels(picture, [round(255 * part) for part in rgb], tolerance, box)
 
 
+@pytest.mark.usefixtures("whole_screen")
 def test_the_map_is_seen_in_colours_and_undone_in_one_step(make_path, doc, press, tree_row, until, pump, screenshot, pixels,
                                                            view_box):  # fmt: skip
     path = make_path(gouge="report")
     names = [obj.Name for obj in doc.Objects]
     tree_row(path.Label)
     press("FiveAxis_Left", wait=1000)
-    made = doc.LeftMap
+    made = until(lambda: doc.getObject("LeftMap"), 60000, "a map")
     until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
     FreeCADGui.Selection.clearSelection()
-    pump(800)
-    shot, box = screenshot("left_map"), view_box()
     ramp = left_nodes.scale_ramp()
-    assert seen(pixels, shot, ramp[len(ramp) // 2], box, 30) > 30000, "what is as it should be is not seen"
-    red = sum(seen(pixels, shot, ramp[row], box, 12) for row in range(0, 60, 10))
-    assert red > 1000, "what is cut too deep is not seen"
+
+    def red():
+        shot = screenshot("left_map")
+        return sum(seen(pixels, shot, ramp[row], view_box(), 12) for row in range(0, 60, 10))
+
+    as_it_should_be = ramp[len(ramp) // 2]
+    until(lambda: seen(pixels, screenshot("left_map"), as_it_should_be, view_box(), 30) > 30000, 30000, "what is as it should be")
+    until(lambda: red() > 1000, 30000, "what is cut too deep")
     assert made.LargestOvercut.Value > 1.0 and made.UpToDate
     assert not path.ViewObject.Visibility and path.ViewObject.Proxy.claimChildren()[-1] is made
     assert made.ViewObject.Proxy.getIcon().endswith("LeftMap.svg") and doc.UndoCount == 1
     assert tuple(drawn(made).origin.translation.getValue().getValue()) == pytest.approx(ZERO)
     doc.undo()
+    until(lambda: [obj.Name for obj in doc.Objects] == names and path.ViewObject.Visibility, 20000, "undone")
     pump(500)
-    assert [obj.Name for obj in doc.Objects] == names and path.ViewObject.Visibility
     doc.redo()
     again = doc.LeftMap
     until(lambda: drawn(again) is not None and drawn(again).heights is not None, 20000, "the map after redo")
-    until(lambda: drawn(again).warned == "", 3000, "a map that is no longer called old")
+    until(lambda: drawn(again).warned == "", 20000, "a map that is no longer called old")
     assert again.UpToDate and again.Path is path
 
 
 def test_what_stays_uncut_is_seen_in_blue(make_path, doc, press, until, pump, screenshot, pixels, view_box):
     make_path(gouge="lift", left="on")
     press("FiveAxis_Left", wait=1000)
-    made = doc.LeftMap
+    made = until(lambda: doc.getObject("LeftMap"), 60000, "a map")
     until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
-    pump(800)
-    shot, box = screenshot("left_uncut"), view_box()
     ramp = left_nodes.scale_ramp()
-    blue = sum(seen(pixels, shot, ramp[-row], box, 12) for row in range(1, 60, 10))
-    assert blue > 500, "what stays uncut is not seen"
+
+    def blue():
+        shot = screenshot("left_uncut")
+        return sum(seen(pixels, shot, ramp[-row], view_box(), 12) for row in range(1, 60, 10))
+
+    until(lambda: blue() > 500, 30000, "what stays uncut")
     assert made.LargestUndercut.Value == pytest.approx(5.0 * (np.sqrt(2.0) - 1.0), rel=0.12)
 
 
-def test_a_stopped_map_leaves_the_document_as_it_was(make_path, doc, press, monkeypatch, pump):
+def test_a_stopped_map_leaves_the_document_as_it_was(anew, make_path, doc, press, monkeypatch, pump, until):
     from freecad_fiveaxis.gui import waiting
 
     path = make_path()
@@ -111,6 +126,7 @@ def test_a_stopped_map_leaves_the_document_as_it_was(make_path, doc, press, monk
     monkeypatch.setattr(waiting.Waiting, "__call__", stopped)
     monkeypatch.setattr(messages, "status", said.append)
     press("FiveAxis_Left", wait=500)
+    until(lambda: said, 20000, "that it was stopped")
     assert [obj.Name for obj in doc.Objects] == names and doc.UndoCount == 0
     assert path.ViewObject.Visibility and path.State == ["Up-to-date"]
     assert said == ["Stopped; the document is as it was."]
@@ -132,15 +148,13 @@ def test_a_reopened_map_is_drawn_again_and_says_when_it_is_old(
         until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
         look(again)
         pump(500)
-        assert drawn(made).warned == "" and left.out_of_date(made) == ""
+        until(lambda: drawn(made).warned == "" and left.out_of_date(made) == "", 20000, "a map that is not old")
         again.Toolpath.Stepover = 2
-        pump(800)
-        assert "recompute" in drawn(made).warned
-        shot = screenshot("left_old")
-        assert seen(pixels, shot, (1.0, 205 / 255, 70 / 255), view_box()) > 20, "the legend does not warn"
+        until(lambda: "recompute" in drawn(made).warned, 20000, "a map that is old")
+        warning = (1.0, 205 / 255, 70 / 255)
+        until(lambda: seen(pixels, screenshot("left_old"), warning, view_box()) > 20, 30000, "the legend's warning")
         again.recompute()
-        pump(1500)
-        assert drawn(made).warned == "" and drawn(made).heights is made.Proxy.last
+        until(lambda: drawn(made).warned == "" and drawn(made).heights is made.Proxy.last, 20000, "the new map")
     finally:
         close_all(again.Name)
 
@@ -155,26 +169,20 @@ def test_gouges_have_their_own_marks_labels_and_words(
     assert made.Depths[at] == pytest.approx(max(made.Depths)) and made.Depths[at] > 1.0
     doc.Groove.ViewObject.Visibility = True
     look(doc)
-    pump(500)
-    shot = screenshot("gouge_marks")
-    assert seen(pixels, shot, marks.YELLOW, view_box()) > 60, "no mark of an overcut is seen"
+    until(lambda: seen(pixels, screenshot("gouge_marks"), marks.YELLOW, view_box()) > 60, 30000, "a mark of an overcut")
     panel = findings_panel.show(path)
     pump(300)
     row = next(i for i, one in enumerate(panel.rows) if one.kind == "overcut")
     click(panel.table.viewport(), panel.table.visualItemRect(panel.table.item(row, 0)).center())
-    pump(500)
-    screenshot("gouge_finding")
-    text = panel.text.toPlainText()
     for said in ("Cut too deep", "What happens", "too deep into the part", "Why", "What helps", "lifted"):
-        assert said in text
+        until(lambda: said in panel.text.toPlainText(), 20000, f"{said!r}")  # noqa: B023
+    screenshot("gouge_finding")
     place = [a + b for a, b in zip(panel.rows[row].finding.place, ZERO, strict=True)]
     view = FreeCADGui.getDocument(doc.Name).ActiveView
-    x, y = view.getPointOnScreen(FreeCAD.Vector(*place))
-    width, height = view.getSize()
-    assert (x, y) == (pytest.approx(width / 2, abs=3), pytest.approx(height / 2, abs=3))
+    until(lambda: in_the_middle(view, place), 20000, "the overcut in the middle of the view")
     panel.table.clearSelection()
     view_click(place)
-    until(lambda: panel.table.selectionModel().selectedRows(), 3000, "a selected row")
+    until(lambda: panel.table.selectionModel().selectedRows(), 20000, "a selected row")
     assert panel.table.selectionModel().selectedRows()[0].row() == row
 
 

@@ -73,15 +73,18 @@ def names(doc):
     return sorted(obj.Name for obj in doc.Objects)
 
 
-def test_calculate_shows_the_summary_and_ok_makes_one_step_of_undo(panel, doc, click, pump, panel_button, screenshot):
+def test_calculate_shows_the_summary_and_ok_makes_one_step_of_undo(
+    panel, doc, click, pump, panel_button, screenshot, until, panel_closed
+):
     click_calculate(panel, click, pump)
+    until(lambda: "<b>" in shown("summary").text(), 60000, "a summary")
     path = doc.getObject("Toolpath")
     text = shown("summary").text()
     assert path.Blocks > 100 and f"<b>{path.Blocks}</b>" in text and f"<b>{path.Passes}</b>" in text
     assert f"<b>{path.SingularBlocks}</b>" in text and f"<b>{path.OverTolerance}</b>" in text
     screenshot("panel_calculated")
     panel_button("OK")
-    assert not FreeCADGui.Control.activeDialog()
+    panel_closed()
     assert names(doc) == ["Dome", "Tessellation", "Toolpath"] and doc.UndoCount == 1
     doc.undo()
     assert names(doc) == ["Dome"]
@@ -100,13 +103,14 @@ def click_calculate(panel, click, pump):
     pump(200)
 
 
-def test_ok_calculates_what_was_not_calculated(panel, doc, panel_button):
+def test_ok_calculates_what_was_not_calculated(panel, doc, panel_button, panel_closed):
     panel_button("OK")
+    panel_closed()
     assert doc.Toolpath.Blocks > 100 and doc.Toolpath.CutterDiameter.Value == 6.0 and doc.Toolpath.Stepover.Value == 4.0
 
 
 @pytest.mark.parametrize("how", ["Cancel", "Esc"])
-def test_cancel_and_esc_leave_the_document_as_it_was(panel, doc, how, panel_button, pump):
+def test_cancel_and_esc_leave_the_document_as_it_was(panel, doc, how, panel_button, pump, panel_closed):
     assert panel.calculate() and "Toolpath" in names(doc)
     pump(200)
     if how == "Esc":
@@ -115,32 +119,29 @@ def test_cancel_and_esc_leave_the_document_as_it_was(panel, doc, how, panel_butt
         pump(300)
     else:
         panel_button("Cancel")
-    assert not FreeCADGui.Control.activeDialog()
+    panel_closed()
     assert names(doc) == ["Dome"] and doc.UndoCount == 0 and not doc.HasPendingTransaction
 
 
-def test_a_value_that_cannot_be_used_says_why_in_place(panel, doc, panel_button, screenshot, pump):
+def test_a_value_that_cannot_be_used_says_why_in_place(panel, doc, panel_button, screenshot, pump, until):
     panel.options.fields["tolerance"].show_value(0.0)
     panel.options.fields["tolerance"].edited.emit()
-    pump(100)
     error = shown("tolerance_error")
-    assert (
-        error.isVisible()
-        and error.text() == "Tolerance 0 mm is out of range; it must be at least 0.000001 mm and at most 1000000 mm"
-    )
+    until(error.isVisible, 20000, "what is wrong")
+    assert error.text() == "Tolerance 0 mm is out of range; it must be at least 0.000001 mm and at most 1000000 mm"
     assert "#d0342c" in error.styleSheet()
     screenshot("panel_error")
     panel_button("OK")
     assert FreeCADGui.Control.activeDialog() and names(doc) == ["Dome"]
     panel.options.fields["tolerance"].show_value(0.01)
     panel.options.fields["tolerance"].edited.emit()
-    assert not error.isVisible()
+    until(lambda: not error.isVisible(), 20000, "nothing wrong")
 
 
-def test_what_the_core_refuses_later_is_said_under_the_form(panel, doc, pump):
+def test_what_the_core_refuses_later_is_said_under_the_form(panel, doc, pump, until):
     panel.options.show_options({"work_offset": "G99"})
     assert not panel.calculate()
-    assert "G99" in shown("form_error").text() and shown("form_error").isVisible()
+    until(lambda: "G99" in shown("form_error").text() and shown("form_error").isVisible(), 20000, "what is wrong")
     assert names(doc) == ["Dome"] and not doc.HasPendingTransaction
 
 
@@ -170,10 +171,10 @@ def test_esc_stops_long_work_and_the_window_is_painted_meanwhile(window, key, sc
     assert not told.dialog.isVisible()
 
 
-def test_a_tool_length_is_asked_for_where_the_head_turns(panel, doc):
+def test_a_tool_length_is_asked_for_where_the_head_turns(panel, doc, until):
     assert not shown("tool_length").isVisible()
     panel.options.fields["machine"].show_value("fork_head_bc")
-    assert shown("tool_length").isVisible()
+    until(shown("tool_length").isVisible, 20000, "the tool's length")
     assert not panel.calculate() and "gauge point" in shown("tool_length_error").text()
     panel.options.fields["tool_length"].show_value(120.0)
     assert panel.calculate() and doc.Toolpath.ToolLength.Value == 120.0
@@ -183,10 +184,10 @@ def test_scallop_and_stepover_take_turns(panel, until):
     spacing = panel.options.fields["spacing"]
     stepover, scallop = (spacing.lengths[name].editor for name in ("stepover", "scallop"))
     assert spacing.value() == {"stepover": 4.0}
-    until(lambda: stepover.isVisible() and not scallop.isVisible(), 5000, "the stepover alone")
+    until(lambda: stepover.isVisible() and not scallop.isVisible(), 20000, "the stepover alone")
     spacing.kind.show_value("scallop")
     assert spacing.value() == {"scallop": 0.01} and "stepover" not in panel.options.options()
-    until(lambda: scallop.isVisible() and not stepover.isVisible(), 5000, "the scallop alone")
+    until(lambda: scallop.isVisible() and not stepover.isVisible(), 20000, "the scallop alone")
 
 
 def test_the_cutter_comes_from_a_tool_file(panel, tmp_path):
@@ -219,40 +220,46 @@ CUTTER_SIZES = {
 
 
 @pytest.mark.parametrize("kind", CUTTER_SIZES)
-def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_into, kind, screenshot, pump):
+def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_into, kind, screenshot, pump, until):
     from freecad_fiveaxis.app.labels import choice_label
 
     cutter = panel.options.fields["cutter"]
     if kind != "ball":
         choose(field("cutter_kind"), choice_label(kind))
-    asked = {size for size, part in cutter.sizes.items() if part.editor.isVisible()}
-    assert asked == {"diameter", "length", *CUTTER_SIZES[kind]}
-    labels = {size for size, part in cutter.sizes.items() if cutter.rows[part.name][0].isVisible()}
-    assert labels == asked
+    wanted = {"diameter", "length", *CUTTER_SIZES[kind]}
+
+    def asked(of):
+        return {size for size, part in cutter.sizes.items() if of(part).isVisible()}
+
+    until(lambda: asked(lambda part: part.editor) == wanted, 20000, f"fields of {wanted}")
+    until(lambda: asked(lambda part: cutter.rows[part.name][0]) == wanted, 20000, f"labels of {wanted}")
     sizes = {"corner": ("1.25 mm", "1.25"), "taper": ("7.5 deg", "7.5deg")}
     for size in CUTTER_SIZES[kind]:
         type_into(field("cutter_" + size), sizes[size][0])
     text = ":".join([kind, "6.0", *(sizes[size][1] for size in CUTTER_SIZES[kind]), "30.0"])
-    assert panel.options.options()["cutter"] == text and not shown("cutter_error").isVisible()
+    until(lambda: panel.options.options()["cutter"] == text, 20000, text)
+    until(lambda: not shown("cutter_error").isVisible(), 20000, "nothing wrong")
     qt_scroll(field("cutter_kind"), pump)
     screenshot("panel_cutter_" + kind)
 
 
 def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made(
-    panel, doc, field, choose, type_into, screenshot, pump
+    panel, doc, field, choose, type_into, screenshot, pump, until
 ):
     choose(field("cutter_kind"), "bull nose mill")
     type_into(field("cutter_corner"), "4 mm")
-    assert "corner radius is 4 mm; give 0 to 3 mm" in shown("cutter_error").text() and shown("cutter_error").isVisible()
+    error = shown("cutter_error")
+    until(lambda: "corner radius is 4 mm; give 0 to 3 mm" in error.text() and error.isVisible(), 20000, "what is wrong")
     assert not panel.calculate() and names(doc) == ["Dome"]
     qt_scroll(field("cutter_kind"), pump)
     screenshot("panel_cutter_error")
     choose(field("cutter_kind"), "flat end mill")  # which has no corner: what was typed does not count
-    assert not shown("cutter_error").isVisible() and panel.options.options()["cutter"] == "flat:6.0:30.0"
+    until(lambda: not error.isVisible() and panel.options.options()["cutter"] == "flat:6.0:30.0", 20000, "nothing wrong")
 
 
 def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_line(panel, doc, field, choose, type_into, panel_button,
-                                                                                  modal, screenshot, pump, tmp_path):  # fmt: skip
+                                                                                  modal, screenshot, pump, tmp_path,
+                                                                                   until, panel_closed):  # fmt: skip
     from test_clicks import command_line
 
     choose(field("cutter_kind"), "bull nose mill")
@@ -263,9 +270,10 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
     type_into(field("cutter_length"), "6 mm")
     type_into(field("shank"), "5x1, 0.25inx1mm")
     type_into(field("holder"), "40x25x3")
-    assert "diameter x length" in shown("holder_error").text() or "number" in shown("holder_error").text()
+    error = shown("holder_error")
+    until(lambda: "diameter x length" in error.text() or "number" in error.text(), 20000, "what is wrong")
     type_into(field("holder"), "200x25,63x50")
-    assert not shown("holder_error").isVisible()
+    until(lambda: not error.isVisible(), 20000, "nothing wrong")
     qt_scroll(field("holder"), pump)
     screenshot("panel_gouge")
     assert panel.calculate()
@@ -273,7 +281,9 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
     screenshot("panel_gouge_summary")
     told = modal("Keep anyway")
     panel_button("OK")
+    until(lambda: told.said, 20000, "a question")
     assert "shank or holder hits the part" in told.said[0]
+    panel_closed()
     path = doc.Toolpath
     assert (path.CutterKind, path.CutterCorner.Value, path.Gouge) == ("bull", 1.5, "report")
     assert (path.Shank, path.Holder) == ("5x1,6.35x1", "200x25,63x50")
@@ -306,19 +316,22 @@ def test_every_option_stands_in_the_group_that_the_property_editor_has_it_in_or_
         assert group.title in (group_of(cls, leaf), "More settings"), leaf.name
 
 
-def test_largest_tilt_is_asked_for_where_either_choice_needs_it(panel, field):
+def test_largest_tilt_is_asked_for_where_either_choice_needs_it(panel, field, until):
     tilt, gouge, axis = (panel.options.fields[name] for name in ("max_tilt", "gouge", "tool_axis"))
+    lead = panel.options.fields["lead"].editor
     assert not tilt.editor.isVisible()
     gouge.show_value("tilt")  # joins the list where the core has no such choice
-    assert tilt.editor.isVisible() and "max_tilt" in panel.options.options()
+    until(tilt.editor.isVisible, 20000, "the largest tilt")
+    assert "max_tilt" in panel.options.options()
     axis.show_value("minimax")
     gouge.show_value("off")
-    assert tilt.editor.isVisible() and not panel.options.fields["lead"].editor.isVisible()
+    until(lambda: tilt.editor.isVisible() and not lead.isVisible(), 20000, "the largest tilt and no lead")
     axis.show_value("facet_mean")
-    assert not tilt.editor.isVisible() and "max_tilt" not in panel.options.options()
+    until(lambda: not tilt.editor.isVisible(), 20000, "no largest tilt")
+    assert "max_tilt" not in panel.options.options()
 
 
-def test_a_new_path_has_the_cutter_and_the_holder_of_the_preferences(dome, parameters, pump):
+def test_a_new_path_has_the_cutter_and_the_holder_of_the_preferences(dome, parameters, pump, until):
     group = parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis")
     for key, text in (("CutterKind", "bull"), ("Shank", "8x20"), ("Holder", "40x25")):
         group.SetString(key, text)
@@ -327,9 +340,9 @@ def test_a_new_path_has_the_cutter_and_the_holder_of_the_preferences(dome, param
     pump(200)
     options = panel.options.options()
     assert (options["cutter"], options["shank"], options["holder"]) == ("bull:10.0:6.0:50.0", "8x20", "40x25")
-    assert "give 0 to 5 mm" in shown("cutter_error").text()
+    until(lambda: "give 0 to 5 mm" in shown("cutter_error").text(), 20000, "what is wrong")
     panel.options.fields["cutter"].sizes["corner"].show_value(2.0)
-    assert not shown("cutter_error").isVisible()
+    until(lambda: not shown("cutter_error").isVisible(), 20000, "nothing wrong")
     panel.reject()
 
 
@@ -348,94 +361,102 @@ def test_the_cutter_comes_from_a_tool_of_a_cam_job(dome, monkeypatch):
     assert field.value() == "ball:5.0:20.0" and field.error.text() == "Drill is of no use"
 
 
-def test_the_work_zero_is_picked_in_the_view(panel, doc, dome, view_click, pump):
+def test_the_work_zero_is_picked_in_the_view(panel, doc, dome, view_click, pump, until):
     field = panel.options.fields["work_zero"]
     field.button.click()
     FreeCADGui.Selection.addSelection(doc.Name, dome.Name, "Vertex1", 0.1, 0.2, 0.3)
-    pump(200)
-    assert field.value() == pytest.approx(list(dome.Shape.Vertexes[0].Point), abs=1e-12) and not field.button.isChecked()
+    vertex = pytest.approx(list(dome.Shape.Vertexes[0].Point), abs=1e-12)
+    until(lambda: field.value() == vertex and not field.button.isChecked(), 20000, "the place of the vertex")
     field.button.click()
     view_click((0, 0, 20))
-    pump(300)
+    until(lambda: not field.pick.running, 20000, "the pick of a place")
     x, y, z = field.value()
     assert (x * x + y * y + z * z) ** 0.5 == pytest.approx(20.0, abs=0.05) and z > 18.0
-    assert panel.options.said()["work_zero"] == [x, y, z] and not field.pick.running
+    assert panel.options.said()["work_zero"] == [x, y, z]
 
 
-def test_esc_ends_the_pick_and_not_the_panel(panel, doc, dome, key, pump):
+def test_esc_ends_the_pick_and_not_the_panel(panel, doc, dome, key, pump, until):
     field = panel.options.fields["work_zero"]
     before = field.value()
     field.button.click()
     assert field.pick.running
     key(FreeCADGui.getMainWindow(), QtCore.Qt.Key_Escape)
+    until(lambda: not field.pick.running, 20000, "the pick ended")
     pump(100)
-    assert not field.pick.running and FreeCADGui.Control.activeDialog()
+    assert FreeCADGui.Control.activeDialog()
     FreeCADGui.Selection.addSelection(doc.Name, dome.Name, "Vertex1")
     pump(100)
     assert field.value() == before
 
 
-def test_the_panel_of_a_path_shows_it_and_changes_it_in_one_step(panel, doc, pump, panel_button):
+def test_the_panel_of_a_path_shows_it_and_changes_it_in_one_step(panel, doc, pump, panel_button, until, panel_closed):
     panel_button("OK")
+    panel_closed()
     path, blocks = doc.Toolpath, doc.Toolpath.Blocks
     nc = results.nc_of(path)
     doc.clearUndos()
     opened = toolpath.edit(path)
     pump(200)
     assert opened.options.options()["cutter"] == "ball:6.0:30.0" and not opened.stale
-    assert f"<b>{blocks}</b>" in shown("summary").text()
+    until(lambda: f"<b>{blocks}</b>" in shown("summary").text(), 20000, "the summary of the path")
     opened.options.fields["spacing"].show_value({"scallop": 0.2, "stepover": None})
     assert opened.stale and opened.calculate()
     assert path.Stepover.Value == 0.0 and path.Scallop.Value == 0.2 and path.Blocks != blocks
     pump(200)
     panel_button("Cancel")
+    panel_closed()
     assert path.Blocks == blocks and path.Stepover.Value == 4.0 and results.nc_of(path) == nc and "Touched" not in path.State
     opened = toolpath.edit(path)
     pump(200)
     opened.options.fields["lead"].show_value(5.0)
     opened.options.fields["linear_deflection"].show_value(0.2)
     panel_button("OK")
+    panel_closed()
     assert path.Lead.Value == 5.0 and path.Mesh.LinearDeflection.Value == 0.2 and doc.UndoCount == 1
     doc.undo()
     doc.recompute()
     assert path.Lead.Value == 0.0 and results.nc_of(path) == nc
 
 
-def test_a_double_click_in_the_tree_opens_the_panel_of_the_path(panel, doc, pump, panel_button, tree_row):
+def test_a_double_click_in_the_tree_opens_the_panel_of_the_path(panel, doc, pump, panel_button, tree_row, until, panel_closed):
     panel_button("OK")
+    panel_closed()
     doc.clearUndos()
     tree_row("Toolpath", double=True)
-    pump(300)
-    assert FreeCADGui.Control.activeDialog() and shown("cutter_diameter").measured() == 6.0
+    until(FreeCADGui.Control.activeDialog, 20000, "the panel of the path")
+    until(lambda: shown("cutter_diameter").measured() == 6.0, 20000, "its cutter")
     panel_button("Cancel")
-    assert not FreeCADGui.Control.activeDialog() and doc.UndoCount == 0 and doc.Toolpath.Blocks > 100
+    panel_closed()
+    assert doc.UndoCount == 0 and doc.Toolpath.Blocks > 100
 
 
-def test_a_second_panel_is_refused(panel, dome, modal, pump):
+def test_a_second_panel_is_refused(panel, dome, modal, pump, until):
     told = modal("OK")
     toolpath.create(dome)
+    until(lambda: told.said, 20000, "a refusal")
     assert told.said == ["Another task panel is open: close it first."]
 
 
-def test_inches_show_inches_and_lose_nothing(inches, dome, type_into, pump, screenshot):
+def test_inches_show_inches_and_lose_nothing(inches, dome, type_into, pump, screenshot, until):
     panel = toolpath.create(dome)
     pump(300)
     fields = panel.options.fields
     assert fields["tolerance"].editor.property("text") == "0.00039 in" and fields["tolerance"].value() == 0.01
     assert fields["feed"].editor.property("text") == "39.3701 in/min" and fields["feed"].value() == 1000.0
     type_into(fields["cutter"].sizes["diameter"].editor, "0.5")
-    assert fields["cutter"].value() == "ball:12.7:50.0"
+    until(lambda: fields["cutter"].value() == "ball:12.7:50.0", 20000, "half an inch")
     screenshot("panel_inches")
 
 
-def test_what_is_typed_is_what_is_milled(millimetres, dome, field, type_into, pump):
+def test_what_is_typed_is_what_is_milled(millimetres, dome, field, type_into, pump, until):
     panel = toolpath.create(dome)
     pump(300)
     for name, text, value in (("tolerance", "0.0125", 0.0125), ("feed", "1234.5", 1234.5), ("lead", "2.5", 2.5)):
         area = field(name)
         qt_scroll(area, pump)
         type_into(area, text)
-        assert panel.options.fields[name].value() == pytest.approx(value, rel=1e-12), name
+        wanted = pytest.approx(value, rel=1e-12)
+        until(lambda: panel.options.fields[name].value() == wanted, 20000, f"{name} = {value}")  # noqa: B023
 
 
 def qt_scroll(widget, pump):
@@ -457,9 +478,10 @@ def test_every_option_of_the_core_has_its_words():
 
 
 @pytest.fixture
-def path(panel, doc, panel_button):
+def path(panel, doc, panel_button, panel_closed):
     """A computed path."""
     panel_button("OK")
+    panel_closed()
     return doc.Toolpath
 
 
@@ -476,7 +498,7 @@ def post_to(path, pump):
     return opened
 
 
-def test_the_post_panel_writes_nc_and_report(path, doc, tmp_path, panel_button, screenshot, pump, parameters):
+def test_the_post_panel_writes_nc_and_report(path, doc, tmp_path, panel_button, screenshot, pump, parameters, panel_closed):
     parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").SetString("OutputFolder", str(tmp_path))
     path.Label = "my: part"
     panel = post.write(path)
@@ -485,7 +507,7 @@ def test_the_post_panel_writes_nc_and_report(path, doc, tmp_path, panel_button, 
     panel.reports["json"].setChecked(True)
     screenshot("post_panel")
     panel_button("OK")
-    assert not FreeCADGui.Control.activeDialog()
+    panel_closed()
     assert (tmp_path / "my_ part.ngc").read_bytes() == results.nc_of(path)
     assert json.loads((tmp_path / "my_ part.json").read_text())["summary"]["blocks"] == path.Blocks
     assert "<html" in (tmp_path / "my_ part.html").read_text()[:200]
@@ -493,36 +515,39 @@ def test_the_post_panel_writes_nc_and_report(path, doc, tmp_path, panel_button, 
 
 
 @pytest.mark.parametrize("answer", ["Cancel", "Replace"])
-def test_a_file_that_is_there_is_replaced_only_when_the_user_says_so(path, tmp_path, panel_button, modal, post_to, answer):
+def test_a_file_that_is_there_is_replaced_only_when_the_user_says_so(path, tmp_path, panel_button, modal, post_to, answer, until):
     file = tmp_path / "part.ngc"
     file.write_text("(somebody's own)")
     post_to(file)
     told = modal(answer)
     panel_button("OK", wait=600)
-    assert told.said and str(file) in told.said[0]
+    until(lambda: told.said, 20000, "a question")
+    assert str(file) in told.said[0]
+    until(lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"), 20000, "the panel open only after Cancel")
     assert (file.read_bytes() == results.nc_of(path)) == (answer == "Replace")
-    assert bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel")
 
 
-def test_a_folder_that_is_not_there_is_said_under_the_name(post_to, doc, tmp_path, panel_button):
+def test_a_folder_that_is_not_there_is_said_under_the_name(post_to, doc, tmp_path, panel_button, until):
     post_to(tmp_path / "nowhere" / "part.ngc")
     before = names(doc)
     panel_button("OK")
-    assert FreeCADGui.Control.activeDialog() and "nowhere" in shown("post_error").text()
+    until(lambda: "nowhere" in shown("post_error").text(), 20000, "what is wrong")
+    assert FreeCADGui.Control.activeDialog()
     assert names(doc) == before
 
 
-def test_the_preview_for_cam(post_to, doc, tmp_path, panel_button):
+def test_the_preview_for_cam(post_to, doc, tmp_path, panel_button, panel_closed):
     panel = post_to(tmp_path / "part.ngc")
     panel.preview.setChecked(True)
     panel_button("OK")
+    panel_closed()
     assert any(obj.TypeId == "Path::FeaturePython" for obj in doc.Objects)
 
 
 TABLE_2 = "G21 G90 G94\nG1 X0 Y0 Z0 A0 C0 F500\nG1 X10 Y0 Z0 A5 C60\nM2\n"
 
 
-def test_the_audit_panel_makes_audit_and_markers_in_one_step(doc, tmp_path, panel_button, screenshot, pump):
+def test_the_audit_panel_makes_audit_and_markers_in_one_step(doc, tmp_path, panel_button, screenshot, pump, panel_closed):
     (tmp_path / "foreign.nc").write_text(TABLE_2)
     panel = audit.create(doc)
     pump(200)
@@ -532,6 +557,7 @@ def test_the_audit_panel_makes_audit_and_markers_in_one_step(doc, tmp_path, pane
     assert panel.calculate()
     screenshot("audit_panel")
     panel_button("OK")
+    panel_closed()
     assert names(doc) == ["Audit", "Markers"] and doc.UndoCount == 1
     assert doc.Audit.MaxSegmentDeviation.Value > 0.1 and doc.Audit.Tolerance.Value == 0.02
     assert doc.Markers.Path is doc.Audit and len(doc.Markers.Places) >= 1
@@ -539,7 +565,7 @@ def test_the_audit_panel_makes_audit_and_markers_in_one_step(doc, tmp_path, pane
     assert names(doc) == []
 
 
-def test_the_holder_that_an_audit_draws_survives_its_panel(doc, tmp_path, pump, panel_button):
+def test_the_holder_that_an_audit_draws_survives_its_panel(doc, tmp_path, pump, panel_button, panel_closed):
     (tmp_path / "a.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z10 A0 C0 F100\nX10 A1\n")
     made = app.audit(doc, tmp_path / "a.ngc", "trunnion_ac", holder="40x60", cutter="taperball:6:5deg")
     opened = audit.edit(made)
@@ -547,6 +573,7 @@ def test_the_holder_that_an_audit_draws_survives_its_panel(doc, tmp_path, pump, 
     opened.options.fields["tolerance"].show_value(0.5)
     assert opened.calculate(), shown("form_error").text()
     panel_button("OK")
+    panel_closed()
     assert (made.Holder, made.CutterKind, made.CutterTaper.Value, made.Tolerance.Value) == ("40x60", "taperball", 5.0, 0.5)
 
 
@@ -586,12 +613,12 @@ def test_a_part_that_is_deleted_under_the_panel_says_so(panel, doc, pump):
     assert names(doc) == []
 
 
-def test_a_document_that_is_closed_under_the_panel_does_no_harm(panel, doc, pump):
+def test_a_document_that_is_closed_under_the_panel_does_no_harm(panel, doc, pump, panel_closed):
     assert panel.calculate()
     FreeCAD.closeDocument(doc.Name)
     pump(100)
     panel.reject()
-    assert not FreeCADGui.Control.activeDialog()
+    panel_closed()
 
 
 def test_every_stage_of_the_work_has_its_words(panel, monkeypatch):

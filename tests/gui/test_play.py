@@ -45,10 +45,8 @@ def view_of(doc):
 
 
 @pytest.fixture
-def opened(doc, pump):
+def opened(doc, pump, panel_closed):
     """opened(obj): the player of an object, its panel shown; closed afterwards."""
-    import FreeCADGui
-
     from freecad_fiveaxis.gui import play
     from freecad_fiveaxis.gui.play import panel
 
@@ -63,7 +61,7 @@ def opened(doc, pump):
     yield show
     if panel.current() is not None:
         panel.current().reject()
-    assert not FreeCADGui.Control.activeDialog()
+    panel_closed()
 
 
 @pytest.fixture
@@ -97,8 +95,9 @@ def state(doc):
     return objects, doc.UndoCount, camera
 
 
+@pytest.mark.usefixtures("whole_screen")
 def test_a_click_on_the_tool_bar_opens_it_and_close_leaves_the_view_as_it_was(
-    doc, press, select, opened, panel_button, screenshot, pixels
+    doc, press, select, opened, panel_button, screenshot, pixels, until, panel_closed
 ):
     import FreeCADGui
 
@@ -110,20 +109,24 @@ def test_a_click_on_the_tool_bar_opens_it_and_close_leaves_the_view_as_it_was(
     before, nodes = state(doc), children(doc)
     select(path)
     press("FiveAxis_Play", wait=1500)
-    assert panel.current() is not None and FreeCADGui.Control.activeDialog()
+    until(lambda: panel.current() is not None and FreeCADGui.Control.activeDialog(), 20000, "the player")
     assert children(doc)[0] == "FiveAxisPlay" and len(children(doc)) == len(nodes) + 2
+    until(lambda: pixels(screenshot("play_open"), BRASS, 30) > 1000, 30000, "the tool")
     with_tool = pixels(screenshot("play_open"), BRASS, 30)
     panel_button("Close")
-    assert panel.current() is None and not FreeCADGui.Control.activeDialog()
-    assert children(doc) == nodes and state(doc) == before
-    assert with_tool > pixels(screenshot("play_closed"), BRASS, 30) + 1000
+    panel_closed()
+    assert panel.current() is None and children(doc) == nodes
+    until(lambda: state(doc) == before, 20000, "the document as it was")
+    until(lambda: with_tool > pixels(screenshot("play_closed"), BRASS, 30) + 1000, 30000, "no tool")
 
 
-def test_table_2_leaves_its_chord_in_the_picture_and_overshoots(doc, tmp_path, opened, click, tick, screenshot, pixels):
+def test_table_2_leaves_its_chord_in_the_picture_and_overshoots(doc, tmp_path, opened, click, tick, screenshot, pixels, until):
     shown = opened(table_2(doc, tmp_path))
     click(shown.controls.worst)
-    assert shown.player.block == 1 and shown.player.u == pytest.approx(WORST_U, abs=1e-4)
+    until(lambda: shown.player.block == 1, 20000, "the worst block")
+    assert shown.player.u == pytest.approx(WORST_U, abs=1e-4)
     assert shown.readout.gap.text() == "2.126 mm" and shown.readout.most.text().startswith("2.126 mm")
+    assert shown.readout.rows.labelForField(shown.readout.gap).text() == "Tip off its segment"
     assert shown.readout.line.text() == "3" and shown.readout.text.text().startswith("G1 X-82.0656")
     tool, curve = matrix(shown.stage.tool), np.array([v.getValue() for v in shown.stage.curve.vertex.getValues()])
     chord = curve[-1] - curve[0]
@@ -134,11 +137,27 @@ def test_table_2_leaves_its_chord_in_the_picture_and_overshoots(doc, tmp_path, o
     camera = view_of(doc).getCameraNode()
     camera.height.setValue(12.0)
     shown.refresh()
-    assert pixels(screenshot("play_table_2"), CURVE, 12) > 100  # the real curve, in orange
+    until(lambda: pixels(screenshot("play_table_2"), CURVE, 12) > 100, 30000, "the real curve, in orange")
     assert np.allclose(view_of(doc).getPointOnScreen(*map(float, shown.stage.tip)), np.array(view_of(doc).getSize()) / 2, atol=2)
 
 
-def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright(doc, opened, tick, screenshot):
+def test_of_a_ball_the_centre_is_played_and_named(doc, opened, click, screenshot, until):
+    from freecad_fiveaxis.app import results
+
+    path = toolpath(doc, linearize="off", stepover=8.0)
+    shown, figures = opened(path), results.figures_of(path)
+    click(shown.controls.worst)
+    until(lambda: shown.player.block == figures.worst[0], 20000, "the worst block")
+    readout, pose = shown.readout, shown.player.pose
+    assert readout.rows.labelForField(readout.gap).text() == "Centre off its segment"
+    assert "ball's centre" in readout.note.text() and readout.gap.text() == readout.most.text()
+    assert float(pose.to_chord) == pytest.approx(figures.surface.segment[figures.worst[0]], abs=1e-6)
+    drawn = np.array([v.getValue() for v in shown.stage.dots.vertex.getValues()])
+    assert np.allclose(drawn, pose.tip + 3.0 * pose.axis, atol=1e-4)
+    screenshot("play_centre")
+
+
+def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright(doc, opened, tick, screenshot, until):
     path = toolpath(doc, work_zero=(3.0, 4.0, 5.0))
     shown = opened(path)
     shown.step(lambda: shown.player.go_to_share(0.4))
@@ -146,10 +165,10 @@ def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright
     lean = matrix(shown.stage.tool)[:3, 2]
     assert np.allclose(matrix(shown.stage.turn), np.eye(4)) and lean[2] < 0.99
     tick(shown.controls.machine)
+    until(lambda: np.allclose(matrix(shown.stage.tool)[:3, 2], (0, 0, 1), atol=1e-6), 20000, "the tool upright")
     view_of(doc).fitAll()
     screenshot("play_on_the_machine")
     pose, zero = shown.player.pose, np.array((3.0, 4.0, 5.0))
-    assert np.allclose(matrix(shown.stage.tool)[:3, 2], (0, 0, 1), atol=1e-6)
     assert np.allclose(matrix(shown.stage.tool)[:3, 3], pose.words[:3], atol=1e-3)
     turned = matrix(shown.stage.turn)
     assert np.allclose(turned[:3, :3] @ lean, (0, 0, 1), atol=1e-6)
@@ -170,14 +189,14 @@ def corners_on_screen(shown, doc):
     return np.array(seen) / view_of(doc).getSize()
 
 
-def test_on_the_machine_its_bodies_stand_where_the_axes_carry_them_and_are_all_in_view(doc, opened, tick, screenshot):
+def test_on_the_machine_its_bodies_stand_where_the_axes_carry_them_and_are_all_in_view(doc, opened, tick, screenshot, until):
     from pivy import coin
 
     shown = opened(toolpath(doc, machine="mikron_ucp710", work_zero=(3.0, 4.0, 5.0), stepover=8.0))
     before, stage = state(doc), shown.stage
     assert stage.sketch.whichChild.getValue() == coin.SO_SWITCH_NONE
     tick(shown.controls.machine)
-    assert stage.sketch.whichChild.getValue() == coin.SO_SWITCH_ALL
+    until(lambda: stage.sketch.whichChild.getValue() == coin.SO_SWITCH_ALL, 20000, "the machine")
     assert set(stage.machine.carriers) == {None, 2, 3, 4}  # the bed, Z with the spindle, platter, cradle
     for share in (0.0, 0.4, 1.0):
         shown.step(lambda share=share: shown.player.go_to_share(share))
@@ -192,28 +211,27 @@ def test_on_the_machine_its_bodies_stand_where_the_axes_carry_them_and_are_all_i
     assert np.ptp(seen, axis=0).max() > 0.4, "the machine is small in the view"
     screenshot("play_machine")
     tick(shown.controls.machine)
-    assert state(doc) == before
+    until(lambda: state(doc) == before, 20000, "the document as it was")
 
 
-def test_blocks_are_stepped_and_the_slider_and_the_time_follow(doc, opened, click):
+def test_blocks_are_stepped_and_the_slider_and_the_time_follow(doc, opened, click, until):
     shown = opened(toolpath(doc))
     for _ in range(3):
         click(shown.controls.forward)
-    assert (shown.player.block, shown.player.u) == (3, 1.0)
-    assert shown.readout.block.text().startswith("3 of ")
+    until(lambda: (shown.player.block, shown.player.u) == (3, 1.0), 20000, "the third block")
+    until(lambda: shown.readout.block.text().startswith("3 of "), 20000, "its number")
     click(shown.controls.back)
-    assert shown.player.block == 2
+    until(lambda: shown.player.block == 2, 20000, "the second block")
     end = shown.player.playback.program.words[2]
-    assert [label.text() for label in shown.readout.joints.values()] == [
-        *(f"{word:.4f} mm" for word in end[:3]), *(f"{word:.4f}°" for word in end[3:])
-    ]  # fmt: skip
+    joints = [*(f"{word:.4f} mm" for word in end[:3]), *(f"{word:.4f}°" for word in end[3:])]
+    until(lambda: [label.text() for label in shown.readout.joints.values()] == joints, 20000, f"{joints}")
     shown.controls.slider.setValue(5000)
     assert shown.player.time == pytest.approx(shown.player.playback.seconds / 2)
     click(shown.controls.begin)
-    assert shown.player.block == 0 and shown.controls.slider.value() == 0
+    until(lambda: shown.player.block == 0 and shown.controls.slider.value() == 0, 20000, "the beginning")
 
 
-def test_next_singular_goes_through_all_of_them(doc, opened, click):
+def test_next_singular_goes_through_all_of_them(doc, opened, click, until):
     from freecad_fiveaxis.app import results
 
     path = toolpath(doc, linearize="off", stepover=8.0)
@@ -221,52 +239,60 @@ def test_next_singular_goes_through_all_of_them(doc, opened, click):
     figures = results.figures_of(path)
     rows = [row for row in np.flatnonzero(figures.singularity.singular) if row in set(figures.feeds)]
     assert len(rows) > 1
-    seen = []
-    for _ in range(len(rows) + 1):
+    for row in [*rows, rows[0]]:
         click(shown.controls.singular)
-        seen.append(shown.player.block)
-    assert seen == [*rows, rows[0]]
-    assert "Near the pole" in shown.readout.note.text()
+        until(lambda: shown.player.block == row, 20000, f"block {row}")  # noqa: B023
+    until(lambda: "Near the pole" in shown.readout.note.text(), 20000, "what stands there")
     click(shown.controls.worst)
-    assert shown.player.block == figures.worst[0]
+    until(lambda: shown.player.block == figures.worst[0], 20000, "the worst block")
 
 
-def test_playing_keeps_real_time_at_the_chosen_speed_and_stops_at_the_end(doc, opened, click, pump):
+class Clock:
+    """A clock for the player in place of ``time``: 50 ms pass between two looks at it."""
+
+    def __init__(self):
+        self.now = 100.0
+
+    def monotonic(self):
+        self.now += 0.05
+        return self.now
+
+
+def test_playing_keeps_time_at_the_chosen_speed_and_stops_at_the_end(doc, opened, click, until, monkeypatch):
+    from freecad_fiveaxis.gui.play import panel
+
+    clock = Clock()
     shown = opened(toolpath(doc))
-    for speed, wait in ((1.0, 1000), (10.0, 1000)):
+    monkeypatch.setattr(panel, "time", clock)
+    for speed in (1.0, 10.0):
         shown.controls.speed.setCurrentIndex(shown.controls.speed.findText(f"× {speed:g}"))
         click(shown.controls.play)
-        assert shown.playing
-        import time
-
-        start, began = shown.player.time, time.monotonic()
-        pump(wait)
-        passed = time.monotonic() - began
-        assert shown.player.time - start == pytest.approx(speed * passed, abs=0.3 * speed)
+        until(lambda: shown.playing, 20000, "that it plays")
+        start, began = shown.player.time, clock.now
+        until(lambda began=began: clock.now - began > 0.5, 60000, "ten ticks")
+        assert shown.player.time - start == pytest.approx(speed * (clock.now - began), abs=1e-6)
         click(shown.controls.play)
-        assert not shown.playing
+        until(lambda: not shown.playing, 20000, "that it pauses")
     shown.player.go_to_time(shown.player.playback.seconds - 0.5)
     click(shown.controls.play)
-    pump(700)
-    assert shown.player.at_end and not shown.playing
+    until(lambda: shown.player.at_end and not shown.playing, 60000, "the end of the program")
     click(shown.controls.play)
-    assert shown.playing and shown.player.time < 5.0
+    until(lambda: shown.playing and shown.player.time < 5.0, 20000, "that it plays from the beginning")
 
 
-def test_a_new_result_is_taken_up_while_it_plays(doc, opened, pump):
+def test_a_new_result_is_taken_up_while_it_plays(doc, opened, pump, until):
     path = toolpath(doc)
     shown = opened(path)
     shown.play(True)
     before = len(shown.player.playback.program.words)
     path.Stepover = 6.0
     doc.recompute()
-    pump(500)
-    assert len(shown.player.playback.program.words) < before
+    until(lambda: len(shown.player.playback.program.words) < before, 20000, "the new result")
     assert shown.playing and children(doc).count("FiveAxisPlay") == 1
 
 
 @pytest.mark.parametrize("what", ["object", "document", "undo"])
-def test_it_stops_and_closes_when_what_it_plays_goes(doc, opened, pump, what):
+def test_it_stops_and_closes_when_what_it_plays_goes(doc, opened, pump, what, until):
     import FreeCAD
     import FreeCADGui
 
@@ -286,13 +312,12 @@ def test_it_stops_and_closes_when_what_it_plays_goes(doc, opened, pump, what):
     else:
         FreeCAD.closeDocument(name)
     assert not shown.playing
-    pump(400)
-    assert panel.current() is None and not FreeCADGui.Control.activeDialog()
+    until(lambda: panel.current() is None and not FreeCADGui.Control.activeDialog(), 20000, "the player closed")
     if what != "document":
         assert "FiveAxisPlay" not in children(doc)
 
 
-def test_it_goes_on_without_a_view_and_closes(doc, opened, pump, panel_button):
+def test_it_goes_on_without_a_view_and_closes(doc, opened, pump, panel_button, panel_closed):
     import FreeCADGui
 
     from freecad_fiveaxis.gui.qt import QtWidgets
@@ -308,6 +333,7 @@ def test_it_goes_on_without_a_view_and_closes(doc, opened, pump, panel_button):
     shown.controls.follow.setChecked(True)
     shown.refresh()
     panel_button("Close")
+    panel_closed()
     assert "FiveAxisPlay" not in children(doc)
 
 
@@ -324,7 +350,7 @@ def test_another_panel_is_not_pushed_aside(doc, opened):
     assert FreeCADGui.Control.activeDialog() and shown.stage.shown
 
 
-def test_it_closes_when_its_object_cannot_be_computed_any_more(doc, opened, pump):
+def test_it_closes_when_its_object_cannot_be_computed_any_more(doc, opened, pump, until):
     import FreeCADGui
 
     from freecad_fiveaxis.gui.play import panel
@@ -333,12 +359,11 @@ def test_it_closes_when_its_object_cannot_be_computed_any_more(doc, opened, pump
     opened(path)
     path.Machine = "no such machine"
     doc.recompute()
-    pump(300)
-    assert panel.current() is None and not FreeCADGui.Control.activeDialog()
+    until(lambda: panel.current() is None and not FreeCADGui.Control.activeDialog(), 20000, "the player closed")
     assert "FiveAxisPlay" not in children(doc)
 
 
-def test_a_dialog_closed_by_somebody_else_leaves_nothing_behind(doc, opened, pump):
+def test_a_dialog_closed_by_somebody_else_leaves_nothing_behind(doc, opened, pump, until):
     import FreeCADGui
 
     from freecad_fiveaxis.gui.play import panel
@@ -346,22 +371,22 @@ def test_a_dialog_closed_by_somebody_else_leaves_nothing_behind(doc, opened, pum
     shown = opened(toolpath(doc))
     shown.play(True)
     FreeCADGui.Control.closeDialog()
-    pump(300)
-    assert panel.current() is None and not shown.playing
+    until(lambda: panel.current() is None and not shown.playing, 20000, "the player closed")
     assert "FiveAxisPlay" not in children(doc)
 
 
-def test_following_ends_where_the_camera_stood(doc, opened, tick, panel_button):
+def test_following_ends_where_the_camera_stood(doc, opened, tick, panel_button, until, panel_closed):
     shown = opened(toolpath(doc))
     before = state(doc)
     tick(shown.controls.follow)
     shown.step(lambda: shown.player.go_to_share(0.7))
     assert state(doc)[2] != before[2]
     panel_button("Close")
-    assert state(doc) == before
+    panel_closed()
+    until(lambda: state(doc) == before, 20000, "the document as it was")
 
 
-def test_lengths_are_shown_in_the_users_units(doc, tmp_path, opened, click, parameters):
+def test_lengths_are_shown_in_the_users_units(doc, tmp_path, opened, click, parameters, until):
     import FreeCAD
 
     units = parameters("User parameter:BaseApp/Preferences/Units")
@@ -372,7 +397,7 @@ def test_lengths_are_shown_in_the_users_units(doc, tmp_path, opened, click, para
     try:
         shown = opened(table_2(doc, tmp_path))
         click(shown.controls.worst)
-        assert shown.readout.gap.text() == f"{WORST / 25.4:.4g} in"
+        until(lambda: shown.readout.gap.text() == f"{WORST / 25.4:.4g} in", 20000, "the gap in inches")
         assert shown.readout.joints[0].text().endswith(" in") and shown.readout.joints[3].text().endswith("°")
         assert float(shown.readout.joints[0].text().split()[0]) * 25.4 == pytest.approx(shown.player.pose.words[0], abs=2e-4)
     finally:
@@ -426,8 +451,8 @@ def test_every_point_that_is_drawn_lies_on_the_body_that_is_checked(cutter):
 
 
 @pytest.mark.parametrize("kind", ["bull:12:3:25", "taperball:6:8deg:30", "flat:12:25"])
-def test_play_shows_cutter_shank_and_holder_in_their_true_shape(doc, opened, screenshot, pixels, kind, pump):
-    made = toolpath(doc, cutter=kind, lead=10, shank="8x12", holder="30x15,44x25", stepover=6.0)
+def test_play_shows_cutter_shank_and_holder_in_their_true_shape(doc, opened, screenshot, pixels, kind, pump, until):
+    made = toolpath(doc, cutter=kind, lead=10, shank="8x12", holder="30x15,44x25", stepover=6.0, gouge="off")
     shown = opened(made)
     low, high = box_of(shown_body(made))
     assert np.allclose((low[0], high[2]), (-22, float(made.CutterLength.Value) + 12 + 40), atol=1e-3)
@@ -435,8 +460,7 @@ def test_play_shows_cutter_shank_and_holder_in_their_true_shape(doc, opened, scr
         shown.step(shown.player.forward)
     view_of(doc).fitAll()
     pump(300)
-    picture = screenshot("play-" + kind.partition(":")[0])
-    assert pixels(picture, BRASS, 60) > 200
+    until(lambda: pixels(screenshot("play-" + kind.partition(":")[0]), BRASS, 60) > 200, 30000, "the tool")
 
 
 def shown_body(obj):
@@ -445,18 +469,16 @@ def shown_body(obj):
     return convert.tool_of(obj).body
 
 
-def test_another_holder_is_drawn_while_it_plays(doc, opened, pump):
+def test_another_holder_is_drawn_while_it_plays(doc, opened, pump, until):
     made = toolpath(doc, stepover=8.0)
     shown = opened(made)
     before = shown.stage
     made.Holder = "60x20"
-    pump(300)
-    assert shown.stage is not before
+    until(lambda: shown.stage is not before, 20000, "another tool")
     made.Holder = "60"
-    pump(300)
     from freecad_fiveaxis.gui.play import panel
 
-    assert panel.current() is None, "a tool that cannot be is not drawn"
+    until(lambda: panel.current() is None, 20000, "no player of a tool that cannot be")
 
 
 def test_a_path_without_blocks_and_a_thing_that_is_no_path_are_refused_in_words(doc, tmp_path):

@@ -2,7 +2,6 @@
 """Where to clamp: the command pressed, the map seen as coloured points, the recommendation applied, saved and undone."""
 
 import FreeCAD
-import FreeCADGui
 import pytest
 from conftest import QtWidgets, close_all
 from test_clicks import look
@@ -10,6 +9,8 @@ from test_clicks import look
 from freecad_fiveaxis import app
 from freecad_fiveaxis.gui.scene import colours
 from freecad_fiveaxis.gui.view_properties import rgb
+
+pytestmark = pytest.mark.usefixtures("kept")
 
 
 @pytest.fixture
@@ -56,12 +57,13 @@ def seen(pixels, picture, rgba, box):
 
 
 def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, tree_row, press, field, ask_small, click, until,
-                                                              panel_button, screenshot, pixels, view_box, pump):  # fmt: skip
+                                                              panel_button, screenshot, pixels, view_box, pump,
+                                                              panel_closed):  # fmt: skip
     before = path.MaxSegmentDeviation.Value
     tree_row(path.Label)
     press("FiveAxis_Setup")
     screenshot("setup_panel")
-    assert field("table_height").placeholderText() == "-100 mm", "the machine file says how high the table is"
+    until(lambda: field("table_height").placeholderText() == "-100 mm", 20000, "how high the table is, of the machine file")
     assert not field("apply").isEnabled() and not field("page").isEnabled()
     ask_small()
     click(field("calculate"))
@@ -70,18 +72,17 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     assert tuple(made.Region) == (40, 40, 40) and tuple(made.Grid) == (3, 3, 2)
     dome.ViewObject.hide()
     path.ViewObject.hide()
-    pump(1000)
-    picture, box = screenshot("setup_map"), view_box()
     ramp = colours.heat(rgb(made.ViewObject.ColourBad))
-    assert seen(pixels, picture, ramp[-1], box) > 60, "the place of the largest deviation is not seen"
-    assert seen(pixels, picture, (0.35, 0.71, 0.91), box) > 60, "the present work zero is not seen"
+    for colour, what in ((ramp[-1], "the place of the largest deviation"), ((0.35, 0.71, 0.91), "the present work zero")):
+        until(lambda: seen(pixels, screenshot("setup_map"), colour, view_box()) > 60, 30000, what)  # noqa: B023
     click(field("apply"))
     until(lambda: path.MaxSegmentDeviation.Value < before, 60000, "a lower deviation")
-    pump(300)
-    screenshot("setup_applied")
     said = field("summary")
-    assert said.text().startswith("<p><b>Applied: ") and said.visibleRegion().boundingRect().top() == 0, "seen without scrolling"
+    until(lambda: said.text().startswith("<p><b>Applied: "), 20000, "that it is applied")
+    until(lambda: said.visibleRegion().boundingRect().top() == 0, 20000, "that, seen without scrolling")
+    screenshot("setup_applied")
     panel_button("OK")
+    panel_closed()
     assert tuple(path.Origin) == pytest.approx(tuple(made.Recommended)) and not path.OriginFromMachine
     assert path.MaxSegmentDeviation.Value == pytest.approx(made.DeviationAfter.Value, abs=1e-9) and made.UpToDate
     assert doc.UndoCount == 1
@@ -89,7 +90,9 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     assert path.OriginFromMachine and not [obj for obj in doc.Objects if "SetupMap" in obj.Name]
 
 
-def test_cancel_leaves_the_document_as_it_was(path, doc, tree_row, press, field, ask_small, click, until, panel_button):
+def test_cancel_leaves_the_document_as_it_was(
+    path, doc, tree_row, press, field, ask_small, click, until, panel_button, panel_closed
+):
     names = [obj.Name for obj in doc.Objects]
     tree_row(path.Label)
     press("FiveAxis_Setup")
@@ -98,17 +101,20 @@ def test_cancel_leaves_the_document_as_it_was(path, doc, tree_row, press, field,
     until(lambda: "<table>" in field("summary").text(), 60000, "a recommendation")
     click(field("apply"))
     panel_button("Cancel")
+    panel_closed()
     assert [obj.Name for obj in doc.Objects] == names and path.OriginFromMachine and "Touched" not in path.State
 
 
-def test_a_solid_without_a_path_gets_one_in_the_same_step(dome, doc, tree_row, press, field, ask_small, panel_button, screenshot):
+def test_a_solid_without_a_path_gets_one_in_the_same_step(
+    dome, doc, tree_row, press, field, ask_small, panel_button, screenshot, panel_closed
+):
     doc.clearUndos()
     tree_row("Dome")
     press("FiveAxis_Setup")
     ask_small()
     panel_button("OK", 1000)
+    panel_closed()
     screenshot("setup_over_solid")
-    assert not FreeCADGui.Control.activeDialog(), "OK has closed the panel"
     assert [obj.Name for obj in doc.Objects] == ["Dome", "Tessellation", "Toolpath", "SetupMap"] and doc.UndoCount == 1
     assert doc.Toolpath.ViewObject.Proxy.claimChildren() == [doc.Tessellation, doc.SetupMap]
     doc.undo()
@@ -122,10 +128,9 @@ def test_a_region_without_a_choice_says_so_and_nothing_selected_is_told(dome, pa
     for letter in "xyz":
         type_into(field(f"region_{letter}"), "0 mm")
     click(field("calculate"))
-    pump(500)
-    assert "one setup only" in field("form_error").text()
+    until(lambda: "one setup only" in field("form_error").text(), 20000, "what is wrong")
     type_into(field("turns"), "0")
-    assert "out of range" in field("turns_error").text()
+    until(lambda: "out of range" in field("turns_error").text(), 20000, "what is wrong")
     panel_button("Cancel")
 
 
@@ -148,6 +153,7 @@ def test_the_page_is_saved_where_the_user_says_and_replaces_nothing_unasked(path
     assert file.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
+@pytest.mark.usefixtures("whole_screen")
 def test_a_reopened_map_is_drawn_and_says_when_it_is_old(
     path, doc, pump, until, tmp_path, screenshot, pixels, view_box, tree_row, press
 ):
@@ -167,9 +173,9 @@ def test_a_reopened_map_is_drawn_and_says_when_it_is_old(
         made = again.SetupMap
         assert made.Proxy.last is None and not made.UpToDate
         worst = colours.heat(rgb(made.ViewObject.ColourBad))[-1]
-        until(lambda: seen(pixels, screenshot("setup_reopened"), worst, view_box()) > 60, 10000, "the colours of the map")
-        picture = screenshot("setup_reopened")
-        assert seen(pixels, picture, (1.0, 205 / 255, 70 / 255), view_box()) > 20, "the legend does not warn"
+        until(lambda: seen(pixels, screenshot("setup_reopened"), worst, view_box()) > 60, 30000, "the colours of the map")
+        warning = (1.0, 205 / 255, 70 / 255)
+        until(lambda: seen(pixels, screenshot("setup_reopened"), warning, view_box()) > 20, 30000, "the legend's warning")
         assert made.ViewObject.Proxy.getIcon().endswith("SetupMap.svg")
     finally:
         close_all(again.Name)

@@ -10,6 +10,8 @@ from test_clicks import look
 from freecad_fiveaxis.app import results
 from freecad_fiveaxis.app.selection import SelectionError
 
+pytestmark = pytest.mark.usefixtures("kept")
+
 
 @pytest.fixture
 def dome(doc):
@@ -22,7 +24,7 @@ def dome(doc):
 
 
 @pytest.fixture
-def planned(select, press, field, choose, type_into, click, until, panel_button, pump):
+def planned(select, press, field, choose, type_into, click, until, panel_button, pump, panel_closed):
     """planned(base, button): the panel for a new path, Calculate, and OK or Cancel."""
 
     def plan(base, button):
@@ -33,6 +35,7 @@ def planned(select, press, field, choose, type_into, click, until, panel_button,
         click(field("calculate"))
         until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
         panel_button(button, 500)
+        panel_closed()
 
     return plan
 
@@ -42,25 +45,30 @@ def legend(path):
     return path.ViewObject.Proxy.picture.checked
 
 
-def test_a_path_that_is_undone_and_done_again_is_current(dome, doc, planned, press, pump):
+def test_a_path_that_is_undone_and_done_again_is_current(dome, doc, planned, press, pump, anew, until):
     planned(dome, "OK")
     nc = results.nc_of(doc.Toolpath)
     press("Std_Undo", 500)
-    assert doc.getObject("Toolpath") is None
+    until(lambda: doc.getObject("Toolpath") is None, 20000, "undone")
     press("Std_Redo", 700)
+    until(lambda: doc.getObject("Toolpath"), 20000, "done again")
+    anew()
     path = doc.Toolpath
-    assert results.out_of_date(path) == "" == legend(path)
+    until(lambda: results.out_of_date(path) == "" == legend(path), 20000, "a path that is current")
     assert path.Mesh.State == ["Up-to-date"] and "Touched" not in path.State
     assert results.nc_of(path) == nc
 
 
-def test_what_undo_brings_back_out_of_date_stays_so(dome, doc, planned, press, pump):
+def test_what_undo_brings_back_out_of_date_stays_so(dome, doc, planned, press, pump, until):
     planned(dome, "OK")
+    before = float(doc.Toolpath.Mesh.LinearDeflection)
     doc.openTransaction("other deflection")
     doc.Toolpath.Mesh.LinearDeflection = 0.5
     doc.commitTransaction()
     press("Std_Undo", 500)
+    until(lambda: float(doc.Toolpath.Mesh.LinearDeflection) == before, 20000, "undone")
     press("Std_Redo", 500)
+    until(lambda: float(doc.Toolpath.Mesh.LinearDeflection) == 0.5, 20000, "done again")
     assert "Tessellation was changed" in results.out_of_date(doc.Toolpath)
     doc.openTransaction("other radius")
     dome.Radius = 15
@@ -69,14 +77,14 @@ def test_what_undo_brings_back_out_of_date_stays_so(dome, doc, planned, press, p
     doc.undo()
     doc.redo()
     pump(500)
-    assert results.out_of_date(doc.Toolpath)
+    until(lambda: results.out_of_date(doc.Toolpath), 20000, "a path that is out of date")
 
 
-def test_cancelled_panels_leave_no_gap_in_the_labels(dome, doc, planned):
+def test_cancelled_panels_leave_no_gap_in_the_labels(dome, doc, planned, until):
     allowed = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document").GetContents()
     for _ in range(2):
         planned(dome, "Cancel")
-        assert [obj.Label for obj in doc.Objects] == ["Dome"]
+        until(lambda: [obj.Label for obj in doc.Objects] == ["Dome"], 20000, "nothing left")
     planned(dome, "OK")
     assert (doc.Toolpath.Label, doc.Toolpath.Mesh.Label) == ("Toolpath", "Tessellation")
     planned(dome, "OK")
@@ -93,17 +101,19 @@ def deleted(obj, select, modal, pump):
     answer.stop()
 
 
-def test_a_deleted_part_is_called_deleted_and_undo_helps(dome, doc, planned, select, modal, press, pump):
+def test_a_deleted_part_is_called_deleted_and_undo_helps(dome, doc, planned, select, modal, press, pump, until):
     planned(dome, "OK")
     path, blocks = doc.Toolpath, doc.Toolpath.Blocks
     deleted(dome, select, modal, pump)
-    assert doc.getObject("Dome") is None
-    assert "was deleted: undo that" in results.out_of_date(path) == legend(path)
+    until(lambda: doc.getObject("Dome") is None, 20000, "the part deleted")
+    until(lambda: "was deleted: undo that" in results.out_of_date(path) == legend(path), 20000, "that it was deleted")
     doc.recompute()
     pump(300)
-    assert "was deleted: undo that" in results.out_of_date(path) and path.Blocks == blocks
+    until(lambda: "was deleted: undo that" in results.out_of_date(path), 20000, "that it was deleted")
+    assert path.Blocks == blocks
     assert "The part was deleted: undo that" in path.Mesh.getStatusString()
     press("Std_Undo", 500)
+    until(lambda: doc.getObject("Dome"), 20000, "the part back")
     doc.recompute()
     assert results.out_of_date(doc.Toolpath) == ""
 
@@ -114,13 +124,14 @@ def test_a_deleted_mesh_is_not_computed_on(dome, doc, planned, select, modal, pr
     planned(dome, "OK")
     path = doc.Toolpath
     deleted(path.Mesh, select, modal, pump)
-    assert doc.getObject("Tessellation") is None and "The mesh of Toolpath was deleted: undo that" in results.out_of_date(path)
+    until(lambda: doc.getObject("Tessellation") is None, 20000, "the mesh deleted")
+    until(lambda: "The mesh of Toolpath was deleted: undo that" in results.out_of_date(path), 20000, "that it was deleted")
     with pytest.raises(SelectionError, match="was deleted"):
         results.figures_of(path)
     toolpath.edit(path)
     pump(300)
     click(field("calculate"))
-    assert "was deleted: undo that" in field("form_error").text()
+    until(lambda: "was deleted: undo that" in field("form_error").text(), 20000, "what is wrong")
     panel_button("Cancel")
     path.Stepover = 3
     doc.recompute()
@@ -142,7 +153,7 @@ def when_computing(act):
 
 
 @pytest.fixture
-def slow(dome, doc, select, press, field, choose, type_into):
+def slow(anew, dome, doc, select, press, field, choose, type_into):
     """The panel of a path that takes long to compute."""
     select(dome)
     press("FiveAxis_Toolpath")
@@ -151,12 +162,12 @@ def slow(dome, doc, select, press, field, choose, type_into):
     return doc
 
 
-def test_a_document_closed_by_a_macro_while_it_is_computed_ends_the_work(slow, field, click, pump):
+def test_a_document_closed_by_a_macro_while_it_is_computed_ends_the_work(slow, field, click, pump, until):
     name, closed = slow.Name, []
     timer = when_computing(lambda: closed.append(FreeCAD.closeDocument(name)))
     click(field("calculate"))
-    pump(500)
-    assert closed and not timer.isActive() and name not in FreeCAD.listDocuments()
-    assert QtWidgets.QApplication.activeModalWidget() is None
+    until(lambda: closed, 60000, "the document closed while it is computed")
+    until(lambda: not timer.isActive() and name not in FreeCAD.listDocuments(), 20000, "the work over")
+    until(lambda: QtWidgets.QApplication.activeModalWidget() is None, 20000, "no dialog")
     FreeCADGui.Control.closeDialog()
     pump(500)

@@ -14,6 +14,8 @@ from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 COARSE = {"cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
 UNSAFE = {"linearize": "off", "gouge": "off"}
 
+pytestmark = pytest.mark.usefixtures("kept")
+
 
 @pytest.fixture
 def dome(doc):
@@ -56,38 +58,39 @@ def coloured(file, light):
     return int((abs(picture(file).astype(int) - wanted).max(axis=2) < 6).sum())
 
 
-def test_the_summary_shows_the_light_in_its_colour_until_the_settings_change(panel, pump, screenshot):
+def test_the_summary_shows_the_light_in_its_colour_until_the_settings_change(panel, pump, screenshot, until):
     opened = panel(**UNSAFE)
     assert not shown("verdict").isVisible()
     assert opened.calculate()
-    pump(500)
     label = shown("verdict")
-    assert label.isVisible() and label.text().startswith("NOT SAFE: ") and label.text() == opened.obj.Verdict
-    picture_ = screenshot("verdict_red")
-    assert coloured(picture_, "red") > 2000 and coloured(picture_, "amber") == 0
+    until(label.isVisible, 20000, "the verdict")
+    assert label.text().startswith("NOT SAFE: ") and label.text() == opened.obj.Verdict
+    until(lambda: coloured(screenshot("verdict_red"), "red") > 2000, 30000, "the verdict in red")
+    assert coloured(screenshot("verdict_red"), "amber") == 0
     opened.options.show_options({"linearize": "on", "gouge": "lift"})
     opened._edited()
-    assert not label.isVisible()
+    until(lambda: not label.isVisible(), 20000, "no verdict of other settings")
     assert opened.calculate()
-    pump(500)
-    assert label.text() == opened.obj.Verdict and not label.text().startswith("NOT SAFE")
-    assert coloured(screenshot("verdict_cured"), opened.obj.Light) > 2000
+    until(lambda: label.text() == opened.obj.Verdict, 20000, "the new verdict")
+    assert not label.text().startswith("NOT SAFE")
+    until(lambda: coloured(screenshot("verdict_cured"), opened.obj.Light) > 2000, 30000, "the verdict in its colour")
 
 
 @pytest.mark.parametrize("answer", ["Go back", "Keep anyway"])
-def test_ok_on_an_unsafe_path_asks(panel, doc, panel_button, modal, answer):
+def test_ok_on_an_unsafe_path_asks(panel, doc, panel_button, modal, answer, until):
     panel(**UNSAFE)
     told = modal(answer)
     panel_button("OK", wait=800)
+    until(lambda: told.said, 20000, "a question")
     assert len(told.said) == 1 and told.said[0].startswith("NOT SAFE: ") and "Keep this path anyway?" in told.said[0]
-    assert bool(FreeCADGui.Control.activeDialog()) == (answer == "Go back")
+    until(lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Go back"), 20000, "the panel open only to go back")
     assert doc.getObject("Toolpath") is not None and doc.Toolpath.Light == "red"
     if answer == "Go back":
         panel_button("Cancel")
-        assert doc.getObject("Toolpath") is None, "Cancel still takes everything back"
+        until(lambda: doc.getObject("Toolpath") is None, 20000, "Cancel to take everything back")
 
 
-def test_enter_means_go_back(panel, doc, panel_button, modal):
+def test_enter_means_go_back(panel, doc, panel_button, modal, until):
     panel(**UNSAFE)
 
     def enter(dialog):
@@ -98,16 +101,18 @@ def test_enter_means_go_back(panel, doc, panel_button, modal):
 
     told = modal(enter)
     panel_button("OK", wait=800)
-    assert told.said and FreeCADGui.Control.activeDialog()
+    until(lambda: told.said, 20000, "a question")
+    assert FreeCADGui.Control.activeDialog()
 
 
-def test_ok_on_a_path_that_is_safe_or_only_to_be_checked_asks_nothing(panel, doc, panel_button):
+def test_ok_on_a_path_that_is_safe_or_only_to_be_checked_asks_nothing(panel, doc, panel_button, panel_closed):
     panel()
     panel_button("OK", wait=800)
-    assert not FreeCADGui.Control.activeDialog() and doc.Toolpath.Light in ("amber", "green")
+    panel_closed()
+    assert doc.Toolpath.Light in ("amber", "green")
 
 
-def test_an_audit_is_a_judgement_and_asks_nothing(doc, tmp_path, panel_button, pump):
+def test_an_audit_is_a_judgement_and_asks_nothing(doc, tmp_path, panel_button, pump, panel_closed):
     (tmp_path / "foreign.nc").write_text("G21 G90 G94\nG1 X0 Y0 Z0 A0 C0 F500\nG1 X10 Y0 Z0 A5 C60\nM2\n")
     opened = audit.create(doc)
     opened.file.show_value(str(tmp_path / "foreign.nc"))
@@ -115,7 +120,8 @@ def test_an_audit_is_a_judgement_and_asks_nothing(doc, tmp_path, panel_button, p
     pump(200)
     assert opened.calculate() and shown("verdict").text().startswith("NOT SAFE: ")
     panel_button("OK", wait=800)
-    assert not FreeCADGui.Control.activeDialog() and doc.Audit.Light == "red"
+    panel_closed()
+    assert doc.Audit.Light == "red"
 
 
 def test_the_choice_of_linearize_is_not_asked_for_where_the_controller_guides_the_tip(panel):
@@ -133,11 +139,13 @@ def path(doc, dome):
 
 
 @pytest.mark.parametrize("answer", ["Cancel", "Write anyway"])
-def test_post_names_the_errors_first_and_writes_only_when_told_to(path, tmp_path, panel_button, modal, screenshot, pump, answer):
+def test_post_names_the_errors_first_and_writes_only_when_told_to(
+    path, tmp_path, panel_button, modal, screenshot, pump, answer, until
+):
     unsafe, file = path(**UNSAFE, linear_deflection=0.1, angular_deflection=15), tmp_path / "part.ngc"
     post.write(unsafe).file.show_value(str(file))
     pump(300)
-    assert shown("post_verdict").text() == unsafe.Verdict and shown("post_verdict").isVisible()
+    until(lambda: shown("post_verdict").text() == unsafe.Verdict and shown("post_verdict").isVisible(), 20000, "the verdict")
     listed = shown("post_findings").text()
     assert listed.index("Error:") < listed.index("Warning:")
 
@@ -148,46 +156,51 @@ def test_post_names_the_errors_first_and_writes_only_when_told_to(path, tmp_path
 
     told = modal(look)
     panel_button("OK", wait=800)
+    until(lambda: told.said, 20000, "a question")
     assert told.said[0].startswith("NOT SAFE: ") and told.said[0].index("Errors") < told.said[0].index("Warnings")
-    assert file.exists() == (answer == "Write anyway") and bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel")
+    until(lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"), 20000, "the panel open only after Cancel")
+    assert file.exists() == (answer == "Write anyway")
 
 
 def test_after_writing_the_file_its_lines_and_its_time_are_told_and_opened(path, tmp_path, panel_button, pump, click, screenshot,
-                                                                          monkeypatch):  # fmt: skip
+                                                                          monkeypatch, until, panel_closed):  # fmt: skip
     made, file = path(spindle=8000), tmp_path / "part.ngc"
     post.write(made).file.show_value(str(file))
     pump(300)
     assert not [one for one in FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget, "spindle") if one.isVisible()]
     panel_button("OK", wait=800)
-    assert not FreeCADGui.Control.activeDialog(), "nothing waits for the window that tells"
+    panel_closed()  # nothing waits for the window that tells
+    until(lambda: shown("FiveAxisWritten") and shown("FiveAxisWritten").isVisible(), 20000, "the window that tells")
     text = shown("FiveAxisWrittenText").text()
     lines = len(file.read_bytes().splitlines())
-    assert str(file) in text and f"{lines} lines" in text and shown("FiveAxisWritten").isVisible()
+    assert str(file) in text and f"{lines} lines" in text
     assert summary.clock(results.figures_of(made).program.seconds.sum()) in text
     screenshot("post_written")
     opened = []
     monkeypatch.setattr(written, "open_url", lambda url: opened.append(url.toLocalFile()))
     click(shown("FiveAxisWrittenOpen"))
     click(shown("FiveAxisWrittenFolder"))
-    assert opened == [str(file), str(tmp_path)]
+    until(lambda: opened == [str(file), str(tmp_path)], 20000, "file and folder opened")
     click(shown("FiveAxisWrittenClose"))
-    assert not shown("FiveAxisWritten").isVisible()
+    until(lambda: not shown("FiveAxisWritten").isVisible(), 20000, "the window closed")
 
 
-def test_a_spindle_speed_that_is_missing_is_asked_for_in_place(path, doc, tmp_path, panel_button, pump, type_into, field):
+def test_a_spindle_speed_that_is_missing_is_asked_for_in_place(
+    path, doc, tmp_path, panel_button, pump, type_into, field, panel_closed
+):
     made, file = path(), tmp_path / "part.ngc"
     assert b"S9000" not in results.nc_of(made)
     post.write(made).file.show_value(str(file))
     pump(300)
     type_into(field("spindle"), "9000")
     panel_button("OK", wait=800)
+    panel_closed()
     assert made.Spindle == 9000 and b"S9000" in file.read_bytes() and results.out_of_date(made) == ""
 
 
-def test_the_list_of_findings_begins_with_the_verdict(path, pump):
+def test_the_list_of_findings_begins_with_the_verdict(path, pump, until):
     made = path(**UNSAFE)
     opened = findings_panel.show(made)
-    pump(200)
-    assert opened.verdict.isVisible() and opened.verdict.text() == made.Verdict
+    until(lambda: opened.verdict.isVisible() and opened.verdict.text() == made.Verdict, 20000, "the verdict")
     opened.clear()
-    assert not opened.verdict.isVisible()
+    until(lambda: not opened.verdict.isVisible(), 20000, "no verdict")

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Our document objects in the tree and in the 3D view: drawn, coloured, out of date, undone, and drawn again after opening."""
 
+import time
+
 import FreeCAD
 import FreeCADGui
 import Part
@@ -41,9 +43,10 @@ def audit(doc, pump, tmp_path):
     return made
 
 
-def _settled(obj, pump, ms=4000):
+def _settled(obj, pump, ms=30000):
     """Let the window work until the path is drawn."""
-    for _ in range(ms // 50):
+    end = time.monotonic() + ms / 1000
+    while time.monotonic() < end:
         pump(50)
         picture = obj.ViewObject.Proxy.picture
         if picture is not None and picture.figures is not None and picture.styled and picture.checked is not None:
@@ -99,11 +102,10 @@ def _parents(window, label):
     return found
 
 
-def test_the_tree_shows_markers_below_their_path(audit, window, pump):
+def test_the_tree_shows_markers_below_their_path(audit, window, pump, until):
     markers = app.annotate(audit)
-    pump(700)
+    until(lambda: set(_parents(window, markers.Label)) == {audit.Label}, 20000, "the markers below their path")
     assert audit.State == ["Up-to-date"]
-    assert set(_parents(window, markers.Label)) == {audit.Label}
 
 
 def test_what_is_drawn_is_what_the_core_says(path):
@@ -125,48 +127,48 @@ def test_the_markers_object_stands_where_the_core_says(path, until):
     def shown(name):
         return switches[name].whichChild.getValue()
 
-    until(lambda: shown("marks") == shown("label") == -1, 5000, "the path leaves them to the Markers object")
+    until(lambda: shown("marks") == shown("label") == -1, 20000, "the path leaves them to the Markers object")
     markers.Document.removeObject(markers.Name)
-    until(lambda: shown("marks") == -3, 5000, "the path's own marks")
+    until(lambda: shown("marks") == -3, 20000, "the path's own marks")
 
 
-def test_the_colours_are_seen_and_can_be_changed(path, pump, screenshot, pixels, view_box):
+def test_the_colours_are_seen_and_can_be_changed(path, pump, screenshot, pixels, view_box, until):
     view = path.ViewObject
     before = pixels(screenshot("path"), (255, 0, 255), 8, view_box())
     view.ColourGood = (1.0, 0.0, 1.0)
     view.ShowLegend = False
-    pump(400)
-    assert pixels(screenshot("path-coloured"), (255, 0, 255), 8, view_box()) > before + 300
+
+    def seen(name):
+        return pixels(screenshot(name), (255, 0, 255), 8, view_box())
+
+    until(lambda: seen("path-coloured") > before + 300, 30000, "the path in another colour")
     view.Visibility = False
-    pump(300)
-    assert pixels(screenshot("path-hidden"), (255, 0, 255), 8, view_box()) < 20
+    until(lambda: seen("path-hidden") < 20, 30000, "no path")
 
 
-@pytest.mark.parametrize(
-    "prop, part",
-    [("ShowAxes", "axes"), ("ShowMarkers", "marks"), ("ShowCurves", "curves"), ("ShowRapids", "rapids"), ("ShowLegend", "legend"),
-     ("ShowLabel", "label")],
-)  # fmt: skip
-def test_every_part_can_be_switched_off(path, pump, screenshot, view_box, prop, part):
+@pytest.mark.usefixtures("whole_screen")
+def test_every_part_can_be_switched_off(path, pump, until, screenshot, view_box):
     from PySide import QtGui
 
     def seen():
         left, top, width, height = view_box()
         return QtGui.QImage(screenshot("part")).copy(left, top, width, height)
 
-    switch = path.ViewObject.Proxy.picture.nodes.switches[part]
+    parts = {"ShowAxes": "axes", "ShowMarkers": "marks", "ShowCurves": "curves", "ShowRapids": "rapids", "ShowLegend": "legend",
+             "ShowLabel": "label"}  # fmt: skip
     pump(300)
-    before = seen()
-    setattr(path.ViewObject, prop, False)
-    pump(300)
-    assert switch.whichChild.getValue() == -1
-    assert seen() != before, f"{part} was not seen"
-    setattr(path.ViewObject, prop, True)
-    pump(300)
-    assert switch.whichChild.getValue() == -3
+    for prop, part in parts.items():
+        switch, before = path.ViewObject.Proxy.picture.nodes.switches[part], seen()
+        setattr(path.ViewObject, prop, False)
+        until(lambda before=before: seen() != before, 20000, f"{part} seen to go")
+        until(lambda switch=switch: switch.whichChild.getValue() == -1, 20000, f"{part} gone")
+        setattr(path.ViewObject, prop, True)
+        pump(300)
+        until(lambda switch=switch: switch.whichChild.getValue() == -3, 20000, f"{part} back")
 
 
-def test_a_path_that_is_out_of_date_says_so_in_the_view(path, doc, pump, screenshot, pixels, view_box):
+@pytest.mark.usefixtures("whole_screen")
+def test_a_path_that_is_out_of_date_says_so_in_the_view(path, doc, pump, screenshot, pixels, view_box, until):
     from freecad_fiveaxis.gui.scene.overlay import WARN
 
     picture = path.ViewObject.Proxy.picture
@@ -174,18 +176,16 @@ def test_a_path_that_is_out_of_date_says_so_in_the_view(path, doc, pump, screens
     picture.nodes.turn("strokes", False)
     before = pixels(screenshot("current"), WARN, 12, view_box())
     path.Feed = "700 mm/min"
-    pump(400)
-    assert picture.checked, "a change of a setting is not noticed"
-    assert pixels(screenshot("out-of-date"), WARN, 12, view_box()) > before + 40
+    until(lambda: picture.checked, 20000, "a change of a setting noticed")
+    until(lambda: pixels(screenshot("out-of-date"), WARN, 12, view_box()) > before + 40, 30000, "the warning")
     doc.recompute()
     _settled(path, pump)
-    assert picture.checked == ""
+    until(lambda: picture.checked == "", 20000, "a path that is current")
     doc.getObject("Dome").Placement.Base.z = 1.0
-    pump(400)
-    assert picture.checked, "a change of the solid is not noticed"
+    until(lambda: picture.checked, 20000, "a change of the solid noticed")
     doc.recompute()
-    pump(400)
-    assert picture.checked == "" and picture.figures is results.figures_of(path)
+    until(lambda: picture.checked == "", 20000, "a path that is current")
+    until(lambda: picture.figures is results.figures_of(path), 20000, "the picture of the new result")
 
 
 def test_the_work_zero_moves_the_drawing(doc, pump):
@@ -255,7 +255,7 @@ def test_a_document_that_is_opened_again_shows_its_picture(path, doc, pump, tmp_
         FreeCAD.closeDocument(again.Name)
 
 
-def test_a_picture_that_cannot_be_computed_says_why(audit, doc, pump, tmp_path):
+def test_a_picture_that_cannot_be_computed_says_why(audit, doc, pump, tmp_path, until):
     label = audit.Label
     doc.saveAs(str(tmp_path / "gone.FCStd"))
     FreeCAD.closeDocument(doc.Name)
@@ -263,10 +263,9 @@ def test_a_picture_that_cannot_be_computed_says_why(audit, doc, pump, tmp_path):
     again = FreeCAD.openDocument(str(tmp_path / "gone.FCStd"))
     try:
         audit = again.getObjectsByLabel(label)[0]
-        pump(1500)
-        picture = audit.ViewObject.Proxy.picture
-        assert "t2.ngc" in picture.failed
-        assert _images(picture.nodes.groups["legend"]) == 1, "the view does not say why"
+        picture = until(lambda: audit.ViewObject.Proxy.picture, 20000, "a picture")
+        until(lambda: "t2.ngc" in (picture.failed or ""), 20000, "why there is none")
+        until(lambda: _images(picture.nodes.groups["legend"]) == 1, 20000, "that in the view")
         assert "Touched" in audit.State
     finally:
         FreeCAD.closeDocument(again.Name)
@@ -289,6 +288,7 @@ def test_undo_takes_the_picture_away_and_redo_brings_it_back(doc, pump):
     assert _settled(path, pump).drawing is not None
 
 
+@pytest.mark.usefixtures("whole_screen")
 def test_a_legend_goes_with_its_object_and_comes_back_with_it(path, doc, pump, until, screenshot, pixels, view_box):
     """Hidden itself, hidden with the part that holds it, deleted, brought back by undo; the other's legend closes up."""
     from freecad_fiveaxis.gui.scene.overlay import INK
@@ -312,7 +312,7 @@ def test_a_legend_goes_with_its_object_and_comes_back_with_it(path, doc, pump, u
         ]
 
     def shows(name, expected, what="legends in sight"):
-        until(lambda: seen(name) == expected, 10000, f"{name}: {what}")
+        until(lambda: seen(name) == expected, 30000, f"{name}: {what}")
 
     shows("legends_both", [True, True])
     path.ViewObject.Visibility = False

@@ -91,14 +91,15 @@ def panel_form():
 
 
 def test_a_machine_is_recovered_without_a_document(empty, folder, pair, press, field, type_into, choose, click, until, panel_button,
-                                                   screenshot, window, tmp_path, pump):  # fmt: skip
+                                                   screenshot, window, tmp_path, pump, panel_closed):  # fmt: skip
     press("FiveAxis_Recover", SLID)
     panel_button("OK")
-    assert "CL file" in shown(field, "cl_file_error") and "NC file" in shown(field, "program_error")
+    until(lambda: "CL file" in shown(field, "cl_file_error"), 20000, "a file that is missing")
+    until(lambda: "NC file" in shown(field, "program_error"), 20000, "a file that is missing")
     assert FreeCADGui.Control.activeDialog(), "nothing to write yet"
     type_into(field("cl_file"), str(pair[0]))
     type_into(field("program"), str(pair[1]))
-    assert field("machine_file").text() == str(folder / "ball.fcm")
+    until(lambda: field("machine_file").text() == str(folder / "ball.fcm"), 20000, "a name for the machine")
     choose(field("machine"), "trunnion_ac")
     for letter, value in zip("xyz", ("10 mm", "-5 mm", "20 mm"), strict=True):
         box = field("origin").findChild(QtWidgets.QCheckBox)
@@ -110,13 +111,13 @@ def test_a_machine_is_recovered_without_a_document(empty, folder, pair, press, f
     until(lambda: "table-table" in shown(field, "result"), 60000, "a result")
     assert "trunnion_ac is that machine" in shown(field, "result") and "A line, Y" in shown(field, "result")
     assert "Largest residual" in shown(field, "result") and field("page").isEnabled()
-    pump(300)
+    until(lambda: not cut(panel_form()), 20000, "no text that is cut")
     screenshot("recover")
-    assert not cut(panel_form())
     assert not folder.exists(), "nothing is written before OK"
     panel_button("OK", 800)
-    assert not FreeCADGui.Control.activeDialog() and "Written" in window.statusBar().currentMessage()
-    assert FreeCAD.ActiveDocument is None
+    panel_closed()
+    until(lambda: "Written" in window.statusBar().currentMessage(), 20000, "what was written")
+    until(lambda: FreeCAD.ActiveDocument is None, 20000, "no document")
     assert str(folder / "ball.fcm") in [one.machine for one in machines.choices()]
     words = ("recover", *pair, "--machine", "trunnion_ac", "--origin", "10,-5,20", "-o", tmp_path / "ball.fcm", "--quiet")
     assert run(*words) == cli.DONE
@@ -131,38 +132,38 @@ def test_another_machine_is_named_and_a_file_that_is_there_is_not_written(empty,
     type_into(field("cl_file"), str(pair[0]))
     type_into(field("program"), str(pair[1]))
     type_into(field("machine_file"), str(mine))
-    assert "there already" in shown(field, "machine_file_error")
+    until(lambda: "there already" in shown(field, "machine_file_error"), 20000, "what is wrong")
     panel_button("OK")
     assert FreeCADGui.Control.activeDialog() and mine.read_text() == "mine"
     type_into(field("machine_file"), str(tmp_path / "mine.txt"))
-    assert ".fcm" in shown(field, "machine_file_error")
+    until(lambda: ".fcm" in shown(field, "machine_file_error"), 20000, "what is wrong")
     type_into(field("machine_file"), str(tmp_path / "other.fcm"))
     type_into(field("certainty"), "0 mm")
-    assert "out of range" in shown(field, "certainty_error")
+    until(lambda: "out of range" in shown(field, "certainty_error"), 20000, "what is wrong")
     type_into(field("certainty"), "0.01 mm")
     choose(field("machine"), "trunnion_bc")
     click(field("calculate"))
     until(lambda: "another machine" in shown(field, "result"), 60000, "a result")
     screenshot("recover-other")
     choose(field("machine"), "none")
-    assert "Press Calculate" in shown(field, "result"), "what is shown is of other settings"
+    until(lambda: "Press Calculate" in shown(field, "result"), 20000, "that what was shown was of other settings")
     panel_button("Cancel")
     assert not (tmp_path / "other.fcm").exists()
 
 
 def test_files_that_cannot_be_used_and_a_stop_say_so(empty, folder, pair, press, field, type_into, click, panel_button, monkeypatch,
-                                                     window, pump):  # fmt: skip
+                                                     window, pump, until):  # fmt: skip
     from freecad_fiveaxis.core.base.errors import Cancelled
     from freecad_fiveaxis.gui import waiting
 
     press("FiveAxis_Recover", SLID)
     type_into(field("cl_file"), str(pair[1].parent / "gone.apt"))
-    assert "does not exist" in shown(field, "cl_file_error")
+    until(lambda: "does not exist" in shown(field, "cl_file_error"), 20000, "what is wrong")
     type_into(field("cl_file"), str(pair[1]))
     type_into(field("program"), str(pair[0]))
     click(field("calculate"))
-    pump(300)
-    assert shown(field, "form_error") and "Press Calculate" in shown(field, "result")
+    until(lambda: shown(field, "form_error"), 20000, "what is wrong")
+    assert "Press Calculate" in shown(field, "result")
     type_into(field("cl_file"), str(pair[0]))
     type_into(field("program"), str(pair[1]))
 
@@ -171,7 +172,8 @@ def test_files_that_cannot_be_used_and_a_stop_say_so(empty, folder, pair, press,
 
     monkeypatch.setattr(waiting.Waiting, "__call__", stop)
     click(field("calculate"))
-    assert "Stopped" in window.statusBar().currentMessage() and "Press Calculate" in shown(field, "result")
+    until(lambda: "Stopped" in window.statusBar().currentMessage(), 20000, "that it was stopped")
+    assert "Press Calculate" in shown(field, "result")
     panel_button("Cancel")
 
 
@@ -182,9 +184,9 @@ def test_the_mark_starts_at_the_top_of_the_part_in_work_coordinates(doc, press, 
     hidden.Height, hidden.Visibility = 500, False
     doc.recompute()
     press("FiveAxis_ProveSigns", SLID)
-    assert [field(f"mark_{letter}").measured() for letter in "xyz"] == [30.0, 20.0, 40.0]
+    until(lambda: [field(f"mark_{letter}").measured() for letter in "xyz"] == [30.0, 20.0, 40.0], 20000, "the top of the part")
     type_into(field("work_zero_z"), "25 mm")
-    assert field("mark_z").measured() == 15.0, "counted from the work zero"
+    until(lambda: field("mark_z").measured() == 15.0, 20000, "the top counted from the work zero")
     click(field("calculate"))
     until(lambda: "Stop 8" in shown(field, "result"), 60000, "a sheet")
     assert "Nothing may stand" not in shown(field, "result")
@@ -202,37 +204,39 @@ def test_without_a_part_the_sheet_says_that_nothing_may_stand_there(empty, press
 
 
 def test_the_signs_are_proven_without_a_document(empty, folder, press, field, type_into, choose, click, until, panel_button,
-                                                 screenshot, tmp_path, monkeypatch, modal, pump):  # fmt: skip
+                                                 screenshot, tmp_path, monkeypatch, modal, pump, panel_closed):  # fmt: skip
     opened = []
     monkeypatch.setattr(prove_signs.QtGui.QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
     press("FiveAxis_ProveSigns", SLID)
-    assert not field("mark_pick").isEnabled(), "there is nothing to pick from"
+    until(lambda: not field("mark_pick").isEnabled(), 20000, "that there is nothing to pick from")
     choose(field("controller"), "Heidenhain TNC (TCPM)")
-    assert field("nc_file").text().endswith("trunnion_ac signs.h"), field("nc_file").text()
+    until(lambda: field("nc_file").text().endswith("trunnion_ac signs.h"), 20000, "the controller's own ending")
     nc, sheet = tmp_path / "signs.h", tmp_path / "signs.html"
     type_into(field("nc_file"), str(nc))
-    assert field("sheet").text() == str(sheet)
+    until(lambda: field("sheet").text() == str(sheet), 20000, "the sheet beside the program")
     for letter, value in zip("xyz", ("40 mm", "25 mm", "10 mm"), strict=True):
         type_into(field(f"mark_{letter}"), value)
     type_into(field("gap"), "2 mm")
-    assert "out of range" in shown(field, "gap_error")
+    until(lambda: "out of range" in shown(field, "gap_error"), 20000, "what is wrong")
     type_into(field("gap"), "30 mm")
     click(field("calculate"))
     until(lambda: "Stop 8" in shown(field, "result"), 60000, "a sheet")
     assert "Only A turns" in shown(field, "result") and not nc.exists()
-    pump(300)
+    until(lambda: not cut(panel_form()), 20000, "no text that is cut")
     screenshot("prove-signs")
-    assert not cut(panel_form())
     click(field("open_sheet"))
+    until(lambda: opened, 20000, "the sheet opened")
     assert "Proving the signs" in Path(opened[0]).read_text(encoding="utf-8")
     sheet.write_text("mine")
     met = modal("Cancel")
     panel_button("OK")
+    until(lambda: met.said, 20000, "a question")
     assert "signs.html" in met.said[0] and sheet.read_text() == "mine" and not nc.exists()
     assert FreeCADGui.Control.activeDialog()
     modal("Replace")
     panel_button("OK", 800)
-    assert not FreeCADGui.Control.activeDialog() and FreeCAD.ActiveDocument is None
+    panel_closed()
+    until(lambda: FreeCAD.ActiveDocument is None, 20000, "no document")
     (tmp_path / "cli").mkdir()
     words = ("--machine", "trunnion_ac", "--controller", "heidenhain", "--mark", "40,25,10", "--gap", "30")
     report = tmp_path / "cli" / "signs.html"
@@ -241,7 +245,8 @@ def test_the_signs_are_proven_without_a_document(empty, folder, press, field, ty
 
 
 def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc, folder, press, field, click, view_click, until,
-                                                                             panel_button, screenshot, tmp_path, pump):  # fmt: skip
+                                                                             panel_button, screenshot, tmp_path, pump,
+                                                                             panel_closed):  # fmt: skip
     box = doc.addObject("Part::Box", "Box")
     box.Length, box.Width, box.Height = 40, 30, 12
     doc.recompute()
@@ -249,13 +254,14 @@ def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc
     path.ViewObject.hide()
     look(doc)
     press("FiveAxis_ProveSigns", SLID)
-    assert field("machine").currentText() == "trunnion_bc"
+    until(lambda: field("machine").currentText() == "trunnion_bc", 20000, "the path's machine")
     click(field("mark_pick"))
     view_click((40, 0, 12))
-    until(lambda: field("mark_x").measured() == pytest.approx(30, abs=1e-6), 5000, "the corner, from the work zero")
+    until(lambda: field("mark_x").measured() == pytest.approx(30, abs=1e-6), 20000, "the corner, from the work zero")
     mark = [field(f"mark_{letter}").measured() for letter in "xyz"]
     assert mark == pytest.approx([30, -5, 12], abs=1e-6)
     panel_button("OK", 800)
+    panel_closed()
     made = [one.name for one in tmp_path.iterdir()]
     assert sorted(made) == ["trunnion_bc signs.html", "trunnion_bc signs.ngc"]
     assert b"T4 M6" in (tmp_path / "trunnion_bc signs.ngc").read_bytes()
@@ -263,38 +269,39 @@ def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc
 
 
 def test_a_machine_is_imported_with_its_findings(empty, folder, press, field, type_into, click, until, panel_button, screenshot,
-                                                 tmp_path, pump):  # fmt: skip
+                                                 tmp_path, pump, panel_closed):  # fmt: skip
     source = tmp_path / "theirs.fcm"
     data = json.loads((ROOT / "resources" / "machines" / "trunnion_ac.fcm").read_text(encoding="utf-8"))
     data.pop("fiveaxis", None)
     source.write_text(json.dumps(data))
     press("FiveAxis_ImportMachine", SLID)
     type_into(field("source"), str(tmp_path / "notes.txt"))
-    assert "does not exist" in shown(field, "source_error")
+    until(lambda: "does not exist" in shown(field, "source_error"), 20000, "what is wrong")
     (tmp_path / "notes.txt").write_text("no machine")
     type_into(field("source"), str(tmp_path / "notes.txt"))
     type_into(field("source"), str(source))
-    assert field("machine_file").text() == str(folder / "theirs.fcm")
+    until(lambda: field("machine_file").text() == str(folder / "theirs.fcm"), 20000, "a name for the machine")
     click(field("calculate"))
     until(lambda: "Prove the signs before cutting" in shown(field, "result"), 20000, "findings")
-    pump(300)
+    until(lambda: not cut(panel_form()), 20000, "no text that is cut")
     screenshot("import-machine")
-    assert not cut(panel_form())
     panel_button("OK", 500)
-    assert load_machine(str(folder / "theirs.fcm")).rotary and not FreeCADGui.Control.activeDialog()
+    panel_closed()
+    assert load_machine(str(folder / "theirs.fcm")).rotary
     press("FiveAxis_ImportMachine", SLID)
     type_into(field("source"), str(source))
-    assert field("machine_file").text() == str(folder / "theirs-2.fcm"), "no file is proposed that is there"
+    until(lambda: field("machine_file").text() == str(folder / "theirs-2.fcm"), 20000, "the name of no file that is there")
     panel_button("Cancel")
 
 
-def test_escape_writes_nothing(empty, folder, press, field, click, real_key, window, pump, tmp_path):
+def test_escape_writes_nothing(empty, folder, press, field, click, real_key, window, pump, tmp_path, until, panel_closed):
     press("FiveAxis_ProveSigns", SLID)
     click(field("calculate"))
+    until(lambda: "Stop 8" in shown(field, "result"), 60000, "a sheet")
     pump(500)
     real_key(window, "Escape")
-    pump(500)
-    assert not FreeCADGui.Control.activeDialog() and not list(tmp_path.iterdir())
+    panel_closed()
+    assert not list(tmp_path.iterdir())
 
 
 def test_the_report_is_saved_where_the_user_says(empty, folder, pair, press, field, type_into, click, until, panel_button,
@@ -309,9 +316,11 @@ def test_the_report_is_saved_where_the_user_says(empty, folder, pair, press, fie
     click(field("calculate"))
     until(lambda: "table-table" in shown(field, "result"), 60000, "a result")
     click(field("page"))
+    until(file.exists, 20000, "the report")
     assert "The machine that the post had in mind" in file.read_text(encoding="utf-8")
     file.write_text("mine")
     met = modal("Cancel")
     click(field("page"))
-    assert met.said and file.read_text() == "mine"
+    until(lambda: met.said, 20000, "a question")
+    assert file.read_text() == "mine"
     panel_button("Cancel")

@@ -206,6 +206,10 @@ class Watch(threading.Thread):
         more = {thread: wait - before.get(thread, wait) for thread, wait in self.waits().items()}
         return more.pop(0) + more.pop(self.process, 0.0) + max(more.values(), default=0.0)
 
+    def answers(self) -> int:
+        """How many times the window has answered so far."""
+        return len(self.silences)
+
     def longest(self, since: float) -> float:
         """The longest silence that ended after ``since`` (monotonic), s."""
         ended = [took for end, took in self.silences[-20_000:] if end >= since]

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import os
 import re
-import sys
 import time
 from dataclasses import dataclass
 
@@ -19,9 +18,6 @@ from hands import Hands
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROJECT = os.path.dirname(os.path.dirname(HERE))
-sys.path.append(os.path.dirname(HERE))
-
-from pace import pace  # noqa: E402
 
 BAD = re.compile(r"Traceback|\w*Error\b|\w*Exception\b|Segmentation fault|SIGSEGV|already deleted|[Uu]nhandled|resizeDocks")
 NOT_OURS = re.compile(r"Addon Manager|QtWebEngine|zygote|libEGL|MESA|dconf|dbus|GLib|Gtk-", re.IGNORECASE)
@@ -119,8 +115,8 @@ class Sitting:
             row.seconds, row.clicks, row.keys = time.monotonic() - begun, self.hands.clicks, self.hands.keys
             row.silence = self.watch.longest(begun) if self.watch else 0.0
         self.look()
-        if limit is not None and row.silence > limit * (slower := pace()):
-            raise Unseen(f"the window was silent for {row.silence:.2f} s, allowed are {limit * slower:.2f} s")
+        if limit is not None and row.silence > limit:
+            raise Unseen(f"the window was silent for {row.silence:.2f} s, allowed are {limit:g} s")
         if self.watch and not self.has_left():
             self.collect()
             self.look()

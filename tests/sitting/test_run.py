@@ -14,7 +14,7 @@ HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parents[1]
 NEEDED = ("freecad", "freecadcmd", "Xvfb", "openbox", "xdotool", "import", "dbus-run-session")
 needs_a_desk = pytest.mark.skipif(not all(map(shutil.which, NEEDED)), reason="no FreeCAD, or no desk to sit at")
-PARTS = ("freecad_fiveaxis", "resources", "scripts", "tests/sitting", "tests/pace.py", "Init.py", "InitGui.py", "package.xml")
+PARTS = ("freecad_fiveaxis", "resources", "scripts", "tests/sitting", "Init.py", "InitGui.py", "package.xml")
 
 BROKEN = {
     "a slot raises": (
@@ -34,7 +34,7 @@ BROKEN = {
     "the window sleeps": (
         "freecad_fiveaxis/gui/panels/path_panel.py",
         '        """Compute what the form says and show the summary; whether that went well. Otherwise the document is as before."""\n',
-        "        import time\n        time.sleep(6)\n",
+        "        import time\n        time.sleep(8)\n",
         "Esc while it works|Calculate",
         r"silent for [5-9]\.\d\d s",
     ),

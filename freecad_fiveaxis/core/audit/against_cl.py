@@ -2,7 +2,8 @@
 """Where a posted program leaves the CL path that it was made from.
 
 CL line      the straight lines from row to row of the CL file, rapids included: a post may make feed moves of them.
-off          the distance of the real tip from the nearest place of the CL line, at its largest in each feed block.
+off          the distance of the real tip, or of the centre of a ball that is known, from the nearest place of the CL line of the
+             same point, at its largest in each feed block.
 missed row   a row of the CL file, reached at feed, that no feed block comes near: a pass that is not cut.
 axis off     the angle between the tool axis at a block's end and that of the CL path at the nearest place; of several places that
              are as near (passes that cross, the tool turning on the spot) the one that suits best counts.
@@ -19,7 +20,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -77,13 +78,15 @@ class AgainstPath:
 
 def against_path(
     kinematics: Chain, program: Program, deviation: Deviation, path: CLPath, tolerance: float, axis_tolerance: float,
-    progress: Progress = silent,
+    progress: Progress = silent, above: float = 0.0,
 ) -> AgainstPath:  # fmt: skip
-    """The program against the CL path. ``tolerance`` mm, ``axis_tolerance`` rad. Raises ProgramError for a path of one row."""
+    """The program against the CL path. ``tolerance`` mm, ``axis_tolerance`` rad; ``above`` mm: compared is the point so far over
+    the tip, with the same point of the CL path (of a ball the centre). Raises ProgramError for a path of one row."""
     if len(path.tip) < 2:
         raise ProgramError(say("the CL file holds fewer than two rows: there is no path to compare with"), len(path.tip))
+    given, path = path, replace(path, tip=path.tip + above * path.axis)
     lines = Segments(path.tip[:-1], path.tip[1:])
-    pieces, rows, real = lines.pieces(), feed_blocks(program), RealPath(kinematics, program)
+    pieces, rows, real = lines.pieces(), feed_blocks(program), RealPath(kinematics, program, above)
 
     def measured(place: Floats) -> Floats:
         return search(place, pieces, lines.squared, nearest, 2, ROUGH, progress)
@@ -100,7 +103,7 @@ def against_path(
     told = AgainstPath(
         rows, found.value, found.u, found.place, found.bound, at_end[:, 0], at_end[:, 1], missed, distance
     )  # fmt: skip
-    findings = _findings(program, told, _own_ways(told, ends, stands, tolerance), path, tolerance, axis_tolerance)
+    findings = _findings(program, told, _own_ways(told, ends, stands, tolerance), given, tolerance, axis_tolerance)
     return AgainstPath(**{**vars(told), "findings": findings})
 
 

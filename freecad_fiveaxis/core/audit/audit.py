@@ -28,12 +28,14 @@ from .tool_in_part import is_ball, tool_in_part
 @dataclass(frozen=True)
 class AuditOptions:
     """``tolerance`` mm, of overcuts too, and ``axis_tolerance`` rad against the CL path; the ``cutter``; ``body``: cutter, shank
-    and holder where all of them, and rapids, are held against the part, None: a ball cutter's ball alone."""
+    and holder where all of them, and rapids, are held against the part, None: a ball cutter's ball alone; ``above`` mm: so far
+    over the driven point lies the one that is held against a CL path."""
 
     tolerance: float
     axis_tolerance: float
     cutter: Cutter
     body: Body | None = None
+    above: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +67,8 @@ def audit_program(
     found = (*limits.findings, *rate_findings(kinematics, program, rates), *feed_findings(kinematics, program, rates))
     path = part = None
     if isinstance(against, CLPath):
-        path = against_path(kinematics, program, deviation, against, options.tolerance, options.axis_tolerance, progress)
+        above = options.above if program.guided is None else 0.0
+        path = against_path(kinematics, program, deviation, against, options.tolerance, options.axis_tolerance, progress, above)
         found += path.findings
     elif against is not None:
         part = _in_part(kinematics, program, against, options, progress)

@@ -47,7 +47,7 @@ def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
     """Unit axis (n, 3) of every row: the strategy, then lead and tilt.
 
     Raises SettingsError for an unknown strategy, a lead or tilt that is no number, and a fixed axis of no length.
-    Lead and tilt follow the order of the rows: reverse passes first (:func:`~.cl_path.order_passes`).
+    Lead and tilt follow the order of the rows: order and reverse passes first (:func:`..passes.field.cut`).
     """
     find = find_strategy(strategy)
     for name in ("lead", "tilt"):
@@ -95,6 +95,15 @@ def minimax(path: OffsetPath, options: AxisOptions) -> Floats:
     return facet_mean(path, options)
 
 
+def auto(path: OffsetPath, options: AxisOptions) -> Floats:
+    """a smooth field of axes on the surface with which cutter, shank and holder are free of the part, within the machine's limits
+
+    It needs part and machine: here it is only begun, as facet_mean. The correction of that name goes on from there
+    (``corrections.axis_corrections``).
+    """
+    return facet_mean(path, options)
+
+
 def fixed(path: OffsetPath, options: AxisOptions) -> Floats:
     """one axis everywhere (three-axis milling, or 3 + 2 with a tilted axis)"""
     vector = np.array(options.fixed, float)
@@ -113,6 +122,7 @@ STRATEGIES: dict[str, Strategy] = {
     "facet_mean": facet_mean,
     "step_weighted": step_weighted,
     "minimax": minimax,
+    "auto": auto,
     "fixed": fixed,
 }
 

@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.tool.body import Body, Piece
 
 from .bounds import box_bound, facet_bound, least_depth, pared, plate_bound
 from .deepest import deepest, end_and_side, least_mixed, support_at
+from .demanded_lift import raise_to_demand
 from .swept_motion import Clusters, MotionSegments, Poses, StraightSweep, SweptMotion, clusters_of, segments_of
 
 BATCH = 16384
@@ -99,6 +100,19 @@ def which_enter(
     return np.asarray(find_entries(body, tree, swept, limit, np.inf, blocks, progress).bound > limit)
 
 
+def find_demanded_lift(body: Body, tree: FacetTree, up: SweptMotion, limit: float, progress: Progress = silent) -> Floats:
+    """How far (m,) mm a body that stands still, or goes up along its axis, must go at least: the most that facets demand of which
+    a point is in it by more than ``limit`` mm; 0 where none is. Points that :func:`raise_to_demand` misses may demand more."""
+    m, lift = len(up), np.zeros(len(up))
+    found = Entries(np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64))
+    search = _Search(tree, up, limit, np.inf, body.reach, found, np.zeros(m), np.full(m + 1, limit), learns=False)
+    for first in range(0, m, BATCH):
+        progress("gouge", first / m)
+        blocks = np.arange(first, min(first + BATCH, m))
+        search.batch(body, blocks, _now_and_then(progress, first / m), lift)
+    return lift
+
+
 def _now_and_then(progress: Progress, fraction: float) -> Callable[[], None]:
     """What says how far the work is, at most a few times a second."""
     last = time.monotonic()
@@ -133,7 +147,8 @@ class _TooMany(Exception):
 @dataclass(frozen=True, eq=False)
 class _Search:
     """``known`` (m,) mm: so deep a block is known to be, though not yet where; ``floors`` (m + 1,) mm: what a pair of a block
-    must be able to exceed; that of a cluster, in the last place, is the limit."""
+    must be able to exceed; that of a cluster, in the last place, is the limit. ``learns``: what is known of a block clears others
+    of its pairs."""
 
     tree: FacetTree
     swept: SweptMotion
@@ -143,19 +158,24 @@ class _Search:
     found: Entries
     known: Floats
     floors: Floats
+    learns: bool = True
 
-    def batch(self, body: Body, blocks: Ints, tick: Callable[[], None]) -> None:
-        """Fill in the entries of these blocks; ``tick`` is called again and again."""
+    def batch(self, body: Body, blocks: Ints, tick: Callable[[], None], lift: Floats | None = None) -> None:
+        """Fill in the entries of these blocks, or only the ``lift`` (m,) mm they demand; ``tick`` is called again and again."""
         parts = segments_of(self.swept, blocks, self.reach, BENT * self.limit)
         clusters = clusters_of(self.swept, parts, self.reach)
         try:
             for piece in sorted(body.pieces, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
                 if piece.most > self.limit:
-                    self._refine(piece, self._traverse(piece, clusters, parts, tick), tick)
+                    left = self._traverse(piece, clusters, parts, tick)
+                    if lift is None:
+                        self._refine(piece, left, tick)
+                    else:
+                        self._demand(piece, body, left, lift)
         except _TooMany:
             half = len(blocks) // 2
             for some in (blocks[:half], blocks[half:]):
-                self.batch(body, some, tick)
+                self.batch(body, some, tick, lift)
 
     def _raise(self, block: Ints) -> None:
         """Work out the floors of these blocks anew."""
@@ -204,7 +224,8 @@ class _Search:
             some = np.flatnonzero(most > floor)
             rows, ways, node, floor, most = rows.take(some), ways.take(some), node.take(some), floor.take(some), most.take(some)
         least, place = least_depth(piece, ways, self.tree.points(node)), place.take(rows)
-        self._learn(place, least)
+        if self.learns:
+            self._learn(place, least)
         some = np.flatnonzero(most > self.floors.take(place) - off)
         return rows.take(some), least.take(some) > self.limit
 
@@ -215,6 +236,14 @@ class _Search:
             block = place.take(deep)
             np.maximum.at(self.known, block, SURELY * least.take(deep))
             self._raise(block)
+
+    def _demand(self, piece: Piece, body: Body, left: _Left, lift: Floats) -> None:
+        """Raise ``lift`` (m,) to what the pairs demand."""
+        for first in range(0, len(left.block), AT_ONCE):
+            some = left.picked(np.arange(first, min(first + AT_ONCE, len(left.block))))
+            start, end = self.swept.pose(some.block, some.start), self.swept.pose(some.block, some.end)
+            way = ((end.tip - start.tip) * start.axis).sum(axis=0)
+            raise_to_demand(lift, some.block, piece, body, start, way, some.corner, self.limit)
 
     def _refine(self, piece: Piece, left: _Left, tick: Callable[[], None]) -> None:
         """The depth of the pairs, some of each block at a time: what they tell makes many of the others superfluous."""

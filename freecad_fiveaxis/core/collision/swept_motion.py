@@ -54,17 +54,21 @@ class SweptMotion:
         return len(self.bend_tip)
 
 
-def straight_motion(tips: Floats, axes: Floats) -> SweptMotion:
-    """The swept motion as it is commanded: the tip (n, 3) mm on straight lines, the unit axis (n, 3) on great arcs."""
-    start, end = _columns(tips[:-1]), _columns(tips[1:])
+def straight_motion(tips: Floats, axes: Floats, above: float = 0.0) -> SweptMotion:
+    """The swept motion as it is commanded: the unit axis (n, 3) on great arcs, and on straight lines the point ``above`` mm over
+    the tip (n, 3) mm."""
+    points = tips + above * axes if above else tips
+    start, end = _columns(points[:-1]), _columns(points[1:])
     first, last = _columns(axes[:-1]), _columns(axes[1:])
     angle = 2.0 * np.arcsin(np.minimum(0.5 * np.linalg.norm(last - first, axis=0), 1.0))
 
     def pose(block: Ints, u: Floats) -> Poses:
         p, q = start.take(block, axis=1), end.take(block, axis=1)
-        return Poses(p + u * (q - p), _on_arc(first.take(block, axis=1), last.take(block, axis=1), angle.take(block), u))
+        k = _on_arc(first.take(block, axis=1), last.take(block, axis=1), angle.take(block), u)
+        point = p + u * (q - p)
+        return Poses(point - above * k if above else point, k)
 
-    return SweptMotion(pose, np.zeros(len(angle)), angle * angle)
+    return SweptMotion(pose, above * angle * angle, angle * angle)
 
 
 def still_positions(tips: Floats, axes: Floats) -> SweptMotion:
@@ -73,6 +77,17 @@ def still_positions(tips: Floats, axes: Floats) -> SweptMotion:
 
     def pose(block: Ints, u: Floats) -> Poses:
         return Poses(place.take(block, axis=1), pointing.take(block, axis=1))
+
+    return SweptMotion(pose, np.zeros(len(tips)), np.zeros(len(tips)))
+
+
+def ways_up(tips: Floats, axes: Floats, way: Floats) -> SweptMotion:
+    """Blocks that go up: one for each tip (n, 3) mm, ``way`` (n,) mm along its unit axis (n, 3)."""
+    place, pointing = _columns(tips), _columns(axes)
+
+    def pose(block: Ints, u: Floats) -> Poses:
+        axis = pointing.take(block, axis=1)
+        return Poses(place.take(block, axis=1) + u * way.take(block) * axis, axis)
 
     return SweptMotion(pose, np.zeros(len(tips)), np.zeros(len(tips)))
 

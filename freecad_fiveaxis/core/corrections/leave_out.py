@@ -27,15 +27,17 @@ FINE = 0.25
 
 
 def leave_out(
-    path: OffsetPath, axis: Floats, tree: FacetTree, body: Body, tolerance: float, back: float, progress: Progress = silent
-) -> tuple[OffsetPath, Floats]:
+    path: OffsetPath, axis: Floats, tree: FacetTree, body: Body, tolerance: float, back: float, progress: Progress = silent,
+    above: float = 0.0,
+) -> tuple[OffsetPath, Floats]:  # fmt: skip
     """The rows between which body and part stay apart but for ``tolerance`` mm, and from whose ends the body can rise, and their
     axes (n, 3); findings say what is left out.
 
-    ``path``: with the cutter's hubs for its centres (:func:`~.seating.seated`), ``back`` mm above the tip. Shank and holder count
-    as the cutter does. Raises SettingsError where nothing is left.
+    ``path``: with the cutter's hubs for its centres (:func:`~.seating.seated`), ``back`` mm above the tip; ``above`` mm: how
+    far over it the point lies that goes straight. Shank and holder count as the cutter does. Raises SettingsError where nothing
+    is left.
     """
-    without = _Without(tree, body, tolerance, back, progress)
+    without = _Without(tree, body, tolerance, back, progress, above)
     return without.trapped(*without.entering(path, axis))
 
 
@@ -48,6 +50,7 @@ class _Without:
     tolerance: float
     back: float
     progress: Progress
+    above: float
 
     def entering(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
         """The path without the rows between which the body enters, and its axes."""
@@ -95,7 +98,7 @@ class _Without:
         return _left(path, axis, out, why, None, (x, y, z), say("Turn the part, or use another tool axis there."))
 
     def _entries(self, path: OffsetPath, axis: Floats, blocks: Ints) -> Entries:
-        swept = straight_motion(self._tips(path, axis), axis)
+        swept = straight_motion(self._tips(path, axis), axis, self.above)
         return find_entries(self.body, self.tree, swept, self.tolerance, blocks=blocks, progress=self.progress)
 
     def _trapped_ends(self, path: OffsetPath, axis: Floats) -> Ints:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The cure that keeps the passes: lift the tool along its axis until the cutter touches and no longer enters.
 
-A row is lifted by what takes the deepest point of the part out of the cutter, as often as one is left that is deep: each of these
-lifts is what that point demands, so the sum is never more than the part demands. Then the blocks between the rows are
-checked. Where one enters between two rows that do not, a row is put in at its deepest place and lifted in its turn.
+A row is lifted by the most that any facet in the cutter demands, then by what takes the deepest point that is left out of it, as
+often as one is left: each of these lifts is demanded by a point, so the sum is never more than the part demands. Then the
+blocks between the rows are checked. Where one enters between two rows that do not, a row is put in at its deepest place and
+lifted in its turn.
 
 lifted    a row that was moved. Only rows on the part are: ends of cuts and fills. Links and rapids stay.
 aim       what a lifted cutter may still enter by: half the tolerance, so that the machine's way, which leaves the commanded one,
@@ -25,7 +26,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Point, say
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.collision.search import find_entries, which_enter
+from freecad_fiveaxis.core.collision.search import find_demanded_lift, find_entries, which_enter
 from freecad_fiveaxis.core.collision.swept_motion import SweptMotion, still_positions, straight_motion
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import CUTTER, Body, way_out
@@ -83,19 +84,21 @@ class Lifted:
 
 
 def lift_path(
-    path: CLPath, tree: FacetTree, body: Body, tolerance: float, back: float = 0.0, progress: Progress = silent
-) -> Lifted:
+    path: CLPath, tree: FacetTree, body: Body, tolerance: float, back: float = 0.0, progress: Progress = silent,
+    above: float = 0.0,
+) -> Lifted:  # fmt: skip
     """The path with the cutter lifted out of the part, so that it is nowhere deeper in than half of ``tolerance`` mm.
 
-    ``back`` mm: how far above the tip the point lies that the path gives. Shank and holder are not looked at.
+    ``back`` mm: how far above the tip the point lies that the path gives; ``above`` mm: the one
+    that goes straight. Shank and holder are not looked at.
     """
     cutter, aim = body.only(CUTTER), AIM * tolerance
     tips = path.tip - back * path.axis
     cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
-    swept, blocks = straight_motion(tips, path.axis), np.flatnonzero(cuts)
+    swept, blocks = straight_motion(tips, path.axis, above), np.flatnonzero(cuts)
     going = _Going(progress)
-    lifter, none = _Lifter(swept, cutter, tree, aim, tolerance, going), np.zeros(len(tips), np.bool_)
-    way = _Way(tips, path.axis, np.arange(len(tips), dtype=float), np.zeros(len(tips)), cuts, none)
+    lifter, none = _Lifter(swept, cutter, tree, aim, tolerance, going, above), np.zeros(len(tips), np.bool_)
+    way = _Way(tips, path.axis, np.arange(len(tips), dtype=float), np.zeros(len(tips)), cuts, none[1:], none)
     trapped = len(lifter.trapped(way)) > 0
     rocks = min(cutter.pieces, key=lambda piece: piece.low - piece.round).low_radius > 0.0
     if rocks and not trapped and not which_enter(cutter, tree, swept, tolerance, blocks, going).any():
@@ -146,13 +149,15 @@ class _Going:
 @dataclass(frozen=True, eq=False)
 class _Way:
     """Tips, axes (n, 3); ``key`` (n,) where each stands on the way given, block + u; its lift off that way; ``cuts`` (n - 1,):
-    which blocks cut; ``over`` (n,) rows that were lifted above an overhang."""
+    which blocks cut, ``clear`` (n - 1,): which are known to enter by no more than the aim, but for GRAZE; ``over`` (n,) rows
+    that were lifted above an overhang."""
 
     tip: Floats
     axis: Floats
     key: Floats
     lift: Floats
     cuts: Bools
+    clear: Bools
     over: Bools
 
 
@@ -172,7 +177,7 @@ class _Rows(NamedTuple):
 @dataclass(frozen=True, eq=False)
 class _Lifter:
     """``given``: the way before anything is lifted; ``aim`` mm, what may be left of an entry; ``tolerance`` mm, what a link may
-    enter by; ``going`` is told that it goes on."""
+    enter by; ``going`` is told that it goes on; ``above`` mm: how far over the tip the point lies that goes straight."""
 
     given: SweptMotion
     cutter: Body
@@ -180,6 +185,7 @@ class _Lifter:
     aim: float
     tolerance: float
     going: _Going
+    above: float
 
     def trapped(self, way: _Way) -> Ints:
         """The rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves, meets the part. Where the
@@ -199,6 +205,7 @@ class _Lifter:
         tip, axis = pose.tip.T.copy(), pose.axis.T.copy()
         start, left = tip.copy(), np.arange(len(key))
         for _ in range(LIFTS):
+            self._lift_by_demand(tip, axis, left)
             still = still_positions(tip[left], axis[left])
             entries = find_entries(self.cutter, self.tree, still, ROOM * self.aim, ROUGHLY, progress=self.going)
             deep = np.flatnonzero(entries.depth > 0.0)
@@ -212,6 +219,15 @@ class _Lifter:
         rise[near] = self._rise(tip[near], axis[near])
         tip += rise[:, None] * axis
         return _Rows(tip, axis, key, ((tip - start) * axis).sum(axis=1), rise > 0.0)
+
+    def _lift_by_demand(self, tip: Floats, axis: Floats, left: Ints) -> None:
+        """Tips (n, 3) mm of the rows ``left`` (k,) moved up their axes (n, 3) until facets demand no more."""
+        for _ in range(LIFTS):
+            by = find_demanded_lift(self.cutter, self.tree, still_positions(tip[left], axis[left]), ROOM * self.aim, self.going)
+            left, by = left[by > 0.0], by[by > 0.0]
+            if not len(left):
+                break
+            tip[left] += np.maximum(by, 0.5 * self.aim)[:, None] * axis[left]
 
     def _rise(self, tip: Floats, axis: Floats) -> Floats:
         return rise_above(self.cutter, self.tree, tip, axis, ROOM * self.aim, self.going)
@@ -237,9 +253,11 @@ class _Lifter:
         given, least = len(way.tip), (1.0 - ROOM) * self.aim
         for k in range(ROUNDS):
             self.going.round(k, ROUNDS)
-            swept, length = straight_motion(way.tip, way.axis), _aside(way)
+            swept, length = straight_motion(way.tip, way.axis, self.above), _aside(way)
             blocks = np.flatnonzero(dirty & (length > least))
             entries = find_entries(self.cutter, self.tree, swept, self.aim, ROUGHLY, blocks, self.going)
+            clear = dirty & (length > least) & (entries.bound <= self.aim + GRAZE * self.tolerance)
+            way = replace(way, clear=way.clear | (clear & (entries.depth == 0.0)))
             blocks = np.flatnonzero(entries.depth > 0.0)
             if not len(blocks) or len(way.tip) > MOST_ROWS * given + FEW:
                 break
@@ -262,16 +280,20 @@ class _Lifter:
                 break
             rise = np.zeros(len(way.tip))
             rise[high] = self._rise(way.tip[high], way.axis[high])
-            way = replace(way, tip=way.tip + rise[:, None] * way.axis, lift=way.lift + rise, over=way.over | high)
+            if not rise.any():
+                break
+            moved = (rise[1:] > 0.0) | (rise[:-1] > 0.0)
+            over, clear = way.over | high, way.clear & ~moved
+            way = replace(way, tip=way.tip + rise[:, None] * way.axis, lift=way.lift + rise, over=over, clear=clear)
             self.going.stage(low + 0.1 / OVERHANGS, low + 0.2 / OVERHANGS)
-            way = self.between(way, way.cuts & (high[1:] | high[:-1]))
+            way = self.between(way, way.cuts & moved)
         return way
 
     def _under(self, way: _Way) -> Bools:
         """The rows (n,) from which the way up meets the part, in unbroken groups beside blocks to lifted rows that enter, or up
         to trapped ends."""
-        lifted = np.flatnonzero(way.cuts & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0)))
-        swept = straight_motion(way.tip, way.axis)
+        lifted = np.flatnonzero(way.cuts & ~way.clear & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0)))
+        swept = straight_motion(way.tip, way.axis, self.above)
         enters = which_enter(self.cutter, self.tree, swept, self.aim, lifted, self.going)
         blocks = lifted[enters[lifted]]
         beside = blocks + (way.lift[blocks] > way.lift[blocks + 1])
@@ -293,7 +315,7 @@ def _put_in(way: _Way, blocks: Ints, rows: _Rows) -> tuple[_Way, Bools]:
     new, row = np.zeros(len(cuts), np.bool_), np.arange(1, len(blocks) + 1) + blocks
     new[row - 1] = new[row] = True
     put = {name: np.insert(getattr(way, name), blocks + 1, column, axis=0) for name, column in rows._asdict().items()}
-    return _Way(cuts=cuts, **put), new
+    return _Way(cuts=cuts, clear=np.insert(way.clear, blocks, False) & ~new, **put), new
 
 
 def _row(way: _Way) -> Ints:

@@ -12,10 +12,10 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.collision.search import find_entries, which_enter
-from freecad_fiveaxis.core.collision.swept_motion import SweptMotion, straight_motion
+from freecad_fiveaxis.core.collision.search import find_demanded_lift, find_entries, which_enter
+from freecad_fiveaxis.core.collision.swept_motion import still_positions, ways_up
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
-from freecad_fiveaxis.core.tool.body import Body, way_out
+from freecad_fiveaxis.core.tool.body import Body, extend_way_out, way_out
 
 LAYERS = 200
 """Times that a tool rises to the next point over it."""
@@ -28,32 +28,26 @@ known all the same."""
 def rise_above(cutter: Body, tree: FacetTree, tip: Floats, axis: Floats, aim: float, progress: Progress = silent) -> Floats:
     """How far (n,) mm cutters at tips and axes (n, 3) rise until their way up out of the part's box enters it by no more than
     ``aim`` mm; 0 where it does so from the start."""
-    rise, far, left = np.zeros(len(tip)), _out_of_box(tree, tip, axis), np.arange(len(tip))
+    far, left = _out_of_box(tree, tip, axis), np.arange(len(tip))
+    rise = np.maximum(find_demanded_lift(cutter, tree, ways_up(tip, axis, far), aim, progress) - 0.5 * aim, 0.0)
     enough = ROUGHLY * max(piece.most for piece in cutter.pieces)
     for _ in range(LAYERS):
         start, up, way = tip[left] + rise[left, None] * axis[left], axis[left], np.maximum(far[left] - rise[left], 0.0)
-        swept, blocks = _ways_up(start, up, way)
-        entries = find_entries(cutter, tree, swept, aim, enough, blocks, progress)
-        deep = np.flatnonzero(entries.depth[blocks] > 0.0)
+        entries = find_entries(cutter, tree, ways_up(start, up, way), aim, enough, progress=progress)
+        deep = np.flatnonzero(entries.depth > 0.0)
         if not len(deep):
             break
-        left, block = left[deep], blocks[deep]
-        gone = entries.u[block] * way[deep]
-        by = way_out(cutter, start[deep] + gone[:, None] * up[deep], up[deep], entries.place[block])
+        left, gone = left[deep], entries.u[deep] * way[deep]
+        by = way_out(cutter, start[deep] + gone[:, None] * up[deep], up[deep], entries.place[deep])
         rise[left] += gone + np.maximum(by, 0.5 * aim)
     return rise
 
 
 def is_under(cutter: Body, tree: FacetTree, tip: Floats, axis: Floats, aim: float, progress: Progress = silent) -> Bools:
     """Which cutters (n,) at tips and axes (n, 3) enter the part by more than ``aim`` mm on their way up out of its box."""
-    swept, blocks = _ways_up(tip, axis, _out_of_box(tree, tip, axis))
-    return which_enter(cutter, tree, swept, aim, blocks, progress)[blocks]
-
-
-def _ways_up(tip: Floats, axis: Floats, way: Floats) -> tuple[SweptMotion, Ints]:
-    """The swept motion of tips (n, 3) that go ``way`` (n,) mm along their axes, and which of its blocks (n,) these ways are."""
-    ends = np.stack([tip, tip + way[:, None] * axis], axis=1).reshape(-1, 3)
-    return straight_motion(ends, np.repeat(axis, 2, axis=0)), 2 * np.arange(len(tip))
+    far = float(_out_of_box(tree, tip, axis).max(initial=0.0))
+    body = extend_way_out(cutter, far) if far > 0.0 else cutter
+    return which_enter(body, tree, still_positions(tip, axis), aim, np.arange(len(tip)), progress)
 
 
 def _out_of_box(tree: FacetTree, tip: Floats, axis: Floats) -> Floats:

@@ -77,15 +77,15 @@ LEAN = 1e-6
 
 def tilt_free(
     path: OffsetPath, axis: Floats, cutter: Cutter, body: Body, tree: FacetTree, kinematics: Chain, max_tilt: float,
-    tolerance: float, progress: Progress = silent,
+    tolerance: float, progress: Progress = silent, above: float = 0.0,
 ) -> tuple[OffsetPath, Floats]:  # fmt: skip
     """The path, with rows put in, and axes turned by at most ``max_tilt`` rad so that the body stays out of the part but for
     ``tolerance`` mm wherever that can be; findings say what was turned, and what could not be freed.
 
     ``axis`` (n, 3) unit, one for each row. Axes stay within the rotary limits of ``kinematics``. Where nothing enters that a tilt
-    could free, the very path and axes given come back.
+    could free, the very path and axes given come back. ``above`` mm: how far over the tip the point lies that goes straight.
     """
-    task = _Task(cutter, body, tree, kinematics, max_tilt, tolerance, max(cutter.diameter, SPREAD))
+    task = _Task(cutter, body, tree, kinematics, max_tilt, tolerance, max(cutter.diameter, SPREAD), above)
     hit = task.entering(path, axis)
     if not hit.any():
         return path, axis
@@ -102,7 +102,7 @@ def tilt_free(
     kept = np.flatnonzero(beside | np.append(row[1:] != row[:-1], True))
     fine, made = keep_rows(fine, kept), np.where(turned[:, None], _turned(given, offset), given)[kept]
     fine, made, offset = (fine, made, offset[kept]) if turned.any() else (path, axis, np.zeros_like(axis))
-    swept = straight_motion(task.tips(fine, made), made)
+    swept = straight_motion(task.tips(fine, made), made, above)
     joined = np.flatnonzero(np.diff(fine.polyline) == 0)
     left = find_entries(body.only(SHANK, HOLDER), tree, swept, tolerance, ROUGHLY, joined)
     findings = (*path.findings, *_findings(fine, offset, left, max_tilt))
@@ -125,6 +125,7 @@ class _Task:
     max_tilt: float
     tolerance: float
     spread: float
+    above: float
 
     def tips(self, path: OffsetPath, axis: Floats) -> Floats:
         """Where the tips (n, 3) stand under these axes (n, 3)."""
@@ -132,7 +133,7 @@ class _Task:
 
     def entering(self, path: OffsetPath, axis: Floats) -> Bools:
         """The blocks (n - 1,) along the path under these axes (n, 3) where something enters that a tilt might free."""
-        swept, joined = straight_motion(self.tips(path, axis), axis), np.flatnonzero(np.diff(path.polyline) == 0)
+        swept, joined = straight_motion(self.tips(path, axis), axis, self.above), np.flatnonzero(np.diff(path.polyline) == 0)
         hits = self.hits(swept, joined, self.hopeless(swept, joined))
         return np.asarray(hits.above | hits.cutter)
 
@@ -212,7 +213,7 @@ class _Runs:
         feed = feed_direction(path, axis)
         first = np.flatnonzero(np.diff(path.polyline, prepend=-1))
         blocks = np.flatnonzero(window[:-1] & (np.diff(path.polyline) == 0))
-        hopeless = task.hopeless(straight_motion(task.tips(path, axis), axis), blocks)
+        hopeless = task.hopeless(straight_motion(task.tips(path, axis), axis, task.above), blocks)
         frame = np.stack([feed, np.cross(axis, feed)])
         weight = np.maximum(step, SHORTEST * task.spread)
         return cls(task, path, axis, blocks, hopeless, weight, frame, first, np.diff(first, append=len(axis)))
@@ -271,7 +272,7 @@ class _Runs:
         count, n = axes.shape[:2]
         every = (np.arange(count) * n)[:, None]
         blocks, hopeless = (every + self.window).ravel(), (every + self.hopeless).ravel()
-        swept = straight_motion(tips.reshape(-1, 3), axes.reshape(-1, 3))
+        swept = straight_motion(tips.reshape(-1, 3), axes.reshape(-1, 3), self.task.above)
         hits = self.task.hits(swept, blocks, hopeless, MARGIN)
         return _Hits(*(np.append(column, False).reshape(count, n)[:, :-1] for column in hits))
 

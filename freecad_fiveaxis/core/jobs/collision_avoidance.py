@@ -23,6 +23,7 @@ from freecad_fiveaxis.core.collision import (
     DIVIDE,
     GougeCheck,
     RestMaterial,
+    SweptMotion,
     check_program,
     find_rest_material,
     program_motion,
@@ -32,19 +33,31 @@ from freecad_fiveaxis.core.collision import (
     uncut_finding,
     which_enter,
 )
+from freecad_fiveaxis.core.corrections.lead_in import lead_in
 from freecad_fiveaxis.core.corrections.leave_out import leave_out
 from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
+from freecad_fiveaxis.core.corrections.near_links import stay_near
 from freecad_fiveaxis.core.corrections.tilt import tilt_free
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import q_to_words
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of
+from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 
 from .context import MillContext
 from .driving import drive
-from .options import axis_options, tip_to_driven, travels, wanted_scallop
+from .options import (
+    axis_options,
+    driven_to_surface,
+    kept_off,
+    lead_options,
+    tip_to_driven,
+    tip_to_surface,
+    tool_body,
+    travels,
+    wanted_scallop,
+)
 from .settings import Settings
 
 LEFT_SPACING = 0.1
@@ -63,19 +76,11 @@ CURED = frozenset({"lifted", "left-out"})
 JUDGED = frozenset({"surface-tighter-than-cutter", "heel-in-hollow"})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
-NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine")
+NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis")
 """The codes of findings on facets that are not among those to be cut."""
 
 HALVINGS = 6
 """Times that blocks of a cured path are halved."""
-
-NEARLY = 0.95
-"""Of the tolerance: what the tool may enter by on its real way before words are rounded."""
-
-
-def tool_body(settings: Settings) -> Body:
-    """Cutter, shank and holder."""
-    return body_of(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
 
 
 def tilted(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
@@ -85,7 +90,8 @@ def tilted(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[Offs
         return offset, axis
     tree = facet_tree(context.mesh)
     cutter, most, tolerance = settings.cutter.cutter, settings.tool_axis.max_tilt, settings.proof.tolerance
-    return tilt_free(offset, axis, cutter, tool_body(settings), tree, context.kinematics, most, tolerance, context.progress)
+    body, above = tool_body(settings), tip_to_surface(settings)
+    return tilt_free(offset, axis, cutter, body, tree, context.kinematics, most, tolerance, context.progress, above)
 
 
 def left_out_rows(context: MillContext, sat: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
@@ -95,7 +101,8 @@ def left_out_rows(context: MillContext, sat: OffsetPath, axis: Floats) -> tuple[
         return sat, axis
     body, cutter, tolerance = tool_body(settings), settings.cutter.cutter, settings.proof.tolerance
     limit = AIM * tolerance if cutter.ring == 0.0 else tolerance  # a ring rocks from facet to facet
-    return leave_out(sat, axis, facet_tree(context.mesh), body, limit, cutter.corner, context.progress)
+    tree, above = facet_tree(context.mesh), tip_to_surface(settings)
+    return leave_out(sat, axis, tree, body, limit, cutter.corner, context.progress, above)
 
 
 def lifted(context: MillContext, path: CLPath) -> tuple[CLPath, float]:
@@ -104,9 +111,29 @@ def lifted(context: MillContext, path: CLPath) -> tuple[CLPath, float]:
     settings, tolerance = context.settings, context.settings.proof.tolerance
     if settings.gouge.gouge in ("lift", "tilt"):
         body, tree = tool_body(settings), facet_tree(context.mesh)
-        lifted = lift_path(path, tree, body, tolerance, tip_to_driven(settings), context.progress)
+        driven, above = tip_to_driven(settings), tip_to_surface(settings)
+        lifted = lift_path(path, tree, body, tolerance, driven, context.progress, above)
         return lifted.path, lifted.left
     return path, AIM * tolerance if any(finding.code == "left-out" for finding in path.findings) else 0.0
+
+
+def near_the_part(context: MillContext, path: CLPath) -> CLPath:
+    """The path with links that stay near the part wherever the tool is free there; the very path where nothing is looked at."""
+    settings = context.settings
+    if settings.gouge.gouge == "off" or settings.links.links == "over":
+        return path
+    radius, limit = settings.cutter.cutter.radius, AIM * settings.proof.tolerance
+    tree, driven, above = facet_tree(context.mesh), tip_to_driven(settings), tip_to_surface(settings)
+    body, kinematics = tool_body(settings), context.kinematics
+    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics)
+
+
+def led_in(context: MillContext, path: CLPath) -> CLPath:
+    """Enter and leave passes on arcs, where the settings ask for that; else give the very path."""
+    settings = context.settings
+    if settings.links.lead_in == 0.0:
+        return path
+    return lead_in(path, facet_tree(context.mesh), kept_off(settings), lead_options(context), context.progress)
 
 
 def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLPath, JointPath]:
@@ -120,7 +147,7 @@ def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLP
         rows = _entering(context, path, joints)
         if not len(rows):
             break
-        path = _halved(path, rows)
+        path = _halved(path, rows, driven_to_surface(settings))
         joints = drive(context, path, entering)
     return path, joints
 
@@ -128,18 +155,25 @@ def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLP
 def _entering(context: MillContext, path: CLPath, joints: JointPath) -> Ints:
     """The rows (k,) of the path to which the machine leads the cutter through the part, and the path itself does not."""
     settings, progress = context.settings, context.progress
-    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(context.mesh), NEARLY * settings.proof.tolerance
+    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(context.mesh), settings.proof.tolerance
     real = real_motion(context.kinematics, q_to_words(joints.q), tip_to_driven(settings))
-    blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, cutting(joints.path.motion), progress))
+    fed = np.flatnonzero(joints.path.motion[1:] != Motion.RAPID)  # links near the part too
+    blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, fed, progress))
     rows = np.unique(joints.row[blocks + 1])
     rows = rows[rows > 0]
-    commanded = straight_motion(path.tip - tip_to_driven(settings) * path.axis, path.axis)
+    commanded = _commanded(settings, path)
     return rows[~which_enter(cutter, tree, commanded, limit, rows - 1, progress)[rows - 1]]
 
 
-def _halved(path: CLPath, rows: Ints) -> CLPath:
-    """The path with a row half-way to each of these rows (k,), of which it takes all but its place and axis."""
-    pose = straight_motion(path.tip, path.axis).pose(rows - 1, np.full(len(rows), 0.5))
+def _commanded(settings: Settings, path: CLPath) -> SweptMotion:
+    """The way that the path commands: the point straight that makes the surface."""
+    return straight_motion(path.tip - tip_to_driven(settings) * path.axis, path.axis, tip_to_surface(settings))
+
+
+def _halved(path: CLPath, rows: Ints, above: float = 0.0) -> CLPath:
+    """The path with a row half-way to each of these rows (k,), of which it takes all but its place and axis; the point ``above``
+    mm over the driven one goes straight."""
+    pose = straight_motion(path.tip, path.axis, above).pose(rows - 1, np.full(len(rows), 0.5))
     given = {name: getattr(path, name) for name in ("motion", "feed", "contact", "normal", "face", "coedge", "pass_")}
     columns = {name: np.insert(column, rows, column[rows], axis=0) for name, column in given.items()}
     tip, axis = np.insert(path.tip, rows, pose.tip.T, axis=0), np.insert(path.axis, rows, pose.axis.T, axis=0)
@@ -153,7 +187,7 @@ def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
     if settings.gouge.left == "on" or not CURED & {finding.code for finding in path.findings}:
         return ()
     cutter = settings.cutter.cutter
-    swept = straight_motion(path.tip - tip_to_driven(settings) * path.axis, path.axis)
+    swept = _commanded(settings, path)
     spacing = LEFT_SPACING * cutter.diameter
     left = find_rest_material(mesh, body_of(cutter), swept, cutting(path.motion), spacing, keep, context.progress)
     return uncut_finding(left, allowed(settings, mesh, keep))

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.controllers import Dialect
+from freecad_fiveaxis.core.corrections.facets_with_axis import AxisField
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -33,7 +34,9 @@ class JobContext:
 
 @dataclass(frozen=True, eq=False)
 class MillContext(JobContext):
-    """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of."""
+    """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of. ``field``: of the tool
+    axes on them, where the strategy chooses these by what is free."""
 
     mesh: Mesh
     keep: Bools
+    field: AxisField | None = None

@@ -11,26 +11,30 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath, solve
 from freecad_fiveaxis.core.motion.program import block_findings, build_program
 from freecad_fiveaxis.core.motion.singularity import in_cone
 from freecad_fiveaxis.core.nc.writer import write_nc
+from freecad_fiveaxis.core.tool.body import seen_from
 
 from .context import JobContext
 from .made import Posted
-from .options import nc_title, post_options
+from .options import driven_to_surface, kept_off, nc_title, post_options, tip_to_driven
 from .safe_start import start_findings, start_plane
 
 
 def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath:
     """The joint path through ``path``; its blocks divided where the settings ask for that: all feed blocks over tolerance, or
-    those in the cone about the pole. ``entering`` mm: so much of the tolerance the path itself uses up."""
+    those in the cone about the pole; over tolerance is what the point leaves that makes the surface (of a ball the centre).
+    ``entering`` mm: so much of the tolerance the path itself uses up."""
     settings, kinematics = context.settings, context.kinematics
     clearance, radius = settings.links.clearance, settings.cutter.cutter.radius
-    joints = solve(path, kinematics, *context.box, clearance, radius, context.progress)
+    tool = seen_from(kept_off(settings), tip_to_driven(settings))
+    joints = solve(path, kinematics, *context.box, clearance, radius, context.progress, tool)
     if settings.cure.linearize == "on":
         near = None
     elif settings.cure.singularity == "linearize":
         near = in_cone(kinematics, q_to_words(joints.q), context.machine.singular_cone)
     else:
         return joints
-    return linearize(joints, kinematics, context.dialect, settings.proof.tolerance - entering, near, context.progress)
+    above, tolerance = driven_to_surface(settings), settings.proof.tolerance - entering
+    return linearize(joints, kinematics, context.dialect, tolerance, near, context.progress, above)
 
 
 def posted(context: JobContext, path: CLPath, joints: JointPath, found: tuple[Finding, ...]) -> Posted:

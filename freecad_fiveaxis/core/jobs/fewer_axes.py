@@ -61,10 +61,10 @@ def _cures(settings: Settings, machine: Machine) -> tuple[str, object] | None:
             singularity=Choice("singularity", ("deform",), flag=True),
             name=machine.name,
         ), settings.cure.singularity
-    if settings.task != POST and settings.tool_axis.tool_axis == "minimax":
+    if settings.task != POST and settings.tool_axis.tool_axis in ("minimax", "auto"):
         return say(
             "{tool_axis} turns two rotary axes, machine {name} has fewer; choose another, {fixed} keeps the tool along Z",
-            tool_axis=Choice("tool_axis", ("minimax",), flag=True),
+            tool_axis=Choice("tool_axis", (settings.tool_axis.tool_axis,), flag=True),
             fixed=Choice("tool_axis", (FIXED,), alone=True),
             name=machine.name,
         ), settings.tool_axis.tool_axis

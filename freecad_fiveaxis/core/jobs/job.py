@@ -26,9 +26,10 @@ from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
-from freecad_fiveaxis.core.motion.deviation import Deviation, measure, without_guided
+from freecad_fiveaxis.core.motion.deviation import Deviation, measure, measure_above, without_guided
 from freecad_fiveaxis.core.motion.singularity import find_singular
 from freecad_fiveaxis.core.nc.head import slot_texts
+from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter, named_cutter_note
 from freecad_fiveaxis.core.nc.reader import Assumed, dialect_of_text, read_nc
 from freecad_fiveaxis.core.passes import find_pass_strategy
 from freecad_fiveaxis.core.report import Figures, judge
@@ -40,14 +41,13 @@ from .collision_avoidance import (
     find_left,
     rest_material_findings,
     still_true,
-    tool_body,
     unfinished_share,
 )
 from .context import JobContext
 from .driving import drive, posted
 from .made import Made, Milled, Posted, Result
 from .milling import mill, mill_context
-from .options import cl_reading, machine_of, post_options, title_of, with_head
+from .options import cl_reading, driven_to_surface, machine_of, post_options, title_of, tool_body, with_cutter, with_head
 from .part_size import unit_suspected
 from .safe_start import started
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
@@ -78,7 +78,16 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
     text = read_bytes(settings.source, "NC file")
     dialect, found = (dialect, ()) if settings.machine.controller else dialect_of_text(text, dialect)
     program = read_nc(text, kinematics, dialect, progress, Assumed(settings.reading.units, settings.reading.decimal))
+    settings, named = _with_named_cutter(settings, text)
+    found += named
     return Made(settings, machine, kinematics, dialect, program, found + program.findings)
+
+
+def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple[Finding, ...]]:
+    """The settings with the cutter that an NC program names where they have none of their own, and a note of that."""
+    cutter = find_named_cutter(text)
+    taken = with_cutter(settings, cutter)
+    return taken, () if taken is settings or cutter is None else named_cutter_note(cutter)
 
 
 def chosen_faces(
@@ -115,24 +124,37 @@ def post(settings: Settings, machine: Machine, kinematics: Chain, dialect: Diale
 
 
 def prove(made: Made, progress: Progress = silent) -> Result:
-    """The deviation of every block of a program, its proven bound, and the blocks near the pole.
+    """The deviation of every block of a program, its proven bound, and the blocks near the pole. Judged is the deviation of the
+    point that makes the surface: of a ball the centre.
 
     Where the controller guides the tip there is nothing to measure, and nothing is proven but the blocks' ends.
     """
-    proof, words = made.settings.proof, made.program.words
+    against, settings = _compared(made.settings, progress)
+    made = made if settings is made.settings else replace(made, settings=settings)
+    proof, words = settings.proof, made.program.words
     deviation = measure(made.kinematics, words, proof.method, progress)
     if (guided := made.program.guided) is not None:
         deviation = without_guided(deviation, guided.on, guided.tip)
     singularity = find_singular(made.kinematics, words, made.machine.singular_cone)
-    judged = judge(made.kinematics, made.program, deviation, singularity, proof.tolerance)
+    surface = surface_deviation(made, driven_to_surface(made.settings), progress)
+    judged = judge(made.kinematics, made.program, surface or deviation, singularity, proof.tolerance, surface is not None)
     gouge, left, entries = _against_part(made, progress)
     found = still_true(made.findings, gouge) + deviation.findings + entries + judged
     if made.settings.task != AUDIT:
-        return Result(made, deviation, singularity, found, gouge=gouge, left=left)
-    against = _compared(made.settings, progress)
+        return Result(made, deviation, singularity, found, gouge=gouge, left=left, surface=surface)
     audited = _audited(made, deviation, against, progress)
     of_path = tuple(of_cl_file(one) for one in against.findings) if isinstance(against, CLPath) else ()
-    return Result(made, deviation, singularity, found + of_path + audited.findings, audited)
+    return Result(made, deviation, singularity, found + of_path + audited.findings, audited, surface=surface)
+
+
+def surface_deviation(made: Made, above: float, progress: Progress = silent) -> Deviation | None:
+    """The deviation of the point ``above`` mm over the driven one, against its own chords; ``place`` (m, 3) mm: where the driven
+    point stands then. None where it is the driven point itself, and where the controller guides the tip."""
+    program = made.program
+    if above == 0.0 or program.guided is not None:
+        return None
+    decimals, method = made.dialect.linear_decimals, made.settings.proof.method
+    return measure_above(made.kinematics, program.words, above, decimals, method, progress)
 
 
 def _audited(made: Made, deviation: Deviation, against: CLPath | Mesh | None, progress: Progress) -> Audit:
@@ -140,18 +162,21 @@ def _audited(made: Made, deviation: Deviation, against: CLPath | Mesh | None, pr
     settings, proof = made.settings, made.settings.proof
     gouge = settings.gouge
     body = tool_body(settings) if gouge.gouge != "off" or gouge.shank or gouge.holder else None
-    options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body)
+    above = driven_to_surface(settings)
+    options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body, above)
     return audit_program(made.kinematics, made.program, deviation, against, options, progress)
 
 
-def _compared(settings: Settings, progress: Progress) -> CLPath | Mesh | None:
-    """The CL path or the part that a program is audited against. Raises FiveAxisError where it cannot be read."""
+def _compared(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | None, Settings]:
+    """The CL path or the part that a program is audited against, and the settings with the cutter of a CL file where they have
+    none of their own. Raises FiveAxisError where it cannot be read."""
     path = settings.audit.against
-    if path is None:
-        return None
+    if settings.task != AUDIT or path is None:
+        return None, settings
     if is_part(path):
-        return read_stl(path, progress)
-    return read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress).path
+        return read_stl(path, progress), settings
+    file = read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress)
+    return file.path, with_cutter(settings, file.head.cutter)
 
 
 def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, RestMaterial | None, tuple[Finding, ...]]:
@@ -176,7 +201,7 @@ def figures(result: Result) -> Figures:
         title=title_of(made.settings), kind=made.settings.task, machine=made.machine, kinematics=made.kinematics,
         program=made.program, deviation=result.deviation, singularity=result.singularity,
         tolerance=made.settings.proof.tolerance, findings=result.findings, inputs=flat_options(made.settings),
-        audit=result.audit, gouge=result.gouge, left=result.left,
+        surface=result.surface, audit=result.audit, gouge=result.gouge, left=result.left,
         allowed=allowed(made.settings, made.mesh, made.keep) if result.left and isinstance(made, Milled) else 0.0,
         mesh=made.mesh if isinstance(made, Milled) else None,
         unfinished=unfinished_share(result.findings, made.mesh, made.keep) if isinstance(made, Milled) else 0.0,

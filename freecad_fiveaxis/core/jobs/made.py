@@ -67,8 +67,10 @@ class Milled(Posted):
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A proven program. ``findings`` of every stage, in the order of the pipeline. ``audit``: only of a program not made here;
-    ``gouge`` and ``left``: what enters the part on the real way, and what stays on it, where the settings ask for that."""
+    """A proven program. ``findings`` of every stage, in the order of the pipeline. ``surface``: the deviation of the point that
+    makes the surface (a ball's centre) where that is not the driven one, with the driven one's place there. ``audit``: only of
+    a program not made here; ``gouge`` and ``left``: what enters the part on the real way, and what stays on it, where the
+    settings ask for that."""
 
     made: Made
     deviation: Deviation
@@ -77,3 +79,4 @@ class Result:
     audit: Audit | None = None
     gouge: GougeCheck | None = None
     left: RestMaterial | None = None
+    surface: Deviation | None = None

@@ -5,16 +5,27 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
+from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress
-from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, take_rows
+from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.cl_offset import cl_offset_path, corner_radius, spacing_radius
 from freecad_fiveaxis.core.cl.cl_path import CLPath, LinkOptions, link_passes
-from freecad_fiveaxis.core.cl.coedge import OffsetPath, close_gaps
+from freecad_fiveaxis.core.cl.coedge import OffsetPath, break_polylines, close_gaps, lasting_rows, take_path_rows
 from freecad_fiveaxis.core.cl.feasible import feasible_rows
 from freecad_fiveaxis.core.cl.tool_axis import tool_axes
 from freecad_fiveaxis.core.controllers import Dialect
+from freecad_fiveaxis.core.corrections.auto_axis import (
+    auto_axes,
+    divided,
+    report_no_way_out,
+    select_rows_with_way_out,
+)
 from freecad_fiveaxis.core.corrections.axis_corrections import AXIS_CORRECTIONS
+from freecad_fiveaxis.core.corrections.facets_with_axis import AxisField, find_axis_field, select_facets
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -26,15 +37,18 @@ from freecad_fiveaxis.core.passes import (
     facets_within_limits,
     find_pass_strategy,
     flat_interval,
+    turns_within_limits,
 )
 
-from .collision_avoidance import drive_free, left_out_rows, lifted, tilted, uncut_by_cure
+from .collision_avoidance import drive_free, led_in, left_out_rows, lifted, near_the_part, tilted, uncut_by_cure
 from .context import MillContext
 from .driving import posted
 from .fewer_axes import keeps_its_axis
 from .made import Milled
-from .options import axis_corrections, axis_options, pass_options
+from .options import axis_corrections, axis_options, kept_off, pass_options, reacher_of
 from .settings import Settings
+
+AUTO = "auto"
 
 
 def mill_context(
@@ -42,6 +56,12 @@ def mill_context(
     faces: Bools | None = None,
 ) -> tuple[MillContext, tuple[Finding, ...]]:  # fmt: skip
     """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all."""
+    if settings.tool_axis.tool_axis == AUTO:
+        faces = np.ones(len(mesh.face), np.bool_) if faces is None else faces
+        reacher = reacher_of(settings, machine, kinematics, mesh)
+        field = find_axis_field(mesh, faces, reacher, progress)
+        keep, left_out = select_facets(field, mesh, faces, settings.passes.max_axis_angle)
+        return MillContext(settings, machine, kinematics, dialect, mesh.box, progress, mesh, keep, field), left_out
     followed = None if keeps_its_axis(settings, machine) else kinematics
     keep, left_out = facets_within_limits(mesh, followed, settings.passes.max_axis_angle, faces)
     return MillContext(settings, machine, kinematics, dialect, mesh.box, progress, mesh, keep), left_out
@@ -50,12 +70,13 @@ def mill_context(
 def mill(context: MillContext) -> Milled:
     """From a mesh to a program: passes, CL offset, tool axes, links, the tool kept out of the part, joints, NC blocks."""
     contact, untouched = laid(context)
-    offset, axis = oriented(context, closed(context, contact))
+    offset, axis, held = oriented(context, closed(context, contact))
     led, said = rerouted(context, offset, axis)
     turned, led = tilted(context, offset, led)
     path, entering = lifted(context, linked(context, turned, led))
+    path = led_in(context, near_the_part(context, path))
     path, joints = drive_free(context, path, entering)
-    found = untouched + contact.findings + turned.findings + said + path.findings + uncut_by_cure(context, path)
+    found = untouched + contact.findings + turned.findings + held + said + path.findings + uncut_by_cure(context, path)
     program = posted(context, path, joints, found)
     return Milled(**vars(program), mesh=context.mesh, contact=contact, offset=offset, axis=axis, keep=context.keep)
 
@@ -89,22 +110,50 @@ def closed(context: MillContext, contact: ContactPath) -> OffsetPath:
     return close_gaps(contact, context.mesh, corner_radius(cutter.cutter), cutter.coedge_tolerance, keep, context.progress)
 
 
-def oriented(context: MillContext, offset: OffsetPath) -> tuple[OffsetPath, Floats]:
-    """The strategy's tool axes (n, 3), and the rows at which the machine can take them up."""
-    settings = context.settings
+def oriented(context: MillContext, offset: OffsetPath) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
+    """The rows that can be cut and the strategy's tool axes (n, 3) there, and what there is to say of the others."""
+    settings, found = context.settings, tuple[Finding, ...]()
     axis = tool_axes(offset, settings.tool_axis.tool_axis, axis_options(settings))
-    return feasible_rows(offset, axis, context.kinematics, settings.cutter.cutter.taper)
+    if context.field is not None:
+        offset, axis, found = free_rows(context, context.field, offset, axis)
+    return *feasible_rows(offset, axis, context.kinematics, settings.cutter.cutter.taper), found
+
+
+def free_rows(
+    context: MillContext, field: AxisField, offset: OffsetPath, axis: Floats
+) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
+    """The rows at which the field gives an axis that is free; a pass goes on behind contacts that have none."""
+    settings, cutter = context.settings, context.settings.cutter.cutter
+    reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
+    offset, axis = divided(offset, axis, cutter.radius, cutter.ring)
+    axis, free, found = auto_axes(offset, axis, field, context.mesh, reacher, axis_options(settings), context.progress)
+    offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
+    offset = break_polylines(offset, ~turns_within_limits(context.kinematics, axis[:-1], axis[1:]))
+    rows = select_rows_with_way_out(free, offset.polyline)
+    found += report_no_way_out(offset, rows)
+    offset, axis, free = _keep_rows(offset, axis, free, rows)
+    if not len(free):
+        text = say("no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder")
+        raise ReachError(text, None)
+    return offset, axis, found
+
+
+def _keep_rows(offset: OffsetPath, axis: Floats, free: Ints, rows: Ints) -> tuple[OffsetPath, Floats, Ints]:
+    """Those of ``rows`` (ascending) that have a neighbour among them."""
+    rows = lasting_rows(offset, rows)
+    return (offset, axis, free) if len(rows) == len(free) else (take_path_rows(offset, rows), take_rows(axis, rows), free[rows])
 
 
 def rerouted(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[Floats, tuple[Finding, ...]]:
     """The axes (n, 3) corrected where the settings ask for that: by a strategy that knows the machine, then past the pole."""
     settings, found = context.settings, tuple[Finding, ...]()
-    rows, options = offset, axis_corrections(settings)
-    for name in (settings.tool_axis.tool_axis, settings.cure.singularity):
+    options = axis_corrections(context)
+    strategy = settings.tool_axis.tool_axis if context.field is None else ""
+    for name in (strategy, settings.cure.singularity):
         if (correction := AXIS_CORRECTIONS.get(name)) is not None:
             given = axis
-            axis, said = correction.axes(rows, given, context.kinematics, options, context.progress)
-            found += said + (correction.trade(rows, given, context.kinematics, options, context.progress) if said else ())
+            axis, said = correction.axes(offset, given, context.kinematics, options, context.progress)
+            found += said + (correction.trade(offset, given, context.kinematics, options, context.progress) if said else ())
     return axis, found
 
 
@@ -118,5 +167,5 @@ def linked(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
     )  # fmt: skip
     sat, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
     sat, axis = left_out_rows(context, sat, axis)
-    path = link_passes(sat, axis, cutter, *context.box, options, context.progress)
+    path = link_passes(sat, axis, cutter, *context.box, options, context.progress, kept_off(settings))
     return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)

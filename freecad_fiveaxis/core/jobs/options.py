@@ -14,18 +14,28 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import Option, one_line, say
 from freecad_fiveaxis.core.cl.apt import ARC_SHARE, ClHead, ClReading
 from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
+from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.controllers import Dialect, find_dialect
-from freecad_fiveaxis.core.corrections.axis_corrections import AxisCorrectionOptions
+from freecad_fiveaxis.core.corrections.axis_corrections import AxisCorrectionOptions, PartToCut
+from freecad_fiveaxis.core.corrections.lead_in import LeadOptions
+from freecad_fiveaxis.core.corrections.lift import AIM
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.nc.head import PostOptions
-from freecad_fiveaxis.core.passes import PassOptions, find_pass_strategy
-from freecad_fiveaxis.core.tool import cutter_name
+from freecad_fiveaxis.core.nc.named_cutter import CENTRE
+from freecad_fiveaxis.core.passes import PassOptions, find_pass_strategy, with_room
+from freecad_fiveaxis.core.tool import Cutter, cutter_name
+from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of
 
+from .context import MillContext
 from .fewer_axes import refuse_what_needs_more_axes
-from .settings import Settings
+from .settings import MILL, Settings
 
 DEFAULT_CONTROLLER = "linuxcnc"
+IN_TABLE = 0.1
+"""mm by which a part may lie in its table: zeros are touched off no better."""
+
 DEFAULT_SCALLOP = 0.01
 """mm, where neither a scallop nor a stepover is asked for: a usual finishing quality."""
 
@@ -92,12 +102,54 @@ def axis_options(settings: Settings) -> AxisOptions:
     return AxisOptions(fixed=tool.axis, lead=tool.lead, tilt=tool.tilt)
 
 
-def axis_corrections(settings: Settings) -> AxisCorrectionOptions:
+def axis_corrections(context: MillContext) -> AxisCorrectionOptions:
     """Options of the corrections of tool axes."""
+    settings = context.settings
     return AxisCorrectionOptions(
         driven_to_hub(settings), settings.cutter.cutter.ring, settings.feeds.feed, settings.proof.tolerance,
-        settings.tool_axis.max_tilt, settings.cure.max_axis_change,
+        settings.tool_axis.max_tilt, settings.cure.max_axis_change, axis_options(settings), _part_to_cut(context),
     )  # fmt: skip
+
+
+def _part_to_cut(context: MillContext) -> PartToCut:
+    """Part, tool and machine."""
+    reacher = reacher_of(context.settings, context.machine, context.kinematics, context.mesh)
+    return PartToCut(context.mesh, context.keep, reacher)
+
+
+def reacher_of(settings: Settings, machine: Machine, kinematics: Chain, mesh: Mesh) -> Reacher:
+    """Tool, machine with room to its limits, table, and how far the axis may lean: what axes are chosen for freely."""
+    tool, cutter, tolerance = settings.gouge, settings.cutter.cutter, settings.proof.tolerance
+    table = table_below(settings, machine, mesh)
+    within, most = with_room(kinematics), settings.passes.max_axis_angle
+    return Reacher(cutter, tool.shank, tool.holder, within, tolerance, table, most)
+
+
+def table_below(settings: Settings, machine: Machine, mesh: Mesh) -> float | None:
+    """Give the height of the table's face in the work frame, mm; None where it is not known or the part lies in it."""
+    origin = machine.origin if settings.machine.origin is None else settings.machine.origin
+    table = None if machine.table is None else machine.table - origin[2]
+    return None if table is not None and float(mesh.box[0][2]) < table - IN_TABLE else table
+
+
+def lead_options(context: MillContext) -> LeadOptions:
+    """Options of the arcs on which passes are entered and left."""
+    settings, tolerance = context.settings, context.settings.proof.tolerance
+    driven, above = tip_to_driven(settings), tip_to_surface(settings)
+    table = table_below(settings, context.machine, context.mesh)
+    return LeadOptions(settings.links.lead_in, tolerance, AIM * tolerance, table, driven, above)
+
+
+def tool_body(settings: Settings) -> Body:
+    """Cutter, shank and holder."""
+    return body_of(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
+
+
+def kept_off(settings: Settings) -> Body:
+    """What of the tool keeps off the part on rapids: all of it; of a path for which nothing is to be looked at (gouge ``off``)
+    the cutter alone, so that shank and holder are only drawn."""
+    body = tool_body(settings)
+    return body.only(CUTTER) if settings.task == MILL and settings.gouge.gouge == "off" else body
 
 
 def driven_to_hub(settings: Settings) -> float:
@@ -110,11 +162,24 @@ def tip_to_driven(settings: Settings) -> float:
     return settings.cutter.cutter.corner - driven_to_hub(settings)
 
 
+def driven_to_surface(settings: Settings) -> float:
+    """How far above the driven point, mm, that point stands whose way makes the surface: of a ball that is known to cut its
+    centre, of any other cutter, and where the controller guides the tip, the driven point itself."""
+    known = settings.task == MILL or "cutter" in settings.explicit
+    return driven_to_hub(settings) if known and settings.cutter.cutter.ring == 0.0 and settings.head.rtcp == "off" else 0.0
+
+
+def tip_to_surface(settings: Settings) -> float:
+    """The same from the tip, mm: the point so far above it goes straight."""
+    return tip_to_driven(settings) + driven_to_surface(settings)
+
+
 def post_options(settings: Settings) -> PostOptions:
     """What the head of an NC file is to say."""
     head = settings.head
     tool = None if head.tool is None else int(head.tool)
     named, length = cutter_name(settings.cutter.cutter), settings.machine.tool_length
+    named += CENTRE if settings.machine.control_point == "centre" else ""
     return PostOptions(tool, head.spindle, head.coolant == "on", head.work_offset, blend=head.blend, cutter=named, length=length)
 
 
@@ -142,10 +207,14 @@ def with_head(settings: Settings, said: ClHead) -> Settings:
         given, tool=said.tool if given.tool is None else given.tool, spindle=given.spindle or said.speed,
         coolant="on" if said.coolant else given.coolant,
     )  # fmt: skip
-    settings = replace(settings, head=head)
-    if said.cutter is None or "cutter" in settings.explicit or settings.machine.control_point != "tip":
+    return with_cutter(replace(settings, head=head), said.cutter)
+
+
+def with_cutter(settings: Settings, cutter: Cutter | None) -> Settings:
+    """The settings with this cutter, which a file names, where they have none of their own and the tip is driven."""
+    if cutter is None or "cutter" in settings.explicit or settings.machine.control_point != "tip":
         return settings
-    return replace(settings, cutter=replace(settings.cutter, cutter=said.cutter))
+    return replace(settings, cutter=replace(settings.cutter, cutter=cutter), explicit=settings.explicit | {"cutter"})
 
 
 def nc_title(settings: Settings, machine: Machine) -> str:

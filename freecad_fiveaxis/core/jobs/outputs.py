@@ -93,7 +93,9 @@ def _program_files(made: Made) -> dict[str, bytes]:
 def _report_files(result: Result, progress: Progress) -> dict[str, bytes]:
     output, files = result.made.settings.output, {}
     if output.blocks:
-        files[output.blocks] = blocks_csv(result.made.program, result.deviation, result.singularity, progress, result.gouge)
+        files[output.blocks] = blocks_csv(
+            result.made.program, result.deviation, result.singularity, progress, result.gouge, result.surface
+        )
     if (rates := output.rates) and result.audit is not None:
         files[rates] = rates_csv(result.made.kinematics, result.made.program, result.audit, progress)
     if output.report:

@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.motion.program import Program, plane_above, upwards, 
 from freecad_fiveaxis.core.nc.start import UPRIGHT, by_reference, with_start
 
 from .context import Box, JobContext
-from .options import tip_to_driven
+from .options import kept_off, tip_to_driven
 
 
 def started(dialect: Dialect, machine: Machine) -> Dialect:
@@ -33,7 +33,8 @@ def start_plane(context: JobContext, program: Program) -> tuple[float, tuple[Fin
     settings, machine, kinematics = context.settings, context.machine, context.kinematics
     if machine.safe_start.retract != BY_CLEARANCE or not len(program.words):
         return 0.0, ()
-    body = settings.cutter.cutter.top_radius if machine.has_head else 0.0  # a tool that lies level reaches down by its radius
+    widest = max(max(piece.low_radius, piece.high_radius) + piece.round for piece in kept_off(settings).pieces)
+    body = widest if machine.has_head else 0.0  # a tool that lies level reaches down by its radius
     margin = settings.links.clearance + tip_to_driven(settings) + body
     return within_travel(kinematics, plane_above(kinematics, *context.box, margin, program.words))
 

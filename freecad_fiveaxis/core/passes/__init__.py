@@ -8,7 +8,7 @@ from .scallop import CREASE, facet_curvature, flat_interval, turned_along
 from .sides import side_findings, untouched_sides
 from .spacing import place_planes
 from .strategies import PASS_STRATEGIES, find_pass_strategy
-from .within_limits import axes_within_limits, facets_within_limits
+from .within_limits import axes_within_limits, facets_within_limits, least_up, turns_within_limits, with_room
 
 __all__ = [
     "CREASE",
@@ -27,11 +27,14 @@ __all__ = [
     "facets_within_limits",
     "find_pass_strategy",
     "flat_interval",
+    "least_up",
     "pass_curvature",
     "place_planes",
     "side_findings",
     "slice_field",
     "slice_mesh",
     "turned_along",
+    "turns_within_limits",
     "untouched_sides",
+    "with_room",
 ]  # fmt: skip

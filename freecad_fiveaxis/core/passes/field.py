@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .passes import ContactPath, slice_field, slice_mesh
+from .piece_order import order_pieces
 
 Vector = tuple[float, float, float]
 
@@ -96,8 +97,14 @@ class PassStrategy(Protocol):
 
 
 def cut(region: Region, found: PassField, order: str) -> ContactPath:
-    """The passes: the level sets of the field, in the ``order`` of slice_mesh. Raises SettingsError."""
-    plain: dict[str, Any] = {"order": order, "progress": region.progress}
+    """The passes: the level sets of the field, in the ``order`` of slice_mesh; where they may run to and fro, in one that spares
+    air, where there is one (:func:`.piece_order.order_pieces`). Raises SettingsError."""
+    contact = _sliced(region, found, {"order": order, "progress": region.progress})
+    return order_pieces(contact) if order == "zigzag" else contact
+
+
+def _sliced(region: Region, found: PassField, plain: dict[str, Any]) -> ContactPath:
+    """The passes one after the other."""
     if found.surface is not None:
         contact = slice_field(found.surface.mesh, found.value, found.levels, **plain)
         return found.surface.on_part(contact, region.mesh)

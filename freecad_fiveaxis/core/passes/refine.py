@@ -14,7 +14,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .passes import ContactPath
@@ -87,7 +87,8 @@ def _straight_runs(contact: ContactPath, parent: Ints, bend: float) -> Ints:
 
 def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:
     """The facets ``rows`` (k,) of the part, divided until no side is longer than ``longest`` in the metric of its facet: a tensor
-    (6, k) of xx, yy, zz, xy, yz, zx."""
+    (6, k) of xx, yy, zz, xy, yz, zx. Sides that lead from border to border through the inside are halved once more, so that no
+    strip lies on the border with all of its vertices."""
     vertex, face, side, parent = np.asarray(part.vertex), part.face[rows], part.face_coedge[rows], np.arange(len(rows))
     for _ in range(ROUNDS):
         made = _halved(vertex, face, side, metric[:, parent], longest)
@@ -95,6 +96,8 @@ def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:
             break
         vertex, face, side, owner = made
         parent = parent[owner]
+    vertex, face, side, owner = _split_across(vertex, face, side)
+    parent = parent[owner]
     return _assembled(part, vertex, face, side, rows[parent])
 
 
@@ -137,12 +140,47 @@ def _halved(vertex: Floats, face: Ints, label: Ints, metric: Floats, longest: fl
     marked[side[length > longest]] = True
     if not marked.any():
         return None
-    row = np.arange(len(face))
-    leading, count = side[row, top], -1
+    leading, count = side[np.arange(len(face)), top], -1
     while count != int(marked.sum()):
         count = int(marked.sum())
         marked[leading[marked[side].any(axis=1)]] = True
-    turn = (top[:, None] + np.arange(3)) % 3
+    return _split(vertex, face, label, side, marked, top)
+
+
+def _split_across(vertex: Floats, face: Ints, label: Ints) -> tuple[Floats, Ints, Ints, Ints]:
+    """The same after the sides inside are halved whose both ends lie on the border; of a facet alone its longest side first."""
+    owner = np.arange(len(face))
+    side, border = _border_sides(face, label)
+    alone = border[side].all(axis=1)
+    if alone.any():
+        length = np.linalg.norm(vertex[np.roll(face, -1, axis=1)] - vertex[face], axis=2)
+        top, marked = length.argmax(axis=1), np.zeros(len(border), np.bool_)
+        marked[side[alone, top[alone]]] = True
+        vertex, face, label, owner = _split(vertex, face, label, side, marked, top)
+        side, border = _border_sides(face, label)
+    rim = np.zeros(len(vertex), np.bool_)
+    rim[face[border[side]]] = rim[np.roll(face, -1, axis=1)[border[side]]] = True
+    marked = np.zeros(len(border), np.bool_)
+    marked[side[rim[face] & rim[np.roll(face, -1, axis=1)]]] = True
+    marked &= ~border
+    vertex, face, label, again = _split(vertex, face, label, side, marked, marked[side].argmax(axis=1))
+    return vertex, face, label, owner[again]
+
+
+def _border_sides(face: Ints, label: Ints) -> tuple[Ints, Bools]:
+    """The sides (f, 3) of :func:`_sides`, and which (s,) of them are not of two facets that their label joins."""
+    side = _sides(face)
+    count = np.bincount(side.reshape(-1))
+    low, high = np.full(len(count), np.iinfo(np.int64).max), np.full(len(count), np.iinfo(np.int64).min)
+    np.minimum.at(low, side.reshape(-1), label.reshape(-1))
+    np.maximum.at(high, side.reshape(-1), label.reshape(-1))
+    return side, (count != 2) | (low != high)
+
+
+def _split(vertex: Floats, face: Ints, label: Ints, side: Ints, marked: Bools, top: Ints) -> tuple[Floats, Ints, Ints, Ints]:
+    """Vertices, facets, labels and owners after the ``marked`` (s,) sides are halved; ``top`` (f,): of a facet with such sides
+    one of them."""
+    count, turn = int(marked.sum()), (top[:, None] + np.arange(3)) % 3
     face, label, side = (np.take_along_axis(table, turn, axis=1) for table in (face, label, side))
     middle = np.full(len(marked), -1)
     middle[marked] = len(vertex) + np.arange(count)

@@ -57,6 +57,9 @@ pass, with a retract of its own, into every corner of every pass."""
 DENSE = 0.2
 """Steps between the samples of a pass from which the gaps are measured."""
 
+THIN = 0.01
+"""Steps, and share of a unit between the normals, within which samples count as one: where slivers meet there are thousands."""
+
 FACING = 0.5
 """Steps on a flat that a difference of 1 between two unit normals counts for: no pass covers what lies round an edge."""
 
@@ -191,6 +194,7 @@ def _gaps(surface: _Surface, steps: Floats, main: PassField) -> Bools:
     contact = slice_field(mesh, main.value, main.levels)
     across = step_across(surface.metric, gradient(surface.frame, mesh.face, steps))
     near, normal = _sampled(contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.flat)
+    near, normal = _thinned(near, normal, THIN * surface.flat)
     where = (PLACES @ mesh.vertex[mesh.face]).reshape(-1, 3)
     facing = FACING * surface.flat
     out = np.ones(len(where), np.bool_)
@@ -209,6 +213,15 @@ def _sampled(entry: Floats, exit_: Floats, normal: Floats, step: float) -> tuple
     row = np.repeat(np.arange(len(pieces)), pieces)
     share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[row]
     return entry[row] + share[:, None] * (exit_ - entry)[row], normal[row]
+
+
+def _thinned(point: Floats, normal: Floats, step: float) -> tuple[Floats, Floats]:
+    """One of the points (n, 3), with its normal, in each cell of ``step`` mm and of ``THIN`` of the normal."""
+    cell = np.floor(np.concatenate([point / step, normal / THIN], axis=1)).astype(np.int64)
+    order = np.lexsort(cell.T)
+    new = np.append(True, (np.diff(cell[order], axis=0) != 0).any(axis=1))[: len(order)]
+    first = order[new]
+    return point[first], normal[first]
 
 
 def _carried(copy: Copy, steps: Floats, chosen: Bools, to: Copy) -> Floats:

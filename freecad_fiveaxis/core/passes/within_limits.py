@@ -34,13 +34,19 @@ FLAT = 1e-8
 
 TURN = 2.0 * math.pi
 
+ROOM = math.radians(2.0)
+"""To the rotary limits, where axes are chosen freely."""
+
+SHARES = (0.25, 0.5, 0.75)
+"""Of the way between two axes: where it is asked whether they are within the limits, too."""
+
 NEARLY = 0.99
 """Of the area that faces away: where so much is the level underside, the rest is not worth a word."""
 
 
 _DOWN = Template(
     "{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to "
-    "cut them."
+    "cut them, or raise the largest axis angle."
 )
 _STEEP = Template(
     "{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise the largest axis "
@@ -57,21 +63,21 @@ def facets_within_limits(
 ) -> tuple[Bools, tuple[Finding, ...]]:
     """Mask (f,) of the facets that can be cut with the tool along their normal, and what of the wanted ones is left out.
 
-    ``max_axis_angle`` rad: the largest axis angle that is wanted, over 0 and at most pi; facets that look down are out
-    whatever it is. Vertical walls count as 90 deg.
+    ``max_axis_angle`` rad: the largest axis angle that is wanted, over 0 and at most pi; beyond pi / 2 facets that look
+    down are cut up to it. Vertical walls count as 90 deg.
     ``kinematics`` None: the tool axis does not follow the facets. ``wanted`` (f,): the facets that were chosen, None: all.
     Raises SettingsError for another angle, ReachError where no facet is left.
     """
     if not 0.0 < max_axis_angle <= math.pi:
         angle = math.degrees(max_axis_angle)
         raise SettingsError(
-            say("largest axis angle {angle} is out of range; give more than 0 and at most 90 deg", angle=Angle(angle)),
+            say("largest axis angle {angle} is out of range; give more than 0 and at most 180 deg", angle=Angle(angle)),
             max_axis_angle,
         )
     up = mesh.normal[:, 2]
     wanted = np.ones(len(up), np.bool_) if wanted is None else wanted
-    down = (up < -math.sin(LEVEL)) & wanted
-    steep = (up < math.cos(min(max_axis_angle + LEVEL, math.pi))) & wanted & ~down
+    down = (up < (-math.sin(LEVEL) if max_axis_angle <= math.pi / 2 else least_up(max_axis_angle))) & wanted
+    steep = (up < least_up(max_axis_angle)) & wanted & ~down
     rest = np.flatnonzero(wanted & ~(down | steep))
     beyond = np.zeros(len(up), dtype=np.bool_)
 
@@ -94,6 +100,11 @@ def facets_within_limits(
     return keep, tuple(finding for finding in found if finding is not None)
 
 
+def least_up(max_axis_angle: float) -> float:
+    """Give the least z of unit vectors that lean no more than ``max_axis_angle``, rad, from +Z."""
+    return math.cos(min(max_axis_angle + LEVEL, math.pi))
+
+
 def axes_within_limits(kinematics: Chain, axis: Floats) -> Bools:
     """True (n,) where the machine can take up the unit tool axis (n, 3) with both rotary words within their limits."""
     ends = _second_alone(kinematics)
@@ -108,6 +119,27 @@ def axes_within_limits(kinematics: Chain, axis: Floats) -> Bools:
         first |= sine == 0.0  # at the pole any first word will do
         second = _turned_within(words[:, :, 1], kinematics.low[4], kinematics.high[4])
         within[part] = (first & second).any(axis=0)
+    return within
+
+
+def with_room(kinematics: Chain, room: float = ROOM) -> Chain:
+    """Narrow the rotary limits by ``room`` rad at either end, a quarter of the range at most: between axes that are within them
+    the machine then stays within its own."""
+    by = np.minimum(room, 0.25 * (kinematics.high[3:] - kinematics.low[3:]))
+    low, high = kinematics.low.copy(), kinematics.high.copy()
+    low[3:] += by
+    high[3:] -= by
+    return replace(kinematics, low=low, high=high)
+
+
+def turns_within_limits(kinematics: Chain, one: Floats, other: Floats) -> Bools:
+    """True (n,) where the machine can take up what lies between unit tool axes ``one`` and ``other`` (n, 3), too, when the axis
+    turns straight: between two at its limits it would go beyond them."""
+    within = np.ones(len(one), dtype=np.bool_)
+    for share in SHARES:
+        between = (1.0 - share) * one + share * other
+        length = np.linalg.norm(between, axis=1)
+        within &= (length > 0.0) & axes_within_limits(kinematics, between / np.where(length > 0.0, length, 1.0)[:, None])
     return within
 
 

@@ -16,9 +16,28 @@ from .judgement import judge
 from .markers import Marker, markers
 from .rate_table import rates_csv
 from .text import as_text
-from .verdict import Light, Verdict, verdict
+from .verdict import Light, Verdict, judged_largest, verdict
 
 __all__ = [
-    "Drawing", "Figures", "Light", "Marker", "Row", "Spot", "Verdict", "as_html", "as_json", "as_text", "blocks_csv", "draw",
-    "judge", "listed", "markers", "rates_csv", "scale_values", "spot", "summary", "verdict",
+    "Drawing",
+    "Figures",
+    "Light",
+    "Marker",
+    "Row",
+    "Spot",
+    "Verdict",
+    "as_html",
+    "as_json",
+    "as_text",
+    "blocks_csv",
+    "draw",
+    "judge",
+    "judged_largest",
+    "listed",
+    "markers",
+    "rates_csv",
+    "scale_values",
+    "spot",
+    "summary",
+    "verdict",
 ]  # fmt: skip

@@ -6,6 +6,7 @@ line     the line of the NC file, counted from 1.
 words    the block's end, mm and degrees, turns not folded; X Y Z and then the machine's two rotary letters sorted. Where the
          controller guides the tip X Y Z are the tip's place, and the deviations are 0: they are not ours to measure.
 bound    rounded up, so that what is read back is still a bound.
+surface  deviation and bound of the point that makes the surface: only where that is not the tip (a ball's centre); last columns.
 depth    only where the program was checked against the part: how deep cutter, shank or holder go into it in the block, mm.
 """
 
@@ -33,11 +34,12 @@ def letter_order(letters: str) -> list[int]:
     return [0, 1, 2, *sorted(fitted_columns(letters)[3:], key=lambda column: letters[column])]
 
 
-def header(letters: str, depth: bool = False) -> str:
-    """The column names for the machine's ``letters`` (in the order of the words, as "XYZCA"); ``depth``: the last one too."""
+def header(letters: str, depth: bool = False, surface: bool = False) -> str:
+    """The column names for the machine's ``letters`` (in the order of the words, as "XYZCA"); ``depth``, ``surface``: the last
+    ones too."""
     words = ",".join(letters[column] for column in letter_order(letters))
     names = f"block,line,motion,{words},feed,u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
-    return names + ",depth" * depth
+    return names + ",depth" * depth + ",surface_deviation,surface_bound" * surface
 
 
 def round_up(values: Floats, decimals: int = DECIMALS) -> Floats:
@@ -48,9 +50,10 @@ def round_up(values: Floats, decimals: int = DECIMALS) -> Floats:
 
 
 def blocks_csv(
-    program: Program, deviation: Deviation, singularity: Singularity, progress: Progress = silent, gouge: GougeCheck | None = None
-) -> bytes:
-    """The whole table as ASCII text, lines ending in a line feed. All three records have one row a block, ``gouge`` one less."""
+    program: Program, deviation: Deviation, singularity: Singularity, progress: Progress = silent,
+    gouge: GougeCheck | None = None, surface: Deviation | None = None,
+) -> bytes:  # fmt: skip
+    """The whole table as ASCII text, lines ending in a line feed. All records have one row a block, ``gouge`` one less."""
     rows = len(program.words)
     # adding 0 turns -0 into 0
     words = [_said(program, column) + 0.0 for column in letter_order(program.letters)]
@@ -67,7 +70,9 @@ def blocks_csv(
     if gouge is not None:
         depth = np.maximum(gouge.cutter.depth, gouge.above.depth)
         parts.append(Column(b",", np.append(0.0, depth)[:rows], DECIMALS))
-    return header(program.letters, gouge is not None).encode() + b"\n" + table(parts, progress=progress)
+    if surface is not None:
+        parts += [Column(b",", values, DECIMALS) for values in (surface.segment, round_up(surface.bound))]
+    return header(program.letters, gouge is not None, surface is not None).encode() + b"\n" + table(parts, progress=progress)
 
 
 def _said(program: Program, column: int) -> Floats:

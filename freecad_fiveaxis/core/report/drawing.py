@@ -5,8 +5,8 @@ stroke  a straight line of the picture: the chord of a feed block, or of several
         than STROKES; it has the deviation of the worst of its blocks.
 level   the deviation on a logarithmic scale about the tolerance: 0.5 is the tolerance, 0 a hundredth of it, 1 a hundred
         times it; what lies beyond is at the end of the scale.
-curve   the way that the tip really takes in a block, beside its chord; spoke: from the chord to the curve where they are
-        farthest apart.
+curve   the way that the judged point, the tip or a ball's centre, really takes in a block, beside its own chord; spoke: from
+        the chord to the curve where they are farthest apart.
 spot    one block that is worth a look, in numbers.
 
 All places are in the work frame, mm.
@@ -30,6 +30,7 @@ from freecad_fiveaxis.core.motion.trajectory import tip_at
 from .figures import Figures
 from .judgement import OVER, SINGULAR, UNPROVEN
 from .markers import Marker, markers
+from .playback import segment_foot
 
 STROKES = 600_000
 """Beyond this many a view without a graphics card no longer follows the mouse."""
@@ -87,8 +88,8 @@ class Drawing:
 @dataclass(frozen=True)
 class Spot:
     """One feed block in numbers: mm and degrees. ``turns``: the letters of the rotary axes and how far each turns in the
-    block; ``lean`` how far the tool axis leans meanwhile; ``step`` the length of the chord; ``place`` the real tip where it is
-    farthest from the chord."""
+    block; ``lean`` how far the tool axis leans meanwhile; ``step`` the length of the tip's chord; ``place`` the real tip when the
+    judged point is farthest from its chord; ``ball``: that point is a ball's centre."""
 
     block: int
     line: int
@@ -100,23 +101,24 @@ class Spot:
     lean: float
     step: float
     place: tuple[float, float, float]
+    ball: bool = False
 
 
 def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
     """The picture of a program; at most about ``strokes`` strokes."""
     start, end = _stroke_ends(figures.feeds, figures.program.motion, strokes)
-    block = _worst_between(figures.deviation.segment, start, end)
-    deviation = figures.deviation.segment[block]
+    block = _worst_between(figures.judged.segment, start, end)
+    deviation = figures.judged.segment[block]
     low, high = _box(figures.tip[figures.feeds])
     length = float((high - low).max()) / AXES_ACROSS
     tool = _apart(figures.tip, figures.feeds, low, length)
-    worst = figures.worst[figures.deviation.segment[figures.worst] > 0.0]
+    worst = figures.worst[figures.judged.segment[figures.worst] > 0.0]
+    curve, spoke = _curves(figures, worst)
     return Drawing(
         tolerance=figures.tolerance, stroke=_paired(figures.tip[start - 1], figures.tip[end]), block=block, deviation=deviation,
         level=level_of(deviation, figures.tolerance), rapid=_rapids(figures), foot=figures.tip[tool], axis=figures.axis[tool],
-        axis_length=1.5 * length, worst=worst, curve=_real_ways(figures, worst, CURVE_POINTS).reshape(-1, 3),
-        chord=_paired(figures.tip[worst - 1], figures.tip[worst]), spoke=_spokes(figures, worst), low=low, high=high,
-        markers=markers(figures),
+        axis_length=1.5 * length, worst=worst, curve=curve.reshape(-1, 3), chord=curve[:, [0, -1]].reshape(-1, 3), spoke=spoke,
+        low=low, high=high, markers=markers(figures),
     )  # fmt: skip
 
 
@@ -135,7 +137,7 @@ def scale_values(tolerance: float) -> tuple[tuple[float, float], ...]:
 
 def spot(figures: Figures, block: int) -> Spot:
     """The numbers of one block (1 to m - 1)."""
-    program, deviation, row = figures.program, figures.deviation, block
+    program, deviation, row = figures.program, figures.judged, block
     first, second = np.abs(program.words[row, 3:] - program.words[row - 1, 3:]).tolist()
     x, y, z = deviation.place[row].tolist()
     return Spot(
@@ -143,7 +145,7 @@ def spot(figures: Figures, block: int) -> Spot:
         tolerance=figures.tolerance, singular=bool(figures.singularity.singular[row]),
         turns=tuple((program.letters[k], (first, second)[k - 3]) for k in fitted_columns(program.letters)[3:]),
         lean=math.degrees(figures.singularity.axis_travel[row]), step=math.dist(figures.tip[row - 1], figures.tip[row]),
-        place=(x, y, z),
+        place=(x, y, z), ball=figures.surface is not None,
     )  # fmt: skip
 
 
@@ -238,12 +240,16 @@ def _paired(start: Floats, end: Floats) -> Floats:
     return np.stack([start, end], axis=1).reshape(-1, 3)
 
 
-def _real_ways(figures: Figures, rows: Ints, points: int) -> Floats:
-    """The real tip (w, points, 3) at even shares of the blocks ``rows`` (w,)."""
+def _curves(figures: Figures, rows: Ints) -> tuple[Floats, Floats]:
+    """The real way (w, CURVE_POINTS, 3) mm of the judged point in the blocks ``rows`` (w,), and its spokes (2w, 3) mm."""
     if not len(rows):
-        return np.zeros((0, points, 3))
-    words = figures.program.words
-    return tip_at(figures.kinematics, words[rows - 1], words[rows], np.linspace(0.0, 1.0, points)[None])
+        return np.zeros((0, CURVE_POINTS, 3)), np.zeros((0, 3))
+    deviation, words = figures.judged, figures.program.words
+    kinematics, start = deviation.measured(figures.kinematics, words[rows - 1])
+    end = deviation.measured(figures.kinematics, words[rows])[1]
+    way = tip_at(kinematics, start, end, np.linspace(0.0, 1.0, CURVE_POINTS)[None])
+    place = tip_at(kinematics, start, end, deviation.u_segment[rows])
+    return way, _paired(segment_foot(place, way[:, 0], way[:, -1]), place)
 
 
 def _rapids(figures: Figures) -> Floats:
@@ -251,13 +257,8 @@ def _rapids(figures: Figures) -> Floats:
     rows = rows[rows > 0]
     if len(rows) > RAPIDS:
         rows = rows[np.linspace(0, len(rows) - 1, RAPIDS).astype(np.int64)]
-    way = _real_ways(figures, rows, RAPID_POINTS)
+    if not len(rows):
+        return np.zeros((0, 3))
+    words, u = figures.program.words, np.linspace(0.0, 1.0, RAPID_POINTS)[None]
+    way = tip_at(figures.kinematics, words[rows - 1], words[rows], u)
     return _paired(way[:, :-1].reshape(-1, 3), way[:, 1:].reshape(-1, 3))
-
-
-def _spokes(figures: Figures, rows: Ints) -> Floats:
-    start, place = figures.tip[rows - 1], figures.deviation.place[rows]
-    along = figures.tip[rows] - start
-    squared = np.maximum((along * along).sum(axis=1), 1e-24)
-    share = np.clip(((place - start) * along).sum(axis=1) / squared, 0.0, 1.0)
-    return _paired(start + share[:, None] * along, place)

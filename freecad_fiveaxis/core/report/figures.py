@@ -4,11 +4,14 @@
 feed block    a block that may touch the part: CUT, FILL or LINK (in a foreign program every G1). Every figure of the
               summary judges the feed blocks and none of the rapids: a rapid is driven in the air, where it may leave its
               line. The table of blocks (``block_table``) and ``max_rapid_deviation`` show the rapids too.
+surface       of a ball the way of its centre makes the surface, not that of the tip: where that is known (``Figures.surface``) it
+              is what is judged, against the centre's own chord. The tip's deviation stays beside it.
 proven        the proven bound of every feed block is within the tolerance, and in none of them the controller guides the tip
               (``guided_blocks``), which is its own affair. ``over_tolerance`` counts the feed blocks
-              whose deviation from the commanded segment exceeds it, ``unproven`` those where only the bound does.
+              whose judged deviation from the commanded segment exceeds it, ``unproven`` those where only the bound does.
 block         a row of the Program, counted from 0; ``line`` a line of the NC file, counted from 1.
-pass          a run of CUT and FILL blocks between links and rapids.
+pass          a run of CUT and FILL blocks between links and rapids. ``cut_length`` is theirs, ``link_length`` that of other
+              feed blocks, ``rapid_length`` that of the rapids: of the tip over the work, mm.
 peak rate     the largest mean rate of an axis over a feed block; travels and word ranges are those of all blocks.
 """
 
@@ -25,7 +28,7 @@ import numpy as np
 from freecad_fiveaxis.core.audit import Audit
 from freecad_fiveaxis.core.audit.rates import RATE_ROUNDING
 from freecad_fiveaxis.core.base.findings import Finding, Severity
-from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.collision import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -49,6 +52,7 @@ class Figures:
     """All that a report shows. ``tolerance`` mm; ``findings`` those of every stage.
 
     ``program``, ``deviation`` and ``singularity`` have one row a block; ``kinematics`` is the chain that ``program`` is for.
+    ``deviation`` is that of the driven point, ``surface`` that of the point that makes the surface, where it is another one.
     ``audit`` where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
     ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
     1, of the surface asked for that stays unfinished.
@@ -70,6 +74,12 @@ class Figures:
     allowed: float = 0.0
     mesh: Mesh | None = None
     unfinished: float = 0.0
+    surface: Deviation | None = None
+
+    @property
+    def judged(self) -> Deviation:
+        """The deviation that is held against the tolerance: the surface's where it is known, else that of the driven point."""
+        return self.deviation if self.surface is None else self.surface
 
     @cached_property
     def feeds(self) -> Ints:
@@ -81,7 +91,7 @@ class Figures:
         """The feed blocks of the largest deviation from the segment, largest first; none whose tip the controller guides."""
         guided = self.program.guided
         measured = self.feeds if guided is None else self.feeds[~guided.on[self.feeds]]
-        return worst_first(measured, self.deviation.segment)[:WORST]
+        return worst_first(measured, self.judged.segment)[:WORST]
 
     @cached_property
     def tip(self) -> Floats:
@@ -135,10 +145,10 @@ def axis_rates(program: Program) -> Floats:
 
 def summary(figures: Figures) -> dict[str, Any]:
     """The figures in numbers: lengths mm, angles degrees, times s. Limits may be infinite."""
-    program, deviation, feeds = figures.program, figures.deviation, figures.feeds
+    program, deviation, feeds, judged = figures.program, figures.deviation, figures.feeds, figures.judged
     segment, bound = deviation.segment[feeds], deviation.bound[feeds]
-    over = ~(segment <= figures.tolerance)
-    unproven = ~over & ~(bound <= figures.tolerance)
+    over = ~(judged.segment[feeds] <= figures.tolerance)
+    unproven = ~over & ~(judged.bound[feeds] <= figures.tolerance)
     worst = figures.worst
     rapid = deviation.segment[program.motion == Motion.RAPID]
     return (
@@ -151,6 +161,8 @@ def summary(figures: Figures) -> dict[str, Any]:
             "over_tolerance": int(over.sum()),
             "unproven": int(unproven.sum()),
             "guided_blocks": len(guided_feeds(program)),
+            "max_surface_deviation": _largest(judged.segment[feeds]) if figures.surface else None,
+            "max_surface_bound": _largest(judged.bound[feeds]) if figures.surface else None,
             "max_line_deviation": _largest(deviation.line[feeds]),
             "max_segment_deviation": _largest(segment),
             "max_bound": _largest(bound),
@@ -173,9 +185,14 @@ def summary(figures: Figures) -> dict[str, Any]:
 
 def worst_table(figures: Figures, rows: Ints | None = None) -> list[dict[str, Any]]:
     """The worst feed blocks (or ``rows``) as rows: mm and degrees; the rotary letters tell how far those axes turn in the block.
-    With an audit each has what that found in it, too."""
+    With an audit each has what that found in it, too, and where the surface was judged its deviation and bound."""
     chosen = figures.worst if rows is None else rows
     more = [{} for _ in chosen] if figures.audit is None else audit_rows(figures.program, figures.audit, chosen)
+    if (surface := figures.surface) is not None:
+        more = [
+            one | {"surface_deviation": float(surface.segment[row]), "surface_bound": float(surface.bound[row])}
+            for one, row in zip(more, chosen, strict=True)
+        ]
     program, deviation, moved = figures.program, figures.deviation, travel(figures.program)[chosen]
     angles = letter_order(program.letters)[3:]
     return [
@@ -215,14 +232,23 @@ def _travelled(figures: Figures) -> dict[str, object]:
     program, order = figures.program, letter_order(figures.program.letters)
     cutting = (program.motion == Motion.CUT) | (program.motion == Motion.FILL)
     cutting[:1] = False
+    rapid = program.motion == Motion.RAPID
+    kinds = {"cut": cutting, "link": ~cutting & ~rapid, "rapid": rapid}
     steps = np.linalg.norm(np.diff(figures.tip, axis=0), axis=1)
     moved = np.abs(travel(program)).sum(axis=0)
     return {
         "passes": int((cutting[1:] & ~cutting[:-1]).sum()),
-        "cut_length": float(steps[cutting[1:]].sum()),
+        **{f"{kind}_length": float(steps[rows[1:]].sum()) for kind, rows in kinds.items()},
+        "time_shares": time_shares(program.seconds, kinds),
         "rotary_travel_deg": {program.letters[i]: float(moved[i]) for i in order[3:]},
         "axes": _axes(figures, order, moved),
     }
+
+
+def time_shares(seconds: Floats, kinds: Mapping[str, Bools]) -> dict[str, float]:
+    """Give the share, 0 to 1, of the time that blocks of each kind take; ``seconds`` (m,) of the blocks, the first stands."""
+    whole = float(seconds[1:].sum())
+    return {kind: float(seconds[1:][rows[1:]].sum()) / whole if whole > 0.0 else 0.0 for kind, rows in kinds.items()}
 
 
 def _axes(figures: Figures, order: list[int], moved: Floats) -> dict[str, dict[str, object]]:

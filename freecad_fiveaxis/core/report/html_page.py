@@ -32,6 +32,10 @@ GLOSSARY = {
         "The largest distance between the tip's real path and the commanded segment while a block runs. Where rotary axes turn, "
         "axes that move evenly carry the tip along a curve, although both ends are right."
     ),
+    "Deviation of the ball's centre": (
+        "The same of the centre of a ball: its way, not the tip's, makes the surface. Where the tool axis swings, a tip that "
+        "runs straight makes the centre bulge. Where the centre is known it is judged, and the tip's deviation is told beside it."
+    ),
     "Proven bound": "A number that the deviation cannot exceed anywhere in the block, by calculation and not by sampling.",
     "Line deviation": (
         "The distance from the infinite line through both ends. It overlooks a tip that runs past an end, so it can be "
@@ -131,12 +135,27 @@ def _pictures(made: Sequence[Plot], wanted: bool) -> list[str]:
     ]
 
 
+BALL = ("ball's centre off its segment, mm", "its proven bound, mm")
+"""The columns of what is judged where that is not the tip; the deviation after them is then the tip's."""
+
+BALL_FIRST = " of the ball's centre"
+
+
 def _worst(figures: Figures) -> str:
     rows = worst_table(figures)
     if not rows:
         return ""
-    letters = list(rows[0]["turn_deg"])
-    head = ["NC line", "motion", "deviation, mm", "at u", "proven bound, mm", "line deviation, mm", "axis deviation, deg"]
+    letters, ball = list(rows[0]["turn_deg"]), figures.surface is not None
+    head = [
+        "NC line",
+        "motion",
+        *BALL[: 2 * ball],
+        "deviation, mm",
+        "at u",
+        "proven bound, mm",
+        "line deviation, mm",
+        "axis deviation, deg",
+    ]
     head += [f"{letter} turns, deg" for letter in letters] + ["near the pole", "place X Y Z, mm"]
     return _table(
         head,
@@ -144,6 +163,7 @@ def _worst(figures: Figures) -> str:
             [
                 str(row["line"]),
                 row["motion"],
+                *(number(row[name], 6) for name in ("surface_deviation", "surface_bound")[: 2 * ball]),
                 number(row["segment_deviation"], 6),
                 number(row["u_segment"], 4),
                 number(row["bound"], 6),
@@ -155,7 +175,7 @@ def _worst(figures: Figures) -> str:
             ]
             for row in rows
         ],
-        "The largest deviation from the commanded segment first.",
+        f"The largest deviation{BALL_FIRST * ball} from the commanded segment first.",
     )
 
 

@@ -28,6 +28,8 @@ from freecad_fiveaxis.core.motion.singularity import Singularity
 from .figures import WORST, inner_words, travel, worst_first
 
 OVER, UNPROVEN, SINGULAR = "deviation-over-tolerance", "bound-over-tolerance", "singular-block"
+ROUND_UP = 1.0 + 1e-4
+"""A bound must not become less by being told with five digits."""
 
 _SPLIT = say(
     "Shorter blocks help: half the length leaves about a quarter of the deviation; {linearize} makes as many as are needed.",
@@ -41,18 +43,24 @@ _AWAY = say(
     tilt=Option("tilt", flag=False),
     setup=Task("setup"),
 )
+_TIP_BENDS = say("While rotary axes turn, straight moves of the axes carry the tip along a curve beside the straight segment.")
+_BALL_BENDS = say(
+    "While rotary axes turn, straight moves of the axes carry the ball's centre along a curve beside its straight segment, and "
+    "the surface with it."
+)
 _GUIDE = say("A controller with tool tip control (RTCP) guides the tip along the segment itself.")
 
 
 def judge(
-    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float
+    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float, surface: bool = False
 ) -> tuple[Finding, ...]:
-    """The findings of all feed blocks; ``tolerance`` mm. All records have one row a block."""
+    """The findings of all feed blocks; ``tolerance`` mm. All records have one row a block. ``surface``: the deviation is that of
+    a ball's centre, which makes the surface, not of the tip."""
     feeds = feed_blocks(program)
     over = ~(deviation.segment[feeds] <= tolerance)  # so a NaN counts as over
     unproven = ~over & ~(deviation.bound[feeds] <= tolerance)
     return (
-        *_over_tolerance(kinematics, program, deviation, singularity, tolerance, feeds[over]),
+        *_over_tolerance(kinematics, program, deviation, singularity, tolerance, feeds[over], surface),
         *_unproven(program, deviation, tolerance, feeds[unproven]),
         *_near_pole(program, deviation, singularity, feeds[singularity.singular[feeds]]),
     )
@@ -91,15 +99,15 @@ def _finding(kind: _Kind, program: Program, deviation: Deviation, row: int, text
 
 
 def _over_tolerance(
-    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float, rows: Ints
-) -> list[Finding]:
+    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float, rows: Ints,
+    surface: bool,
+) -> list[Finding]:  # fmt: skip
     near = int(singularity.singular[rows].sum())
 
     def whole(row: int) -> Sentence:
         lead = say(
             "{blocks} the commanded path by more than {tolerance}; the worst, NC line {line}, by {deviation}: there {turns} "
-            "within a step of {step}. While rotary axes turn, straight moves of the axes carry the tip along a curve beside the "
-            "straight segment.",
+            "within a step of {step}.",
             blocks=plural(len(rows), "1 feed block leaves", "{count} feed blocks leave"),
             tolerance=Length(tolerance),
             line=program.line[row],
@@ -107,7 +115,9 @@ def _over_tolerance(
             turns=_turns(program, row),
             step=Length(_chord(kinematics, program, row), ".3f"),
         )
-        return joined((lead, _near(near, len(rows), program), _SPLIT, _AWAY if near else "", _GUIDE))
+        bends = _BALL_BENDS if surface else _TIP_BENDS
+        guide = "" if surface else _GUIDE
+        return joined((lead, bends, _near(near, len(rows), program), _SPLIT, _AWAY if near else "", guide))
 
     def single(row: int) -> Sentence:
         lead = say(

@@ -37,7 +37,7 @@ def markers(figures: Figures) -> tuple[Marker, ...]:
 
     A run of neighbouring blocks has one marker, at its worst block; the first marker is the largest deviation of all.
     """
-    program, deviation = figures.program, figures.deviation
+    program, deviation = figures.program, figures.judged
     over, near = np.zeros(len(program.words), bool), np.zeros(len(program.words), bool)
     over[figures.feeds] = ~(deviation.segment[figures.feeds] <= figures.tolerance)
     near[figures.feeds] = figures.singularity.singular[figures.feeds]
@@ -65,7 +65,7 @@ def _marked(figures: Figures, kind: str, rows: Ints, values: Floats, label: str)
     told = {one.block: one for one in reversed(figures.findings) if one.code == code}
     made = []
     for row in rows.tolist():
-        x, y, z = figures.deviation.place[row].tolist()
+        x, y, z = figures.judged.place[row].tolist()
         words = f"{label.format(values[row])}, line {figures.program.line[row]}"
         made.append(Marker((x, y, z), kind, words, told.get(row), row))
     return made

@@ -46,10 +46,11 @@ class Pose:
     """One or many moments; every array begins with the shape that was asked for, () for a single moment.
 
     ``block``, ``u`` the moment; ``seconds`` its time; ``words`` (..., 5) mm and **degrees**; ``tip`` (..., 3) mm and ``axis``
-    (..., 3) unit, work frame; ``foot`` (..., 3) mm: the point of the block's commanded segment that is nearest to the tip, work
-    frame; ``to_chord`` mm: the distance of the two. Placements (..., 4, 4), mm: ``work_from_tool``, ``machine_from_work``,
-    ``work_from_machine``, ``machine_from_tool``. The rotary axes' lines as they stand, the one nearer to the work first:
-    ``line_point`` (..., 2, 3) mm, ``line_direction`` (..., 2, 3) unit, machine frame.
+    (..., 3) unit, work frame; ``point`` (..., 3) mm: the point whose deviation is played, the tip or a ball's centre, and
+    ``foot`` (..., 3) mm: the point of its commanded segment that is nearest to it, work frame; ``to_chord`` mm: the distance
+    of the two. Placements (..., 4, 4), mm: ``work_from_tool``, ``machine_from_work``, ``work_from_machine``,
+    ``machine_from_tool``. The rotary axes' lines as they stand, the one nearer to the work first: ``line_point`` (..., 2, 3)
+    mm, ``line_direction`` (..., 2, 3) unit, machine frame.
     """
 
     block: Ints
@@ -58,6 +59,7 @@ class Pose:
     words: Floats
     tip: Floats
     axis: Floats
+    point: Floats
     foot: Floats
     to_chord: Floats
     work_from_tool: Floats
@@ -73,8 +75,8 @@ class Pose:
 class Playback:
     """A program ready to be played on its machine. ``clock`` (m,) s: the time at which each block ends.
 
-    ``program`` and ``deviation`` have one row a block and are for the machine of ``kinematics``. Raises ProgramError for a
-    program without a block.
+    ``program`` and ``deviation`` have one row a block and are for the machine of ``kinematics``; ``deviation`` is that of the tip
+    or of a ball's centre. Raises ProgramError for a program without a block.
     """
 
     kinematics: Chain
@@ -124,23 +126,27 @@ class Playback:
         self._check(rows)
         row, flat_u = rows.reshape(-1), at_u.reshape(-1)
         start, end = self._ends(row)
-        tip = tip_at(self.kinematics, start, end, flat_u)
-        chord = [tip_at(self.kinematics, start, end, np.full_like(flat_u, edge)) for edge in (0.0, 1.0)]
-        words, foot = start + flat_u[:, None] * (end - start), segment_foot(tip, *chord)
+        words, point = start + flat_u[:, None] * (end - start), self._points(start, end, flat_u)
+        foot = segment_foot(point, *(self._points(start, end, np.full_like(flat_u, edge)) for edge in (0.0, 1.0)))
         columns = {
-            "block": row, "u": flat_u, "seconds": self.time(row, flat_u), "words": words, "tip": tip,
-            "axis": axis_at(self.kinematics, start, end, flat_u), "foot": foot,
-            "to_chord": np.linalg.norm(tip - foot, axis=1),
+            "block": row, "u": flat_u, "seconds": self.time(row, flat_u), "words": words,
+            "tip": tip_at(self.kinematics, start, end, flat_u), "axis": axis_at(self.kinematics, start, end, flat_u),
+            "point": point, "foot": foot, "to_chord": np.linalg.norm(point - foot, axis=1),
         } | placements(self.kinematics, words)  # fmt: skip
         return Pose(**{name: column.reshape(rows.shape + column.shape[1:]) for name, column in columns.items()})
 
     def curve(self, block: int) -> Floats:
-        """The real path of the tip in one block (n, 3) mm, work frame, ends included, fine enough to be drawn."""
+        """The real path of ``Pose.point`` in one block (n, 3) mm, work frame, ends included, fine enough to be drawn."""
         row = np.array([block])
         self._check(row)
         start, end = self._ends(row)
         count = min(int(np.abs(end - start)[0, 3:].sum() / FINEST_TURN) + 2, MOST_POINTS)
-        return np.asarray(tip_at(self.kinematics, start, end, np.linspace(0.0, 1.0, count)[None])[0])
+        return np.asarray(self._points(start, end, np.linspace(0.0, 1.0, count)[None])[0])
+
+    def _points(self, start: Floats, end: Floats, u: Floats) -> Floats:
+        """The point whose deviation is played: as ``tip_at``."""
+        kinematics, begin = self.deviation.measured(self.kinematics, start)
+        return tip_at(kinematics, begin, self.deviation.measured(self.kinematics, end)[1], u)
 
     def _begin(self, block: NDArray[np.int64]) -> Floats:
         return np.where(block > 0, self.clock[np.maximum(block - 1, 0)], 0.0)

@@ -108,7 +108,7 @@ def _legend(axes: Any, columns: int = 6) -> None:
 
 
 def _along(figure: Any, figures: Figures) -> Told:
-    axes, deviation, x, rows = figure.subplots(), figures.deviation, _abscissa(figures.program), figures.feeds
+    axes, deviation, x, rows = figure.subplots(), figures.judged, _abscissa(figures.program), figures.feeds
     segment, bound = np.maximum(deviation.segment[rows], FLOOR), np.maximum(deviation.bound[rows], FLOOR)
     _shade(axes, figures, x)
     axes.fill_between(*_steps(x, rows, bound), FLOOR, step="pre", color=SKY, alpha=0.45, lw=0, label="proven bound")
@@ -129,8 +129,9 @@ def _along(figure: Any, figures: Figures) -> Told:
     if len(figures.worst):  # none where the controller guides the tip in every block
         peak = figures.worst[0]
         alt += f" Largest {deviation.segment[peak]:.4g} mm at NC line {figures.program.line[peak]}."
+    whose = "the tool tip" if figures.surface is None else "the ball's centre, which makes the surface,"
     caption = (
-        "One step for each feed block: how far the tool tip leaves the straight segment that the program commands. Nothing "
+        f"One step for each feed block: how far {whose} leaves the straight segment that the program commands. Nothing "
         "leaves it by more than the proven bound. Rapids are left out."
     )
     return "along", "Deviation along the program", caption, alt

@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base.findings import Finding
 from .audited import audit_facts
 from .figures import Figures, summary, worst_table
 from .part_facts import part_facts, part_verdict
-from .verdict import verdict
+from .verdict import judged_largest, verdict
 
 WIDTH = 100
 """Columns of the text report."""
@@ -52,7 +52,7 @@ def path_verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
         return "Nothing to prove: the program has no feed blocks."
     if over:
         share = "1 block leaves" if over == 1 else f"{over} of {feeds} feed blocks leave"
-        worst = f"line {numbers['worst_line']}, by {numbers['max_segment_deviation']:.4g} mm"
+        worst = f"line {numbers['worst_line']}, by {judged_largest(numbers)[0]:.4g} mm"
         return f"{share} the commanded path by more than {limit}; the worst, {worst}."
     if guided := numbers["guided_blocks"]:
         which = f"all {feeds}" if guided == feeds else f"{guided} of {feeds}"
@@ -67,7 +67,9 @@ def path_verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
             f"{numbers['unproven']} of {feeds} feed blocks the proven bound does not exclude it."
         )
     whole = "The one feed block does not leave its" if feeds == 1 else f"None of the {feeds} feed blocks leaves its"
-    largest = f"largest deviation {numbers['max_segment_deviation']:.4g} mm, proven bound {numbers['max_bound']:.4g} mm"
+    deviation, bound = judged_largest(numbers)
+    whose = "" if numbers["max_surface_deviation"] is None else " of the ball's centre"
+    largest = f"largest deviation{whose} {deviation:.4g} mm, proven bound {bound:.4g} mm"
     return f"{whole} commanded segment by more than {limit}, and that is proven ({largest})."
 
 
@@ -95,25 +97,54 @@ def number(value: float | None, decimals: int) -> str:
 def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
     """The summary as pairs of name and value with unit, the most wanted first."""
     turned = ", ".join(f"{letter} {value:.1f} deg" for letter, value in numbers["rotary_travel_deg"].items())
-    worst = "" if numbers["worst_line"] is None else f" (NC line {numbers['worst_line']})"
     guided = [("blocks whose tip the controller guides", f"{numbers['guided_blocks']}")] if numbers["guided_blocks"] else []
     return [
         *guided,
         ("tolerance", f"{numbers['tolerance']:g} mm"),
-        ("largest deviation from the segment", f"{numbers['max_segment_deviation']:.6f} mm{worst}"),
-        ("its proven upper bound", f"{numbers['max_bound']:.6f} mm"),
-        ("blocks over tolerance", f"{numbers['over_tolerance']} of {numbers['feed_blocks']}"),
-        ("largest deviation from the infinite line", f"{numbers['max_line_deviation']:.6f} mm"),
-        ("largest deviation of the tool axis", f"{numbers['max_axis_deviation_deg']:.4f} deg"),
+        *(_not_measured() if numbers["guided_blocks"] == numbers["feed_blocks"] > 0 else _deviations(numbers)),
         ("largest deviation of a rapid", f"{numbers['max_rapid_deviation']:.4f} mm"),
         ("blocks near the pole", f"{numbers['singular_blocks']}"),
         ("blocks", f"{numbers['blocks']}, of them {numbers['feed_blocks']} at feed"),
         ("passes, length cut", f"{numbers['passes']}, {numbers['cut_length']:.1f} mm"),
-        ("time", duration(numbers["time_s"])),
+        ("length of links, of rapids", f"{numbers['link_length']:.1f} mm, {numbers['rapid_length']:.1f} mm"),
+        ("time", f"{duration(numbers['time_s'])} ({_shares(numbers['time_shares'])})"),
         ("rotary travel", turned),
         *audit_facts(numbers),
         *part_facts(numbers),
     ]
+
+
+def _not_measured() -> list[tuple[str, str]]:
+    """The same where the controller guides the tip in all feed blocks: a zero would be taken for a proof."""
+    return [("largest deviation from the segment", "- (the controller guides the tip: only block ends are verified)")]
+
+
+def _deviations(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """What is judged (:func:`_judged`), and the others."""
+    others = [
+        ("blocks over tolerance", f"{numbers['over_tolerance']} of {numbers['feed_blocks']}"),
+        ("largest deviation from the infinite line", f"{numbers['max_line_deviation']:.6f} mm"),
+        ("largest deviation of the tool axis", f"{numbers['max_axis_deviation_deg']:.4f} deg"),
+    ]
+    return _judged(numbers) + others
+
+
+def _judged(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """What is judged, with its bound and line; where that is a ball's centre the tip's deviation after it."""
+    worst = "" if numbers["worst_line"] is None else f" (NC line {numbers['worst_line']})"
+    deviation, bound = (f"{value:.6f} mm" for value in judged_largest(numbers))
+    if numbers["max_surface_deviation"] is None:
+        return [("largest deviation from the segment", deviation + worst), ("its proven upper bound", bound)]
+    return [
+        ("largest deviation of the ball's centre", deviation + worst),
+        ("its proven upper bound", bound),
+        ("largest deviation of the tip", f"{numbers['max_segment_deviation']:.6f} mm"),
+    ]
+
+
+def _shares(shares: Mapping[str, float]) -> str:
+    """As "cut 65 %, link 28 %, rapid 7 %"."""
+    return ", ".join(f"{kind} {100.0 * share:.0f} %" for kind, share in shares.items())
 
 
 def _wrap(text: str, indent: str = "") -> list[str]:
@@ -131,14 +162,18 @@ def _worst_lines(figures: Figures) -> list[str]:
     if not rows:
         return []
     letters = list(rows[0]["turn_deg"])
-    head = ["NC line", "motion", "deviation", "bound", "line dev.", "axis dev."]
+    ball = figures.surface is not None
+    head = ["NC line", "motion", "deviation", "bound", "tip dev." if ball else "line dev.", "axis dev."]
+    names = ("segment_deviation", "bound", "line_deviation")
+    names = ("surface_deviation", "surface_bound", "segment_deviation") if ball else names
     table = [[*head, *(f"{letter} turns" for letter in letters), "near pole"]]
     for row in rows:
-        values = [number(row[name], 6) for name in ("segment_deviation", "bound", "line_deviation")]
+        values = [number(row[name], 6) for name in names]
         turns = [number(row["turn_deg"][letter], 3) for letter in letters]
         near = "yes" if row["singular"] else "no"
         table.append([str(row["line"]), row["motion"], *values, number(row["axis_deviation_deg"], 4), *turns, near])
-    return ["Worst blocks, the largest deviation from the commanded segment first (mm, deg):", *_columns(table)]
+    whose = " of the ball's centre" if ball else ""
+    return [f"Worst blocks, the largest deviation{whose} from the commanded segment first (mm, deg):", *_columns(table)]
 
 
 def _axis_lines(axes: Mapping[str, Mapping[str, Any]]) -> list[str]:

@@ -104,6 +104,14 @@ def _of_severity(figures: Figures, severity: Severity) -> dict[str, tuple[Findin
     return {code: tuple(some) for code, some in groupby(sorted(found, key=lambda one: order[one.code]), lambda one: one.code)}
 
 
+def judged_largest(numbers: Mapping[str, Any]) -> tuple[float, float]:
+    """Take from a summary the largest deviation that was judged, mm, and its proven bound, mm."""
+    names = ("max_segment_deviation", "max_bound")
+    if numbers["max_surface_deviation"] is not None:
+        names = ("max_surface_deviation", "max_surface_bound")
+    return numbers[names[0]], numbers[names[1]]
+
+
 # ------------------------------------------------------------------------------------------------ red
 
 ENTERS = {
@@ -146,7 +154,7 @@ def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
         "{count} of {all} feed blocks leaves the path by up to {deviation}, {tolerance} allowed (NC line {line})",
         "{count} of {all} feed blocks leave the path by up to {deviation}, {tolerance} allowed (NC line {line})",
         all=numbers["feed_blocks"],
-        deviation=Length(numbers["max_segment_deviation"], ".3g"),
+        deviation=Length(judged_largest(numbers)[0], ".3g"),
         tolerance=Length(figures.tolerance),
         line=numbers["worst_line"],
     )

@@ -35,9 +35,10 @@ VIEW = (math.radians(-60.0), math.radians(28.0))
 def worst_block(figure: Any, figures: Figures) -> Told | None:
     """The block of the largest deviation, seen on the plane through the chord in which its curve spreads most."""
     row = int(figures.worst[0])
-    value, u = float(figures.deviation.segment[row]), float(figures.deviation.u_segment[row])
+    value, u = float(figures.judged.segment[row]), float(figures.judged.u_segment[row])
     steps = np.append(np.linspace(0.0, 1.0, SAMPLES), u)
-    curve = _driven(figures.kinematics, figures.program.words[row - 1], figures.program.words[row], steps)
+    kinematics, (start, end) = figures.judged.measured(figures.kinematics, figures.program.words[row - 1 : row + 1])
+    curve = _driven(kinematics, start, end, steps)
     flat, chord = _on_plane(curve)
     spread = np.ptp(flat, axis=0)
     if not spread.max() > 0.0:
@@ -49,11 +50,15 @@ def worst_block(figure: Any, figures: Figures) -> Told | None:
     _draw_profile(profile, figures, steps[:-1], _to_segment(curve[:-1], curve[0], curve[SAMPLES - 1]), row)
     line = figures.program.line[row]
     scale = "True scale." if stretch == 1.0 else f"Drawn {stretch:g} times too large across the chord."
+    whose = "the tip" if figures.surface is None else "the ball's centre"
     caption = (
-        f"NC line {line}: the program commands the straight chord, the tip drives the curve while the axes move evenly. Dots "
+        f"NC line {line}: the program commands the straight chord, {whose} drives the curve while the axes move evenly. Dots "
         f"are tenths of the block's time. {scale} Seen on the plane through the chord in which the curve spreads most."
     )
-    alt = f"Real tip path of NC line {line} beside its chord of {chord:.4g} mm; largest distance {value:.4g} mm at u = {u:.4f}."
+    alt = (
+        f"Real path of {whose} in NC line {line} beside its chord of {chord:.4g} mm; largest distance {value:.4g} mm at "
+        f"u = {u:.4f}."
+    )
     return "worst", f"The worst block: NC line {line}", caption, alt
 
 
@@ -111,10 +116,10 @@ def _draw_curve(axes: Any, figures: Figures, flat: Floats, chord: float, value: 
 
 def _draw_profile(axes: Any, figures: Figures, u: Floats, off: Floats, row: int) -> None:
     axes.plot(u, off, color=BLUE)
-    axes.axhline(figures.deviation.bound[row], color=SKY, lw=1.5, label="proven bound")
+    axes.axhline(figures.judged.bound[row], color=SKY, lw=1.5, label="proven bound")
     axes.axhline(figures.tolerance, color=RED, ls="--", lw=1.1, label="tolerance")
     axes.set(xlabel="u, share of the block's time", ylabel="distance from the chord, mm", xlim=(0.0, 1.0))
-    axes.set_ylim(0.0, 1.12 * max(float(figures.deviation.bound[row]), figures.tolerance, 1e-9))
+    axes.set_ylim(0.0, 1.12 * max(float(figures.judged.bound[row]), figures.tolerance, 1e-9))
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2, borderaxespad=0.2, handlelength=1.4)
 
 

@@ -30,7 +30,8 @@ def dividing(made: Posted) -> Cure:
 
     def cure(path: CLPath, where: Station, progress: Progress) -> JointPath:
         joints = solved(path, where, progress)
-        return linearize(joints, where.kinematics, where.posting.dialect, made.settings.proof.tolerance, None, progress)
+        tolerance, posting = made.settings.proof.tolerance, where.posting
+        return linearize(joints, where.kinematics, posting.dialect, tolerance, None, progress, posting.above)
 
     return cure
 
@@ -56,9 +57,11 @@ def leading(correction: AxisCorrection, made: Posted) -> Cure:
         if not isinstance(made, Milled):
             text = say("this correction turns the tool axes over the part's facets; give it the STL, not a CL file")
             raise SettingsError(text, made.settings.source)
-        options = axis_corrections(made.settings)
-        axis, _ = correction.axes(made.offset, made.axis, where.kinematics, options, progress)
-        return solved(linked(made.context(progress), made.offset, axis), where, progress)
+        context = made.context(progress)
+        options = axis_corrections(context)
+        offset, given = correction.rows(made.offset, made.axis, options)
+        axis, _ = correction.axes(offset, given, where.kinematics, options, progress)
+        return solved(linked(context, offset, axis), where, progress)
 
     return cure
 

@@ -13,23 +13,18 @@ axis between those tried.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from enum import IntEnum
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.vectors import dot
-from freecad_fiveaxis.core.collision import still_positions, which_enter
+from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, enters, obstacles
 from freecad_fiveaxis.core.collision.rest_material import surface_samples
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.machine.kinematics import Chain
-from freecad_fiveaxis.core.passes import axes_within_limits
 from freecad_fiveaxis.core.tool import Cutter
-from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, SHANK, Body, body_of, round_piece, support
+from freecad_fiveaxis.core.tool.body import Body, round_piece
 
 TILTS = tuple(math.radians(tilt) for tilt in (0.0, 10.0, 20.0, 30.0, 45.0, 60.0, 80.0))
 """rad: how far from the facet's normal the tool is tried, the least first."""
@@ -54,35 +49,6 @@ TRIED = 1000
 
 LONGER = (5.0, 10.0, 20.0, 40.0, 80.0)
 """mm: so much farther the tool is tried to stick out where only the holder is in the way."""
-
-
-class Obstacle(IntEnum):
-    """Why the tool does not get to a place, in the order in which axes are asked; the last is no obstacle."""
-
-    LIMITS = 0
-    TABLE = 1
-    CUTTER = 2
-    SHANK = 3
-    HOLDER = 4
-    NONE = 5
-
-
-@dataclass(frozen=True, eq=False)
-class Reacher:
-    """What is set on the part: ``limit`` mm that may enter it; ``table`` mm: height of the table's face in the work frame, below
-    which no part of the tool may be, None where it is not known. ``kinematics`` None: any axis will do."""
-
-    cutter: Cutter
-    shank: tuple[tuple[float, float], ...] = ()
-    holder: tuple[tuple[float, float], ...] = ()
-    kinematics: Chain | None = None
-    limit: float = 0.01
-    table: float | None = None
-
-    @property
-    def body(self) -> Body:
-        """Cutter, shank and holder."""
-        return body_of(self.cutter, self.shank, self.holder)
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,7 +108,7 @@ def _too_tight(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats)
     if cutter.ring > 0.0:
         return np.empty(0, np.int64)
     ball = Body((round_piece(0.0, cutter.corner, cutter.corner),))
-    return np.flatnonzero(_enters(ball, tree, point, normal, reacher.limit))
+    return np.flatnonzero(enters(ball, tree, point, normal, reacher.limit))
 
 
 def _try(
@@ -180,51 +146,6 @@ def tilted_axes(normal: Floats, angle: float, ways: int) -> Floats:
     turn = np.arange(ways) * (2.0 * math.pi / ways)
     out = one[:, None] * np.cos(turn)[:, None] + two[:, None] * np.sin(turn)[:, None]
     return np.asarray(math.cos(angle) * normal[:, None] + math.sin(angle) * out)
-
-
-def obstacles(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats, axis: Floats) -> Ints:
-    """What is in the way (n,) of :class:`Obstacle` of the tool that touches ``point`` (n, 3) mm, where the surface has the unit
-    ``normal`` (n, 3), with the unit ``axis`` (n, 3)."""
-    met, body = np.full(len(point), int(Obstacle.NONE)), reacher.body
-    tip = tip_at(reacher.cutter, point, normal, axis)
-    asked: tuple[tuple[Obstacle, Callable[[Ints], Bools]], ...] = (
-        (Obstacle.LIMITS, lambda rows: _beyond(reacher.kinematics, axis[rows])),
-        (Obstacle.TABLE, lambda rows: _below(body, tip[rows], axis[rows], reacher.table, reacher.limit)),
-        (Obstacle.CUTTER, lambda rows: _enters(body.only(CUTTER), tree, tip[rows], axis[rows], reacher.limit)),
-        (Obstacle.SHANK, lambda rows: _enters(body.only(SHANK), tree, tip[rows], axis[rows], reacher.limit)),
-        (Obstacle.HOLDER, lambda rows: _enters(body.only(HOLDER), tree, tip[rows], axis[rows], reacher.limit)),
-    )
-    for obstacle, hit in asked:
-        rows = np.flatnonzero(met == Obstacle.NONE)
-        met[rows[hit(rows)]] = obstacle
-    return met
-
-
-def tip_at(cutter: Cutter, point: Floats, normal: Floats, axis: Floats) -> Floats:
-    """The tips (n, 3) mm of a cutter that touches these points (n, 3) with its corner: its corner circle leans towards the
-    surface, and with an axis along the normal the middle of its bottom stands on the point."""
-    across = normal - dot(normal.T, axis.T)[:, None] * axis
-    length = np.linalg.norm(across, axis=1)[:, None]
-    lean = np.divide(across, length, out=np.zeros_like(across), where=length > 1e-9)
-    return np.asarray(point + cutter.corner * (normal - axis) + cutter.ring * lean)
-
-
-def _beyond(kinematics: Chain | None, axis: Floats) -> Bools:
-    return np.zeros(len(axis), np.bool_) if kinematics is None else ~axes_within_limits(kinematics, axis)
-
-
-def _below(body: Body, tip: Floats, axis: Floats, table: float | None, limit: float) -> Bools:
-    """Whether a point of the body lies below the table's face."""
-    if table is None:
-        return np.zeros(len(tip), np.bool_)
-    down = np.max([support(piece, -axis[:, 2]) for piece in body.pieces], axis=0)
-    return np.asarray(tip[:, 2] - down < table - limit)
-
-
-def _enters(body: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float) -> Bools:
-    if not body.pieces or not len(tip):
-        return np.zeros(len(tip), np.bool_)
-    return which_enter(body, tree, still_positions(tip, axis), limit, np.arange(len(tip)))
 
 
 def _longer(

@@ -12,9 +12,10 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.sentences import Area, Length, Sentence, say
+from freecad_fiveaxis.core.collision.obstacles import Obstacle
 from freecad_fiveaxis.core.report.text import WIDTH, number
 
-from .reach_map import TILTS, Obstacle, ReachMap
+from .reach_map import TILTS, ReachMap
 from .setup_map.sheet import Table, findings_list, findings_text, json_text, page, section, table, text_table
 
 VERSION = 1

@@ -20,12 +20,13 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined, say
+from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.jobs.fewer_axes import what_needs_more_axes
 from freecad_fiveaxis.core.jobs.job import chosen_faces, make
 from freecad_fiveaxis.core.jobs.made import Milled, Posted
-from freecad_fiveaxis.core.jobs.options import clamped, stood, title_of
+from freecad_fiveaxis.core.jobs.options import IN_TABLE, clamped, driven_to_surface, stood, title_of
 from freecad_fiveaxis.core.jobs.settings import COMPARE, MILL, POST, REACH, SETUP, Settings, flat_options, is_part
 from freecad_fiveaxis.core.jobs.settings.groups import USUAL_REGION
 from freecad_fiveaxis.core.machine import Vector, load_machine
@@ -33,15 +34,13 @@ from freecad_fiveaxis.core.machine.kinematics import chain
 
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
 from .corrections import cures, known_cures
-from .reach_map import Reacher, ReachMap, reach_map
+from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
 from .setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
 
 TRIALS = (SETUP, COMPARE, REACH)
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
 """Places along X, Y, Z of a map that nobody asked to be otherwise, the finest first."""
-IN_TABLE = 0.1
-"""mm by which a part may lie in its table: zeros are touched off no better."""
 WORK = 8_000_000
 """Rows of all trials of such a map together: some ten to twenty seconds."""
 
@@ -196,7 +195,9 @@ def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools |
 def _posting(settings: Settings, made: Posted, dialect: Dialect) -> Posting:
     part = made.mesh.vertex if isinstance(made, Milled) else None
     inverse_time = settings.feeds.feed_mode == "g93"
-    return Posting(dialect, inverse_time, settings.links.clearance, settings.cutter.cutter.radius, part)
+    return Posting(
+        dialect, inverse_time, settings.links.clearance, settings.cutter.cutter.radius, part, driven_to_surface(made.settings)
+    )
 
 
 def _region(settings: Settings, centre: Vector, rows: int, table: float | None) -> Region:

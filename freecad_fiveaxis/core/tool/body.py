@@ -53,6 +53,11 @@ class Piece(NamedTuple):
         return float(max(np.hypot(self.low, self.low_radius), np.hypot(self.high, self.high_radius)))
 
     @property
+    def widest(self) -> float:
+        """The largest distance of a point from the tool's axis, mm."""
+        return float(max(self.low_radius, self.high_radius) + self.round)
+
+    @property
     def most(self) -> float:
         """No point is deeper in the piece than this, mm."""
         thick = min(0.5 * (self.high - self.low), max(self.low_radius, self.high_radius))
@@ -72,6 +77,19 @@ class Body(NamedTuple):
     def reach(self) -> float:
         """The largest reach of a piece with its round, mm."""
         return max((piece.reach + piece.round for piece in self.pieces), default=0.0)
+
+
+def extend_way_out(body: Body, far: float) -> Body:
+    """Put the body in all places at once that it takes while it is drawn out along its axis by ``far`` mm: above every piece that
+    is wider than those below a cylinder stands, from where the piece is widest."""
+    pieces, widest = list[Piece](), 0.0
+    for piece in sorted(body.pieces, key=lambda piece: piece.low - piece.round):
+        start = piece.high if piece.high_radius >= piece.low_radius else piece.low
+        pieces.append(piece)
+        if piece.widest > widest:
+            widest = piece.widest
+            pieces.append(frustum_piece(start, widest, min(start + far, LARGEST), widest, piece.part))
+    return Body(tuple(pieces))
 
 
 def round_piece(ring: float, corner: float, height: float, part: int = CUTTER) -> Piece:
@@ -114,6 +132,25 @@ def support(piece: Piece, along: Floats, loose: Floats | float = 0.0) -> Floats:
     across = np.sqrt(np.maximum(1.0 - along * along, 0.0)) if piece.low_radius + piece.high_radius > 0.0 else 0.0
     most = [z * along + r * across + (abs(z) + r) * loose for z, r in ([low] if low == high else [low, high])]
     return np.asarray((most[0] if len(most) == 1 else np.maximum(*most)) + piece.round)
+
+
+def seen_from(body: Body, height: float) -> Body:
+    """Count the heights of the body from ``height`` mm above the tip: its supports are then from the point there."""
+    return Body(tuple(piece._replace(low=piece.low - height, high=piece.high - height) for piece in body.pieces))
+
+
+def body_support(body: Body, along: Floats) -> Floats:
+    """The support mm of the body in unit directions that have ``along`` (any shape) of the axis in them, in the same shape."""
+    return np.asarray(np.max([support(piece, along) for piece in body.pieces], axis=0))
+
+
+def swing_support(body: Body, most: Floats) -> Floats:
+    """The largest support (n,) mm of the body over all directions that have at most ``most`` (n,) of the axis in them: of each
+    disc it is a sine of the angle, whose top counts where it is within."""
+    discs = {(z, r, piece.round) for piece in body.pieces for z, r in (piece[:2], piece[2:4])}
+    along = [np.minimum(z / max(math.hypot(z, r), UNDIRECTED_MM), most) for z, r, _ in discs]
+    reach = [z * a + r * np.sqrt(np.maximum(1.0 - a * a, 0.0)) + c for (z, r, c), a in zip(discs, along, strict=True)]
+    return np.asarray(np.max(reach, axis=0))
 
 
 def body_of(cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: Iterable[tuple[float, float]] = ()) -> Body:

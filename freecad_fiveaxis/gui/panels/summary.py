@@ -7,6 +7,7 @@ import html
 from typing import Any
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.results import judged_of
 from freecad_fiveaxis.app.units import length_text
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.verdict_label import VerdictLabel
@@ -17,15 +18,20 @@ from .panel_widget import TextArea
 def summary_lines(obj: Any) -> list[tuple[str, str]]:
     """Label and value of each line, from the result properties of a Toolpath or an Audit."""
     lines = [(translate("FiveAxis", "Passes"), str(obj.Passes))] if obj.Passes else []
+    largest, bound = judged_of(obj)
     measured = [
-        (translate("FiveAxis", "Largest deviation"), length(obj.MaxSegmentDeviation)),
-        (translate("FiveAxis", "Proven bound"), length(obj.MaxBound)),
+        (translate("FiveAxis", "Largest deviation"), length(largest)),
+        (translate("FiveAxis", "Proven bound"), length(bound)),
     ]
+    if largest != obj.MaxSegmentDeviation.Value:
+        of_centre, of_tip = translate("FiveAxis", "{length} (centre)"), translate("FiveAxis", "Deviation of the tip")
+        measured = [(name, of_centre.format(length=value)) for name, value in measured]
+        measured.append((of_tip, length(obj.MaxSegmentDeviation)))
     if obj.GuidedBlocks:  # between their ends nothing is known of those blocks: their zeros are no measurements
         ends_only = translate("FiveAxis", "{count}, verified at their end points only").format(count=obj.GuidedBlocks)
         guided = (translate("FiveAxis", "Tip guided (RTCP)"), ends_only)
         others = [(translate("FiveAxis", "{name}, other blocks").format(name=name), value) for name, value in measured]
-        measured = [guided, *(others if float(getattr(obj.MaxBound, "Value", obj.MaxBound)) > 0.0 else [])]
+        measured = [guided, *(others if bound > 0.0 else [])]
     return [
         *lines,
         (translate("FiveAxis", "Blocks"), str(obj.Blocks)),

@@ -15,7 +15,7 @@ class Player:
 
     def __init__(self, figures: Figures) -> None:
         self.figures = figures
-        self.playback = Playback(figures.kinematics, figures.program, figures.deviation)
+        self.playback = Playback(figures.kinematics, figures.program, figures.judged)
         self.singular = figures.feeds[figures.singularity.singular[figures.feeds]]
         self.last = len(figures.program.words) - 1
         self.block, self.u = 0, 1.0
@@ -67,7 +67,7 @@ class Player:
         self.block, self.u = max(self.block - 1, 0), 1.0
 
     def go_to_worst(self) -> bool:
-        """To where the tip is farthest from its segment, in the worst of all feed blocks; False where no block feeds."""
+        """To where the judged point is farthest from its segment, in the worst of all feed blocks; False where no block feeds."""
         return self._look_at(self.playback.worst)
 
     def go_to_next_singular(self) -> bool:
@@ -75,10 +75,10 @@ class Player:
         return self._look_at(following(self.singular, self.block))
 
     def _look_at(self, block: int | None) -> bool:
-        """To where the tip is farthest from the segment of ``block``."""
+        """To where the judged point is farthest from the segment of ``block``."""
         if block is None:
             return False
-        self.block, self.u = block, float(self.figures.deviation.u_segment[block])
+        self.block, self.u = block, float(self.figures.judged.u_segment[block])
         return True
 
     def resume(self, other: Player) -> None:

@@ -34,10 +34,9 @@ class Readout:
         self.clock = self._row("clock", translate("FiveAxis", "Time"))
         letters = figures.program.letters
         self.joints = {at: self._row(f"joint_{letters[at]}", letters[at]) for at in fitted_columns(letters)}
-        self.gap = self._row("gap", translate("FiveAxis", "Off its segment"))
+        self.gap = self._row("gap", translate("FiveAxis", "Tip off its segment"))
         self.most = self._row("most", translate("FiveAxis", "Most in block"))
         self.bound = self._row("bound", translate("FiveAxis", "Proven below"))
-        self.gap.setToolTip(translate("FiveAxis", "How far the tip is now from the segment that the block commands"))
         self.most.setToolTip(translate("FiveAxis", "The largest distance in this block"))
         self.bound.setToolTip(translate("FiveAxis", "What the distance is proven to stay below, all through this block"))
         self.note = _label("note")
@@ -48,8 +47,17 @@ class Readout:
     def use(self, figures: Figures, lines: NCLines) -> None:
         """Speak of another result of the same path."""
         self.figures, self.lines = figures, lines
+        self._name_point(figures.surface is not None)
         for at, label in self.joints.items():
             self.rows.labelForField(label).setText(figures.program.letters[at])
+
+    def _name_point(self, ball: bool) -> None:
+        """Say whose distances these are: a ball's centre's, or the tip's."""
+        centre, tip = translate("FiveAxis", "Centre off its segment"), translate("FiveAxis", "Tip off its segment")
+        of_centre = translate("FiveAxis", "How far the ball's centre, which makes the surface, is now from its commanded segment")
+        of_tip = translate("FiveAxis", "How far the tip is now from the segment that the block commands")
+        self.rows.labelForField(self.gap).setText(centre if ball else tip)
+        self.gap.setToolTip(of_centre if ball else of_tip)
 
     def show(self, pose: Pose, whole: float) -> None:
         """Say where a single moment stands; ``whole`` s: the time of the program."""
@@ -74,7 +82,7 @@ class Readout:
         return guided is not None and bool(guided.on[block])
 
     def _show_deviation(self, block: int) -> None:
-        deviation, tolerance = self.figures.deviation, self.figures.tolerance
+        deviation, tolerance = self.figures.judged, self.figures.tolerance
         most, over = float(deviation.segment[block]), not deviation.segment[block] <= tolerance
         feeds = self.figures.program.motion[block] != Motion.RAPID and block > 0
         self.most.setText(_distance(most))
@@ -92,7 +100,9 @@ class Readout:
         if self._guided(block):
             said.append(translate("FiveAxis", "The controller guides the tip (RTCP); shown are evenly moving axes."))
         if over:
-            allowed = translate("FiveAxis", "The tip leaves its segment by more than the {tolerance} that are allowed.")
+            tip = translate("FiveAxis", "The tip leaves its segment by more than the {tolerance} that are allowed.")
+            ball = translate("FiveAxis", "The ball's centre leaves its segment by more than the {tolerance} that are allowed.")
+            allowed = tip if self.figures.surface is None else ball
             said.append(allowed.format(tolerance=length_text(self.figures.tolerance)))
         if self.figures.singularity.singular[block]:
             near = translate("FiveAxis", "Near the pole: {letter} turns far while the tool hardly leans.")

@@ -63,7 +63,7 @@ class Stage:
         return self._graph is not None
 
     def show(self, pose: Pose, curve: np.ndarray | None, on_machine: bool) -> None:
-        """Draw a single moment; ``curve`` (n, 3): the tip's real path in its block, None where it is drawn already."""
+        """Draw a single moment; ``curve`` (n, 3): the judged point's real path in its block, None where it is drawn already."""
         scene_from_work = pose.machine_from_work if on_machine else IDENTITY
         scene_from_machine = IDENTITY if on_machine else pose.work_from_machine
         _put(self.work, scene_from_work)
@@ -77,8 +77,8 @@ class Stage:
             _fill(self.curve, curve)
             _fill(self.chord, curve[[0, -1]])
             self.curve_line.numVertices.setValue(len(curve))
-        _fill(self.gap, np.stack([pose.tip, pose.foot]))
-        _fill(self.dots, pose.tip[None])
+        _fill(self.gap, np.stack([pose.point, pose.foot]))
+        _fill(self.dots, pose.point[None])
         self.tip = scene_from_work[:3, :3] @ pose.tip + scene_from_work[:3, 3] + self.zero
 
     def remove(self) -> None:

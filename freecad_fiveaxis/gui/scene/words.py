@@ -81,15 +81,7 @@ def count_text(code: str, said: Mapping[str, Any]) -> str:
 
 def _deviates(spot: Spot) -> Told:
     given = {"deviation": length_text(spot.deviation), "tolerance": length_text(spot.tolerance)} | _turning(spot)
-    if spot.deviation > spot.tolerance:
-        what = translate("FiveAxis", "The tip leaves the commanded straight line by {deviation}; allowed are {tolerance}.")
-    else:
-        what = translate("FiveAxis", "The tip leaves the commanded straight line by {deviation}, within the {tolerance} allowed.")
-    why = translate(
-        "FiveAxis",
-        "Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes turn, even moves of "
-        "the axes carry the tip along a curve beside the straight line.",
-    )
+    what, why = _OFF()[spot.ball, spot.deviation > spot.tolerance], _CARRIED(spot.ball)
     texts = [why, *([_POLE()] if spot.singular else [])]
     helps = [_SPLIT(), *([_AWAY()] if spot.singular else []), _GUIDE()]
     return what.format(**given), " ".join(texts).format(**given), " ".join(helps)
@@ -106,9 +98,13 @@ def _near_pole(spot: Spot) -> Told:
 
 
 def _unproven(spot: Spot) -> Told:
-    what = translate(
+    tip = translate(
         "FiveAxis", "The tip was seen to leave the line by {deviation}; proven is only that it is no more than {bound}."
     )
+    ball = translate(
+        "FiveAxis", "The ball's centre was seen to leave the line by {deviation}; proven is only that it is no more than {bound}."
+    )
+    what = ball if spot.ball else tip
     why = translate("FiveAxis", "The block is so near to the tolerance of {tolerance} that the proof does not reach.")
     given = {
         "deviation": length_text(spot.deviation, 7), "bound": length_text(spot.bound, 7), "tolerance": length_text(spot.tolerance)
@@ -122,6 +118,39 @@ def _turning(spot: Spot) -> dict[str, str]:
         "first": first, "first_turn": angle_text(first_turn), "second": second, "second_turn": angle_text(second_turn, 3),
         "lean": angle_text(spot.lean, 3), "step": length_text(spot.step),
     }  # fmt: skip
+
+
+def _OFF() -> dict[tuple[bool, bool], str]:
+    """What leaves its line: by whether it is a ball's centre, and whether that is too far."""
+    return {
+        (False, True): translate(
+            "FiveAxis", "The tip leaves the commanded straight line by {deviation}; allowed are {tolerance}."
+        ),
+        (False, False): translate(
+            "FiveAxis", "The tip leaves the commanded straight line by {deviation}, within the {tolerance} allowed."
+        ),
+        (True, True): translate(
+            "FiveAxis", "The ball's centre leaves its commanded straight line by {deviation}; allowed are {tolerance}."
+        ),
+        (True, False): translate(
+            "FiveAxis", "The ball's centre leaves its commanded straight line by {deviation}, within the {tolerance} allowed."
+        ),
+    }
+
+
+def _CARRIED(ball: bool) -> str:
+    """Why a ball's centre, or the tip, leaves its line."""
+    tip = translate(
+        "FiveAxis",
+        "Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes turn, even moves of "
+        "the axes carry the tip along a curve beside the straight line.",
+    )
+    centre = translate(
+        "FiveAxis",
+        "Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes turn, even moves of "
+        "the axes carry the ball's centre along a curve beside the straight line.",
+    )
+    return centre if ball else tip
 
 
 def _POLE() -> str:
@@ -166,23 +195,27 @@ def label_text(deviation: float, line: int, tolerance: float) -> str:
 
 def legend_of(label: str, figures: Figures, look: Any, warning: str, kinds: Sequence[str] = ()) -> Any:
     """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its markers."""
-    from freecad_fiveaxis.core.report import scale_values, summary
+    from freecad_fiveaxis.core.report import judged_largest, scale_values, summary
 
     from .colours import ramp
     from .overlay import Legend
 
     said = summary(figures)
+    beside = translate("FiveAxis", "commanded line beside the real curve")
+    centre_beside = translate("FiveAxis", "commanded and real way of the ball's centre")
     marks = [(level, length_text(value)) for level, value in scale_values(figures.tolerance)]
     marks = [(marks[0][0], "≤ " + marks[0][1]), *marks[1:-1], (marks[-1][0], "≥ " + marks[-1][1])]
     keys = [
         (look.bad, translate("FiveAxis", "over the tolerance: {count} blocks").format(count=said["over_tolerance"])),
         (look.singular, translate("FiveAxis", "near the pole: {count} blocks").format(count=said["singular_blocks"])),
-        ((1.0, 1.0, 1.0), translate("FiveAxis", "commanded line beside the real curve")),
+        ((1.0, 1.0, 1.0), beside if figures.surface is None else centre_beside),
         *gouge_words.legend_keys(kinds),
     ]
-    notes = [translate("FiveAxis", "Distance of the tip from the commanded line")]
+    tip = translate("FiveAxis", "Distance of the tip from the commanded line")
+    ball = translate("FiveAxis", "Distance of the ball's centre from the commanded line")
+    notes = [tip if figures.surface is None else ball]
     if said["worst_line"] is not None:
-        largest = label_text(said["max_segment_deviation"], said["worst_line"], figures.tolerance)
+        largest = label_text(judged_largest(said)[0], said["worst_line"], figures.tolerance)
         notes.append(translate("FiveAxis", "Largest: {largest}").format(largest=largest))
     if figures.gouge is not None and not figures.gouge.findings:
         notes.append(translate("FiveAxis", "Nothing enters the part"))

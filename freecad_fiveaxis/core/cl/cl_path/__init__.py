@@ -2,6 +2,6 @@
 """The cutter-location path: links, retracts."""
 
 from .cl_path import CLPath, LinkOptions, Motion, link_passes
-from .linking import SAFE_MARGIN, keepout, way_out
+from .linking import SAFE_MARGIN, keepout, tool_keepout, way_out
 
-__all__ = ["SAFE_MARGIN", "CLPath", "LinkOptions", "Motion", "keepout", "link_passes", "way_out"]
+__all__ = ["SAFE_MARGIN", "CLPath", "LinkOptions", "Motion", "keepout", "link_passes", "tool_keepout", "way_out"]

@@ -24,8 +24,9 @@ from freecad_fiveaxis.core.base.sentences import Number, say
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
 from freecad_fiveaxis.core.cl.coedge import OffsetPath
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.body import Body, body_of, seen_from
 
-from .linking import WayOut, keepout, way_out
+from .linking import LOOKS_DOWN, WayOut, tool_keepout, way_out
 
 CONTROL_POINTS = ("tip", "centre")
 
@@ -96,14 +97,16 @@ class LinkOptions:
 
 
 def link_passes(
-    path: OffsetPath, axis: Floats, cutter: Cutter, low: Floats, high: Floats, options: LinkOptions, progress: Progress = silent
-) -> CLPath:
+    path: OffsetPath, axis: Floats, cutter: Cutter, low: Floats, high: Floats, options: LinkOptions, progress: Progress = silent,
+    body: Body | None = None,
+) -> CLPath:  # fmt: skip
     """The whole path of the tool: the passes as they stand, with a safe way from each polyline to the next.
 
-    ``axis`` (n, 3) unit, one for each row of ``path``; ``low``, ``high`` (3,) mm the part's box. From the end of a polyline
-    the tool retracts along its axis until the ball is clear of the inflated box, goes straight up to the safe plane, across
-    (there the axis turns), straight down, and along its new axis to the next start. A polyline that starts where the last
-    one ended goes on without a retract. Raises SettingsError where there are no passes.
+    ``axis`` (n, 3) unit, one for each row of ``path``; ``low``, ``high`` (3,) mm the part's box; ``body``: cutter, shank
+    and holder, None: the cutter alone. From the end of a polyline the tool retracts along its axis until it is clear of the
+    inflated box, goes straight up to the safe plane, across (there the axis turns), straight down, and along its new axis to the
+    next start. A polyline that starts where the last one ended goes on without a retract. Raises SettingsError where there are
+    no passes.
     """
     if not len(path.point):
         raise SettingsError(
@@ -112,9 +115,15 @@ def link_passes(
     progress("linking passes", 0.0)
     first = _starts(path.polyline)
     last = np.append(first[1:], len(path.point)) - 1
-    keep = keepout(low, high, cutter.radius, options.clearance)
-    leave, enter = way_out(path.centre[last], axis[last], keep), way_out(path.centre[first], axis[first], keep)
-    links = _links(leave, enter, axis[last], axis[first], _goes_on(path.centre, first, last))
+    seen = seen_from(body_of(cutter) if body is None else body, cutter.corner)
+
+    def way(row: Ints, other: Ints) -> WayOut:
+        """Out at these rows; each as high as the way in at the ``other`` row, or out of it, has to be."""
+        own, its = (tool_keepout(low, high, cutter.radius, options.clearance, seen, axis[rows]) for rows in (row, other))
+        return way_out(path.centre[row], axis[row], own._replace(safe=np.maximum(own.safe, its.safe)))
+
+    leave, enter = way(last, np.append(first[1:], last[-1])), way(first, np.append(first[0], last[:-1]))
+    links = _links(leave, enter, axis[last], axis[first], _goes_on(path.centre, first, last), _highest(axis))
     progress("linking passes", 0.5)
     return replace(_merged(path, axis, first, links, cutter, options), findings=_below(leave, enter))
 
@@ -131,16 +140,25 @@ class _Links:
     goes_on: Bools
 
 
-def _links(leave: WayOut, enter: WayOut, leave_axis: Floats, enter_axis: Floats, goes_on: Bools) -> _Links:
-    """Six possible rows in each gap: clear, beside, up; over, beside, down to the approach."""
+def _highest(axis: Floats) -> Floats:
+    """The axis (3,) that looks up most: one that the machine has to take up anyway."""
+    return np.asarray(axis[axis[:, 2].argmax()])
+
+
+def _links(leave: WayOut, enter: WayOut, leave_axis: Floats, enter_axis: Floats, goes_on: Bools, highest: Floats) -> _Links:
+    """Seven possible rows in each gap: clear, beside, up; turned up, where the program begins or ends with an axis that looks
+    down; over, beside, down to the approach."""
     gaps = len(goes_on) + 1
-    centre, axis = np.zeros((gaps, 6, 3)), np.zeros((gaps, 6, 3))
-    needed = np.zeros((gaps, 6), bool)
+    centre, axis = np.zeros((gaps, 7, 3)), np.zeros((gaps, 7, 3))
+    needed = np.zeros((gaps, 7), bool)
     centre[1:, :3], axis[1:, :3], needed[1:, :3] = leave.station, leave_axis[:, None], leave.needed
-    centre[:-1, 3:], axis[:-1, 3:] = enter.station[:, ::-1], enter_axis[:, None]
-    needed[:-1, 4:] = enter.needed[:, ::-1][:, :2]
-    needed[:-1, 3] = True
+    centre[:-1, 4:], axis[:-1, 4:] = enter.station[:, ::-1], enter_axis[:, None]
+    needed[:-1, 5:] = enter.needed[:, ::-1][:, :2]
+    needed[:-1, 4] = True
     needed[:-1][goes_on] = False
+    centre[[0, -1], 3], axis[[0, -1], 3] = (enter.station[0, 2], leave.station[-1, 2]), highest
+    ends = np.array([enter_axis[0, 2], leave_axis[-1, 2]])
+    needed[[0, -1], 3] = (ends < -LOOKS_DOWN) & (highest[2] > ends)
     gap, slot = np.nonzero(needed)
     motion = np.where(slot == 0, Motion.LINK, Motion.RAPID).astype(np.int8)
     return _Links(gap, centre[gap, slot], axis[gap, slot], motion, goes_on)

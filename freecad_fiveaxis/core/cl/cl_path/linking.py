@@ -2,9 +2,11 @@
 """The way out of the part and back: where the tool goes between one polyline and the next.
 
 retract    away from the part along the tool axis, at feed.      approach   the same way back, at the plunge feed.
-keep-out   the part's box inflated by the clearance and the ball's radius: while the ball's centre stays out of it, ball and
-           tip stay out of the part's box inflated by the clearance, whichever way the axis points.
-safe plane the height at which the centre goes across. The axis turns only there.
+keep-out   the part's box inflated by the clearance and, to each side, by the support of the whole tool (cutter, shank, holder)
+           against that side, at least by the ball's radius: while the ball's centre stays out of it, and the axis does not
+           turn, the tool stays out of the part's box inflated by the clearance. Each axis has its own.
+safe plane the height at which the centre goes across. The axis turns only there: whichever axis between upright and the lowest
+           of both ends the tool takes up, none of it reaches down to the part.
 
 All of this is done with the centre of the ball; the tip follows from it.
 """
@@ -17,6 +19,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
+from freecad_fiveaxis.core.tool.body import Body, body_support, swing_support
 
 SAFE_MARGIN = 2.0
 """mm between the keep-out and the safe plane, because joint moves that turn the axis bend the traverse."""
@@ -25,12 +28,24 @@ SIDE_MARGIN = 1e-3
 """mm by which the keep-out is larger than it must be, so that rounding of a point or a word never puts a rapid inside."""
 
 
+ROUNDING_MM = 0.1 * SIDE_MARGIN
+"""mm by which a tool may reach farther than its ball before that counts: normals of walls are about 1e-7 off level."""
+
+LOOKS_DOWN = 1e-4
+"""An axis with so much of -Z looks down; with less it may be that of a vertical wall."""
+
+DIP = 0.25
+"""Of the corner radius: so far the centre sinks, at most, where the tip goes straight while the axis turns below level: a cosine
+leaves its chord by 0.21."""
+
+
 class Keepout(NamedTuple):
-    """``low`` and ``high`` (3,) mm: what the centre avoids on rapids; ``safe`` mm: height of the safe plane."""
+    """``low`` and ``high`` (3,) or, for each axis, (m, 3) mm: what the centre avoids on rapids; ``safe`` mm, one or (m,): height
+    of the safe plane."""
 
     low: Floats
     high: Floats
-    safe: float
+    safe: Floats | float
 
 
 class WayOut(NamedTuple):
@@ -45,6 +60,23 @@ def keepout(low: Floats, high: Floats, radius: float, clearance: float) -> Keepo
     """Keep-out and safe plane for the part's box ``low``, ``high`` (3,) mm."""
     off = radius + clearance + SIDE_MARGIN
     return Keepout(np.asarray(low, float) - off, np.asarray(high, float) + off, float(high[2]) + off + SAFE_MARGIN)
+
+
+def tool_keepout(low: Floats, high: Floats, radius: float, clearance: float, body: Body, axis: Floats) -> Keepout:
+    """Keep-outs and safe planes of the whole tool with unit ``axis`` (m, 3), for the part's box ``low``, ``high`` (3,) mm.
+
+    ``body`` as seen from the centre; ``radius`` mm: no side grows by less.
+    """
+    lowest = axis[:, 2]
+    up, down, swing = body_support(body, axis), body_support(body, -axis), swing_support(body, -lowest)
+    off, under, deep = (_beyond_ball(reach, radius) + clearance + SIDE_MARGIN for reach in (up, down, swing))
+    dip = np.where(lowest < -LOOKS_DOWN, DIP * radius, 0.0)
+    return Keepout(np.asarray(low, float) - off, np.asarray(high, float) + under, float(high[2]) + deep + SAFE_MARGIN + dip)
+
+
+def _beyond_ball(reach: Floats, radius: float) -> Floats:
+    """The reach, mm, where it is more than the ball's, else the ball's."""
+    return np.where(reach > radius + ROUNDING_MM, reach, radius)
 
 
 def way_out(centre: Floats, axis: Floats, keep: Keepout) -> WayOut:
@@ -74,10 +106,11 @@ def _reach_out(centre: Floats, axis: Floats, keep: Keepout) -> Floats:
 
 def _beside(place: Floats, keep: Keepout) -> Floats:
     """The place itself; where the part is overhead, the nearest place at the same height that has nothing above it."""
-    overhead = ((place > keep.low) & (place < keep.high))[:, :2].all(axis=1) & (place[:, 2] <= keep.low[2] + SIDE_MARGIN)
+    overhead = ((place > keep.low) & (place < keep.high))[:, :2].all(axis=1) & (place[:, 2] <= keep.low[..., 2] + SIDE_MARGIN)
     row = np.flatnonzero(overhead)
     moved = place.copy()
-    sides = np.concatenate([place[row, :2] - keep.low[:2], keep.high[:2] - place[row, :2]], axis=1)
+    low, high = (np.broadcast_to(face, place.shape)[row, :2] for face in (keep.low, keep.high))
+    sides = np.concatenate([place[row, :2] - low, high - place[row, :2]], axis=1)
     side = sides.argmin(axis=1)
-    moved[row, side % 2] = np.where(side < 2, keep.low[side % 2], keep.high[side % 2])
+    moved[row, side % 2] = np.concatenate([low, high], axis=1)[np.arange(len(row)), side]
     return moved

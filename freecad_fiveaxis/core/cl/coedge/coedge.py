@@ -8,7 +8,7 @@ R         length of the co-edge normal, r / cos(theta / 2) (eq. 4), at which the
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -86,6 +86,14 @@ def take_path_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
     columns |= {name: take_rows(getattr(path, name), rows) for name in ("point", "centre", "normal", "before", "after")}
     columns |= {"polyline": np.cumsum(begins) - 1, "fill": path.fill[rows] & ~begins}
     return OffsetPath(**columns, findings=path.findings)
+
+
+def break_polylines(path: OffsetPath, breaks: Bools) -> OffsetPath:
+    """End polylines of ``path`` at these ``breaks`` (n - 1,) between rows, and begin new ones behind them."""
+    if not breaks.any():
+        return path
+    polyline = path.polyline + np.append(0, np.cumsum(breaks))
+    return replace(path, polyline=polyline, fill=path.fill & ~np.append(False, breaks))
 
 
 def close_gaps(

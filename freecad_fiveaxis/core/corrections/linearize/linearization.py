@@ -8,6 +8,10 @@ held      every piece's real path is proven to stay within the tolerance of the 
 fewest    found for all pieces of all blocks at once (``division``).
 
 Feed blocks are divided, rapids never. What is within the tolerance stays one block.
+
+above     what makes the surface is not the tip: where the axis swings while the tip runs straight, a ball's centre bulges off. A
+          path can so be divided by a point above the tip: it is led by the chain whose driven point that is (``raised``), and
+          the words are shifted back.
 """
 
 from __future__ import annotations
@@ -28,7 +32,16 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.controllers.dialect import Dialect
-from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, branch_of, forward, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import (
+    Chain,
+    RotaryPair,
+    branch_of,
+    forward,
+    forward_tip,
+    lift_of,
+    raised,
+    words_to_q,
+)
 from freecad_fiveaxis.core.motion.deviation import quick_bound
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.trajectory import checked_words, frames
@@ -57,31 +70,49 @@ def linearize(
     tolerance: float,
     wanted: Bools | None = None,
     progress: Progress = silent,
+    above: float = 0.0,
 ) -> JointPath:
     """The joint path with every feed block that is over ``tolerance`` (mm) divided into the fewest that hold it.
 
-    ``wanted`` (n,): only the blocks that end in these rows may be divided; None: all. Rapids never are.
+    ``wanted`` (n,): only the blocks that end in these rows may be divided; None: all. Rapids never are. ``above`` (mm): the
+    point that holds the tolerance stands so far above the driven one along the tool axis, as a ball's centre above the tip.
 
-    The commanded segments are those of the CL path. Inserted rows carry motion, feed, pass and ``row`` of the row that they
-    lead to; all words are returned as ``dialect`` rounds them, the linear ones worked out for the rounded rotary ones, so
-    that the tip of every row is within the rounding of the linear words of its place. Findings say how many blocks were
-    divided, and what could not be held; the path's own keep their blocks. Raises SettingsError for a tolerance that is no
-    number above 0.
+    The commanded segments of that point are between the rows of the CL path. Inserted rows carry motion, feed, pass and ``row``
+    of the row that they lead to; all words are returned as ``dialect`` rounds them, the linear ones worked out for the rounded
+    rotary ones, so that the point is in every row within the rounding of the linear words of its place. Findings say how many
+    blocks were divided, and what could not be held; the path's own keep their blocks. Raises SettingsError for a tolerance that
+    is no number above 0.
     """
     _check(tolerance)
     steps = Steps(dialect.linear_decimals, dialect.rotary_decimals)
-    path = joints.path
-    words = placed_words(kinematics, path.tip, joints.q[:, 3:], steps)
-    feeds = path.motion != Motion.RAPID
+    feeds = joints.path.motion != Motion.RAPID
     rows = np.flatnonzero((feeds if wanted is None else feeds & wanted)[1:]) + 1
-    way = _divided(kinematics, path.tip, joints.q[:, 3:], words, rows, tolerance, steps, progress)
+    way = _divided_above(joints, kinematics, above, rows, tolerance, steps, progress)
     q = words_to_q(way.words)
     pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     sine = np.asarray(pair.reach * np.abs(np.sin(q[:, 4] - pair.best)))
     branch = joints.branch[way.row].copy()
     branch[way.new] = branch_of(kinematics, q[way.new, 4])
     findings = (*_moved(joints.findings, way), *found(kinematics, way.outcome, way.words, way.new, steps, tolerance))
-    return JointPath(_longer(path, way), joints.row[way.row], q, branch, sine, findings)
+    return JointPath(_longer(joints.path, way, above), joints.row[way.row], q, branch, sine, findings)
+
+
+def _divided_above(
+    joints: JointPath, kinematics: Chain, above: float, rows: Ints, tolerance: float, steps: Steps, progress: Progress
+) -> _Way:
+    """Divide the blocks that end in ``rows`` by the point ``above`` mm over the driven one; the words are those of the driven
+    point. Its lift is rounded as the words are, so that none of them is rounded twice."""
+    if above == 0.0:
+        tip, angles = joints.path.tip, joints.q[:, 3:]
+        words = placed_words(kinematics, tip, angles, steps)
+        return _divided(kinematics, tip, angles, words, rows, tolerance, steps, progress)
+    lift = lift_of(kinematics, above, steps.linear)
+    upper, q = raised(kinematics, lift), joints.q + np.append(lift, (0.0, 0.0))
+    tip = forward_tip(upper, q)
+    words = placed_words(upper, tip, q[:, 3:], steps)
+    way = _divided(upper, tip, q[:, 3:], words, rows, tolerance, steps, progress)
+    linear = rounded(way.words[:, :3] - lift, steps.linear)
+    return replace(way, words=np.concatenate([linear, way.words[:, 3:]], axis=1))
 
 
 def linearize_words(
@@ -222,13 +253,16 @@ def _moved(findings: tuple[Finding, ...], way: _Way) -> Iterator[Finding]:
         yield finding if finding.block is None else replace(finding, block=int(own[finding.block]))
 
 
-def _longer(path: CLPath, way: _Way) -> CLPath:
-    """The CL path with the inserted rows. Those that cut touch the part between their neighbours, the others nothing."""
+def _longer(path: CLPath, way: _Way, above: float) -> CLPath:
+    """The CL path with the inserted rows. Those that cut touch the part between their neighbours, the others nothing. The point
+    ``above`` mm over the tip goes straight."""
     columns: dict[str, Any] = {name: getattr(path, name)[way.row] for name in _CL_COLUMNS}
     new, share = way.new, way.share[way.new][:, None]
     end = way.row[new]
     cuts = (path.motion[end] < Motion.LINK)[:, None]
-    tip, contact, normal = (v[end - 1] + share * (v[end] - v[end - 1]) for v in (path.tip, path.contact, path.normal))
+    point = path.tip + above * path.axis if above else path.tip
+    tip, contact, normal = (v[end - 1] + share * (v[end] - v[end - 1]) for v in (point, path.contact, path.normal))
+    tip = tip - above * way.axis[new] if above else tip
     length = np.sqrt((normal * normal).sum(axis=1))[:, None]
     normal = np.where(length > 0.0, normal / np.where(length > 0.0, length, 1.0), path.normal[end])
     columns["tip"][new], columns["axis"][new] = tip, way.axis[new]

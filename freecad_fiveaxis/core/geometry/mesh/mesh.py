@@ -13,7 +13,7 @@ is negative is turned outward. Each of these is a finding with its place.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 import numpy as np
@@ -27,6 +27,7 @@ from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Length, Point, Template, say
 
 from .half_edges import HalfEdges, partners, sorted_half_edges
+from .join import join_facets
 from .weld import Reals, separate, weld
 from .words import T, Words
 
@@ -221,6 +222,20 @@ def _build(vertex: Floats, face: Ints, shape: _Shape, halves: HalfEdges) -> Mesh
     return _turned(mesh) if edges.closed and shape.inward else mesh
 
 
+def join_loose(mesh: Mesh) -> Mesh:
+    """The mesh with facets joined that ought to hang together; where there are none, the mesh itself."""
+    edge = mesh.coedge_face[:, 1] < 0
+    rim = np.zeros(len(mesh.vertex), dtype=np.bool_)
+    rim[mesh.coedge_vertex[edge]] = True
+    found = join_facets(mesh.vertex, mesh.face, rim) if edge.any() else None
+    if found is None:
+        return mesh
+    made = from_faces(mesh.vertex, found.face)
+    kept = [one for one in mesh.findings if one.code == "degenerate-facets"]
+    findings = [_join_finding(mesh.vertex, *one) for one in zip(_JOIN_FINDINGS, found[1:], strict=True) if len(one[1])]
+    return replace(made, findings=(*kept, *findings, *made.findings))
+
+
 def _half_edges(face: Ints, shape: _Shape, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
     """The half-edges of the facets that stay, and what ``work`` gives, done in the meantime."""
     if len(shape.flat) == len(face):
@@ -359,6 +374,22 @@ def _put_ends(edge: Words, width: int, out: Ints) -> None:
 
 
 # ------------------------------------------------------------------------------------------------ findings
+
+_JOIN_FINDINGS = (
+    ("doubled-facets", Template("{count} facets were there twice, the first at {at}; one of each was kept.")),
+    ("corners-joined", Template("{count} corners next to others, the first at {at}, were joined with them.")),
+    (
+        "t-junctions-joined",
+        Template("{count} corners lie on a side of another facet, the first at {at}; that facet was divided there."),
+    ),
+)
+
+
+def _join_finding(vertex: Floats, named: tuple[str, Template], row: Ints) -> Finding:
+    (code, said), place = named, _place(vertex, row[:1])
+    text = said.say(count=len(row), at=_at(place))
+    return Finding(Severity.NOTE, code, text, value=float(len(row)), limit=0.0, unit="1", place=place)
+
 
 _EDGE_FINDINGS = (
     (

@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Number, say
 
-from .mesh import Mesh, from_columns
+from .mesh import Mesh, from_columns, join_loose
 
 HEADER = 84  # bytes: header text and count
 RECORD = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -51,14 +51,14 @@ _ASCII_FACET = "facet normal %.6f %.6f %.6f\n outer loop\n" + 3 * _ASCII_VERTEX 
 
 
 def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
-    """Read a binary or ASCII STL file into a welded mesh, mm.
+    """Read a binary or ASCII STL file into a welded mesh, mm; facets that ought to hang together are joined where that is safe.
 
     Raises FileError where the file cannot be read, MeshError where it is empty, cut off, no STL, or holds no usable
     facet (see :func:`~freecad_fiveaxis.core.geometry.mesh.from_triangles`).
     """
     progress("read STL", 0.0)
     try:
-        mesh = from_columns(_columns(path, progress))
+        mesh = join_loose(from_columns(_columns(path, progress)))
     except MeshError as problem:
         raise MeshError(say("{name}: {problem}", name=Path(path).name, problem=problem), problem.value) from problem
     progress("weld", 1.0)

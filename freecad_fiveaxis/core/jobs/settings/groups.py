@@ -37,6 +37,8 @@ NEAREST = 1e-3
 """mm; no clearance is less than the step of a machine."""
 FARTHEST = 1e4
 """mm; no machine has more room for its rapids."""
+WIDEST_LEAD = 100.0
+"""mm; an arc of a larger radius is longer than most passes."""
 SLOWEST, FASTEST = 1e-3, 1e6
 """mm/min; what a feed can be."""
 
@@ -84,8 +86,9 @@ class PassSettings:
         0.05, "length", "planes never come closer than this (steep walls)", least=SMALLEST, most=LONGEST
     )
     max_axis_angle: float = option(
-        math.pi / 2, "angle", "facets steeper than this are left out", above=0, most=math.pi / 2 + 1e-9
-    )
+        math.pi / 2, "angle", "facets (auto: axes) that lean more from Z are left out; beyond 90 they look down",
+        above=0, most=math.pi,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -132,7 +135,15 @@ class LinkSettings:
     order: Literal["zigzag", "one_way"] = option(
         "zigzag", "choice", "passes run to and fro, or all in one direction", choices=("zigzag", "one_way")
     )
+    links: Literal["near", "over"] = option(
+        "near", "choice", "between passes the tool stays near the part where it is free there, or always goes over it",
+        choices=("near", "over"),
+    )  # fmt: skip
     clearance: float = option(5.0, "length", "rapids stay this far off the part's bounding box", least=NEAREST, most=FARTHEST)
+    lead_in: float = option(
+        0.0, "length", "passes are entered from off the part, and left, on an arc of this radius tangent to the surface [none]",
+        least=0.0, most=WIDEST_LEAD,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)

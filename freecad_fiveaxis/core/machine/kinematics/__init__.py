@@ -11,8 +11,10 @@ from .kinematics import (
     inverse,
     inverse_axis,
     joint_words,
+    lift_of,
     linear_words,
     q_to_words,
+    raised,
     words_to_q,
 )
 from .rotary_pair import BEYOND, RotaryPair
@@ -29,7 +31,9 @@ __all__ = [
     "inverse",
     "inverse_axis",
     "joint_words",
+    "lift_of",
     "linear_words",
     "q_to_words",
+    "raised",
     "words_to_q",
 ]

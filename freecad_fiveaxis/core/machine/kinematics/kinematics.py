@@ -12,7 +12,7 @@ words that stand before, between and after the two rotary axes; ``axis = R1 R2 e
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import cast
 
@@ -35,6 +35,7 @@ from freecad_fiveaxis.core.base.columns import (
     split,
 )
 from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.base.number_text import rounded
 from freecad_fiveaxis.core.base.records import Bytes, Floats
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import Axis, Machine, Vector
@@ -92,6 +93,21 @@ def chain(machine: Machine, setup: Setup) -> Chain:
     low, high, rate = (np.array([getattr(axis, name) for axis in axes]) for name in ("low", "high", "max_rate"))
     letters = "".join(axis.letter for axis in axes)
     return Chain(letters, direction, points[0], points[1], (slot[0], slot[1], slot[2]), low - moved, high - moved, rate, axes)
+
+
+def raised(kinematics: Chain, lift: Floats) -> Chain:
+    """The chain whose driven point stands ``lift`` (3,) mm, in words X Y Z, above that of ``kinematics`` and turns with the tool:
+    its words are those of ``kinematics`` and ``lift``."""
+    moves, slot = lift[:, None] * kinematics.direction[:3], np.array(kinematics.slot)
+    point1, point2 = (point - moves[slot <= i].sum(axis=0) for i, point in enumerate((kinematics.point1, kinematics.point2)))
+    moved = np.concatenate([lift, (0.0, 0.0)])
+    return replace(kinematics, point1=point1, point2=point2, low=kinematics.low + moved, high=kinematics.high + moved)
+
+
+def lift_of(kinematics: Chain, height: float, decimals: int) -> Floats:
+    """The linear words (3,) mm that move the tool ``height`` mm along its axis where both rotary words are zero, rounded to
+    ``decimals``: added to rounded words they give rounded words."""
+    return rounded(np.asarray(np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, height)), float), decimals)
 
 
 def _check_solvable(machine: Machine, direction: Floats) -> None:

@@ -3,6 +3,6 @@
 
 from .bound import quick_bound
 from .guided import without_guided
-from .measurement import Deviation, lin_ye_deviation, measure, same_u_deviation
+from .measurement import Deviation, lin_ye_deviation, measure, measure_above, same_u_deviation
 
-__all__ = ["Deviation", "lin_ye_deviation", "measure", "quick_bound", "same_u_deviation", "without_guided"]
+__all__ = ["Deviation", "lin_ye_deviation", "measure", "measure_above", "quick_bound", "same_u_deviation", "without_guided"]

@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, lift_of, raised, words_to_q
 from freecad_fiveaxis.core.motion.trajectory import (
     Frames,
     Motion,
@@ -66,7 +66,8 @@ class Deviation:
     ``line`` (m,) mm: largest distance of the real tip path from the infinite line through the block's ends (So et al.,
     eq. 6), at ``u_line``; ``segment`` (m,) mm: largest distance from the commanded segment, at ``u_segment``; ``bound``
     (m,) mm: proven upper bound of ``segment``; ``axis`` (m,) rad: largest angle by which the real tool axis leaves the plane
-    of the block's two end axes; ``place`` (m, 3) mm: the real tip at ``u_segment``, work frame.
+    of the block's two end axes; ``place`` (m, 3) mm: the real tip at ``u_segment``, work frame. ``lift`` (3,) mm: the linear
+    words that raise the driven point to the one that is measured.
     """
 
     line: Floats
@@ -77,9 +78,16 @@ class Deviation:
     axis: Floats
     place: Floats
     findings: tuple[Finding, ...] = ()
+    lift: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
         freeze(self, None, line="f", u_line="f", segment="f", u_segment="f", bound="f", axis="f", place="f3")
+
+    def measured(self, kinematics: Chain, words: Floats) -> tuple[Chain, Floats]:
+        """Raise chain and ``words`` (n, 5) mm and degrees so that the tip of both is the point that was measured."""
+        if not any(self.lift):
+            return kinematics, words
+        return raised(kinematics, np.array(self.lift)), words + (*self.lift, 0.0, 0.0)
 
 
 METHODS = ("exact", "so2008", "so2008-printed")
@@ -109,6 +117,23 @@ def measure(kinematics: Chain, words: ArrayLike, method: str = "exact", progress
         return result
     line, u_line, findings = so2008.line_deviation(kinematics, rows, method == "so2008-printed", paced(progress))
     return replace(result, line=line, u_line=u_line, findings=findings)
+
+
+def measure_above(
+    kinematics: Chain, words: ArrayLike, above: float, decimals: int, method: str = "exact", progress: Progress = silent
+) -> Deviation:
+    """Measure the same of the point ``above`` mm over the driven one along the tool axis, against its own chords.
+
+    ``decimals`` of the linear words: the point is that nearest one whose words are rounded when ``words`` are. ``place`` (m, 3)
+    mm is where the driven point stands when that one deviates most. Raises as :func:`measure`.
+    """
+    rows = checked_words(words)
+    lift = lift_of(kinematics, above, decimals)
+    x, y, z = lift.tolist()
+    found = measure(raised(kinematics, lift), rows + np.append(lift, (0.0, 0.0)), method, progress)
+    before = np.concatenate([rows[:1], rows[:-1]])
+    place = forward_tip(kinematics, words_to_q(before + found.u_segment[:, None] * (rows - before)))
+    return replace(found, place=place, lift=(x, y, z))
 
 
 def paced(progress: Progress) -> Progress:

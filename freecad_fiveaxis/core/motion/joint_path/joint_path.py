@@ -27,9 +27,13 @@ from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, 
 from freecad_fiveaxis.core.cl.cl_path import SAFE_MARGIN, CLPath, Motion
 from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, inverse_axis, joint_words
+from freecad_fiveaxis.core.tool.body import Body, Piece
 
 from .branches import POLE_ANGLE, broken_steps, choose, within_limits
 from .rewind import Drive, insert_rewinds, rewind_findings, subdivide_rapids
+
+POINT = Body((Piece(0.0, 0.0, 0.0, 0.0, 0.0),))
+"""A tool of which nothing is known but its ball."""
 
 CROSSING_ANGLE = math.radians(0.1)
 """A step whose axis passes the pole that near (rad) may go through the pole itself; its axis then leaves the commanded arc
@@ -60,12 +64,14 @@ class JointPath:
 
 
 def solve(
-    path: CLPath, kinematics: Chain, low: Floats, high: Floats, clearance: float, radius: float = 0.0, progress: Progress = silent
-) -> JointPath:
+    path: CLPath, kinematics: Chain, low: Floats, high: Floats, clearance: float, radius: float = 0.0,
+    progress: Progress = silent, tool: Body | None = None,
+) -> JointPath:  # fmt: skip
     """Drive ``path`` on the machine with the least rotary travel and the fewest breaks.
 
     ``low``, ``high`` (3,) mm: the part's box in the work frame; the tool retracts out of it by ``clearance`` (mm) before it
-    rewinds; ``radius`` mm of the ball, which the rewinds keep off the part too. Rotary words may jump on rapids that go
+    rewinds; ``radius`` mm of the ball, which the rewinds keep off the part too, and ``tool``, the body as seen from the driven
+    point (:func:`~freecad_fiveaxis.core.tool.body.seen_from`), None: the ball alone. Rotary words may jump on rapids that go
     above the part; a rapid beside it drives on as a cut does. Rapids that turn a rotary axis are cut into blocks whose real
     tip curve stays within half the clearance of the chord, and within the safe plane's margin. Each break gives a warning,
     each linear axis beyond its limits an error. Raises ReachError where the machine cannot take up an axis within its
@@ -91,7 +97,7 @@ def solve(
     _hold_stand_ins(words, kinematics)
     breaks = np.flatnonzero(broken_steps(words, branch, cutting, crossing))
     start = Drive(path, np.arange(len(words)), words, branch)
-    drive, gaps = insert_rewinds(start, kinematics, breaks, np.asarray(low), np.asarray(high), clearance, radius)
+    drive, gaps = insert_rewinds(start, kinematics, breaks, np.asarray(low), np.asarray(high), clearance, radius, tool or POINT)
     drive = subdivide_rapids(drive, kinematics, min(0.5 * clearance, SAFE_MARGIN))
     progress("joint path", 1.0)
     return _finish(drive, kinematics, rewind_findings(start, drive, kinematics, breaks, gaps))

@@ -20,9 +20,10 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Insertion, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Length, say
 from freecad_fiveaxis.core.base.vectors import slerp
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion, keepout, way_out
+from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion, tool_keepout, way_out
 from freecad_fiveaxis.core.machine.kinematics import Chain, branch_of, forward, inverse_axis, joint_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import quick_bound
+from freecad_fiveaxis.core.tool.body import Body
 
 from .branches import POLE_ANGLE, SLACK, TURN
 
@@ -61,17 +62,17 @@ class Place:
 
 
 def insert_rewinds(
-    drive: Drive, kinematics: Chain, breaks: Ints, low: Floats, high: Floats, clearance: float, radius: float
+    drive: Drive, kinematics: Chain, breaks: Ints, low: Floats, high: Floats, clearance: float, radius: float, tool: Body
 ) -> tuple[Drive, Floats]:
     """Retract, rewind and re-engage within each step of ``breaks`` (b,), the steps' first rows.
 
-    ``low``, ``high`` (3,) mm: the part's box; ``radius`` mm of the ball. Returns the longer drive and the lengths (b,) mm that
-    stay uncut because neither the old nor the new words reach them.
+    ``low``, ``high`` (3,) mm: the part's box; ``radius`` mm of the ball; ``tool`` as seen from the driven point. Returns
+    the longer drive and the lengths (b,) mm that stay uncut because neither the old nor the new words reach them.
     """
     if len(breaks) == 0:
         return drive, np.empty(0)
     leave, enter = _places(drive, kinematics, breaks)
-    tip, keep = _way_round(drive.path, leave, enter, low, high, clearance, radius)
+    tip, keep = _way_round(drive.path, leave, enter, low, high, clearance, radius, tool)
     motion = np.broadcast_to(np.array(ROUND, np.int8), keep.shape)
     axis, angles = (np.repeat(np.stack(pair, 1), 4, axis=1) for pair in ((leave.axis, enter.axis), (leave.angles, enter.angles)))
     contact = tip.copy()
@@ -142,16 +143,18 @@ def _part_way(points: Floats, breaks: Ints, share: Floats) -> Floats:
 
 
 def _way_round(
-    path: CLPath, leave: Place, enter: Place, low: Floats, high: Floats, clearance: float, radius: float
+    path: CLPath, leave: Place, enter: Place, low: Floats, high: Floats, clearance: float, radius: float, tool: Body
 ) -> tuple[Floats, Bools]:
     """Eight tips (b, 8, 3) of each rewind, from leave to enter as in ROUND; and which of them are needed (b, 8).
 
     The part's box grows by the clearance and by the ball's diameter: from the driven point, be it tip or centre, the ball
-    reaches no further. The rapids' height is kept where it is higher.
+    reaches no further; shank and holder may. The rapids' height is kept where it is higher.
     """
-    keep = keepout(low, high, 2.0 * radius, clearance)
-    keep = keep._replace(safe=max(keep.safe, float(path.tip[path.motion == Motion.RAPID, 2].max())))
-    out, back = way_out(leave.tip, leave.axis, keep), way_out(enter.tip, enter.axis, keep)
+    own, its = (tool_keepout(low, high, 2.0 * radius, clearance, tool, place.axis) for place in (leave, enter))
+    rapids = float(path.tip[path.motion == Motion.RAPID, 2].max())
+    safe = np.maximum(np.maximum(own.safe, its.safe), rapids)
+    out = way_out(leave.tip, leave.axis, own._replace(safe=safe))
+    back = way_out(enter.tip, enter.axis, its._replace(safe=safe))
     tip = np.concatenate([leave.tip[:, None], out.station, back.station[:, ::-1], enter.tip[:, None]], 1)
     needed = np.ones((len(tip), 8), bool)
     needed[:, 0] = leave.share > SAME_PLACE

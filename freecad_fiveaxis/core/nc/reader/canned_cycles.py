@@ -25,7 +25,7 @@ from .arcs import AXES
 from .codes import INCH, Grammar
 from .cycle_plan import EQUAL_HEIGHT, FINE, LINUXCNC, PECKING, WAYS, Hole, Ways, steps_of
 from .lines import Lines, tenfold
-from .positions import ABSOLUTE, STEP, axis_words
+from .positions import ABSOLUTE, STEP, absolute_anyway, axis_words
 from .words import Words
 
 RETRACT = {980: 0, 990: 1}
@@ -91,7 +91,8 @@ class _Table:
         here = [axis_words(lines, letter) for letter in "XYZ"]
         self.value = np.stack([value * self.scale for value, _ in here], axis=1)
         kind = np.stack([kind for _, kind in here], axis=1)
-        self.kind = np.where(self.steps[:, None] & (kind == ABSOLUTE), STEP, kind)
+        anyway = np.stack([absolute_anyway(lines, letter) for letter in "XYZ"], axis=1)
+        self.kind = np.where(self.steps[:, None] & (kind == ABSOLUTE) & ~anyway, STEP, kind)
         self.kind[lines.any_of(grammar.no_move)] = 0
         self.r, self.q = (lines.column(letter) * self.scale for letter in "RQ")
         self.times = lines.column(ways.repeats)

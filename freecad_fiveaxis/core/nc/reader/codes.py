@@ -77,6 +77,10 @@ ORIGIN = "hlm"
 MACHINE = "v"
 """v1: the words of this line are machine positions (Heidenhain's M91, M92, Siemens' SUPA)."""
 
+AXIS_LETTERS = "XYZABC"
+ABSOLUTE = "u"
+"""u3: the word of A in this line, the fourth of AXIS_LETTERS, is absolute whatever is in force (Siemens' A=AC())."""
+
 Kind = tuple[Severity, str, str]
 CYCLE_KIND: Kind = (Severity.ERROR, "cycle-not-interpreted", say("cycles, whose moves are missing here; post straight moves"))
 ARC_KIND: Kind = (
@@ -96,6 +100,11 @@ HOME: Kind = (
     say("moves to machine positions unknown to the program; they are not audited"),
 )
 SHIFT: Kind = (Severity.ERROR, "offset-not-interpreted", say("shifts, turns or scales of the coordinates; post without them"))
+POLAR: Kind = (
+    Severity.ERROR,
+    "polar-not-interpreted",
+    say("polar coordinates, whose moves are missing here; post X, Y and Z"),
+)
 RADIUS: Kind = (Severity.ERROR, "compensation-not-interpreted", say("cutter compensation; the words are taken as they are"))
 PER_TURN_KIND: Kind = (Severity.WARNING, "feed-per-turn", say("feeds per spindle turn; no time is given for these blocks"))
 MACRO: Kind = (

@@ -49,7 +49,19 @@ from .findings import (
 )
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
 from .planes import IN_PLANE, Planes, planes_of
-from .positions import Moves, axis_words, begun, check_near, in_work, moves, tool_axes, where_axes_stand
+from .positions import (
+    ABSOLUTE,
+    STEP,
+    Moves,
+    absolute_anyway,
+    axis_words,
+    begun,
+    check_near,
+    in_work,
+    moves,
+    tool_axes,
+    where_axes_stand,
+)
 from .shifts import shifted
 from .siemens_holes import holes_written_out
 from .turning import off_normal, turned, vector_findings
@@ -93,7 +105,7 @@ def read_nc(
             say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), kinematics.letters
         )
     first, second = (axis.wrap for axis in kinematics.axes[3:])
-    wrap, meant = (first, second), _meant(lines, axes, at, grammar)
+    wrap, meant = (first, second), _meant(lines, axes, at, grammar, kinematics.letters)
     meaning = on[at].astype(np.int64)
     if planes is not None:
         solved = turned(kinematics, meant, at, planes, wrap)
@@ -225,7 +237,9 @@ def _vectors(lines: Lines, at: Ints, mode: Ints, on: Bools) -> Floats:
     return _told(lines, mode, on)[at] if on.any() else np.full((len(at), 3), np.nan)
 
 
-def _meant(lines: Lines, axes: list[tuple[Floats, Bytes]], at: Ints, grammar: Grammar) -> list[tuple[Floats, Bytes]]:
+def _meant(
+    lines: Lines, axes: list[tuple[Floats, Bytes]], at: Ints, grammar: Grammar, letters: str
+) -> list[tuple[Floats, Bytes]]:
     """The words of the motion lines in mm and degrees, and how each is meant."""
     steps = lines.mode(codes.DISTANCE, 0)[at] == 1
     inch = lines.inch(grammar)[at]
@@ -235,7 +249,8 @@ def _meant(lines: Lines, axes: list[tuple[Floats, Bytes]], at: Ints, grammar: Gr
         if k < 3 and inch.any():
             value = np.where(inch, value * INCH, value)
         if steps.any():
-            kind = np.where(steps & (kind == 1), 2, kind).astype(np.int8)
+            anyway = absolute_anyway(lines, letters[k])[at]
+            kind = np.where(steps & (kind == ABSOLUTE) & ~anyway, STEP, kind).astype(np.int8)
         meant.append((value, kind))
     return meant
 

@@ -6,12 +6,15 @@ What a text is made of shows when its words are read: a plain program is not sea
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
+from typing import NoReturn
 
+from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Ints
-from freecad_fiveaxis.core.base.sentences import Template
+from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
 from .noted import Notes
@@ -22,6 +25,7 @@ NOT_RUN = Template(
     "The lines with variables, expressions or jumps are not interpreted, because of this one: {reason}. Their words are missing "
     "here; post without them."
 )
+BEHIND_A_CALL = re.compile(b"[%c%c][0-9]+ +[0-9.]" % (ord(codes.PLANE), ord(codes.DRILL)))
 
 
 @dataclass(frozen=True)
@@ -77,8 +81,20 @@ def not_run(run: interpreter.Refused) -> Finding:
 
 def _told(text: bytes, read: bytes, notes: Notes, source: Ints | None, refused: list[Finding], first: bool = False) -> Plain:
     """``first``: what was refused is said before what was met."""
+    if (notes.tilts or notes.drills) and (found := BEHIND_A_CALL.search(read)):
+        _refuse_digits(text, read.count(b"\n", 0, found.start()), source)
     met = [moved(found, source) for found in notes.findings(text)]
     return Plain(read, source, (*refused, *met) if first else (*met, *refused), tuple(notes.tilts), tuple(notes.drills))
+
+
+def _refuse_digits(text: bytes, row: int, source: Ints | None) -> NoReturn:
+    """Raise for a line of the text, counted from 0, in which digits behind a call would be read as a part of its private word."""
+    line = row + 1 if source is None else int(source[row + 1])
+    shown = text.split(b"\n")[row].decode("latin-1").strip()[:60]
+    raise ProgramError(
+        say("line {line}: digits stand right behind a call, and no letter before them: {found}", line=line, found=repr(shown)),
+        shown,
+    )
 
 
 def moved(found: Finding, source: Ints | None) -> Finding:

@@ -89,6 +89,16 @@ def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
     return value, kind
 
 
+def absolute_anyway(lines: Lines, letter: str) -> Bools:
+    """The lines (lines,) whose word of that letter is absolute whatever is in force (:data:`.codes.ABSOLUTE`)."""
+    found = np.zeros(lines.count, np.bool_)
+    if codes.ABSOLUTE in lines.letters and letter in codes.AXIS_LETTERS:
+        words = lines.words
+        marked = (words.letter == ord(codes.ABSOLUTE)) & (words.value == codes.AXIS_LETTERS.index(letter))
+        found[words.line[marked]] = True
+    return found
+
+
 def check_near(lines: Lines, letter: str, value: Floats) -> None:
     """Raises ProgramError, naming the place, where a word ``value`` (lines,) of that letter is beyond :data:`FARTHEST`."""
     far = np.flatnonzero(np.abs(np.nan_to_num(value)) > FARTHEST)

@@ -29,26 +29,32 @@ SWIVEL = "CYCLE800"
 CYCLE800 = re.compile(rb"\bCYCLE800 *\(([^()\n]*)\)")
 TOOL = re.compile(rb"(?<![A-Z0-9_$])T *= *$", re.MULTILINE)
 ORIENTATION = re.compile(rb"(?<![A-Z0-9_$])(?:[ABC][2-9]|LEAD|TILT|THETA|PHI|PSI) *=" + NUMBER)
-KEYWORD = re.compile(rb"[A-Z_$][A-Z_$][A-Z0-9_$]*( *\([^()\n]*\)| *=[^\n]*)?")
+VALUE = rb" *= *[-+]?[0-9.]+(?![0-9. ]*[-+*/(\[])"
+"""A plain number ends a keyword's value; of anything else nobody knows where it ends, and the rest of the line goes with it."""
+KEYWORD = re.compile(rb"[A-Z_$][A-Z_$][A-Z0-9_$]*( *\([^()\n]*\)|" + VALUE + rb"| *=[^\n]*)?")
 LABEL = re.compile(rb"^( *(?:N[0-9]+ *)?)([A-Z_][A-Z_][A-Z0-9_]*:)", re.MULTILINE)
 
 HARMLESS = frozenset(
     b"""TRAFOOF TRAORI ORIWKS ORIMKS ORIAXES ORIVECT ORIEULER ORIRPY ORIRPY2 ORIVIRT1 ORIVIRT2 ORIPLANE ORISON ORISOF
     FGROUP FFWON FFWOF SOFT BRISK DRIVE COMPON COMPOF COMPCURV COMPCAD COMPSURF STOPRE CYCLE832 MSG WORKPIECE CUT3DC CUT2D CUT2DF
-    CUT3DF CUT3DFF NORM KONT KONTC KONTT DIAMON DIAMOF UPATH SPATH FIFOCTRL STARTFIFO STOPFIFO G64 FNORM FLIN FCUB CFTCP CFC CFIN
+    CUT3DF CUT3DFF NORM KONT KONTC KONTT DIAMOF UPATH SPATH FIFOCTRL STARTFIFO STOPFIFO G64 FNORM FLIN FCUB CFTCP CFC CFIN
     RTLION RTLIOF OST OSC OSOF OSS OSSE SPOF SPON PTP CP ORICURVE DYNNORM DYNPOS DYNROUGH DYNSEMIFIN DYNFINISH DYNPREC ORISOLH
-    EXTCLOSE PAROT PAROTOF SETMS FXS CYCLE_HSC GROUP_BEGIN GROUP_END AP RP WAITM DISPLOF DISPLON SAVE SBLON SBLOF ACCLIMA VELOLIM
+    EXTCLOSE PAROT PAROTOF SETMS FXS CYCLE_HSC GROUP_BEGIN GROUP_END WAITM DISPLOF DISPLON SAVE SBLON SBLOF ACCLIMA VELOLIM
     ORIRESET CTRANS TOWSTD TOWTCP TCOFR TCOABS MIRRORW""".split()
 )
-SHIFTS = frozenset(b"ROT AROT ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split())
+SHIFTS = frozenset(b"DIAMON ROT AROT ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split())
 CALLS = frozenset(b"CALL PCALL EXTCALL MCALL ISOCALL".split())
 ARCS = frozenset(b"CIP CT TURN AR".split())
 SPLINES = frozenset(b"ASPLINE BSPLINE CSPLINE POLY POLYPATH INVCW INVCCW".split())
+POLAR = frozenset(b"AP RP".split())
 MACROS = frozenset(
     b"""IF ELSE ENDIF FOR ENDFOR WHILE ENDWHILE LOOP ENDLOOP REPEAT REPEATB UNTIL GOTO GOTOF GOTOB GOTOC GOTOS CASE DEF DEFINE
     PROC SET RET ID IDS EVERY WHENEVER WHEN DO FROM""".split()
 )
 CYCLE = re.compile(rb"CYCLE[0-9]+|HOLES[0-9]|SLOT[0-9]|POCKET[0-9]|LONGHOLE|OSCTRL|OSE")
+KINDS = (
+    (SHIFTS, codes.SHIFT), (CALLS, codes.CALL), (ARCS, codes.ARC_KIND), (SPLINES, codes.SPLINE), (POLAR, codes.POLAR),
+)  # fmt: skip
 WAYS = {b"AC": str, b"IC": codes.STEP_OF, b"DC": codes.SHORTER_OF, b"ACP": codes.SHORTER_OF, b"ACN": codes.SHORTER_OF}
 
 
@@ -113,7 +119,8 @@ def _bracketed(found: re.Match[bytes], notes: Notes) -> bytes:
     if letter in "IJK":
         word = codes.CENTRE["IJK".index(letter)] if way == b"AC" else letter
     elif way == b"AC":
-        word = letter
+        mark = codes.ABSOLUTE.encode() + b"%d" % codes.AXIS_LETTERS.index(letter)
+        return (found[1] + number + mark).ljust(len(found[0]))
     else:
         known = codes.STEP_OF if way == b"IC" else codes.SHORTER_OF
         word = known.get(letter, letter)
@@ -142,7 +149,7 @@ def _keyword(found: re.Match[bytes], notes: Notes) -> bytes:
 
 
 def _kind(name: bytes) -> codes.Kind:
-    for known, kind in ((SHIFTS, codes.SHIFT), (CALLS, codes.CALL), (ARCS, codes.ARC_KIND), (SPLINES, codes.SPLINE)):
+    for known, kind in KINDS:
         if name in known:
             return kind
     if name in MACROS or name.startswith(b"$"):

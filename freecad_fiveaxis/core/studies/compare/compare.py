@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
-from freecad_fiveaxis.core.motion.deviation import Deviation, measure
+from freecad_fiveaxis.core.motion.deviation import Deviation, measure, measure_above
 from freecad_fiveaxis.core.motion.joint_path import JointPath, solve
 from freecad_fiveaxis.core.motion.program import Program, build_program, feed_blocks
 from freecad_fiveaxis.core.report.figures import axis_rates
@@ -53,9 +53,9 @@ Cure = Callable[[CLPath, Station, Progress], JointPath]
 @dataclass(frozen=True)
 class Row:
     """``tool_centre``: the controller guides the tip. ``deviation``, ``bound`` mm and ``axis_deviation`` rad: the largest of the
-    feed blocks; ``time`` s of the whole program; ``peak_rate``: the largest rate of each axis, in the order of ``letters``, in
-    a feed block, mm/min and rad/min; ``over`` mm beyond linear limits. ``problem``: why there are no figures (then NaN), or
-    empty.
+    feed blocks, of a ball its centre's; ``time`` s of the whole program; ``peak_rate``: the largest rate of each axis, in the
+    order of ``letters``, in a feed block, mm/min and rad/min; ``over`` mm beyond linear limits. ``problem``: why there are no
+    figures (then NaN), or empty.
     """
 
     machine: str
@@ -138,11 +138,19 @@ def _rows(path: CLPath, where: Station, name: str, cure: Cure, guided: Sequence[
         raise
     except FiveAxisError as error:
         return [Row(where.name, name, one, letters, problem=error.text) for one in guided]
-    deviation = measure(where.kinematics, program.words)
+    deviation = _measured(where, program)
     return [
         (_guided if one else _unguided)(where, name, joints, program, deviation)  # columns that depend on tool-centre control
         for one in guided
     ]
+
+
+def _measured(where: Station, program: Program) -> Deviation:
+    """The deviation of what makes the surface: a ball's centre, else the tip."""
+    above, decimals = where.posting.above, where.posting.dialect.linear_decimals
+    if above == 0.0:
+        return measure(where.kinematics, program.words)
+    return measure_above(where.kinematics, program.words, above, decimals)
 
 
 def _unguided(where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation) -> Row:

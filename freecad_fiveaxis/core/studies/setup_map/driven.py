@@ -35,13 +35,15 @@ FIRST_BATCH = 64
 @dataclass(frozen=True, eq=False)
 class Posting:
     """How a path becomes a program: ``dialect`` and feed mode; ``clearance`` mm of rapids; ``radius`` mm of the ball; ``part``
-    (v, 3) mm: points of the part, whose box the rewinds keep out of; None: of the path's feed moves."""
+    (v, 3) mm: points of the part, whose box the rewinds keep out of; None: of the path's feed moves. ``above`` mm: so far over
+    the driven point stands the one that makes the surface (a ball's centre), by which ``compare`` divides and measures."""
 
     dialect: Dialect
     inverse_time: bool = True
     clearance: float = 5.0
     radius: float = 0.0
     part: Floats | None = None
+    above: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""``make bench-window``: what a frame of FreeCAD's 3D view takes, as ratios to peers in the same view; run inside FreeCAD.
+
+path    the whole picture of a path, to the bare lines of its strokes
+map     a map of what is left, to its bare facets
+labels  eight labels and two legends over a ball, to the ball alone
+
+A frame is the processor's time of the whole process for it: Mesa draws on the processor where there is no graphics card.
+"""
+
+import statistics
+import sys
+import time
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import pytest
+from PySide import QtCore
+
+HERE = Path(__file__).parent
+sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / "tests" / "gui"), str(HERE.parents[1] / "tests" / "core")]
+
+from large_scenes import Frames, long_path, picture_of_long, surface  # noqa: E402
+from report_examples import dome  # noqa: E402
+from timing import print_table  # noqa: E402
+
+from freecad_fiveaxis.core.report.rest_material_map import height_scale  # noqa: E402
+from freecad_fiveaxis.gui.scene import left_nodes, nodes, on_screen, path_nodes, words  # noqa: E402
+
+LOOK = path_nodes.Look((0.0, 0.62, 0.45), (0.835, 0.369, 0.0), (0.8, 0.475, 0.655))
+TURNS = 12
+REPEAT = 5
+HEADS = ("scene", "ms a frame", "peer, ms", "ratio")
+
+
+@pytest.fixture
+def view():
+    """A 3D view in a window as large as the screen."""
+    FreeCADGui.getMainWindow().setGeometry(0, 0, 1920, 1080)
+    doc = FreeCAD.newDocument()
+    QtCore.QCoreApplication.processEvents()
+    yield FreeCADGui.getDocument(doc.Name).ActiveView
+    FreeCAD.closeDocument(doc.Name)
+
+
+def seconds(view, *drawn):
+    """Of each of REPEAT rounds: the processor's time for a frame with these nodes, s. The first round fills the caches."""
+    frames, found = Frames(), []
+    group = nodes.separate(frames.node, *drawn)
+    view.getSceneGraph().addChild(group)
+    view.viewTop()
+    view.fitAll()
+    for _ in range(1 + REPEAT):
+        frames.count, began = 0, time.process_time()
+        for turn in range(TURNS):
+            view.setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(1, 0.3, 0.2), 20 + 7 * turn))
+            view.redraw()
+            QtCore.QCoreApplication.processEvents()
+        found.append((time.process_time() - began) / max(frames.count, 1))
+    view.getSceneGraph().removeChild(group)
+    return found[1:]
+
+
+def row(view, name, ours, peer):
+    """A line of the table."""
+    first, second = (statistics.median(seconds(view, *drawn)) for drawn in (ours, peer))
+    return name, f"{1e3 * first:.1f}", f"{1e3 * second:.1f}", f"{first / second:.2f}"
+
+
+def bare(points, corners):
+    """Lines of two, or facets of three points, without colours, labels or marks: what drawing them takes at the least."""
+    place, shape = nodes.coin.SoCoordinate3(), nodes.coin.SoLineSet() if corners == 2 else nodes.coin.SoFaceSet()
+    place.point.setValues(0, len(points), points.astype(np.float32))
+    shape.numVertices.setValues(0, len(points) // corners, np.full(len(points) // corners, corners, np.int32))
+    return place, shape
+
+
+def test_path(view, capsys):
+    rows = []
+    for count in (500_000, 1_000_000):
+        pairs, level = long_path(count)
+        picture = picture_of_long(dome(), LOOK, pairs, level)
+        rows.append(row(view, f"{count} blocks, {len(level)} strokes", (picture.root,), bare(pairs, 2)))
+    with capsys.disabled():
+        print_table("A long path, to the bare lines of its strokes", HEADS, rows)
+
+
+def test_map(view, capsys, monkeypatch):
+    rows = []
+    for side, most in ((316, None), (223, 1000)):
+        if most:
+            monkeypatch.setattr(left_nodes, "MOST_PATCHES", most)
+        mesh, left = surface(side)
+        node = left_nodes.left_surface(mesh, left, height_scale(left, 0.01, 0.03))
+        name = f"{len(mesh.face)} facets{', each with its worst sample' if most else ''}"
+        rows.append(row(view, name, (node,), bare(mesh.vertex[mesh.face].reshape(-1, 3), 3)))
+    with capsys.disabled():
+        print_table("A map of what is left, to its bare facets", HEADS, rows)
+
+
+def test_labels(view, capsys, monkeypatch):
+    rng = np.random.default_rng(2)
+    sets, legends = [on_screen.Labels(), on_screen.Labels()], [on_screen.LegendBox(), on_screen.LegendBox()]
+    for at, one in enumerate(sets):
+        places = rng.uniform(-3.0, 3.0, (4, 3))
+        one.show([on_screen.Label(place, f"{0.1278 * i:.4f} mm, NC line {1000 * at + i}") for i, place in enumerate(places)])
+    for title, one in zip(("First", "Second"), legends, strict=True):
+        one.show(words.legend_of(title, dome(), LOOK, ""))
+    ball, spent, place = nodes.coin.SoSphere(), [], on_screen._Overlay.place
+    ball.radius = 20.0
+
+    def timed(overlay, action):
+        began = time.thread_time()
+        place(overlay, action)
+        spent.append(time.thread_time() - began)
+
+    monkeypatch.setattr(on_screen._Overlay, "place", timed)
+    found = row(view, "8 labels, 2 legends", (ball, *(one.root for one in (sets[0], legends[0], sets[1], legends[1]))), (ball,))
+    with capsys.disabled():
+        print_table("Labels and legends over a ball, to the ball alone", HEADS, [found])
+        share = 4e3 * statistics.median(spent)
+        print(f"of that, finding their places: {share:.2f} ms a frame, {share / float(found[2]):.2f} of a frame of the ball")

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is in the way of a tool that touches the surface at a place with an axis: the machine's limits, the table, or the part."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.vectors import dot
+from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.passes import axes_within_limits, least_up
+from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, SHANK, Body, body_of, body_support, extend_way_out
+
+from .search import which_enter
+from .swept_motion import still_positions
+
+
+class Obstacle(IntEnum):
+    """Why the tool does not get to a place, in the order in which axes are asked; the last is no obstacle."""
+
+    LIMITS = 0
+    TABLE = 1
+    CUTTER = 2
+    SHANK = 3
+    HOLDER = 4
+    NONE = 5
+
+
+@dataclass(frozen=True, eq=False)
+class Reacher:
+    """What is set on the part: ``limit`` mm that may enter it; ``table`` mm: height of the table's face in the work frame, below
+    which no part of the tool may be, None where it is not known. ``kinematics`` None: any axis will do; ``most`` rad: the largest
+    angle from +Z that is wanted; ``far`` mm: so far along its axis it must be free to be drawn out."""
+
+    cutter: Cutter
+    shank: tuple[tuple[float, float], ...] = ()
+    holder: tuple[tuple[float, float], ...] = ()
+    kinematics: Chain | None = None
+    limit: float = 0.01
+    table: float | None = None
+    most: float = math.pi
+    far: float = 0.0
+
+    @property
+    def body(self) -> Body:
+        """Cutter, shank and holder, in all places on their way out."""
+        body = body_of(self.cutter, self.shank, self.holder)
+        return extend_way_out(body, self.far) if self.far else body
+
+
+def obstacles(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats, axis: Floats) -> Ints:
+    """What is in the way (n,) of :class:`Obstacle` of the tool that touches ``point`` (n, 3) mm, where the surface has the unit
+    ``normal`` (n, 3), with the unit ``axis`` (n, 3)."""
+    met, body = np.full(len(point), int(Obstacle.NONE)), reacher.body
+    tip = tip_at(reacher.cutter, point, normal, axis)
+    asked: tuple[tuple[Obstacle, Callable[[Ints], Bools]], ...] = (
+        (Obstacle.LIMITS, lambda rows: ~within_limits(reacher, axis[rows])),
+        (Obstacle.TABLE, lambda rows: is_below(body, tip[rows], axis[rows], reacher.table, reacher.limit)),
+        (Obstacle.CUTTER, lambda rows: enters(body.only(CUTTER), tree, tip[rows], axis[rows], reacher.limit)),
+        (Obstacle.SHANK, lambda rows: enters(body.only(SHANK), tree, tip[rows], axis[rows], reacher.limit)),
+        (Obstacle.HOLDER, lambda rows: enters(body.only(HOLDER), tree, tip[rows], axis[rows], reacher.limit)),
+    )
+    for obstacle, hit in asked:
+        rows = np.flatnonzero(met == Obstacle.NONE)
+        met[rows[hit(rows)]] = obstacle
+    return met
+
+
+def tip_at(cutter: Cutter, point: Floats, normal: Floats, axis: Floats) -> Floats:
+    """The tips (n, 3) mm of a cutter that touches these points (n, 3) with its corner: its corner circle leans towards the
+    surface, and with an axis along the normal the middle of its bottom stands on the point."""
+    across = normal - dot(normal.T, axis.T)[:, None] * axis
+    length = np.linalg.norm(across, axis=1)[:, None]
+    lean = np.divide(across, length, out=np.zeros_like(across), where=length > 1e-9)
+    return np.asarray(point + cutter.corner * (normal - axis) + cutter.ring * lean)
+
+
+def within_limits(reacher: Reacher, axis: Floats) -> Bools:
+    """Which unit axes (n, 3) the machine takes up and are wanted (n,)."""
+    within = axis[:, 2] >= least_up(reacher.most)
+    return within if reacher.kinematics is None else np.asarray(within & axes_within_limits(reacher.kinematics, axis))
+
+
+def is_below(body: Body, tip: Floats, axis: Floats, table: float | None, limit: float) -> Bools:
+    """Find which bodies (n,) with tips (n, 3) mm and unit axes (n, 3) go more than ``limit`` mm below the table's face, whose
+    height is ``table`` mm; None where that is not known."""
+    if table is None:
+        return np.zeros(len(tip), np.bool_)
+    return np.asarray(tip[:, 2] - body_support(body, -axis[:, 2]) < table - limit)
+
+
+def enters(body: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float) -> Bools:
+    """Whether (n,) the body enters the part by more than ``limit`` mm with its tip (n, 3) mm and unit axis (n, 3) there."""
+    if not body.pieces or not len(tip):
+        return np.zeros(len(tip), np.bool_)
+    return which_enter(body, tree, still_positions(tip, axis), limit, np.arange(len(tip)))

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every ring's closing lines name the tests that took most of the processor: what a test waits for costs nobody anything.
+
+FIVEAXIS_SLOWEST: how many (10). FIVEAXIS_UNTIL: no test begins after that time, s of the clock (``make changed``).
+"""
+
+import os
+import time
+
+import pytest
+
+KEPT = {}
+"""What the core made in this process, by what it was made of: see the fixture ``kept``."""
+BEGAN = pytest.StashKey[float]()
+SHOWN = int(os.environ.get("FIVEAXIS_SLOWEST") or 10)
+UNTIL = float(os.environ.get("FIVEAXIS_UNTIL") or "inf")
+
+
+def processor_seconds():
+    """Processor time of this process and of its children that have ended, s."""
+    return sum(os.times()[:4])
+
+
+def _keeping(made, of):
+    """The function ``made``, whose result is kept under ``of(its arguments)`` and given to whoever asks for the same."""
+
+    def act(*given):
+        name = made.__module__, made.__name__, of(*given)
+        if name not in KEPT:
+            KEPT[name] = made(*given)
+        return KEPT[name]
+
+    return act
+
+
+@pytest.fixture
+def kept(monkeypatch):
+    """For tests inside FreeCAD that are not about the computing: results, setups tried and heights that are left are those of an
+    earlier test of this process, where the settings, the part and its name are the same. Mark what is to be computed ``anew``."""
+    from freecad_fiveaxis.app import left, results, setups
+
+    for module, name, of in (
+        (results, "_computed", lambda proxy, task, fingerprint, progress: (type(proxy), fingerprint, task.settings.source)),
+        (setups, "_tried", lambda task, fingerprint, progress: (fingerprint, task.settings.source)),
+        (left, "_found", lambda figures, known, progress: (known.fingerprint, known.result.made.settings.source)),
+    ):
+        monkeypatch.setattr(module, name, _keeping(getattr(module, name), of))
+
+
+@pytest.fixture
+def anew():
+    """anew(): forget what was kept, so that the next result is computed; done once before the test."""
+    KEPT.clear()
+    return KEPT.clear
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item):
+    item.stash[BEGAN] = processor_seconds()
+    if time.time() > UNTIL:
+        pytest.skip("left: the minute is over")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item, call):
+    report = yield
+    if call.when == "teardown":
+        report.user_properties.append(("processor_seconds", processor_seconds() - item.stash[BEGAN]))
+    return report
+
+
+def pytest_terminal_summary(terminalreporter):
+    """The lines that scripts/rings reads back: SECONDS s of the processor: TEST."""
+    spent = {
+        report.nodeid: dict(report.user_properties).get("processor_seconds", 0.0)
+        for reports in terminalreporter.stats.values()
+        for report in reports
+        if getattr(report, "when", None) == "teardown"
+    }
+    slowest = sorted(spent, key=spent.get, reverse=True)[:SHOWN]
+    terminalreporter.section("most processor time")
+    for name in slowest:
+        terminalreporter.write_line(f"{spent[name]:.2f} s of the processor: {name}")

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What `auto` cuts: facets and contacts are left out only where no axis is free, whatever way their normals look."""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+from scipy.spatial import cKDTree
+from test_axis_field import stemmed
+from test_fewer_axes import table_a
+from test_reach_map import block, slot
+from thorough import some_in_core
+
+from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.collision.obstacles import Reacher
+from freecad_fiveaxis.core.corrections.facets_with_axis import find_axis_field, select_facets
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.machine import save_machine
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.report.figures import summary
+from freecad_fiveaxis.core.tool import Cutter
+
+OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:6:40", "passes": "scallop", "stepover": 1.5, "tool_axis": "auto"}
+RIGHT = math.pi / 2
+
+
+def milled(mesh, **options):
+    return job.make(build_settings("mill", "part", {**OPTIONS, **options}), mesh=mesh)
+
+
+@cache
+def sphere_milled():
+    return milled(stemmed())
+
+
+def served(mesh, reacher, most=RIGHT):
+    facets = np.ones(len(mesh.face), bool)
+    return select_facets(find_axis_field(mesh, facets, reacher), mesh, facets, most)
+
+
+def feed_places(made):
+    """Tips and axes (k, 3) on the real way of all feed blocks, in the work frame, 20 for each."""
+    words = made.program.words
+    row = np.flatnonzero(made.program.motion[1:] != Motion.RAPID)
+    share = np.linspace(0.0, 1.0, 20)[:, None, None]
+    return forward(made.kinematics, words_to_q((words[row] + share * (words[row + 1] - words[row])).reshape(-1, words.shape[1])))
+
+
+def finished(made, points):
+    """Which points of the surface the ball comes to within 0.2 mm (a stepover of 1.5 leaves 0.1 on a flat)."""
+    tip, axis = feed_places(made)
+    return cKDTree(tip + 3.0 * axis).query(points)[0] <= 3.0 + 0.2
+
+
+def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_from_below():
+    """Normals of the sphere's lower half look down; a ball gets there from the side, its shank level at most."""
+    made = sphere_milled()
+    middle = made.mesh.vertex[made.mesh.face].mean(axis=1)
+    under = (made.mesh.normal[:, 2] < -0.2) & (made.mesh.normal[:, 2] > -0.8) & (middle[:, 2] > 15.0)
+    tip, axis = feed_places(made)
+    assert under.sum() > 100 and finished(made, middle[under]).all()
+    assert axis[:, 2].min() > -1e-3, "an axis beyond the largest angle"
+    assert (tip[:, 2] + 3.0 * axis[:, 2]).min() > 0.0
+    by_normals = milled(stemmed(), tool_axis="facet_mean")
+    assert not finished(by_normals, middle[under & (made.mesh.normal[:, 2] < -0.4)]).all()
+
+
+def test_nothing_enters_and_nothing_is_told_that_is_not_so():
+    result = job.prove(sphere_milled())
+    codes = {one.code for one in result.findings}
+    assert not codes & {"overcut", "holder-collision", "rapid-collision", "facets-looking-down", "no-free-axis"}
+    assert summary(job.figures(result))["unfinished_share"] < 0.05
+
+
+def test_the_underside_stays_out_as_long_as_the_axis_may_not_go_below_the_level():
+    keep, findings = served(block(), Reacher(Cutter(6.0, 40.0), most=RIGHT))
+    assert (keep == (block().normal[:, 2] > -0.5)).all()
+    (one,) = findings
+    assert (one.code, one.unit) == ("facets-looking-down", "mm2") and one.value == pytest.approx(1200.0)
+    assert "within 90 deg" in one.text
+    keep, findings = served(block(), Reacher(Cutter(6.0, 40.0)), math.pi)
+    assert keep.all() and findings == ()
+
+
+def test_a_table_is_named():
+    mesh = block()
+    keep, findings = served(mesh, Reacher(Cutter(6.0, 40.0), table=0.0), math.pi)
+    assert not keep[mesh.normal[:, 2] < -0.5].any() and keep[mesh.normal[:, 2] > 0.5].all()
+    assert "below the table" in findings[0].text and findings[0].value == pytest.approx(1200.0)
+
+
+@some_in_core(
+    ("width", "tool", "words"),
+    [
+        (5.0, {"cutter": Cutter(6.0, 60.0)}, "too tight"),
+        (12.0, {"cutter": Cutter(6.0, 5.0), "shank": ((16.0, 90.0),)}, "the shank"),
+        (14.0, {"cutter": Cutter(6.0, 12.0), "holder": ((60.0, 30.0),), "most": 0.5}, "the holder"),
+    ],
+)
+def test_each_reason_is_named_with_its_area(width, tool, words):
+    mesh = slot(width, 40.0, 120.0)
+    keep, findings = served(mesh, Reacher(**tool))
+    floor = (mesh.normal[:, 2] > 0.5) & (mesh.vertex[mesh.face].mean(axis=1)[:, 2] < 20.0)
+    assert floor.any() and not keep[floor].any()
+    one = next(one for one in findings if one.code == "facets-without-free-axis" and words in one.text)
+    assert one.value >= width * 120.0 * 0.99 and one.value <= mesh.area[~keep].sum() + 1e-9
+    assert served(mesh, Reacher(Cutter(2.0, 200.0)))[0].all()
+
+
+@pytest.mark.thorough
+def test_contacts_without_a_free_axis_are_left_out_and_the_pass_goes_on_behind_them():
+    """The holder gets to the ends of the slot's floor, by leaning out of them, and not to its middle."""
+    made = milled(slot(14.0, 40.0, 100.0), cutter="ball:6:12", holder="24x60", passes="planes")
+    (held,) = [one for one in made.findings if one.code == "no-free-axis"]
+    assert held.value > 0 and "left out" in held.text
+    at_floor = (np.abs(made.offset.point[:, 2] - 10.0) < 1e-6) & (np.abs(made.offset.point[:, 0]) < 4.0)
+    along = made.offset.point[at_floor, 1]
+    assert len(along) and not ((along > 40.0) & (along < 60.0)).any()
+    assert "overcut" not in {one.code for one in job.prove(made).findings}
+
+
+def test_where_no_axis_is_free_at_all_an_error_says_so():
+    mesh = slot(5.0, 40.0, 60.0)
+    inside = (np.abs(mesh.vertex[mesh.face].mean(axis=1)[:, 0]) < 2.6) & (mesh.vertex[mesh.face].mean(axis=1)[:, 2] > 5.0)
+    with pytest.raises(ReachError, match="too tight for the cutter; use a smaller one"):
+        job.make(build_settings("mill", "part", OPTIONS), mesh=mesh, faces=inside)
+
+
+def test_a_machine_of_one_rotary_axis_is_refused_by_name(tmp_path):
+    save_machine(table_a(), tmp_path / "table_a.fcm")
+    with pytest.raises(SettingsError, match=r"auto turns two rotary axes, machine table_a has fewer"):
+        milled(block(), machine=str(tmp_path / "table_a.fcm"))

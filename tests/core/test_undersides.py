@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Facets that look down are cut, and cutter, shank and holder get there and away again: by the check of the program, and by points
+of the tool's skin set on the forward kinematics of interpolated words."""
+
+import json
+from pathlib import Path
+
+import gouge_judge
+import numpy as np
+import pytest
+from thorough import some_in_core
+from underside_parts import PARTS
+
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.cl.cl_path import Motion, cl_path, keepout
+from freecad_fiveaxis.core.collision.check import GOUGES
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.options import tip_to_driven, tool_body
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.motion.joint_path import rewind
+from freecad_fiveaxis.core.passes import facets_within_limits
+from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.body import body_of, body_support, seen_from, swing_support
+
+TOOL = {"cutter": "ball:6:20", "shank": "6x15", "holder": "40x30", "stepover": 4.0, "order": "one_way"}
+MACHINE = {
+    "trunnion_ac": {"machine": "trunnion_ac", "max_axis_angle": 120, "passes": "planes"},
+    "fork_head_bc": {"machine": "fork_head_bc", "tool_length": 65, "max_axis_angle": 180, "passes": "zlevel"},
+}
+FILES = Path(__file__).resolve().parents[2] / "resources" / "machines"
+STEP = 1.0
+"""mm that the tip goes between two places that are looked at."""
+TURN = 2.0
+"""deg that a rotary word turns between them."""
+
+
+def milled(part, name, **options):
+    return job.make(build_settings("mill", part, {**TOOL, **MACHINE[name], **options}), mesh=PARTS[part]())
+
+
+def skin(body, step=3.0):
+    """Points (k, 3) mm of the tool's skin about z, tip at 0: of every piece the rims, the side and both ends."""
+    points = []
+    for low, low_radius, high, high_radius, corner, _ in body.pieces:
+        up = np.linspace(0.0, 1.0, int(np.ceil((high - low) / step)) + 2)
+        outline = [np.column_stack([low_radius + up * (high_radius - low_radius) + corner, low + up * (high - low)])]
+        outline += [np.column_stack([np.linspace(0.0, r, 6), np.full(6, z)]) for r, z in ((low_radius, low), (high_radius, high))]
+        bend = np.linspace(-np.pi / 2, 0.0, 5)
+        outline.append(np.column_stack([low_radius + corner * np.cos(bend), low + corner * np.sin(bend)]))
+        radius, height = np.concatenate(outline).T
+        turn = np.linspace(0.0, 2.0 * np.pi, 36, endpoint=False)[:, None]
+        points.append(np.stack([radius * np.cos(turn), radius * np.sin(turn), height + 0.0 * turn], axis=-1).reshape(-1, 3))
+    return np.concatenate(points)
+
+
+def sampled(made, motion):
+    """Places of the tool's skin (b, k, 3) mm along the blocks with this motion, in batches."""
+    program, back = made.program, tip_to_driven(made.settings)
+    words, blocks = program.words, np.flatnonzero(program.motion[1:] == motion)
+    tip = gouge_judge.poses(made.kinematics, words, blocks, np.zeros(len(blocks)))[0]
+    end = gouge_judge.poses(made.kinematics, words, blocks, np.ones(len(blocks)))[0]
+    turn = np.abs(words[blocks + 1, 3:] - words[blocks, 3:]).max(axis=1)
+    count = np.ceil(np.maximum(np.linalg.norm(end - tip, axis=1) / STEP, turn / TURN)).astype(int) + 2
+    block, u = gouge_judge.spread(blocks, count)
+    points = skin(tool_body(made.settings))
+    for some in np.array_split(np.arange(len(block)), len(block) // 500 + 1):
+        yield gouge_judge.placed(points, *gouge_judge.poses(made.kinematics, words, block[some], u[some], back))
+
+
+def nearest_to_box(made):
+    """How far (mm) the tool keeps off the part's box on rapids; negative inside, by so much as it is in from the nearest side."""
+    low, high = made.mesh.box
+    return min(np.maximum(low - at, at - high).max(axis=2).min() for at in sampled(made, Motion.RAPID))
+
+
+def deepest_link(made):
+    """How deep (mm) the tool's skin is in the part on links, by libigl's distances to the mesh."""
+    return max(-gouge_judge.distances(made.mesh, at.reshape(-1, 3), signed=True).min() for at in sampled(made, Motion.LINK))
+
+
+def gouges(made):
+    """Codes of the errors of a program that say where the tool enters the part."""
+    return {one.code for one in job.prove(made).findings if one.severity == Severity.ERROR and one.code in GOUGES}
+
+
+def starts(made):
+    return {one.code for one in made.findings} & {"start-through-part"}
+
+
+@some_in_core("links", ["over", "near"], kept=(1,))
+@some_in_core("machine", list(MACHINE))
+@some_in_core("part", list(PARTS))
+def test_the_whole_tool_gets_there_and_away(part, machine, links):
+    made = milled(part, machine, links=links)
+    assert (made.path.axis[:, 2].min() < -0.25) == (part != "block")
+    assert not gouges(made) and not starts(made)
+    off = made.settings.links.clearance - 2.5  # half of it for the bend of a traverse that turns
+    assert nearest_to_box(made) > off
+    assert deepest_link(made) <= made.settings.proof.tolerance
+
+
+def machine_file(folder, name, **limits):
+    """A machine of ours with other limits, deg, of its rotary axes."""
+    told = json.loads((FILES / f"{name}.fcm").read_text())
+    for letter, (low, high) in limits.items():
+        told["machine"]["axes"][letter]["limits"] = {"min": low, "max": high}
+    path = folder / f"{name}.fcm"
+    path.write_text(json.dumps(told))
+    return str(path)
+
+
+@some_in_core("passes", ["scallop", "planes"])
+@some_in_core("name, letter", [("trunnion_ac", "A"), ("fork_head_bc", "B")])
+def test_a_machine_that_turns_right_round_cuts_the_underside(tmp_path, name, letter, passes):
+    machine = machine_file(tmp_path, name, **{letter: (-180.0, 180.0)})
+    made = milled("mushroom", name, machine=machine, max_axis_angle=180, passes=passes, scallop=0.3, stepover=None)
+    assert made.path.axis[:, 2].min() == pytest.approx(-1.0) and made.keep.all()
+    assert not gouges(made) and not starts(made)
+    assert nearest_to_box(made) > made.settings.links.clearance - 2.5
+
+
+def rewinding(folder, links):
+    """The mushroom on a machine that has to turn back inside cuts."""
+    machine = machine_file(folder, "trunnion_ac", C=(-200.0, 200.0), A=(0.0, 120.0))
+    made = milled("mushroom", "trunnion_ac", machine=machine, links=links, passes="zlevel")
+    assert any(one.code == "rewind" for one in made.findings)
+    return made
+
+
+@pytest.mark.parametrize("links", ["over", "near"])
+def test_rewinds_keep_the_whole_tool_off_too(tmp_path, links):
+    made = rewinding(tmp_path, links)
+    assert not gouges(made)
+    assert nearest_to_box(made) > made.settings.links.clearance - 2.5
+
+
+def test_both_judges_see_a_rewind_that_only_looks_after_the_ball(tmp_path, monkeypatch):
+    monkeypatch.setattr(rewind, "tool_keepout", ball_only)
+    made = rewinding(tmp_path, "near")
+    assert "holder-collision" in gouges(made)
+    assert nearest_to_box(made) < 0.0
+
+
+def ball_only(low, high, radius, clearance, body, axis):
+    """The keep-out of the ball alone, which was that of the whole tool once."""
+    keep = keepout(low, high, radius, clearance)
+    return keep._replace(safe=np.full(len(axis), keep.safe))
+
+
+@pytest.mark.parametrize(
+    "part, name", [("tee", "trunnion_ac"), ("block", "fork_head_bc"), ("tee", "fork_head_bc"), ("mushroom", "fork_head_bc")]
+)
+def test_both_judges_see_a_holder_that_only_the_ball_looks_after(part, name, monkeypatch):
+    monkeypatch.setattr(cl_path, "tool_keepout", ball_only)
+    monkeypatch.setattr(rewind, "tool_keepout", ball_only)
+    made = milled(part, name, links="over")
+    assert "holder-collision" in gouges(made)
+    assert nearest_to_box(made) < 0.0
+
+
+def test_a_program_begins_and_ends_upright_however_its_passes_stand():
+    made = milled("tee", "trunnion_ac", passes="zlevel")
+    assert made.path.axis[[0, -1], 2].min() > -1e-4
+
+
+def test_facets_that_look_down_further_than_asked_are_left_out():
+    mesh = PARTS["tee"]()
+    up = mesh.normal[:, 2]
+    for angle in (90.0, 106.0, 166.0, 180.0):
+        keep, found = facets_within_limits(mesh, None, np.radians(angle))
+        assert np.array_equal(keep, up >= np.cos(np.radians(angle)) - 1e-4)
+        assert [one.code for one in found] == ["facets-looking-down"] * (angle < 180.0)
+    with pytest.raises(SettingsError, match="at most 180 deg"):
+        facets_within_limits(mesh, None, np.radians(181.0))
+
+
+def test_supports_are_those_of_points_of_the_skin():
+    body = seen_from(body_of(Cutter(6.0, 20.0), [(6.0, 15.0)], [(40.0, 30.0)]), 3.0)
+    points = skin(body, 0.5)
+    lean = np.linspace(0.0, np.pi, 61)
+    reach = (np.outer(np.cos(lean), points[:, 2]) + np.outer(np.sin(lean), points[:, 0])).max(axis=1)
+    np.testing.assert_allclose(body_support(body, np.cos(lean)), reach, atol=0.06)
+    most = np.array([reach[k:].max() for k in range(len(lean))])
+    np.testing.assert_allclose(swing_support(body, np.cos(lean)), most, atol=0.06)
