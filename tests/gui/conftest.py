@@ -601,6 +601,27 @@ def picture(path):
     return _bytes_of(path).astype(int)
 
 
+SHADES = " .:-=+*#%@"
+CELL = 12, 24  # pixels of the screen, width and height, for one letter
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_makereport(item, call):
+    """What failed shows the screen in letters, the darker the denser: where the rings run far away, nobody sees the pictures."""
+    report = (yield).get_result()
+    if report.when == "call" and report.failed:
+        report.sections.append(("the screen when it failed", _in_letters(_shoot("failed"))))
+
+
+def _in_letters(path):
+    """The picture's darkness as lines of text, a letter for each cell."""
+    seen, (width, height) = picture(path).mean(axis=2), CELL
+    rows, columns = seen.shape[0] // height, seen.shape[1] // width
+    mean = seen[: rows * height, : columns * width].reshape(rows, height, columns, width).mean(axis=(1, 3))
+    level = ((255.0 - mean) / 256.0 * len(SHADES)).astype(int)
+    return "\n".join("".join(SHADES[one] for one in row) for row in level[: SMALL[3] // height, : SMALL[2] // width])
+
+
 @pytest.fixture
 def view_box():
     """view_box(): (left, top, width, height) of the 3D view on the screen."""
