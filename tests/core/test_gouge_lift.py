@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from gouge_examples import bowl, dense_points, prism, round_groove, sampled_depth, shelf, step
+from plain import build_settings
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
@@ -22,7 +23,7 @@ from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import read_stl
 from freecad_fiveaxis.core.jobs import collision_avoidance, job
 from freecad_fiveaxis.core.jobs.context import MillContext
-from freecad_fiveaxis.core.jobs.settings import build_settings, flat_options
+from freecad_fiveaxis.core.jobs.settings import flat_options
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import Body, body_of, frustum_piece, round_piece, way_out
 

@@ -6,13 +6,13 @@ import os
 import re
 
 import pytest
+from plain import build_settings
 from setup_examples import cap, milled
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.core.cl.apt import write_apt
 from freecad_fiveaxis.core.geometry.mesh import write_stl
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.studies import study as trials
 

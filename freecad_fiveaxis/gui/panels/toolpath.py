@@ -151,8 +151,24 @@ def create(base: Any, faces: tuple[str, ...] = (), settings: Mapping[str, Any] |
     panel = ToolpathPanel(base.Document, base, faces)
     meshing = {"linear_deflection": LINEAR, "angular_deflection": ANGULAR}
     setup = {"setup": job_setup.only_setup(base.Document)}
-    panel.fill(changes.default_options("mill") | preferred() | meshing | setup | dict(settings or {}))
+    values = changes.default_options("mill") | preferred() | meshing | setup | dict(settings or {})
+    machine = setup["setup"].Machine if setup["setup"] is not None else values["machine"]
+    panel.fill(values | {"tool_axis": dict(settings or {}).get("tool_axis") or _usual_tool_axis(machine)})
     return show(panel)
+
+
+def _usual_tool_axis(machine: str) -> str:
+    """The tool axis that a new path has first: one that its machine can follow, as the command line chooses it."""
+    from freecad_fiveaxis.core.base.errors import FiveAxisError
+    from freecad_fiveaxis.core.jobs.fewer_axes import USUAL
+    from freecad_fiveaxis.core.jobs.settings import choose_strategies
+    from freecad_fiveaxis.core.machine import load_machine
+
+    usual = choose_strategies({})["tool_axis"]
+    try:
+        return USUAL.get(load_machine(machine).rotaries, usual)
+    except FiveAxisError:  # the form says so, at the machine
+        return usual
 
 
 def preferred() -> dict[str, Any]:

@@ -52,6 +52,8 @@ from .groups import (
 
 SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""
+OF_PLANES = ("direction", "plane_normal")
+"""Options that mean nothing to any other passes."""
 
 
 def flat_name(name: str) -> str:
@@ -128,10 +130,22 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
                 name,
             )
     given = {flat_name(name): value for name, value in options.items() if value is not None}
+    explicit = frozenset(given)
+    given = {**{name: value for name, value in choose_strategies(given).items() if name in known}, **given}
     groups = {top.name: _build(top.metadata["group"], task, given) for top in fields(Settings) if "group" in top.metadata}
-    settings = _with_defaults(Settings(task=task, source=source, explicit=frozenset(given), **groups), given)
+    settings = _with_defaults(Settings(task=task, source=source, explicit=explicit, **groups), given)
     _check_together(settings)
     return settings
+
+
+def choose_strategies(given: Mapping[str, Any]) -> dict[str, str]:
+    """Choose pass strategy and tool axis from the other options, where they are not ``given``.
+
+    Whoever asks for what only planes have gets planes; and planes, level ones too, stand as in Lin & Ye, on the normals.
+    """
+    planes = any(given.get(name) is not None for name in OF_PLANES)
+    passes = given.get("passes") or ("planes" if planes else "scallop")
+    return {"passes": passes, "tool_axis": given.get("tool_axis") or ("auto" if passes == "scallop" else "facet_mean")}
 
 
 def _with_defaults(settings: Settings, given: Mapping[str, Any]) -> Settings:
