@@ -57,7 +57,7 @@ def test_small_turns_and_ends_of_polylines_are_not_asked():
     assert not find_blocked_turns(path, np.tile([0.0, 0.0, 1.0], (len(path.point), 1)), mesh, Reacher(Cutter(4.0))).any()
 
 
-@pytest.mark.parametrize("asked", [True, False])
+@pytest.mark.parametrize("asked", [pytest.param(True), pytest.param(False, marks=pytest.mark.thorough)])
 def test_a_short_tool_does_not_turn_its_holder_through_the_part(asked, monkeypatch):
     if not asked:
         monkeypatch.setattr(milling, "find_blocked_turns", lambda path, axis, *_: np.zeros(len(axis), bool))

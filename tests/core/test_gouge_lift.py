@@ -398,7 +398,18 @@ def test_a_stack_that_cannot_be_read_is_refused(text):
 
 def test_the_command_line_tells_an_overcut_and_lifts_it(tmp_path, parts, capsys):
     common = ["mill", str(parts / "freeform_233.stl"), "--machine", "trunnion_ac", "--cutter", "ball:40", "--stepover", "6"]
-    common += ["--linearize", "on", "--holder", "63x40", "-o", str(tmp_path / "a.ngc"), "--report", str(tmp_path / "a.json")]
+    common += [
+        "--linearize",
+        "on",
+        "--passes",
+        "planes",
+        "--holder",
+        "63x40",
+        "-o",
+        str(tmp_path / "a.ngc"),
+        "--report",
+        str(tmp_path / "a.json"),
+    ]
     assert main([*common, "--gouge", "report"]) == 1
     told = json.loads((tmp_path / "a.json").read_text())
     assert "overcut" in {finding["code"] for finding in told["findings"]} and told["inputs"]["holder"] == "63x40"

@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.geometry.mesh import write_stl
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.studies import study as trials
 
-QUICK = ("--stepover", "12")
+QUICK = ("--stepover", "12", "--passes", "planes")
 SMALL = ("--grid", "2,2,1", "--region", "100,100,0")
 
 

@@ -263,6 +263,8 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
     from test_clicks import command_line
 
     choose(field("cutter_kind"), "bull nose mill")
+    choose(field("passes"), "parallel planes")
+    choose(field("tool_axis"), "surface normal")
     type_into(field("cutter_corner"), "1.5 mm")
     type_into(field("stepover"), "12 mm")
     type_into(field("lead"), "60 deg")

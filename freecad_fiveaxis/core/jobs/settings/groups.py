@@ -67,9 +67,7 @@ def option(
 class PassSettings:
     """Where the passes lie (planes: Lin & Ye, II.B and C)."""
 
-    passes: str = option(
-        "scallop", "text", "pass strategy (see `strategies`); planes if a direction or a plane normal is given"
-    )
+    passes: str = option("scallop", "text", "pass strategy (see `strategies`); planes if a direction or a plane normal is given")
     plane_normal: Vector | None = option(
         None, "vector", "I,J,K across the planes [upright, along the direction]", least=-LONGEST, most=LONGEST
     )
