@@ -162,7 +162,7 @@ def _from_4(obj: Any) -> None:
     it was."""
     if "LeastInterval" not in obj.PropertiesList:  # no toolpath
         return
-    for name, value in (("Links", "over"), ("Passes", "planes"), ("ToolAxis", "facet_mean")):
+    for name, value in (("Links", "over"), ("PassStrategy", "planes"), ("ToolAxis", "facet_mean")):
         if not hasattr(obj, name):
             add_missing(obj, [one for one in setting_properties(MILL) if one.name == name])
             setattr(obj, name, value)
