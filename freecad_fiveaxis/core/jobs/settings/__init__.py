@@ -21,7 +21,7 @@ from .groups import (
     SetupSettings,
     option,
 )
-from .settings import Settings, build_settings, choose_strategies, flat_options, is_part, option_fields
+from .settings import Settings, build_settings, flat_options, is_part, option_fields
 
 __all__ = [
     "AUDIT",
@@ -43,7 +43,6 @@ __all__ = [
     "Settings",
     "SetupSettings",
     "build_settings",
-    "choose_strategies",
     "flat_options",
     "is_part",
     "option",

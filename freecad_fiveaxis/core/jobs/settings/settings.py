@@ -130,26 +130,28 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
                 name,
             )
     given = {flat_name(name): value for name, value in options.items() if value is not None}
-    explicit = frozenset(given)
-    given = {**{name: value for name, value in choose_strategies(given).items() if name in known}, **given}
     groups = {top.name: _build(top.metadata["group"], task, given) for top in fields(Settings) if "group" in top.metadata}
-    settings = _with_defaults(Settings(task=task, source=source, explicit=explicit, **groups), given)
+    settings = _with_defaults(Settings(task=task, source=source, explicit=frozenset(given), **groups), given)
     _check_together(settings)
     return settings
 
 
-def choose_strategies(given: Mapping[str, Any]) -> dict[str, str]:
-    """Choose pass strategy and tool axis from the other options, where they are not ``given``.
+def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
+    """The pass strategy and the tool axis chosen by the other options, where they are not ``given``.
 
-    Whoever asks for what only planes have gets planes; and planes, level ones too, stand as in Lin & Ye, on the normals.
+    Whoever asks for what only planes have gets planes; and planes, level ones too, stand as in Lin & Ye, on the normals. So do
+    cutters without a ball end: their passes are as far apart as the cutter's bottom is wide there, which a leaned one is not.
     """
-    planes = any(given.get(name) is not None for name in OF_PLANES)
-    passes = given.get("passes") or ("planes" if planes else "scallop")
-    return {"passes": passes, "tool_axis": given.get("tool_axis") or ("auto" if passes == "scallop" else "facet_mean")}
+    if "passes" not in given and any(name in given for name in OF_PLANES):
+        settings = replace(settings, passes=replace(settings.passes, passes="planes"))
+    if "tool_axis" not in given and (settings.passes.passes != "scallop" or settings.cutter.cutter.ring > 0.0):
+        settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis="facet_mean"))
+    return settings
 
 
 def _with_defaults(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """What was not asked for, where its default depends on what was: a guided tip is not divided, no part is not looked at."""
+    settings = _with_strategies(settings, given)
     if settings.head.rtcp != "off" and "linearize" not in given:
         settings = replace(settings, cure=replace(settings.cure, linearize="off"))
     if settings.task == AUDIT and "gouge" not in given and not is_part(settings.audit.against or ""):
