@@ -264,7 +264,7 @@ def test_the_tool_axis_follows_cutter_and_passes_until_another_is_chosen(panel, 
         ("cutter_kind", "bull nose mill", "facet_mean"),
         ("cutter_kind", "ball end mill", "auto"),
         ("passes", "parallel planes", "facet_mean"),
-        ("passes", "scallop", "auto"),
+        ("passes", "Scallop", "auto"),
         ("tool_axis", "least deviation (minimax)", "minimax"),
         ("cutter_kind", "flat end mill", "minimax"),
     ):
