@@ -34,6 +34,7 @@ from freecad_fiveaxis.core.tool.body import body_of
 
 FACETS = (10_000, 100_000, 1_000_000)
 DIAMETER = 6.0
+PLAIN = {"passes": "planes", "tool_axis": "facet_mean"}
 TOLERANCE = 0.01
 POSITIONS, FEW = 60_000, 2_000  # of the check; of the peers, whose time grows with their number
 ROUNDS = 3
@@ -46,7 +47,7 @@ ALONG, ACROSS, EDGE = 500, 24, 50.0  # points along and across the mesh; length 
 def milled(mesh: Mesh) -> job.Milled:
     """A finishing program with its blocks divided to the tolerance, and no place lifted."""
     options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 2, "cutter": f"ball:{DIAMETER}"}
-    settings = build_settings("mill", "bumpy", {**options, "max_axis_angle": 60, "linearize": "on", "gouge": "off"})
+    settings = build_settings("mill", "bumpy", {**options, **PLAIN, "max_axis_angle": 60, "linearize": "on", "gouge": "off"})
     made = job.make(settings, mesh=mesh)
     assert isinstance(made, job.Milled)
     return made

@@ -43,7 +43,7 @@ def settings_for(folder: Path, facets: int, passes: int) -> tuple[Settings, floa
     extent = float(np.ptp(mesh.vertex[:, 1]))
     options = {
         "machine": "trunnion_ac", "stepover": extent / passes, "linearize": "off", "gouge": "off",
-        "output": str(folder / "part.ngc"),
+        "passes": "planes", "tool_axis": "facet_mean", "output": str(folder / "part.ngc"),
     }  # fmt: skip
     return build_settings("mill", str(folder / "part.stl"), options), len(mesh.face) / 1e6
 

@@ -104,7 +104,7 @@ def mill(part: str, table: str, strategy: str, depth: float | None, **others: fl
     """The cutting blocks of one job: ball 10, planes 5 mm apart along X, all passes one way; ``others``: more options."""
     options = {
         "machine": str(workshop() / f"{table}.fcm"), "origin": list(origin(part, depth)), "cutter": "ball:10",
-        "stepover": STEPOVER, "order": "one_way", "tool_axis": strategy, "control_point": "centre",
+        "passes": "planes", "stepover": STEPOVER, "order": "one_way", "tool_axis": strategy, "control_point": "centre",
         "linearize": "off", "gouge": "off", "max_axis_angle": STEEPEST, **others,
     }  # fmt: skip
     result = job.run(build_settings("mill", str(workshop() / f"{part}.stl"), options))

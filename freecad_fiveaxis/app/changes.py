@@ -29,7 +29,7 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     Raises FiveAxisError; the caller's transaction then takes back what was done.
     """
     options = {name: value for name, value in settings.items() if name not in (*_OF_MESH, "work_zero", "setup")}
-    build_settings(MILL, "mesh", options)
+    options = toolpath.with_strategies(options)
     if obj.Mesh is None:
         raise toolpath.mesh_is_gone(obj)
     _put_mesh(obj.Mesh, settings)

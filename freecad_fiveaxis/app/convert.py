@@ -44,6 +44,8 @@ class Tool(NamedTuple):
     body: Body
 
 
+CHOSEN = ("passes", "tool_axis")
+"""Options that the core chooses by the others where they are not given."""
 UNKNOWN = 1e9
 """mm or s, shown where the core found no finite number: no property can hold one that is infinite."""
 
@@ -59,7 +61,8 @@ def settings_of(obj: Any, task: str, source: str) -> Settings:
 
 
 def options_of(obj: Any, task: str) -> dict[str, Any]:
-    """The options of the task that differ from their defaults, as a job file would hold them (mm, deg, mm/min)."""
+    """The options of the task that differ from their defaults, as a job file would hold them (mm, deg, mm/min). Those whose
+    default hangs on others are always given: the property says what is cut."""
     options = {}
     for _, leaf in shown_options(task):
         kind = leaf.metadata["kind"]
@@ -68,7 +71,7 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
         elif kind == "point":
             if not getattr(obj, property_name(leaf.name) + "FromMachine"):
                 options[leaf.name] = plain(getattr(obj, property_name(leaf.name)))
-        elif (value := plain(getattr(obj, property_name(leaf.name)))) != plain(default_value(leaf)):
+        elif (value := plain(getattr(obj, property_name(leaf.name)))) != plain(default_value(leaf)) or leaf.name in CHOSEN:
             options[leaf.name] = float(f"{value * 60.0:.11g}") if kind == "feed" else value  # of mm/s 12 digits are known
     return options
 

@@ -158,10 +158,14 @@ def _from_3(obj: Any) -> None:
 
 
 def _from_4(obj: Any) -> None:
-    """Version 4 went over the part between all passes: so it stays, the path is what it was."""
-    if "LeastInterval" in obj.PropertiesList and not hasattr(obj, "Links"):  # a toolpath
-        add_missing(obj, [one for one in setting_properties(MILL) if one.name == "Links"])
-        obj.Links = "over"
+    """Version 4 went over the part between all passes, and had planes only, once without a choice: so it stays, the path is what
+    it was."""
+    if "LeastInterval" not in obj.PropertiesList:  # no toolpath
+        return
+    for name, value in (("Links", "over"), ("PassStrategy", "planes"), ("ToolAxis", "facet_mean")):
+        if not hasattr(obj, name):
+            add_missing(obj, [one for one in setting_properties(MILL) if one.name == name])
+            setattr(obj, name, value)
 
 
 STEPS: dict[int, Callable[[Any], None]] = {0: _from_0, 1: _from_1, 2: _from_2, 3: _from_3, 4: _from_4}

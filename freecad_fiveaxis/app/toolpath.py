@@ -11,7 +11,9 @@ import FreeCAD
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import MILL
+from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis
+from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
+from freecad_fiveaxis.core.machine import load_machine
 
 from . import convert, job_setup, results
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
@@ -75,11 +77,19 @@ def mesh_is_gone(obj: Any) -> SelectionError:
     return SelectionError(text, obj.Label)
 
 
+def with_strategies(options: Mapping[str, Any]) -> dict[str, Any]:
+    """The options, and pass strategy and tool axis as the core chooses them where they are left open. Raises FiveAxisError."""
+    settings = build_settings(MILL, "mesh", options)
+    settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
+    return {**options, "passes": settings.passes.passes, "tool_axis": settings.tool_axis.tool_axis}
+
+
 def make(doc: Any, mesh: Any, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:
     """A Toolpath object of a mesh object, not yet computed. ``extra``: properties that are no settings of the core.
 
     Raises SettingsError, and then leaves no object behind.
     """
+    options = with_strategies(options)
     obj = doc.addObject("App::FeaturePython", "Toolpath")
     try:
         Toolpath(obj)

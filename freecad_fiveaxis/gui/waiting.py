@@ -103,6 +103,7 @@ def stage_words() -> dict[str, str]:
         "read STL": translate("FiveAxis", "reading the mesh"),
         "weld": translate("FiveAxis", "joining facets"),
         "placing planes": translate("FiveAxis", "placing the passes"),
+        "placing passes": translate("FiveAxis", "placing the passes"),
         "slice": translate("FiveAxis", "cutting the mesh"),
         "closing co-edges": translate("FiveAxis", "closing gaps at edges"),
         "linking passes": translate("FiveAxis", "linking the passes"),

@@ -13,7 +13,9 @@ import Part  # noqa: E402
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "resources" / "examples"))
 
-FAST = {"machine": "trunnion_ac", "stepover": 4, "linear_deflection": 0.1}
+PLAIN = {"passes": "planes", "tool_axis": "facet_mean"}
+"""Passes and tool axes of tests that look at something else: quick, and known in closed form."""
+FAST = {"machine": "trunnion_ac", "stepover": 4, "linear_deflection": 0.1, **PLAIN}
 """Settings under which a small part takes a fraction of a second."""
 UNCURED = {"linearize": "off", "gouge": "off"}
 """What tests ask for that look at deviations, blocks and entries as the path has them before any cure."""

@@ -16,7 +16,15 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app.results import nc_of
 
 BATCH = Path(__file__).parents[2] / "examples" / "batch.py"
-SETTINGS = {"machine": "trunnion_ac", "cutter": "ball:6", "stepover": "5", "tolerance": "50", "linear_deflection": "0.2"}
+SETTINGS = {
+    "machine": "trunnion_ac",
+    "cutter": "ball:6",
+    "stepover": "5",
+    "tolerance": "50",
+    "linear_deflection": "0.2",
+    "passes": "planes",
+    "tool_axis": "facet_mean",
+}
 
 
 def batch(*words, **environment):

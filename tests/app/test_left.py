@@ -145,7 +145,7 @@ def face_at(obj, **where):
     raise AssertionError(where)
 
 
-FACES = {"machine": "trunnion_ac", "cutter": "ball:6:12", "stepover": 2, "gouge": "report", "clearance": 10}
+FACES = {"machine": "trunnion_ac", "cutter": "ball:6:12", "passes": "planes", "stepover": 2, "gouge": "report", "clearance": 10}
 
 
 def test_a_wall_that_is_not_selected_stops_the_holder_and_the_map_covers_what_is_selected(doc, step):

@@ -5,7 +5,8 @@ import pytest
 from conftest import FAST, UNCURED
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import properties, results, schema, toolpath
+from freecad_fiveaxis.app import changes, properties, results, schema, toolpath
+from freecad_fiveaxis.core.machine import Machine, SafeStart, load_machine, save_machine
 
 LACKED = {
     "Toolpath": [
@@ -247,6 +248,32 @@ def test_a_path_of_version_4_goes_over_the_part_as_it_did(doc, ball, reopen):
     path.SchemaVersion = 4
     path = reopen(doc).Toolpath
     assert (path.SchemaVersion, path.Links) == (schema.SCHEMA, "over")
+
+
+def test_a_path_of_before_the_strategies_keeps_planes_on_the_normals(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, machine="trunnion_ac", stepover=4, linear_deflection=0.1, direction=0)
+    nc = results.nc_of(path)
+    assert (path.PassStrategy, path.ToolAxis) == ("planes", "facet_mean")
+    assert path.removeProperty("PassStrategy")
+    path.SchemaVersion = 4
+    path = reopen(doc).Toolpath
+    assert (path.SchemaVersion, path.PassStrategy, path.ToolAxis) == (schema.SCHEMA, "planes", "facet_mean")
+    path.touch()
+    path.Document.recompute()
+    assert results.nc_of(path) == nc
+
+
+def test_a_new_path_says_what_is_cut_with_what_is_not_named(doc, ball, tmp_path):
+    given = {"machine": "trunnion_ac", "stepover": 6, "linear_deflection": 0.3}
+    path = app.create_toolpath(doc, ball, **given)
+    assert (path.PassStrategy, path.ToolAxis) == ("scallop", "auto")
+    changed = changes.change_toolpath(path, {**given, "passes": "zlevel"})
+    assert (changed.PassStrategy, changed.ToolAxis) == ("zlevel", "facet_mean")
+    known, file = load_machine("trunnion_ac"), tmp_path / "three.fcm"
+    axes = tuple(axis for axis in known.axes if axis.letter in "XYZ")
+    save_machine(Machine("three", axes, safe_start=SafeStart("none")), file)
+    upright = app.create_toolpath(doc, ball, **given | {"machine": str(file)})
+    assert (upright.PassStrategy, upright.ToolAxis) == ("scallop", "fixed")
 
 
 def test_a_path_of_before_lead_ins_has_none_and_keeps_its_program(doc, ball, reopen):

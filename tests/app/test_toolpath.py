@@ -81,7 +81,19 @@ def test_the_same_solid_tessellated_again_gives_the_same_bytes(doc, ball, tmp_pa
     app.tessellate(ball, tmp_path / "part.stl", linear_deflection=0.1)
     path = app.create_toolpath(doc, ball, **FAST)
     own_command_line(
-        "mill", tmp_path / "part.stl", "--machine", "trunnion_ac", "--stepover", "4", "--quiet", "-o", tmp_path / "cli.ngc"
+        "mill",
+        tmp_path / "part.stl",
+        "--machine",
+        "trunnion_ac",
+        "--stepover",
+        "4",
+        "--passes",
+        "planes",
+        "--tool-axis",
+        "facet_mean",
+        "--quiet",
+        "-o",
+        tmp_path / "cli.ngc",
     )
     assert results.nc_of(path) == (tmp_path / "cli.ngc").read_bytes()
 

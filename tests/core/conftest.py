@@ -6,10 +6,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from plain import build_settings
 from uncured import UNCURED
 
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 
 ROOT = Path(__file__).parents[2]
 

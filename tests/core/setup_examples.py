@@ -4,11 +4,11 @@
 from functools import cache
 
 import numpy as np
+from plain import build_settings
 from uncured import UNCURED
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.studies.setup_map import Posting
 
 RADIUS, CENTRE = 40.0, -10.0

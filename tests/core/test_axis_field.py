@@ -4,6 +4,7 @@
 import math
 from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,11 +12,13 @@ from gouge_examples import dense_points
 from test_reach_map import BALL, block, profile, slot
 from thorough import some_in_core
 
+from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.cl.coedge import close_gaps
 from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, facet_mean
 from freecad_fiveaxis.core.collision.obstacles import Reacher, tip_at
+from freecad_fiveaxis.core.corrections import auto_axis
 from freecad_fiveaxis.core.corrections import axis_field as module
-from freecad_fiveaxis.core.corrections.auto_axis import auto_axes, divided
+from freecad_fiveaxis.core.corrections.auto_axis import Free, auto_axes, divided
 from freecad_fiveaxis.core.corrections.facets_with_axis import find_axis_field
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles
@@ -250,6 +253,13 @@ def test_contacts_are_free_with_auto_where_they_are_not_with_the_normals():
     held = by_normal > 0.2
     assert np.count_nonzero(held) > 5 and free.all()
     assert (by_field[held] < 0.1).mean() > 0.9 and by_field.max() < 0.2
+
+
+@pytest.mark.parametrize(("held", "severity"), [(0, None), (5, Severity.NOTE), (6, Severity.WARNING)])
+def test_single_contacts_without_a_free_axis_are_a_note(held, severity):
+    free = np.where(np.arange(1000) < held, Free.NONE, Free.WAY_OUT)
+    contacts = SimpleNamespace(contact=np.arange(1000), fits=np.ones(1000, bool), point=np.zeros((1000, 3)))
+    assert [one.severity for one in auto_axis._findings(free, contacts)] == [severity][: int(held > 0)]
 
 
 @pytest.mark.thorough

@@ -7,6 +7,7 @@ import warnings
 
 import numpy as np
 import pytest
+from plain import build_settings
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base import chunks as chunks_module
@@ -15,7 +16,6 @@ from freecad_fiveaxis.core.base.chunks import chunks, in_threads, meanwhile
 from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.core.cl.coedge import junction
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 
 
 @pytest.fixture(autouse=True)

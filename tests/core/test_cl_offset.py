@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from cutter_body import depth, facet_points, inside
 from gouge_examples import knob_in_corner
+from plain import build_settings
 from thorough import some_in_core
 from uncured import UNCURED
 
@@ -18,7 +19,7 @@ from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl, write_stl
 from freecad_fiveaxis.core.jobs import job, outputs
 from freecad_fiveaxis.core.jobs import options as asked
-from freecad_fiveaxis.core.jobs.settings import build_settings, flat_options
+from freecad_fiveaxis.core.jobs.settings import flat_options
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.tool import Cutter, parse_cutter

@@ -12,6 +12,7 @@ import sys
 
 import numpy as np
 import pytest
+from plain import PLAIN_WORDS, build_settings
 from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
@@ -19,7 +20,6 @@ from freecad_fiveaxis.core.base import terminal
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import shipped_machines
 
 TABLE_2 = (
@@ -226,7 +226,18 @@ def test_a_work_offset_that_the_controller_has_not_is_refused(controller, offset
      ("linuxcnc", "fanuc", "G59.1"), ("linuxcnc", "fanuc", "G59.3")],
 )  # fmt: skip
 def test_a_work_offset_of_another_controller_is_refused_by_name(controller, other, offset, roof, tmp_path, capsys):
-    words = ("--machine", "trunnion_ac", "--stepover", "20", "--work-offset", offset, "--quiet", "-o", tmp_path / "a.ngc")
+    words = (
+        "--machine",
+        "trunnion_ac",
+        "--stepover",
+        "20",
+        "--work-offset",
+        offset,
+        "--quiet",
+        *PLAIN_WORDS,
+        "-o",
+        tmp_path / "a.ngc",
+    )
     assert f"unknown to {other}" in refused(capsys, tmp_path, "mill", roof, *words, "--controller", other)
     assert run("mill", roof, *words, "--controller", controller) != cli.UNUSABLE
     assert offset in (tmp_path / "a.ngc").read_text().splitlines()
@@ -235,7 +246,18 @@ def test_a_work_offset_of_another_controller_is_refused_by_name(controller, othe
 @pytest.mark.parametrize("controller", ["linuxcnc", "fanuc"])
 @pytest.mark.parametrize("offset", ["G54", "G59"])
 def test_a_work_offset_stands_in_the_head(controller, offset, roof, tmp_path):
-    words = ("--machine", "trunnion_ac", "--stepover", "20", "--controller", controller, "--work-offset", offset, "--quiet")
+    words = (
+        "--machine",
+        "trunnion_ac",
+        "--stepover",
+        "20",
+        "--controller",
+        controller,
+        "--work-offset",
+        offset,
+        "--quiet",
+        *PLAIN_WORDS,
+    )
     assert run("mill", roof, *words, "-o", tmp_path / "a.ngc") != cli.UNUSABLE
     assert offset in (tmp_path / "a.ngc").read_text().splitlines()
 

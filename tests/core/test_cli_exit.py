@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from plain import PLAIN_WORDS
 from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
@@ -123,6 +124,7 @@ def mill(dome, stepover, head=""):
         folder / "a.apt",
         "--blocks",
         folder / "a.csv",
+        *PLAIN_WORDS,
     )
     return start("mill", dome, *words, head=head)
 

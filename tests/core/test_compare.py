@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from plain import build_settings
 from setup_examples import cap, milled, posting
 from uncured import UNCURED, UNDIVIDED
 
@@ -17,7 +18,6 @@ from freecad_fiveaxis.core.controllers import find_dialect
 from freecad_fiveaxis.core.corrections.axis_corrections import AxisCorrection
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.options import DEFAULT_CONTROLLER
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, joint_words
 from freecad_fiveaxis.core.motion.joint_path import JointPath

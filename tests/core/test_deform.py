@@ -8,6 +8,7 @@ from functools import lru_cache
 import numpy as np
 import pytest
 from dome_passes import BOTH_WAYS, MACHINES, dome_passes, least_turn, parts
+from plain import build_settings
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
@@ -18,7 +19,6 @@ from freecad_fiveaxis.core.corrections.deform.drive import drive
 from freecad_fiveaxis.core.corrections.deform.meridian import angle_between
 from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine.kinematics import inverse_axis, joint_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.passes import axes_within_limits

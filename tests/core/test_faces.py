@@ -7,13 +7,13 @@ import json
 import numpy as np
 import pytest
 from gouge_examples import round_groove, step
+from plain import build_settings
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.collision.faces import facet_sags, facets_on
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 
 
 def floor(y0, y1, n=3, x0=-20.0, x1=20.0, z=0.0):
@@ -96,12 +96,12 @@ def test_only_the_faces_are_machined_and_the_wall_beside_them_is_still_kept_clea
 
 
 def test_on_the_command_line_and_in_job_files(files, capsys):
-    common = ["--machine", "trunnion_ac", "--cutter", "ball:8", "--stepover", "6", "--linearize", "on"]
+    common = ["--machine", "trunnion_ac", "--cutter", "ball:8", "--stepover", "6", "--passes", "planes"]
     out = str(files / "a.ngc")
     part, faces = str(files / "part.stl"), str(files / "floor.stl")
     assert main(["mill", part, *common, "--faces", faces, "-o", out]) == 0
     assert "lie on floor.stl and are machined" in " ".join(capsys.readouterr().out.split())
-    options = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 6, "linearize": "on", "faces": "floor.stl"}
+    options = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 6, "passes": "planes", "faces": "floor.stl"}
     (files / "job.json").write_text(json.dumps({"task": "mill", "source": "part.stl", "output": "b.ngc", **options}))
     assert main(["run", str(files / "job.json"), "--quiet"]) == 0
     assert (files / "a.ngc").read_bytes() == (files / "b.ngc").read_bytes()

@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from plain import build_settings
 from scipy.spatial import cKDTree
 from test_axis_field import stemmed
 from test_fewer_axes import table_a
@@ -17,7 +18,6 @@ from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.corrections.facets_with_axis import find_axis_field, select_facets
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import save_machine
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.report.figures import summary

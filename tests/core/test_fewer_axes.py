@@ -12,14 +12,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 from mesh_shapes import field
+from plain import build_settings
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError, MachineError, ReachError, SettingsError
 from freecad_fiveaxis.core.calibration.calibration import prove as prove_signs
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs import job, settings
+from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis
 from freecad_fiveaxis.core.jobs.outputs import write_outputs
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import Axis, Machine, SafeStart, fitted_columns, load_machine, save_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, inverse, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
@@ -265,6 +266,21 @@ def test_the_dome_is_milled_with_the_tool_along_z(parts, files):
 def test_what_needs_a_leaning_tool_is_refused_with_the_remedy(parts, files, options, told):
     with pytest.raises(SettingsError, match=told):
         job.run(build_settings("mill", str(parts / "dome.stl"), {"machine": str(files / "three.fcm"), **options}))
+
+
+@pytest.mark.parametrize(("name", "strategy"), [("three", "fixed"), ("table_a", "facet_mean"), ("trunnion_ac", "auto")])
+def test_a_tool_axis_that_is_not_named_is_one_that_the_machine_can_follow(name, strategy, files):
+    machine = load_machine(name if name == "trunnion_ac" else files / f"{name}.fcm")
+    open_, named = (settings.build_settings("mill", "a.stl", {"machine": "x", **given}) for given in ({}, {"tool_axis": "auto"}))
+    assert suit_tool_axis(open_, machine).tool_axis.tool_axis == strategy
+    assert suit_tool_axis(named, machine) == named
+
+
+def test_by_default_the_dome_is_milled_by_three_axes(parts, files):
+    given = {"machine": str(files / "three.fcm"), "stepover": 5, "spindle": 9000}
+    made = job.make(settings.build_settings("mill", str(parts / "dome.stl"), given))
+    assert (made.path.axis == (0.0, 0.0, 1.0)).all()
+    assert made.settings.tool_axis.tool_axis == "fixed" and made.settings.passes.passes == "scallop"
 
 
 def test_the_studies_that_make_no_sense_are_refused(files):

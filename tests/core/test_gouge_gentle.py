@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from gouge_examples import relief
 from mesh_shapes import field
+from plain import build_settings
 
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 
 TOLERANCE = 0.01
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "linearize": "on", "gouge": "lift", "tolerance": TOLERANCE}

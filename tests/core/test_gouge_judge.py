@@ -8,13 +8,13 @@ import gouge_judge
 import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, bowl_block, knob_in_corner, round_groove, step
+from plain import build_settings
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.collision import check_program
 from freecad_fiveaxis.core.geometry.mesh import read_stl
 from freecad_fiveaxis.core.jobs import collision_avoidance, job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.tool import Cutter
 
 TOLERANCE = 0.01

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from gouge_examples import bowl, dense_points, prism, round_groove, sampled_depth, shelf, step
+from plain import build_settings
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
@@ -22,7 +23,7 @@ from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import read_stl
 from freecad_fiveaxis.core.jobs import collision_avoidance, job
 from freecad_fiveaxis.core.jobs.context import MillContext
-from freecad_fiveaxis.core.jobs.settings import build_settings, flat_options
+from freecad_fiveaxis.core.jobs.settings import flat_options
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import Body, body_of, frustum_piece, round_piece, way_out
 
@@ -397,7 +398,18 @@ def test_a_stack_that_cannot_be_read_is_refused(text):
 
 def test_the_command_line_tells_an_overcut_and_lifts_it(tmp_path, parts, capsys):
     common = ["mill", str(parts / "freeform_233.stl"), "--machine", "trunnion_ac", "--cutter", "ball:40", "--stepover", "6"]
-    common += ["--linearize", "on", "--holder", "63x40", "-o", str(tmp_path / "a.ngc"), "--report", str(tmp_path / "a.json")]
+    common += [
+        "--linearize",
+        "on",
+        "--passes",
+        "planes",
+        "--holder",
+        "63x40",
+        "-o",
+        str(tmp_path / "a.ngc"),
+        "--report",
+        str(tmp_path / "a.json"),
+    ]
     assert main([*common, "--gouge", "report"]) == 1
     told = json.loads((tmp_path / "a.json").read_text())
     assert "overcut" in {finding["code"] for finding in told["findings"]} and told["inputs"]["holder"] == "63x40"

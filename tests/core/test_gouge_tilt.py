@@ -4,6 +4,7 @@
 import numpy as np
 import pytest
 from gouge_examples import bowl, dense_points, sampled_depth, step
+from plain import build_settings
 from scipy.optimize import brentq
 from thorough import some_in_core
 
@@ -13,7 +14,6 @@ from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
 from freecad_fiveaxis.core.collision import check_motion, straight_motion
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.passes import axes_within_limits
 from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.tool.body import HOLDER

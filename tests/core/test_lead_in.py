@@ -8,6 +8,7 @@ import gouge_judge
 import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, knob_in_corner, prism, step
+from plain import build_settings
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
@@ -16,7 +17,6 @@ from freecad_fiveaxis.core.corrections.lead_in import LeadOptions, find_ends, le
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import write_stl
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.report.figures import summary
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of

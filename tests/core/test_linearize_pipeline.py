@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from plain import build_settings
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -18,7 +19,7 @@ from freecad_fiveaxis.core.base.progress import silent
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.jobs import options as asked
 from freecad_fiveaxis.core.jobs.safe_start import start_plane
-from freecad_fiveaxis.core.jobs.settings import build_settings, flat_options
+from freecad_fiveaxis.core.jobs.settings import flat_options
 from freecad_fiveaxis.core.machine.kinematics import forward, q_to_words, words_to_q
 from freecad_fiveaxis.core.motion.joint_path import solve
 from freecad_fiveaxis.core.motion.program import block_findings, build_program

@@ -17,6 +17,7 @@ sys.path.insert(0, str(STUDIES))
 import lin_ye_parts as parts  # noqa: E402
 import lin_ye_profiles as profiles  # noqa: E402
 import minimax_cases as cases  # noqa: E402
+from plain import build_settings  # noqa: E402
 from uncured import UNCURED  # noqa: E402
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError  # noqa: E402
@@ -29,7 +30,6 @@ from freecad_fiveaxis.core.corrections.minimax.rows import allowed, find_rows, r
 from freecad_fiveaxis.core.corrections.minimax.steps import through_pole  # noqa: E402
 from freecad_fiveaxis.core.corrections.minimax.sweep import cheapest  # noqa: E402
 from freecad_fiveaxis.core.jobs import job  # noqa: E402
-from freecad_fiveaxis.core.jobs.settings import build_settings  # noqa: E402
 from freecad_fiveaxis.core.machine import load_machine  # noqa: E402
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words, q_to_words  # noqa: E402
 from freecad_fiveaxis.core.motion.trajectory import tip_at  # noqa: E402

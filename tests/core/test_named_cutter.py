@@ -3,11 +3,11 @@
 
 import pytest
 from mesh_shapes import box
+from plain import build_settings
 
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter
 from freecad_fiveaxis.core.tool import parse_cutter
 

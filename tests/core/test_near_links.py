@@ -5,11 +5,11 @@ import gouge_judge
 import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, bowl_block, knob_in_corner, step
+from plain import build_settings
 
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.corrections import near_links
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.report.figures import summary
 
 PARTS = {

@@ -7,9 +7,9 @@ from itertools import permutations, product
 import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub
+from plain import build_settings
 
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.passes.piece_order import Tour, air, find_tour, order_pieces
 

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from plain import build_settings
 
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine, save_machine, shipped_machines
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc

@@ -43,6 +43,23 @@ def test_a_misspelt_option_gets_a_suggestion():
         mill(scalop="0.1")
 
 
+@pytest.mark.parametrize(
+    ("options", "passes", "tool_axis"),
+    [({}, "scallop", "auto"), ({"stepover": 1}, "scallop", "auto"), ({"lead": 5}, "scallop", "auto"),
+     ({"tool_axis": "minimax"}, "scallop", "minimax"), ({"direction": 0}, "planes", "facet_mean"),
+     ({"plane_normal": "0,1,1"}, "planes", "facet_mean"), ({"passes": "zlevel"}, "zlevel", "facet_mean"),
+     ({"passes": "planes", "tool_axis": "auto"}, "planes", "auto"), ({"direction": 0, "tool_axis": "auto"}, "planes", "auto"),
+     ({"direction": 0, "passes": "scallop"}, "scallop", "auto"), ({"cutter": "taperball:4:5deg"}, "scallop", "auto"),
+     ({"cutter": "bull:10:2"}, "scallop", "facet_mean"), ({"cutter": "flat:6", "tool_axis": "auto"}, "scallop", "auto")],
+)  # fmt: skip
+def test_strategies_that_are_not_named_are_chosen_by_what_is_asked(options, passes, tool_axis):
+    settings = mill(**options)
+    assert (settings.passes.passes, settings.tool_axis.tool_axis) == (passes, tool_axis)
+    flat = flat_options(settings)
+    assert (flat["passes"], flat["tool_axis"]) == (passes, tool_axis)
+    assert settings.explicit == {"machine", *options}
+
+
 def test_an_option_of_another_task_is_refused():
     with pytest.raises(SettingsError, match="unknown option 'scallop' for audit"):
         build_settings("audit", "a.ngc", {"machine": "trunnion_ac", "scallop": 1})

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from plain import build_settings
 from setup_examples import CENTRE, cap, milled, posting
 from thorough import some_in_core
 from uncured import UNCURED
@@ -15,7 +16,6 @@ from uncured import UNCURED
 from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words
 from freecad_fiveaxis.core.motion.deviation import measure, quick_bound

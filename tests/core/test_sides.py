@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from gouge_examples import prism
 from mesh_shapes import box, sphere
+from plain import build_settings
 from test_verdict import filleted
 from thorough import some_in_core
 
@@ -14,7 +15,6 @@ from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.collision import find_rest_material, program_motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.tool.body import body_of
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from mesh_shapes import box
+from plain import build_settings
 from scipy.spatial import cKDTree
 from thorough import some_in_core
 
@@ -13,7 +14,6 @@ from freecad_fiveaxis.core.cl.apt import write_apt
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import driving, job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, joint_words, lift_of, raised, words_to_q
 from freecad_fiveaxis.core.report import as_html, as_text, blocks_csv, draw, spot, summary

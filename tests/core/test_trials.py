@@ -6,17 +6,17 @@ import os
 import re
 
 import pytest
+from plain import build_settings
 from setup_examples import cap, milled
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.core.cl.apt import write_apt
 from freecad_fiveaxis.core.geometry.mesh import write_stl
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.studies import study as trials
 
-QUICK = ("--stepover", "12")
+QUICK = ("--stepover", "12", "--passes", "planes")
 SMALL = ("--grid", "2,2,1", "--region", "100,100,0")
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import gouge_judge
 import numpy as np
 import pytest
+from plain import build_settings
 from thorough import some_in_core
 from underside_parts import PARTS
 
@@ -17,7 +18,6 @@ from freecad_fiveaxis.core.cl.cl_path import Motion, cl_path, keepout
 from freecad_fiveaxis.core.collision.check import GOUGES
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.options import tip_to_driven, tool_body
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.motion.joint_path import rewind
 from freecad_fiveaxis.core.passes import facets_within_limits
 from freecad_fiveaxis.core.tool import Cutter

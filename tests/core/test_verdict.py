@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from gouge_examples import dense_points, prism, round_groove, sampled_depth, step
+from plain import build_settings
 from report_examples import TRUNNION, by_hand, empty, figures_of, table2
 from uncured import UNCURED
 
@@ -18,7 +19,6 @@ from freecad_fiveaxis.core.cl.coedge import trimming
 from freecad_fiveaxis.core.collision import Entries, GougeCheck, program_motion
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.report import Light, as_html, as_json, as_text, html_page, summary, verdict
 from freecad_fiveaxis.core.tool.body import body_of
 

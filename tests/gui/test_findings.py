@@ -107,7 +107,14 @@ def test_where_the_tool_enters_the_part_is_listed_with_its_place(doc, pump, scre
     ball = doc.addObject("Part::Sphere", "Dome")
     ball.Radius, ball.Angle1 = 20, 0
     doc.recompute()
-    given = {"machine": "trunnion_ac", "cutter": "bull:6:1.5:6", "lead": 60, "stepover": 12, "linear_deflection": 0.3}
+    given = {
+        "machine": "trunnion_ac",
+        "cutter": "bull:6:1.5:6",
+        "lead": 60,
+        "passes": "planes",
+        "stepover": 12,
+        "linear_deflection": 0.3,
+    }
     path = app.create_toolpath(doc, ball, **given, holder="100x25", gouge="report")
     findings_panel.show(path)
     panel = findings_panel._docks["panel"]

@@ -202,7 +202,7 @@ def test_what_is_shared_can_be_edited_again_where_calculate_takes_the_setup_back
 def test_a_side_that_is_not_machined_is_marked_with_its_area(doc, block, until, monkeypatch, screenshot):
     shown, show = [], on_screen.Labels.show
     monkeypatch.setattr(on_screen.Labels, "show", lambda self, labels: shown.append(labels) or show(self, labels))
-    path = app.create_toolpath(doc, block, cutter="ball:8:40", stepover=3.0, gouge="off", linear_deflection=0.3)
+    path = app.create_toolpath(doc, block, cutter="ball:8:40", stepover=3.0, passes="planes", gouge="off", linear_deflection=0.3)
     made = app.annotate(path)
     until(lambda: shown and len(shown[-1]) > 1, 20000, "the labels drawn")
     sides = [at for at, kind in enumerate(made.Kinds) if kind == "side-not-machined"]

@@ -118,7 +118,7 @@ def dome(doc):
 @pytest.fixture
 def path(dome, pump):
     """A path over it, of a few thousand blocks."""
-    made = app.create_toolpath(dome.Document, dome, machine="trunnion_ac", stepover=2)
+    made = app.create_toolpath(dome.Document, dome, machine="trunnion_ac", passes="planes", stepover=2)
     pump(500)
     return made
 
@@ -134,9 +134,11 @@ def test_work_in_the_windows_own_thread_would_be_noticed(window, stopped):
         stopped(in_window)
 
 
-@pytest.mark.parametrize("tool_axis", ["minimax", "facet_mean"])
-def test_a_path_leaves_the_window_alive_and_esc_stops_it(path, stopped, tool_axis):
-    path.ToolAxis, path.Stepover = tool_axis, 0.3 if tool_axis == "minimax" else 0.01
+@pytest.mark.parametrize(
+    ("passes", "tool_axis", "stepover"), [("planes", "minimax", 0.3), ("planes", "facet_mean", 0.01), ("scallop", "auto", 0.3)]
+)
+def test_a_path_leaves_the_window_alive_and_esc_stops_it(path, stopped, passes, tool_axis, stepover):
+    path.PassStrategy, path.ToolAxis, path.Stepover = passes, tool_axis, stepover
     before = state(path.Document)
     gap, late = stopped(in_dialog(lambda: results.result_of(path)))
     assert gap <= LONGEST and late <= LATEST and state(path.Document) == before

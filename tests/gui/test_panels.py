@@ -257,12 +257,30 @@ def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made
     until(lambda: not error.isVisible() and panel.options.options()["cutter"] == "flat:6.0:30.0", 20000, "nothing wrong")
 
 
+def test_the_tool_axis_follows_cutter_and_passes_until_another_is_chosen(panel, field, choose, until):
+    stands = lambda: panel.options.options()["tool_axis"]  # noqa: E731
+    assert (panel.options.options()["passes"], stands()) == ("scallop", "auto")
+    for name, choice, usual in (
+        ("cutter_kind", "bull nose mill", "facet_mean"),
+        ("cutter_kind", "ball end mill", "auto"),
+        ("passes", "parallel planes", "facet_mean"),
+        ("passes", "Scallop", "auto"),
+        ("tool_axis", "least deviation (minimax)", "minimax"),
+        ("cutter_kind", "flat end mill", "minimax"),
+    ):
+        choose(field(name), choice)
+        until(lambda: stands() == usual, 20000, f"{usual} after {choice}")  # noqa: B023
+    panel.reject()
+
+
 def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_line(panel, doc, field, choose, type_into, panel_button,
                                                                                   modal, screenshot, pump, tmp_path,
                                                                                    until, panel_closed):  # fmt: skip
     from test_clicks import command_line
 
     choose(field("cutter_kind"), "bull nose mill")
+    choose(field("passes"), "parallel planes")
+    choose(field("tool_axis"), "surface normal")
     type_into(field("cutter_corner"), "1.5 mm")
     type_into(field("stepover"), "12 mm")
     type_into(field("lead"), "60 deg")

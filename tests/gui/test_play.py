@@ -25,7 +25,7 @@ def toolpath(doc, **more):
     from freecad_fiveaxis import app
 
     given = {"machine": "trunnion_ac", "cutter": "ball:6:30", "stepover": 3.0, "linear_deflection": 0.1} | more
-    made = app.create_toolpath(doc, dome(doc), **given)
+    made = app.create_toolpath(doc, dome(doc), **{"passes": "planes", "tool_axis": "facet_mean", **given})
     doc.recompute()
     return made
 

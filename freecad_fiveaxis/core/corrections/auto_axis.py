@@ -34,6 +34,9 @@ from .facets_with_axis import AxisField
 CLOSE = 1e-6
 """Of a step: rows that much farther apart by rounding are not divided again."""
 
+FEW = 0.005
+"""Of all contacts: where so few have no free axis, those are single places in corners, and no reason to check the program."""
+
 MORE = 400
 """Contacts, at most, that become nodes because they are not free."""
 
@@ -209,7 +212,8 @@ def _findings(free: Ints, contacts: _Contacts) -> tuple[Finding, ...]:
         share=Number(100.0 * count / len(free), ".3g"),
         place=Point((x, y, z)),
     )
-    return (Finding(Severity.WARNING, "no-free-axis", text, float(count), 0.0, "", place=(x, y, z)),)
+    severity = Severity.NOTE if count <= FEW * len(free) else Severity.WARNING
+    return (Finding(severity, "no-free-axis", text, float(count), 0.0, "", place=(x, y, z)),)
 
 
 def report_no_way_out(path: OffsetPath, rows: Ints) -> tuple[Finding, ...]:

@@ -7,6 +7,8 @@ tool in one plane (or on one cone): what asks for other axes is named where it a
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import Choice, Option, say
 from freecad_fiveaxis.core.machine import Machine
@@ -14,6 +16,15 @@ from freecad_fiveaxis.core.machine import Machine
 from .settings import COMPARE, MILL, POST, PROVE, SETUP, Settings
 
 FIXED = "fixed"
+USUAL = {0: FIXED, 1: "facet_mean"}
+"""The tool-axis strategy of machines of so few rotary axes, where none is asked for."""
+
+
+def suit_tool_axis(settings: Settings, machine: Machine) -> Settings:
+    """The settings, with a tool axis that the machine can follow where they leave it open."""
+    if machine.rotaries not in USUAL or "tool_axis" in settings.explicit:
+        return settings
+    return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=USUAL[machine.rotaries]))
 
 
 def refuse_what_needs_more_axes(settings: Settings, machine: Machine) -> None:

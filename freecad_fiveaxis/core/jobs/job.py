@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.collision import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.collision.faces import facets_on
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation import Deviation, measure, measure_above, without_guided
 from freecad_fiveaxis.core.motion.singularity import find_singular
@@ -45,6 +45,7 @@ from .collision_avoidance import (
 )
 from .context import JobContext
 from .driving import drive, posted
+from .fewer_axes import suit_tool_axis
 from .made import Made, Milled, Posted, Result
 from .milling import mill, mill_context
 from .options import cl_reading, driven_to_surface, machine_of, post_options, title_of, tool_body, with_cutter, with_head
@@ -61,6 +62,7 @@ def run(settings: Settings, progress: Progress = silent) -> Result:
 def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None) -> Made:
     """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name;
     ``faces`` (f,): the facets of it that are to be cut, None: all. Raises FiveAxisError for input that cannot be used."""
+    settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     machine, kinematics, dialect = machine_of(settings)
     if settings.task in (MILL, POST):
         dialect = _told(settings, machine, dialect)

@@ -26,6 +26,7 @@ from freecad_fiveaxis.core.corrections.auto_axis import (
 )
 from freecad_fiveaxis.core.corrections.axis_corrections import AXIS_CORRECTIONS
 from freecad_fiveaxis.core.corrections.facets_with_axis import AxisField, find_axis_field, select_facets
+from freecad_fiveaxis.core.corrections.free_turns import divide_blocked_turns, find_blocked_turns
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -114,7 +115,7 @@ def oriented(context: MillContext, offset: OffsetPath) -> tuple[OffsetPath, Floa
     """The rows that can be cut and the strategy's tool axes (n, 3) there, and what there is to say of the others."""
     settings, found = context.settings, tuple[Finding, ...]()
     axis = tool_axes(offset, settings.tool_axis.tool_axis, axis_options(settings))
-    if context.field is not None:
+    if context.field is not None and len(axis):
         offset, axis, found = free_rows(context, context.field, offset, axis)
     return *feasible_rows(offset, axis, context.kinematics, settings.cutter.cutter.taper), found
 
@@ -126,9 +127,12 @@ def free_rows(
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
     offset, axis = divided(offset, axis, cutter.radius, cutter.ring)
-    axis, free, found = auto_axes(offset, axis, field, context.mesh, reacher, axis_options(settings), context.progress)
+    stand, mesh, progress = axis_options(settings), context.mesh, context.progress
+    axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress)
+    offset, axis, free, _ = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
-    offset = break_polylines(offset, ~turns_within_limits(context.kinematics, axis[:-1], axis[1:]))
+    blocked = find_blocked_turns(offset, axis, mesh, reacher, progress)[1:]
+    offset = break_polylines(offset, blocked | ~turns_within_limits(context.kinematics, axis[:-1], axis[1:]))
     rows = select_rows_with_way_out(free, offset.polyline)
     found += report_no_way_out(offset, rows)
     offset, axis, free = _keep_rows(offset, axis, free, rows)

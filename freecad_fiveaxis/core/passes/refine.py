@@ -56,9 +56,11 @@ class Copy:
 
 
 def _longer(contact: ContactPath, short: float) -> ContactPath:
-    """The polylines that are not shorter than ``short`` mm."""
+    """The polylines that are not shorter than ``short`` mm; all of a part so small that there are none."""
     segment = np.linalg.norm(contact.point[1::2] - contact.point[::2], axis=1)
     rows = np.flatnonzero((np.bincount(contact.polyline[::2], segment) >= short)[contact.polyline])
+    if not len(rows):
+        return contact
     columns = {name: getattr(contact, name)[rows] for name in ("point", "normal", "face", "coedge", "pass_")}
     polyline = np.unique(contact.polyline[rows], return_inverse=True)[1].astype(np.int64)
     return replace(contact, **columns, segment=np.arange(len(rows)) >> 1, polyline=polyline)

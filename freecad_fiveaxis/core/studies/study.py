@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined,
 from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.jobs.fewer_axes import what_needs_more_axes
+from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis, what_needs_more_axes
 from freecad_fiveaxis.core.jobs.job import chosen_faces, make
 from freecad_fiveaxis.core.jobs.made import Milled, Posted
 from freecad_fiveaxis.core.jobs.options import IN_TABLE, clamped, driven_to_surface, stood, title_of
@@ -121,7 +121,7 @@ def try_setups(
 
     Raises SettingsError for a region with nothing to choose from, and for one that leaves every limit.
     """
-    job = _job_settings(settings)
+    job = suit_tool_axis(_job_settings(settings), load_machine(settings.machine.machine))
     machine, base, dialect = clamped(replace(job, task=SETUP))  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
@@ -146,8 +146,9 @@ def try_machines(
     names, wanted = settings.compare.machines, known_cures(settings.compare.cures)
     if not names:
         raise SettingsError(say("there are no machines to compare; name at least one"), names)
-    each_settings = [_job_settings(settings, name) for name in names]
     machines = [load_machine(name) for name in names]
+    suited = suit_tool_axis(settings, max(machines, key=lambda machine: machine.rotaries))
+    each_settings = [_job_settings(suited, name) for name in names]
     stands = [stood(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
     refused = [what_needs_more_axes(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
     made = _made_for_first(each_settings, refused, progress, mesh, faces)

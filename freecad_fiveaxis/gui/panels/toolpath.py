@@ -31,6 +31,8 @@ class ToolpathPanel(PathPanel):
 
     def __init__(self, doc: Any, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
         self.base, self.faces, self.shown = base, faces, obj is not None
+        self.asked: dict[str, Any] = {}
+        self.usual: str | None = None
         meshed = _tessellation(obj) is None if obj else is_mesh(base)
         self.setup = SetupField(doc)
         extras = [self.setup, *self._extras(not meshed)]
@@ -79,6 +81,7 @@ class ToolpathPanel(PathPanel):
         return PanelWidget(title, head, self.options.widget)
 
     def _edited(self) -> None:
+        self._follow_tool_axis()
         super()._edited()
         self.scale_offer.show_for(None if self.stale else self.obj)
 
@@ -113,6 +116,17 @@ class ToolpathPanel(PathPanel):
         """Show these values, above them those of the setup."""
         super().fill(values)
         self._take_setup()
+
+    def _follow_tool_axis(self) -> None:
+        """Show the tool axis that is usual for machine, cutter and passes, as long as nobody has chosen another one."""
+        said = self.options.options()
+        asked = {name: said[name] for name in ("machine", "cutter", "passes") if name in said}
+        if asked == self.asked:
+            return
+        self.asked, before, now = asked, self.usual, _usual_tool_axis(asked)
+        self.usual = now or before
+        if now and now != before and said.get("tool_axis") == before:
+            self.options.show_options({"tool_axis": now})
 
     @staticmethod
     def _extras(tessellated: bool) -> list[Any]:
@@ -151,8 +165,22 @@ def create(base: Any, faces: tuple[str, ...] = (), settings: Mapping[str, Any] |
     panel = ToolpathPanel(base.Document, base, faces)
     meshing = {"linear_deflection": LINEAR, "angular_deflection": ANGULAR}
     setup = {"setup": job_setup.only_setup(base.Document)}
-    panel.fill(changes.default_options("mill") | preferred() | meshing | setup | dict(settings or {}))
+    values = changes.default_options("mill") | preferred() | meshing | setup | dict(settings or {})
+    machine = setup["setup"].Machine if setup["setup"] is not None else values["machine"]
+    usual = _usual_tool_axis({"machine": machine, "cutter": values["cutter"], "passes": values["passes"]})
+    panel.fill(values | {"tool_axis": dict(settings or {}).get("tool_axis") or usual or values["tool_axis"]})
     return show(panel)
+
+
+def _usual_tool_axis(asked: Mapping[str, Any]) -> str | None:
+    """The tool axis that the core chooses for these options; None where it cannot use them, which the form says."""
+    from freecad_fiveaxis.app.toolpath import with_strategies
+    from freecad_fiveaxis.core.base.errors import FiveAxisError
+
+    try:
+        return str(with_strategies(asked)["tool_axis"])
+    except FiveAxisError:
+        return None
 
 
 def preferred() -> dict[str, Any]:

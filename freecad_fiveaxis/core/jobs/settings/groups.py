@@ -67,7 +67,7 @@ def option(
 class PassSettings:
     """Where the passes lie (planes: Lin & Ye, II.B and C)."""
 
-    passes: str = option("planes", "text", "pass strategy (see `strategies`)")
+    passes: str = option("scallop", "text", "pass strategy (see `strategies`); planes if a direction or a plane normal is given")
     plane_normal: Vector | None = option(
         None, "vector", "I,J,K across the planes [upright, along the direction]", least=-LONGEST, most=LONGEST
     )
@@ -117,7 +117,7 @@ class CutterSettings:
 class ToolAxisSettings:
     """How the tool stands at each contact."""
 
-    tool_axis: str = option("facet_mean", "text", "tool-axis strategy (see `strategies`)")
+    tool_axis: str = option("auto", "text", "tool-axis strategy (see `strategies`); facet_mean for planes and what is no ball")
     axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of the strategy `fixed`, tip to holder", least=-LONGEST, most=LONGEST)
     lead: float = option(0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 3, most=math.pi / 3)
     tilt: float = option(0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 3, most=math.pi / 3)

@@ -52,6 +52,8 @@ from .groups import (
 
 SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""
+OF_PLANES = ("direction", "plane_normal")
+"""Options that mean nothing to any other passes."""
 
 
 def flat_name(name: str) -> str:
@@ -134,8 +136,22 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
     return settings
 
 
+def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
+    """The pass strategy and the tool axis chosen by the other options, where they are not ``given``.
+
+    Whoever asks for what only planes have gets planes; and planes, level ones too, stand as in Lin & Ye, on the normals. So do
+    cutters without a ball end: their passes are as far apart as the cutter's bottom is wide there, which a leaned one is not.
+    """
+    if "passes" not in given and any(name in given for name in OF_PLANES):
+        settings = replace(settings, passes=replace(settings.passes, passes="planes"))
+    if "tool_axis" not in given and (settings.passes.passes != "scallop" or settings.cutter.cutter.ring > 0.0):
+        settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis="facet_mean"))
+    return settings
+
+
 def _with_defaults(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """What was not asked for, where its default depends on what was: a guided tip is not divided, no part is not looked at."""
+    settings = _with_strategies(settings, given)
     if settings.head.rtcp != "off" and "linearize" not in given:
         settings = replace(settings, cure=replace(settings.cure, linearize="off"))
     if settings.task == AUDIT and "gouge" not in given and not is_part(settings.audit.against or ""):

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Between two free contacts the tool turns: what it meets there, against dense samples of the turn, and what `auto` makes of it."""
+
+import numpy as np
+import pytest
+from gouge_examples import prism
+from mesh_shapes import box
+from plain import PLAIN
+
+from freecad_fiveaxis.core.collision.obstacles import Reacher
+from freecad_fiveaxis.core.corrections import free_turns
+from freecad_fiveaxis.core.corrections.free_turns import find_blocked_turns
+from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.jobs import job, milling
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.tool import Cutter
+
+STEP = [(0, 0), (40, 0), (40, 40), (20, 40), (20, 10), (0, 10)]
+LEAN = np.radians(50.0)
+BAR = np.array([[-1.0, -6.0, 30.0], [1.0, 6.0, 34.0]])  # low and high corner, mm
+
+
+def made_on(mesh, up, **options):
+    faces = (mesh.normal[:, 2] > 0.9) & (mesh.vertex[mesh.face][..., 2].max(axis=1) <= up)
+    given = {"machine": "trunnion_ac", "stepover": 2, "clearance": 10, **options}
+    return job.make(build_settings("mill", "part", given), mesh=mesh, faces=faces)
+
+
+def distance_to_bar(point):
+    return np.linalg.norm(point - np.clip(point, *BAR), axis=-1)
+
+
+def test_a_turn_through_a_bar_over_a_floor_is_found_and_one_beside_it_is_not():
+    mesh = from_triangles(np.concatenate([box((-20, -20, -5), (20, 20, 0)), box(*BAR)]))
+    path = made_on(mesh, 0.0, **PLAIN, gouge="off", direction=0, linearize="off").offset
+    side = np.where(np.arange(len(path.point)) % 2 == 0, 1.0, -1.0)
+    axis = np.column_stack([side * np.sin(LEAN), np.zeros(len(side)), np.full(len(side), np.cos(LEAN))])
+    found = find_blocked_turns(path, axis, mesh, Reacher(Cutter(4.0, 60.0)))
+
+    share, up = np.linspace(0.0, 1.0, 400), np.linspace(0.0, 58.0, 400)
+    for row in range(1, len(axis)):
+        if path.polyline[row] != path.polyline[row - 1]:
+            assert not found[row]
+            continue
+        centre = path.centre[row - 1] + share[:, None] * (path.centre[row] - path.centre[row - 1])
+        lean = LEAN * side[row - 1] * (1.0 - 2.0 * share)
+        turned = np.column_stack([np.sin(lean), np.zeros(len(lean)), np.cos(lean)])
+        least = distance_to_bar(centre[:, None] + up[None, :, None] * turned[:, None]).min()
+        if abs(least - 2.0) > 0.3:  # the samples of the turn are 5 deg apart
+            assert found[row] == (least < 2.0), (row, least)
+    assert found.any() and not found[1:][np.diff(path.polyline) == 0].all()
+
+
+def test_small_turns_and_ends_of_polylines_are_not_asked():
+    mesh = from_triangles(box((-20, -20, -5), (20, 20, 0)))
+    path = made_on(mesh, 0.0, **PLAIN, gouge="off").offset
+    assert not find_blocked_turns(path, np.tile([0.0, 0.0, 1.0], (len(path.point), 1)), mesh, Reacher(Cutter(4.0))).any()
+
+
+@pytest.mark.parametrize("asked", [pytest.param(True), pytest.param(False, marks=pytest.mark.thorough)])
+def test_a_short_tool_does_not_turn_its_holder_through_the_part(asked, monkeypatch):
+    if not asked:
+        monkeypatch.setattr(milling, "find_blocked_turns", lambda path, axis, *_: np.zeros(len(axis), bool))
+        monkeypatch.setattr(free_turns, "find_blocked_turns", lambda path, axis, *_: np.zeros(len(axis), bool))
+    result = job.prove(made_on(prism(STEP, length=30.0), 40.0, cutter="ball:6:12", holder="40x30", gouge="report", stepover=6))
+    met = [one.code for one in result.findings if one.code in ("holder-collision", "overcut")]
+    assert (not met) == asked, met
