@@ -33,7 +33,7 @@ class LeftPicture:
     def __init__(self, vobj: Any) -> None:
         self.vobj, self.obj = vobj, vobj.Object
         self.origin, self.surface, self.labels, self.legend = coin.SoTranslation(), nodes.separate(), Labels(), LegendBox()
-        self.root = nodes.separate(self.origin, self.surface, self.labels.root, self.legend.root)
+        self.root = nodes.separate(self.origin, self.surface, self.legend.root, self.labels.root)
         self.heights: left.Heights | None = None
         self.scale: HeightScale | None = None
         self.failed = self.warned = ""

@@ -23,7 +23,7 @@ class SetupPicture:
     def __init__(self, vobj: Any) -> None:
         self.vobj, self.obj = vobj, vobj.Object
         self.points, self.labels, self.legend = nodes.separate(), Labels(), LegendBox()
-        self.root = nodes.separate(self.points, self.labels.root, self.legend.root)
+        self.root = nodes.separate(self.points, self.legend.root, self.labels.root)
 
     def refresh(self) -> None:
         """Draw the map as it is now."""

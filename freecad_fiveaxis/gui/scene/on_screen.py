@@ -3,6 +3,8 @@
 
 Whatever is hidden, deleted or in another document is not drawn, so it takes no room: legends close up and come back by
 themselves. A label stands beside its place with a line to it; where there is no room, the less important labels are left out.
+Legends come first: they ask only where other legends are, and labels go out of their way. A label could else push a legend to the
+other edge, under FreeCAD's panel, and keep it there.
 
 All of it is drawn over everything else, cannot be picked, and is not part of the scene's box.
 """
@@ -34,12 +36,13 @@ class Label(NamedTuple):
 
 
 class _View:
-    """The boxes (n, 4) pixels that stand in a view, by who drew them: in this frame, and in the one before. ``ended``: what is
-    drawn over everything else is being drawn, so all have their places."""
+    """The boxes (n, 4) pixels that stand in a view, by who drew them: in this frame, and in the one before. ``legends``: which of
+    these are no labels. ``ended``: what is drawn over everything else is being drawn, so all have their places."""
 
     def __init__(self) -> None:
         self.boxes: dict[int, np.ndarray] = {}
         self.before: dict[int, np.ndarray] = {}
+        self.legends: set[int] = set()
         self.ended = False
 
     def begin(self) -> None:
@@ -48,8 +51,10 @@ class _View:
             self.before, self.boxes, self.ended = self.boxes, {}, False
 
     def taken(self, item: int) -> np.ndarray:
-        """What others have taken in this frame."""
-        return np.concatenate([layout.NONE, *(boxes for other, boxes in self.boxes.items() if other != item)])
+        """What others have taken in this frame; for a legend what other legends have."""
+        others = self.boxes.keys() - {item}
+        asked = others & self.legends if item in self.legends else others
+        return np.concatenate([layout.NONE, *(boxes for other, boxes in self.boxes.items() if other in asked)])
 
     def later(self, item: int) -> np.ndarray:
         """What stood in the frame before and may come again after the item."""
@@ -68,7 +73,9 @@ def _view_of(action: Any) -> _View:
 
 
 class _Overlay:
-    """Nodes that are placed in pixels when a frame begins; ``root`` goes into the scene."""
+    """Nodes that are placed in pixels when a frame begins; ``root`` goes into the scene. ``FIRST``: before all labels."""
+
+    FIRST = False
 
     def __init__(self) -> None:
         self.camera, self.shown = coin.SoOrthographicCamera(), _moved()
@@ -93,6 +100,7 @@ class _Overlay:
         self.camera.height, self.camera.aspectRatio = float(size[1]), size[0] / max(size[1], 1)
         view = _view_of(action)
         view.begin()
+        (view.legends.add if self.FIRST else view.legends.discard)(id(self))
         view.boxes[id(self)] = self.arrange(action, size, view.taken(id(self)), view.later(id(self)))
 
     def arrange(self, action: Any, size: tuple[int, int], taken: np.ndarray, later: np.ndarray) -> np.ndarray:
@@ -129,6 +137,8 @@ def _aim(_data: Any, action: Any) -> None:
 
 class LegendBox(_Overlay):
     """A legend, or none; beside those of other objects in the same view."""
+
+    FIRST = True
 
     def __init__(self) -> None:
         super().__init__()

@@ -16,7 +16,7 @@ from . import colours, nodes
 from .marks import NOTHING, Marks, largest_colour
 from .on_screen import Labels, LegendBox
 
-PARTS = ("strokes", "rapids", "axes", "curves", "marks", "label", "legend")
+PARTS = ("strokes", "rapids", "axes", "curves", "marks", "legend", "label")
 """What can be switched on and off by itself, in the order in which it is drawn."""
 RAPID_COLOUR, AXIS_COLOUR = (0.55, 0.57, 0.6), (0.68, 0.86, 1.0)
 CHORD_COLOUR, FOOT_SHADE = (1.0, 1.0, 1.0), 0.2
