@@ -33,6 +33,7 @@ from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter, named_cutte
 from freecad_fiveaxis.core.nc.reader import Assumed, dialect_of_text, read_nc
 from freecad_fiveaxis.core.passes import find_pass_strategy
 from freecad_fiveaxis.core.report import Figures, judge
+from freecad_fiveaxis.core.report.contacts import Contacts, contacts_of
 
 from .collision_avoidance import (
     allowed,
@@ -48,7 +49,17 @@ from .driving import drive, posted
 from .fewer_axes import suit_tool_axis
 from .made import Made, Milled, Posted, Result
 from .milling import mill, mill_context
-from .options import cl_reading, driven_to_surface, machine_of, post_options, title_of, tool_body, with_cutter, with_head
+from .options import (
+    cl_reading,
+    driven_to_hub,
+    driven_to_surface,
+    machine_of,
+    post_options,
+    title_of,
+    tool_body,
+    with_cutter,
+    with_head,
+)
 from .part_size import unit_suspected
 from .safe_start import started
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
@@ -196,6 +207,15 @@ def rest_material_of(made: Milled, progress: Progress = silent) -> RestMaterial:
     return find_left(made.context(progress), made.program)
 
 
+def _contacts(made: Milled) -> Contacts | None:
+    """Where the ball touches the part; None for any other cutter."""
+    cutter, offset, mesh = made.settings.cutter.cutter, made.offset, made.mesh
+    if cutter.ring > 0.0:
+        return None
+    corner = mesh.vertex[mesh.face[offset.face]]
+    return contacts_of(offset.centre, offset.normal, made.axis, corner, cutter.corner, driven_to_hub(made.settings))
+
+
 def figures(result: Result) -> Figures:
     """What the report is made from."""
     made = result.made
@@ -207,4 +227,5 @@ def figures(result: Result) -> Figures:
         allowed=allowed(made.settings, made.mesh, made.keep) if result.left and isinstance(made, Milled) else 0.0,
         mesh=made.mesh if isinstance(made, Milled) else None,
         unfinished=unfinished_share(result.findings, made.mesh, made.keep) if isinstance(made, Milled) else 0.0,
+        contacts=_contacts(made) if isinstance(made, Milled) else None,
     )  # fmt: skip

@@ -2,7 +2,7 @@
 """The arrays that a 3D view draws, and the numbers behind one block that somebody points at.
 
 stroke  a straight line of the picture: the chord of a feed block, or of several neighbouring ones where a program has more
-        than STROKES; it has the deviation of the worst of its blocks.
+        than STROKES; it has the deviation of the worst of its blocks. Of a ball that leans it joins the contacts: what is cut.
 level   the deviation on a logarithmic scale about the tolerance: 0.5 is the tolerance, 0 a hundredth of it, 1 a hundred
         times it; what lies beyond is at the end of the scale.
 curve   the way that the judged point, the tip or a ball's centre, really takes in a block, beside its own chord; spoke: from
@@ -51,9 +51,9 @@ class Drawing:
     """What a view shows of a program.
 
     ``stroke`` (2k, 3): start and end of every stroke in turn; ``block`` (k,) the worst of its blocks, ``deviation`` (k,) mm
-    and ``level`` (k,) of that. ``rapid`` (2r, 3): strokes along the real way of the rapids. ``foot``, ``axis`` (a, 3): tip
-    and unit axis of the tools drawn, which stand ``axis_length`` mm high. ``curve`` (w CURVE_POINTS, 3), ``chord`` (2w, 3) and
-    ``spoke`` (2w, 3) of the worst blocks ``worst`` (w,). ``low``, ``high`` (3,) the box of the feed blocks.
+    and ``level`` (k,) of that. ``rapid`` (2r, 3): strokes along the real way of the rapids. ``foot``, ``axis`` (a, 3): tip (or
+    contact) and unit axis of the tools drawn, which stand ``axis_length`` mm high. ``curve`` (w CURVE_POINTS, 3), ``chord``
+    (2w, 3) and ``spoke`` (2w, 3) of the worst blocks ``worst`` (w,). ``low``, ``high`` (3,) the box of the feed blocks.
     """
 
     tolerance: float
@@ -114,9 +114,10 @@ def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
     tool = _apart(figures.tip, figures.feeds, low, length)
     worst = figures.worst[figures.judged.segment[figures.worst] > 0.0]
     curve, spoke = _curves(figures, worst)
+    stroke = _paired(figures.drawn(start - 1), figures.drawn(end))
     return Drawing(
-        tolerance=figures.tolerance, stroke=_paired(figures.tip[start - 1], figures.tip[end]), block=block, deviation=deviation,
-        level=level_of(deviation, figures.tolerance), rapid=_rapids(figures), foot=figures.tip[tool], axis=figures.axis[tool],
+        tolerance=figures.tolerance, stroke=stroke, block=block, deviation=deviation,
+        level=level_of(deviation, figures.tolerance), rapid=_rapids(figures), foot=figures.drawn(tool), axis=figures.axis[tool],
         axis_length=1.5 * length, worst=worst, curve=curve.reshape(-1, 3), chord=curve[:, [0, -1]].reshape(-1, 3), spoke=spoke,
         low=low, high=high, markers=markers(figures),
     )  # fmt: skip

@@ -40,6 +40,7 @@ from freecad_fiveaxis.core.motion.singularity import Singularity
 
 from .audited import audit_rows, audited, worst_of
 from .block_table import letter_order
+from .contacts import Contacts
 from .part_facts import part_numbers
 
 WORST = 10
@@ -55,7 +56,7 @@ class Figures:
     ``deviation`` is that of the driven point, ``surface`` that of the point that makes the surface, where it is another one.
     ``audit`` where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
     ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
-    1, of the surface asked for that stays unfinished.
+    1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part.
     """
 
     title: str
@@ -75,6 +76,7 @@ class Figures:
     mesh: Mesh | None = None
     unfinished: float = 0.0
     surface: Deviation | None = None
+    contacts: Contacts | None = None
 
     @property
     def judged(self) -> Deviation:
@@ -102,6 +104,10 @@ class Figures:
     def axis(self) -> Floats:
         """The tool axis at each block's end (m, 3) unit, work frame."""
         return self._poses[1]
+
+    def drawn(self, rows: Ints) -> Floats:
+        """Where the blocks (k,) are drawn to end (k, 3) mm: a ball that leans at its contact, all else at the tip."""
+        return self.tip[rows] if self.contacts is None else self.contacts.touched(self.tip[rows], self.axis[rows])
 
     @cached_property
     def _poses(self) -> tuple[Floats, Floats]:

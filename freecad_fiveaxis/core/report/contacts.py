@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a ball touches the part, for the picture.
+
+The tip of a ball that leans stands beside its contact, the radius times the sine of the lean away: passes drawn through tips
+leave bare what is cut and cover what is not. A picture of what is cut is drawn through contacts.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.collision.deepest import nearest_on_facet
+
+LEAN = math.cos(math.radians(1.0))
+"""Axes that lean less from all normals are taken to stand on them: tip and contact are one."""
+NEAR = 4
+"""Contacts of the passes, the nearest ones, whose facets are tried."""
+FAR = 2.0
+"""Radii: farther from the part the ball touches nothing, and the tip is shown."""
+
+
+@dataclass(frozen=True, eq=False)
+class Contacts:
+    """The ball's centres (k, 3) mm along the passes, and the corners (k, 3, 3) mm of the facets that it touches there; its
+    ``radius`` mm, and how far ``above`` the driven point its centre stands along the axis, mm."""
+
+    centre: Floats
+    corner: Floats
+    radius: float
+    above: float
+
+    def __post_init__(self) -> None:
+        freeze(self, None, centre="f3")
+
+    def touched(self, driven: Floats, axis: Floats) -> Floats:
+        """Find the points (n, 3) mm of the ball that are nearest to the part, where it stands with ``driven`` (n, 3) mm and unit
+        ``axis`` (n, 3)."""
+        centre = driven + self.above * axis
+        _, near = cKDTree(self.centre).query(centre, k=np.arange(1, min(NEAR, len(self.centre)) + 1), workers=2)
+        least, way = np.full(len(centre), np.inf), np.zeros_like(centre)
+        for row in near.T:
+            towards = nearest_on_facet(self._corners(row), centre.T).T - centre
+            away = np.linalg.norm(towards, axis=1)
+            better = away < least
+            least[better], way[better] = away[better], towards[better]
+        off = (least > FAR * self.radius) | (least == 0.0)
+        length = np.where(off, 1.0, least)
+        return np.where(off[:, None], driven, centre + (self.radius / length)[:, None] * way)
+
+    def _corners(self, row: Ints) -> Floats:
+        return np.ascontiguousarray(self.corner[row].transpose(1, 2, 0))
+
+
+def contacts_of(centre: Floats, normal: Floats, axis: Floats, corner: Floats, radius: float, above: float) -> Contacts | None:
+    """The contacts of passes at which a ball's ``centre`` (k, 3) mm stood on unit normals (k, 3) with ``axis`` (k, 3); None where
+    the tool stands on all normals, so that tips show the same."""
+    if not len(centre) or float((normal * axis).sum(axis=1).min()) >= LEAN:
+        return None
+    return Contacts(centre, corner, radius, above)
