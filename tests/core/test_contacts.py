@@ -7,12 +7,13 @@ from underside_parts import PARTS
 
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.collision.deepest import nearest_on_facet
+from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.report import draw
 from freecad_fiveaxis.core.report.contacts import contacts_of
 
-FLOOR = np.array([[(-50.0, -50.0, 0.0), (50.0, -50.0, 0.0), (0.0, 80.0, 0.0)]])
+FLOOR = from_triangles(np.array([[(-50.0, -50.0, 0.0), (50.0, -50.0, 0.0), (0.0, 80.0, 0.0)]]))
 
 
 def leaning(degrees):
@@ -23,17 +24,18 @@ def leaning(degrees):
 def test_on_a_floor_the_contact_is_below_the_centre_whatever_the_lean():
     axis = leaning([-60, -20, 20, 40, 60])
     centre = np.column_stack([np.linspace(-10.0, 10.0, 5), np.zeros(5), np.full(5, 3.0)])
-    known = contacts_of(centre, np.tile([0.0, 0.0, 1.0], (5, 1)), axis, np.repeat(FLOOR, 5, axis=0), 3.0, 3.0)
+    known = contacts_of(centre, np.tile([0.0, 0.0, 1.0], (5, 1)), axis, np.zeros(5, int), FLOOR, 3.0, 3.0)
     tip = centre - 3.0 * axis
     np.testing.assert_allclose(known.touched(tip, axis), centre - (0.0, 0.0, 3.0), atol=1e-12)
     up = np.array([0.0, 0.0, 1.0])
     np.testing.assert_allclose(known.touched(tip + up, axis), centre - 2.0 * up, atol=1e-12)  # lifted, as it is
     assert (known.touched(tip + 50.0 * up, axis) == tip + 50.0 * up).all(), "far away it touches nothing"
+    assert known.touched(tip[:0], axis[:0]).shape == (0, 3)
 
 
 def test_a_tool_on_the_normals_has_tips_for_contacts():
     up = np.tile([0.0, 0.0, 1.0], (4, 1))
-    assert contacts_of(3.0 * up, up, up, np.repeat(FLOOR, 4, axis=0), 3.0, 3.0) is None
+    assert contacts_of(3.0 * up, up, up, np.zeros(4, int), FLOOR, 3.0, 3.0) is None
 
 
 def off_the_part(point, mesh):

@@ -209,11 +209,11 @@ def rest_material_of(made: Milled, progress: Progress = silent) -> RestMaterial:
 
 def _contacts(made: Milled) -> Contacts | None:
     """Where the ball touches the part; None for any other cutter."""
-    cutter, offset, mesh = made.settings.cutter.cutter, made.offset, made.mesh
+    cutter, offset = made.settings.cutter.cutter, made.offset
     if cutter.ring > 0.0:
         return None
-    corner = mesh.vertex[mesh.face[offset.face]]
-    return contacts_of(offset.centre, offset.normal, made.axis, corner, cutter.corner, driven_to_hub(made.settings))
+    above = driven_to_hub(made.settings)
+    return contacts_of(offset.centre, offset.normal, made.axis, offset.face, made.mesh, cutter.corner, above)
 
 
 def figures(result: Result) -> Figures:
