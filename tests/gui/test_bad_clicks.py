@@ -31,7 +31,7 @@ def planned(box, doc):
     """A tool path over the box."""
     from freecad_fiveaxis import app
 
-    return app.create_toolpath(doc, box, machine="trunnion_ac", stepover=4)
+    return app.create_toolpath(doc, box, passes="planes", machine="trunnion_ac", stepover=4)
 
 
 def state(doc):

@@ -63,11 +63,14 @@ def shown(pixels, screenshot, view_box):
 
 @pytest.fixture
 def plan(press, panel_button, panel_closed, field, choose, type_into, until, click):
-    """plan(doc, stepover): press Toolpath, fill the panel, calculate, accept; the new Toolpath object."""
+    """plan(doc, stepover, passes): press Toolpath, fill the panel, calculate, accept; the new Toolpath object. ``passes`` None: as
+    the panel has them."""
 
-    def make(doc, stepover="1.5 mm", tolerance="0.05 mm"):
+    def make(doc, stepover="1.5 mm", tolerance="0.05 mm", passes="parallel planes"):
         before = {obj.Name for obj in doc.Objects}
         press("FiveAxis_Toolpath")
+        if passes:
+            choose(field("passes"), passes)
         choose(field("spacing_kind"), "Stepover")
         type_into(field("stepover"), stepover)
         type_into(field("tolerance"), tolerance)
@@ -120,7 +123,7 @@ def test_a_solid_made_by_clicks_gets_passes_markers_nc_and_play(window, dome, do
     until(lambda: len(names(doc)) == 2, 20000, "done again")
 
     tree_row("Dome")
-    path = plan(doc)
+    path = plan(doc, passes=None)
     assert path.Passes > 8
     assert path.Blocks > 100
     assert path.SingularBlocks > 0

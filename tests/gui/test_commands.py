@@ -16,7 +16,7 @@ from freecad_fiveaxis.gui import commands, selected
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
 
 ROOT = Path(__file__).parents[2]
-COARSE = {"cutter": "ball:6", "stepover": 6.0, "linear_deflection": 0.5, "angular_deflection": 45.0}
+COARSE = {"passes": "planes", "cutter": "ball:6", "stepover": 6.0, "linear_deflection": 0.5, "angular_deflection": 45.0}
 
 pytestmark = pytest.mark.usefixtures("kept")
 

@@ -24,7 +24,7 @@ def path(doc, pump):
     ball.Radius, ball.Angle1 = 20, 0
     doc.recompute()
     look(doc)
-    made = app.create_toolpath(doc, ball, machine="trunnion_ac", stepover=8, linear_deflection=0.1)
+    made = app.create_toolpath(doc, ball, passes="planes", machine="trunnion_ac", stepover=8, linear_deflection=0.1)
     pump(500)
     return made
 

@@ -126,7 +126,9 @@ def shown_of(*names):
 
 def test_an_audit_is_compared_with_a_cl_path_or_a_part(dome, doc, press, field, choose, type_into, click, until, panel_button,
                                                        screenshot, tmp_path, pump, panel_closed):  # fmt: skip
-    path = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=4, linearize="on", tolerance=0.01, lead=20)
+    path = app.create_toolpath(
+        doc, dome, passes="planes", machine="trunnion_ac", stepover=4, linearize="on", tolerance=0.01, lead=20
+    )
     files = {name: str(tmp_path / name) for name in ("a.ngc", "a.apt", "a.stl")}
     app.post_process(path, files["a.ngc"])
     app.tessellate(dome, files["a.stl"])
@@ -156,7 +158,9 @@ def test_an_audit_is_compared_with_a_cl_path_or_a_part(dome, doc, press, field, 
 
 
 def test_a_path_with_a_wish_that_its_controller_lacks_opens_and_is_mended(dome, doc, pump):
-    path = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=8, controller="linuxcnc", rtcp="angles")
+    path = app.create_toolpath(
+        doc, dome, passes="planes", machine="trunnion_ac", stepover=8, controller="linuxcnc", rtcp="angles"
+    )
     path.Controller = "grbl"
     panel = toolpath.edit(path)
     pump(200)
@@ -169,7 +173,9 @@ def test_a_path_with_a_wish_that_its_controller_lacks_opens_and_is_mended(dome, 
 
 
 def test_play_claims_nothing_of_guided_blocks(dome, doc, press, tree_row, window, pump, screenshot, until):
-    path = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=8, controller="siemens840d", rtcp="angles")
+    path = app.create_toolpath(
+        doc, dome, passes="planes", machine="trunnion_ac", stepover=8, controller="siemens840d", rtcp="angles"
+    )
     tree_row(path.Label)
     press("FiveAxis_Play", 800)
     panel = until(lambda: window.findChild(QtWidgets.QWidget, "FiveAxisPlay"), 20000, "the player")

@@ -12,7 +12,7 @@ from freecad_fiveaxis.gui import commands, comparison_table, failures, findings_
 from freecad_fiveaxis.gui.panels import toolpath, work_panel
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
-COARSE = {"cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
+COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.gui.panels import audit, path_panel, post, recover, toolpath
 from freecad_fiveaxis.gui.scene import on_screen
 
-COARSE = {"cutter": "ball:6:30", "stepover": 6.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
+COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 6.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ from conftest import QtWidgets
 from freecad_fiveaxis import app
 from freecad_fiveaxis.gui.panels import toolpath
 
-COARSE = {"cutter": "ball:6:30", "stepover": 6.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
+COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 6.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
 
 
 @pytest.fixture

@@ -173,7 +173,7 @@ def coarse(window):
     doc = FreeCAD.newDocument()
     part = doc.addObject("Part::Feature", "Pegs")
     part.Shape = plate(14)
-    app.create_toolpath(doc, part, stepover=6, linear_deflection=0.5, angular_deflection=90, gouge="off")
+    app.create_toolpath(doc, part, passes="planes", stepover=6, linear_deflection=0.5, angular_deflection=90, gouge="off")
     assert len(part.Shape.Faces) > 2500
     name = doc.Name
     yield doc

@@ -7,7 +7,7 @@ from conftest import QtWidgets
 
 from freecad_fiveaxis.gui.panels import toolpath
 
-COARSE = {"cutter": "ball:6:30", "stepover": 6.0}
+COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 6.0}
 
 
 @pytest.fixture

@@ -251,24 +251,24 @@ def test_a_legend_that_is_hidden_gives_its_room_to_the_others_in_the_next_frame(
     view.redraw()
 
 
-def test_a_legend_comes_to_the_left_whatever_label_stands_there_and_the_label_goes(dome, scene, until):
+def test_a_legend_comes_to_the_left_whatever_labels_stand_there_and_they_go(dome, scene, until):
     """At the other edge it would lie under the panel of FreeCAD 1.0 and later."""
     label, legend, ball = on_screen.Labels(), on_screen.LegendBox(), nodes.coin.SoSphere()
     ball.radius = 20.0
-    label.show([on_screen.Label((-42.0, 5.0, 0.0), "A label near the left edge", BAD)])
+    label.show([on_screen.Label((-42.0, y, 0.0), "A label near the left edge", BAD) for y in (-16.0, -8.0, 0.0, 8.0, 16.0)])
     legend.show(words.legend_of("Path", dome, LOOK, ""))
     switch = nodes.switch(legend.root)
     nodes.turn(switch, False)
     view = scene(nodes.separate(ball, label.root, switch))
-    until(lambda: len(standing(label)), 20000, "the label")
+    until(lambda: len(standing(label)) == 5, 20000, "the labels")
     before = standing(label).copy()
     nodes.turn(switch, True)
     until(lambda: len(legend.box), 20000, "the legend")
     left, _, _, top = legend.box[0]
     assert (left, top) == (layout.EDGE, view.getSize()[1] - layout.EDGE)
-    assert overlapping(np.concatenate([before, legend.box])), "the label stood elsewhere: nothing is shown"
+    assert overlapping(np.concatenate([before, legend.box])), "the labels stood elsewhere: nothing is shown"
     view.redraw()
-    until(lambda: not overlapping(np.concatenate([standing(label), legend.box])), 20000, "the label beside it")
+    until(lambda: not overlapping(np.concatenate([standing(label), legend.box])), 20000, "the labels beside it")
 
 
 def test_an_idle_view_is_not_drawn_again_and_again_because_labels_find_their_places(dome, scene, pump, until):

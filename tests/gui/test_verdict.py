@@ -11,7 +11,7 @@ from freecad_fiveaxis.gui import findings_panel, verdict_label
 from freecad_fiveaxis.gui.panels import audit, post, summary, toolpath, written
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
-COARSE = {"cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
+COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
 UNSAFE = {"linearize": "off", "gouge": "off"}
 
 pytestmark = pytest.mark.usefixtures("kept")

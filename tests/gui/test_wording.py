@@ -72,7 +72,7 @@ def test_settings_choices_and_tasks_are_named_as_in_the_german_window(german):
 
 
 def test_the_document_holds_what_is_shown(german, doc, dome, unit):
-    path = app.create_toolpath(doc, dome, stepover=8.0, tolerance=0.05)
+    path = app.create_toolpath(doc, dome, passes="planes", stepover=8.0, tolerance=0.05)
     doc.recompute()
     head = path.Verdict.split(":")[0]
     assert head in {translate(CONTEXT, text) for text in ("SAFE", "CHECK", "NOT SAFE")} - {"SAFE", "CHECK", "NOT SAFE"}

@@ -21,7 +21,7 @@ from freecad_fiveaxis.gui.panels import prove_signs
 ROOT = Path(__file__).resolve().parents[2]
 SLID = 1000
 """ms after which FreeCAD 1.1 has slid its task panel in, where no view was open before."""
-FAST = {"machine": "trunnion_ac", "stepover": 8, "linear_deflection": 0.1, "origin": (10, -5, 20)}
+FAST = {"passes": "planes", "machine": "trunnion_ac", "stepover": 8, "linear_deflection": 0.1, "origin": (10, -5, 20)}
 
 
 @pytest.fixture
@@ -250,7 +250,7 @@ def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc
     box = doc.addObject("Part::Box", "Box")
     box.Length, box.Width, box.Height = 40, 30, 12
     doc.recompute()
-    path = app.create_toolpath(doc, box, machine="trunnion_bc", stepover=8, work_zero=(10, 5, 0), tool=4)
+    path = app.create_toolpath(doc, box, passes="planes", machine="trunnion_bc", stepover=8, work_zero=(10, 5, 0), tool=4)
     path.ViewObject.hide()
     look(doc)
     press("FiveAxis_ProveSigns", SLID)
