@@ -2,7 +2,7 @@
 """Where a ball that leans touches the part: what the picture shows."""
 
 import numpy as np
-import pytest
+from thorough import some_in_core
 from underside_parts import PARTS
 
 from freecad_fiveaxis.core.cl.cl_path import Motion
@@ -48,7 +48,7 @@ def off_the_part(point, mesh):
     return np.min(every, axis=0)
 
 
-@pytest.mark.parametrize("control_point", ["tip", "centre"])
+@some_in_core("control_point", ["tip", "centre"], kept=(0,))
 def test_strokes_of_a_free_axis_lie_on_the_part_where_tips_do_not(control_point):
     options = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "stepover": 3, "control_point": control_point}
     mesh = PARTS["tee"]()

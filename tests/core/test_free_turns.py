@@ -62,6 +62,6 @@ def test_a_short_tool_does_not_turn_its_holder_through_the_part(asked, monkeypat
     if not asked:
         monkeypatch.setattr(milling, "find_blocked_turns", lambda path, axis, *_: np.zeros(len(axis), bool))
         monkeypatch.setattr(free_turns, "find_blocked_turns", lambda path, axis, *_: np.zeros(len(axis), bool))
-    result = job.prove(made_on(prism(STEP, length=30.0), 40.0, cutter="ball:6:12", holder="40x30", gouge="report", stepover=6))
+    result = job.prove(made_on(prism(STEP, length=14.0), 40.0, cutter="ball:6:12", holder="40x30", gouge="report", stepover=6))
     met = [one.code for one in result.findings if one.code in ("holder-collision", "overcut")]
     assert (not met) == asked, met
