@@ -11,7 +11,7 @@ from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.corrections import free_turns
 from freecad_fiveaxis.core.corrections.free_turns import find_blocked_turns
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job, milling
+from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.tool import Cutter
 
@@ -60,7 +60,6 @@ def test_small_turns_and_ends_of_polylines_are_not_asked():
 @pytest.mark.parametrize("asked", [pytest.param(True), pytest.param(False, marks=pytest.mark.thorough)])
 def test_a_short_tool_does_not_turn_its_holder_through_the_part(asked, monkeypatch):
     if not asked:
-        monkeypatch.setattr(milling, "find_blocked_turns", lambda path, axis, *_: np.zeros(len(axis), bool))
         monkeypatch.setattr(free_turns, "find_blocked_turns", lambda path, axis, *_: np.zeros(len(axis), bool))
     result = job.prove(made_on(prism(STEP, length=14.0), 40.0, cutter="ball:6:12", holder="40x30", gouge="report", stepover=6))
     met = [one.code for one in result.findings if one.code in ("holder-collision", "overcut")]

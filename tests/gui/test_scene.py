@@ -255,7 +255,7 @@ def test_a_legend_comes_to_the_left_whatever_labels_stand_there_and_they_go(dome
     """At the other edge it would lie under the panel of FreeCAD 1.0 and later."""
     label, legend, ball = on_screen.Labels(), on_screen.LegendBox(), nodes.coin.SoSphere()
     ball.radius = 20.0
-    label.show([on_screen.Label((-42.0, y, 0.0), "A label near the left edge", BAD) for y in (-16.0, -8.0, 0.0, 8.0, 16.0)])
+    label.show([on_screen.Label((-42.0, y, 0.0), "A label near the left edge", BAD) for y in (-4.0, -2.0, 0.0, 2.0, 4.0)])
     legend.show(words.legend_of("Path", dome, LOOK, ""))
     switch = nodes.switch(legend.root)
     nodes.turn(switch, False)
@@ -267,7 +267,6 @@ def test_a_legend_comes_to_the_left_whatever_labels_stand_there_and_they_go(dome
     left, _, _, top = legend.box[0]
     assert (left, top) == (layout.EDGE, view.getSize()[1] - layout.EDGE)
     assert overlapping(np.concatenate([before, legend.box])), "the labels stood elsewhere: nothing is shown"
-    view.redraw()
     until(lambda: not overlapping(np.concatenate([standing(label), legend.box])), 20000, "the labels beside it")
 
 

@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.corrections.auto_axis import (
 )
 from freecad_fiveaxis.core.corrections.axis_corrections import AXIS_CORRECTIONS
 from freecad_fiveaxis.core.corrections.facets_with_axis import AxisField, find_axis_field, select_facets
-from freecad_fiveaxis.core.corrections.free_turns import divide_blocked_turns, find_blocked_turns
+from freecad_fiveaxis.core.corrections.free_turns import divide_blocked_turns
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -129,10 +129,10 @@ def free_rows(
     offset, axis = divided(offset, axis, cutter.radius, cutter.ring)
     stand, mesh, progress = axis_options(settings), context.mesh, context.progress
     axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress)
-    offset, axis, free, _ = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)
+    offset, axis, free, blocked = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)
+    offset = break_polylines(offset, blocked[1:])
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
-    blocked = find_blocked_turns(offset, axis, mesh, reacher, progress)[1:]
-    offset = break_polylines(offset, blocked | ~turns_within_limits(context.kinematics, axis[:-1], axis[1:]))
+    offset = break_polylines(offset, ~turns_within_limits(context.kinematics, axis[:-1], axis[1:]))
     rows = select_rows_with_way_out(free, offset.polyline)
     found += report_no_way_out(offset, rows)
     offset, axis, free = _keep_rows(offset, axis, free, rows)

@@ -18,6 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from pivy import coin
 
+from freecad_fiveaxis.gui import qt
+
 from . import layout, nodes
 from .overlay import INK, PAPER, Legend, image, label_picture, legend_picture
 
@@ -160,12 +162,14 @@ class LegendBox(_Overlay):
 
     def arrange(self, action: Any, size: tuple[int, int], taken: np.ndarray, later: np.ndarray) -> np.ndarray:
         """The legend's box; none where there is no room for it."""
-        corner = layout.legend_place(self.size, size, taken) if self.size[0] else None
+        before, corner = self.box, layout.legend_place(self.size, size, taken) if self.size[0] else None
         nodes.turn(self.switch, corner is not None)
         self.box = layout.NONE
         if corner is not None:
             self.corner.translation.setValue(*corner, 0.0)
             self.box = np.array([[*corner, corner[0] + self.size[0], corner[1] + self.size[1]]])
+        if not np.array_equal(self.box, before):  # labels know of it in the next frame, which nobody else may ask for
+            qt.later(self.root.touch)
         return self.box
 
 
