@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
+from .at_pole import take_pole
 from .axis_field import Nodes, are_free, find_field, find_freedom, nearest_free, raised, with_margin, with_way_out
 from .facets_with_axis import AxisField
 
@@ -96,6 +97,13 @@ def auto_axes(
             free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
             axis, pulled = _pulled(field, contacts, axis, free != Free.NONE, tool, tree, progress)
             free[pulled & (free == Free.NONE)] = gained
+    if reacher.kinematics is not None and reacher.cutter.ring == 0.0:  # what is no ball cuts otherwise when it leans otherwise
+
+        def free_with(pole: Floats, near: Bools) -> Bools:
+            out = contacts.free(pole, near & (free == Free.WAY_OUT), long, tree, progress)
+            return out | contacts.free(pole, near & (free == Free.STANDING), reacher, tree, progress)
+
+        axis = take_pole(axis, contacts.contact, path.polyline, reacher.kinematics, free_with)
     if options.lead or options.tilt:
         for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
             axis = _leaned(path, contacts, axis, free == gained, tool, tree, options, progress)
