@@ -7,6 +7,7 @@ FN 9 to FN 12            IF +Q1 EQU +Q2 GOTO LBL 5: EQU, NE, GT, LT.
 CALL LBL 1               to LBL 0 and back; with REP 3 the section from LBL 1 to the call runs three times more.
 CYCL DEF 200, 203        with CYCL CALL or M99: down by Q202 at F Q206, between up to Q200 over the surface (FMAX) and down again
                          to Q200 over the depth reached, at last up to Q200 or Q204; 203 leaves the hole at Q208 (FMAX where 0).
+Q120, Q121, Q122         the axes' words for the last PLANE (:mod:`.plane_parameters`).
 
 One that was never set only the control knows. Sources: Heidenhain TNC 620 and TNC 640, Klartext Programming, Q parameters,
 subprograms and program section repeats. The moves of the cycles were written without their manual at hand: check them on the
@@ -25,10 +26,12 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.machine.kinematics import Chain
 
 from .expressions import DEEPEST as DEEPEST_BRACKETS
 from .expressions import NUMBER, Unread
 from .interpreter import BETWEEN, MOST, Refused, Written, deeper, endless, refusal_of
+from .plane_parameters import NAMES, READS, PlaneParameters
 
 MARK = re.compile(rb"\bFN *[0-9]+ *:|\bQ[LR]?[0-9]+ *=|\bCALL +LBL\b|[-+ ]Q[LR]?[0-9]|\bCYCL +CALL\b|M99")
 """What shows that a text has parameters, calls or cycles."""
@@ -76,16 +79,19 @@ def marked(text: bytes) -> bool:
     return bool(any(sign in text for sign in SIGNS) and MARK.search(text))
 
 
-def written_out(text: bytes, progress: Progress = silent) -> Written | Refused:
-    """The text, in capitals and without comments, as the control runs it. Raises ProgramError for what does not end."""
+def written_out(text: bytes, progress: Progress = silent, kinematics: Chain | None = None) -> Written | Refused:
+    """The text, in capitals and without comments, as the control of that machine runs it. Raises ProgramError for what does not
+    end."""
     if b"~" in text:
         text = CONTINUED.sub(_one_line, text)
     rows = text.decode("latin-1").split("\n")
-    run = Run(rows, progress)
+    planes = PlaneParameters(kinematics) if kinematics is not None and READS.search(text) else None
+    run = Run(rows, progress, planes)
     if refusal := refusal_of(run):
         return refusal
     source = np.array([0, *(at + 1 for at, _ in run.made)], np.int64)
-    return Written("\n".join(row for _, row in run.made).encode("latin-1"), source)
+    findings = tuple(planes.findings) if planes else ()
+    return Written("\n".join(row for _, row in run.made).encode("latin-1"), source, findings)
 
 
 def _one_line(found: re.Match[bytes]) -> bytes:
@@ -113,11 +119,13 @@ class Cycle:
 class Run:
     """One run over ``rows``: ``made`` (line, its text) so far, ``at`` the line that runs."""
 
-    def __init__(self, rows: list[str], progress: Progress) -> None:
+    def __init__(self, rows: list[str], progress: Progress, planes: PlaneParameters | None = None) -> None:
         self.rows, self.progress = [NUMBERED.sub("", row, count=1) for row in rows], progress
         self.lines = [row.replace(" ", "") for row in self.rows]
         self.labels = {found[1]: at for at, line in reversed([*enumerate(self.lines)]) if (found := LABEL.match(line))}
-        self.plain = [not ("Q" in line or "LBL" in line or "CYCL" in line or "M" in line) for line in self.lines]
+        words = ("Q", "LBL", "CYCL", "M", *(("PLANE",) if planes else ()))
+        self.plain = [not any(word in line for word in words) for line in self.lines]
+        self.planes = planes
         self.known: dict[str, float] = {}
         self.calls, self.repeats = list[Section](), dict[int, int]()
         self.cycle: Cycle | None = None
@@ -188,6 +196,8 @@ class Run:
             raise Unread(say("{rest} is not known here", rest=repr(line[:20])))
         row = self.rows[self.at]
         row = WORD.sub(self._word, row) if "Q" in line and not line.startswith(NO_WORDS) else row
+        if self.planes and line.startswith("PLANE"):
+            self.known.update(self.planes.tilt(row, self.at, self.made))
         called = CALLED.search(line) and line.startswith(("L", "C")) and self.cycle is not None
         self._put(CALLED.sub("   ", row) if called else row)
         if called:
@@ -207,6 +217,8 @@ class Run:
     def _known(self, name: str) -> float:
         if name not in self.known:
             raise Unread(say("{name} was never set", name=f"Q{name}"))
+        if self.planes and name in NAMES.values():
+            self.planes.note_read()
         return self.known[name]
 
     def _value(self, text: str) -> float:

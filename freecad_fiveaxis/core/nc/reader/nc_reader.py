@@ -48,6 +48,7 @@ from .findings import (
     wrap_findings,
 )
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
+from .of_machine import OfMachine
 from .planes import IN_PLANE, Planes, planes_of
 from .positions import (
     ABSOLUTE,
@@ -82,7 +83,7 @@ def read_nc(
     told = "iso" if dialect is None else dialect.language
     language = language_of(text, told)
     grammar = GRAMMARS[language]
-    words, lines, before = _words_and_lines(text, grammar, dialect, assumed, progress)
+    words, lines, before = _words_and_lines(text, grammar, dialect, assumed, progress, OfMachine(kinematics))
     findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
     mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)
@@ -132,11 +133,11 @@ def read_nc(
 
 
 def _words_and_lines(
-    text: bytes, grammar: Grammar, dialect: Dialect | None, assumed: Assumed, progress: Progress
+    text: bytes, grammar: Grammar, dialect: Dialect | None, assumed: Assumed, progress: Progress, of_machine: OfMachine
 ) -> tuple[Words, Lines, tuple[Finding, ...]]:
     """The words up to the program's end, loops and cycles written out; the same by lines; the findings."""
     controller = "" if dialect is None else dialect.name
-    words = read_words(text, grammar.name, controller, progress)
+    words = read_words(text, grammar.name, controller, progress, of_machine)
     progress("reading NC", 0.5)
     words, findings = up_to_end(words, grammar)
     words = without_dwells(words, grammar)

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
 from .noted import Notes
+from .of_machine import NO_MACHINE, OfMachine
 from .plane_calls import Tilt
 from .siemens_cycles import Drill
 
@@ -40,9 +41,9 @@ class Plain:
     drills: tuple[Drill, ...] = ()
 
 
-def plain_words(text: bytes, language: str, progress: Progress) -> Plain:
+def plain_words(text: bytes, language: str, progress: Progress, of_machine: OfMachine = NO_MACHINE) -> Plain:
     """A text in capitals, without comments. Raises ProgramError for what does not end."""
-    return _siemens(text, progress) if language == "siemens" else _heidenhain(text, progress)
+    return _siemens(text, progress) if language == "siemens" else _heidenhain(text, progress, of_machine)
 
 
 def _siemens(text: bytes, progress: Progress) -> Plain:
@@ -63,12 +64,12 @@ def _siemens(text: bytes, progress: Progress) -> Plain:
     return _told(text, siemens.plain(text, notes), notes, source, refused, first=True)
 
 
-def _heidenhain(text: bytes, progress: Progress) -> Plain:
+def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     source, refused, notes = None, list[Finding](), Notes()
     if heidenhain_run.marked(text):
-        run = heidenhain_run.written_out(text, progress)
+        run = heidenhain_run.written_out(text, progress, of_machine.kinematics)
         if isinstance(run, interpreter.Written):
-            text, source = run.text, run.source
+            text, source, refused = run.text, run.source, list(run.findings)
         else:
             refused = [not_run(run)]
     return _told(text, heidenhain.plain(text, notes), notes, source, refused)

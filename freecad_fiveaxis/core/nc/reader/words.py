@@ -30,6 +30,7 @@ from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, interpreter
 from .heidenhain import with_unit
+from .of_machine import NO_MACHINE, OfMachine
 from .plain_words import Plain, moved, not_run, plain_words
 from .plane_calls import Tilt
 from .siemens_cycles import Drill
@@ -130,10 +131,12 @@ def language_of(text: bytes, told: str) -> str:
     return "siemens" if told == "iso" and SIEMENS_SIGN.search(start) else told
 
 
-def read_words(text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent) -> Words:
+def read_words(
+    text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent, of_machine: OfMachine = NO_MACHINE
+) -> Words:
     """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC where there is none)
-    comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
-    text, findings, plain = _blanked(text, language, progress)
+    of that machine comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
+    text, findings, plain = _blanked(text, language, progress, of_machine)
     source, tilts, drills = plain.source, plain.tilts, plain.drills
     marks, fanuc = _marks(text, language), controller in FANUC
     made = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
@@ -160,7 +163,7 @@ def _words_of(text: bytes, source: Ints | None) -> Words:
     return Words(code[start].astype(np.int8), value, line, (), text, start, source)
 
 
-def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, list[Finding], Plain]:
+def _blanked(text: bytes, language: str, progress: Progress, of_machine: OfMachine) -> tuple[bytes, list[Finding], Plain]:
     """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over; what the text's own
     language brought."""
     text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
@@ -186,7 +189,7 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
         text = with_unit(whole, text)
     plain = Plain(text, None, (), ())
     if language != "iso":
-        plain = plain_words(text, language, progress)
+        plain = plain_words(text, language, progress, of_machine)
         text = plain.text
         findings += plain.findings
     if language == "iso" and (b"$" in text or b"M66" in text):
