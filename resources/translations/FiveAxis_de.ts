@@ -4872,6 +4872,14 @@
         <translation>keine Stellung liegt in den Grenzen der Drehachsen</translation>
     </message>
     <message>
+        <source>no_motion: {name} is no function that can be passed over; write one each as M202, G05 P10000, CYCL DEF 392 (300 to 399, 500 to 599) or FUNCTION NAME</source>
+        <translation>no_motion: {name} ist keine Funktion, die übergangen werden kann; jede für sich schreiben wie M202, G05 P10000, CYCL DEF 392 (300 bis 399, 500 bis 599) oder FUNCTION NAME</translation>
+    </message>
+    <message>
+        <source>no_motion: {name} moves the tool or ends a program; leave it out</source>
+        <translation>no_motion: {name} bewegt das Werkzeug oder beendet ein Programm; weglassen</translation>
+    </message>
+    <message>
         <source>none asked for</source>
         <translation>keine verlangt</translation>
     </message>
@@ -6176,6 +6184,10 @@
         <translation>{name} wird nicht ausgeschrieben, seine Bewegungen fehlen: {reason}. Berichtigen oder gerade Bewegungen ausgeben.</translation>
     </message>
     <message>
+        <source>{name} is passed over: the machine file says that it moves nothing (no_motion).</source>
+        <translation>{name} wird übergangen: Laut Maschinendatei bewegt es nichts (no_motion).</translation>
+    </message>
+    <message>
         <source>{name} is {value}; give a length above 0</source>
         <translation>{name} ist {value}; eine Länge über 0 angeben</translation>
     </message>
@@ -6250,6 +6262,10 @@
     <message>
         <source>{name}'s {switch} names the tool's length offset: give {tool}, its number</source>
         <translation>{switch} von {name} nennt den Längenversatz des Werkzeugs: {tool} angeben, seine Nummer</translation>
+    </message>
+    <message>
+        <source>{name}(...) stands in {count} lines and is not known; what it does is missing here. If it moves nothing, name it under no_motion in the machine file.</source>
+        <translation>{name}(...) steht in {count} Zeilen und ist nicht bekannt; was es tut, fehlt hier. Bewegt es nichts, in der Maschinendatei unter no_motion nennen.</translation>
     </message>
     <message>
         <source>{name}: the post has {value} (within {certainty}), {machine} has {given}, {apart} apart.{effect}</source>
@@ -6506,6 +6522,10 @@
     <message>
         <source>{value} are too steep for the largest axis angle and left out</source>
         <translation>{value} sind zu steil für den größten Achswinkel und ausgelassen</translation>
+    </message>
+    <message>
+        <source>{value} is no list of names; write ["M202", "CYCL DEF 392"]</source>
+        <translation>{value} ist keine Liste von Namen; schreiben: ["M202", "CYCL DEF 392"]</translation>
     </message>
     <message>
         <source>{value} is no name of a file: give a text or a path</source>

@@ -21,6 +21,7 @@ from .plane_calls import heidenhain as plane
 
 CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
 NUMBERED = re.compile(rb"^( *(?:/ *)?)([0-9]+)(?= *(?:[A-Z/]|$))", re.MULTILINE)
+CYCLE = re.compile(rb"\bCYCL +DEF(?=[0-9])")
 CODE_LINE = re.compile(rb"^ *(?:/ *)?(?!LN )([A-Z]{2,}[^\n]*)$", re.MULTILINE)
 OWN = re.compile(rb"(?:LN?|CC|CR?)(?= |[IXYZABCUVW][XYZABC]?[-+.0-9])|I[XYZABC](?= *[-+.0-9])|FMAX|R[LR]\b|[TN][XYZ] *[-+.0-9]")
 """How lines of words begin that are not lines of one function: they are words with numbers."""
@@ -133,7 +134,7 @@ def _centre(found: re.Match[bytes], notes: Notes) -> bytes:
 
 def _function(found: re.Match[bytes], notes: Notes) -> bytes:
     """What a line that begins with a word of letters means."""
-    line = b" ".join(found[1].split())
+    line = CYCLE.sub(b"CYCL DEF ", b" ".join(found[1].split()))
     before = found[0][: found.start(1) - found.start()]
     if OWN.match(line):
         return found[0]

@@ -83,7 +83,7 @@ def read_nc(
     told = "iso" if dialect is None else dialect.language
     language = language_of(text, told)
     grammar = GRAMMARS[language]
-    words, lines, before = _words_and_lines(text, grammar, dialect, assumed, progress, OfMachine(kinematics))
+    words, lines, before = _words_and_lines(text, grammar, dialect, assumed, progress, OfMachine(kinematics, assumed.no_motion))
     findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
     mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)

@@ -10,9 +10,11 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 
 @dataclass(frozen=True, eq=False)
 class OfMachine:
-    """``kinematics``: how its rotary axes take up a plane; None where no machine is known."""
+    """``kinematics``: how its rotary axes take up a plane; None where no machine is known. ``no_motion``: names of its functions
+    that move nothing."""
 
     kinematics: Chain | None = None
+    no_motion: tuple[str, ...] = ()
 
 
 NO_MACHINE = OfMachine()

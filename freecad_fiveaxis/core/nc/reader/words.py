@@ -30,6 +30,7 @@ from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, interpreter
 from .heidenhain import with_unit
+from .no_motion import pass_over
 from .of_machine import NO_MACHINE, OfMachine
 from .plain_words import Plain, moved, not_run, plain_words
 from .plane_calls import Tilt
@@ -187,6 +188,8 @@ def _blanked(text: bytes, language: str, progress: Progress, of_machine: OfMachi
     text = _between_marks(whole, findings)
     if language == "heidenhain":
         text = with_unit(whole, text)
+    text, passed = pass_over(text, language, of_machine.no_motion)
+    findings += passed
     plain = Plain(text, None, (), ())
     if language != "iso":
         plain = plain_words(text, language, progress, of_machine)
