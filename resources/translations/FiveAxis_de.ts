@@ -4016,6 +4016,10 @@
         <translation>X Y Z sind die Werkzeugspitzen des CL-Wegs, obwohl die Rundachsen drehen: das Programm überlässt die Drehpunkte der Steuerung (RTCP); ohne Werkzeugspitzenführung ausgeben</translation>
     </message>
     <message>
+        <source>X and Y are not told before it</source>
+        <translation>X und Y stehen nicht davor</translation>
+    </message>
+    <message>
         <source>X{x} Y{y} Z{z}</source>
         <translation>X{x} Y{y} Z{z}</translation>
     </message>
@@ -4106,6 +4110,10 @@
     <message>
         <source>a tilted plane ends with a shift in it, and moves follow; reset the shift first</source>
         <translation>eine geschwenkte Ebene endet mit einer Verschiebung darin, und Bewegungen folgen; zuerst die Verschiebung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>a tool unlike that of the control's table (DL, DR); the words are taken as they are, without the difference</source>
+        <translation>ein Werkzeug anders als in der Tabelle der Steuerung (DL, DR); die Wörter werden ohne den Unterschied genommen, wie sie sind</translation>
     </message>
     <message>
         <source>a value beyond all words</source>
@@ -4332,10 +4340,6 @@
         <translation>Fräser {text}: im Angebot sind nur {kinds}; schreiben wie {form}</translation>
     </message>
     <message>
-        <source>cycle {number} whose depth is not below 0, or whose infeed is not above it</source>
-        <translation>Zyklus {number}, dessen Tiefe nicht unter 0 oder dessen Zustellung nicht darüber liegt</translation>
-    </message>
-    <message>
         <source>cycle {number} with {name} above 0</source>
         <translation>Zyklus {number} mit {name} über 0</translation>
     </message>
@@ -4544,6 +4548,10 @@
         <translation>sein Q ergibt zu viele Zustellungen</translation>
     </message>
     <message>
+        <source>its depth is not below 0, or its infeed is not above it</source>
+        <translation>seine Tiefe ist nicht unter 0 oder seine Zustellung nicht darüber</translation>
+    </message>
+    <message>
         <source>its depth lies above R</source>
         <translation>seine Tiefe liegt über R</translation>
     </message>
@@ -4558,6 +4566,10 @@
     <message>
         <source>its pecks get smaller (I)</source>
         <translation>seine Zustellungen werden kleiner (I)</translation>
+    </message>
+    <message>
+        <source>its radius is that of the tool, which only the control knows; name it above TOOL CALL as ; DM=16</source>
+        <translation>sein Radius ist der des Werkzeugs, den nur die Steuerung kennt; über TOOL CALL nennen als ; DM=16</translation>
     </message>
     <message>
         <source>its repeats are no whole number from 0 on</source>
@@ -5024,6 +5036,10 @@
         <translation>Zeile {row} des CL-Wegs ist eine Vorschubbewegung mit dem Vorschub {value}; einen Vorschub über 0 angeben</translation>
     </message>
     <message>
+        <source>rows of the control's table, whose distance is not known; the blocks between are not right. Audit each part on its own</source>
+        <translation>Zeilen der Tabelle der Steuerung, deren Abstand nicht bekannt ist; die Sätze dazwischen stimmen nicht. Jeden Teil für sich prüfen</translation>
+    </message>
+    <message>
         <source>scallop and stepover exclude each other; give one of them</source>
         <translation>Kuppenhöhe und Zeilensprung schließen einander aus; eines davon angeben</translation>
     </message>
@@ -5272,6 +5288,10 @@
         <translation>die Spindel bleibt aus</translation>
     </message>
     <message>
+        <source>the spindle's speed is not told before it</source>
+        <translation>die Spindeldrehzahl steht nicht davor</translation>
+    </message>
+    <message>
         <source>the text cannot be shown: {strerror}</source>
         <translation>der Text kann nicht gezeigt werden: {strerror}</translation>
     </message>
@@ -5294,6 +5314,10 @@
     <message>
         <source>the tool is lifted out of the part by up to {value}, what it leaves stays uncut</source>
         <translation>das Werkzeug ist um bis zu {value} aus dem Werkstück gehoben, was es stehen lässt, bleibt ungefräst</translation>
+    </message>
+    <message>
+        <source>the tool is wider than the hole</source>
+        <translation>das Werkzeug ist breiter als die Bohrung</translation>
     </message>
     <message>
         <source>the tool stays out of the part</source>
@@ -5350,6 +5374,10 @@
     <message>
         <source>the work zero at X {x} Y {y} Z {z} of the machine</source>
         <translation>der Werkstücknullpunkt bei X {x} Y {y} Z {z} der Maschine</translation>
+    </message>
+    <message>
+        <source>the zero is that row of the control's table; the program is read as if the work zero stood there</source>
+        <translation>der Nullpunkt ist diese Zeile der Tabelle der Steuerung; das Programm wird gelesen, als stünde dort der Werkstücknullpunkt</translation>
     </message>
     <message>
         <source>the {all}</source>

@@ -61,7 +61,12 @@ FOREIGN = {
                    b"0 BEGIN PGM B MM\n1 CALL LBL 1\n2 L X+0 Y+0 Z+90 A+0 C+0 R0 FMAX\n3 PLANE SPATIAL SPA90 SPB0 SPC180 STAY SEQ- TABLE ROT\n"
                    b"4 L A+Q120 C+Q122 R0 FMAX M126\n5 L X1 Y2 Z3 F100\n6 M30\n7 LBL 1\n8 PLANE RESET STAY\n9 LBL 0\n10 END PGM B MM\n",
                    b"0 BEGIN PGM C MM\n1 L X+0 Y+0 Z+20 A+0 C+0 R0 FMAX\n2 CYCL DEF 392 ATC~\n  Q240=0 ;MODE~\n  Q241=1\n3 M202(0.0024)\n"
-                   b"4 CYCL DEF9.0 DWELL\n5 CYCL DEF9.1 DWELL2\n6 L X+1 F100\n7 END PGM C MM\n",),
+                   b"4 CYCL DEF9.0 DWELL\n5 CYCL DEF9.1 DWELL2\n6 L X+1 F100\n7 END PGM C MM\n",
+                   b"0 BEGIN PGM D MM\n1 ; / DM=6 CR=0\n2 TOOL CALL 5 Z S500 DL+0.1\n3 L X+0 Y+0 Z+20 A+0 C+0 R0 FMAX\n4 CYCL DEF 247 ~\n  Q339=+1\n"
+                   b"5 CYCL DEF 208 BORE ~\n Q200=2 ~\n Q201=-9 ~\n Q206=150 ~\n Q334=5 ~\n Q203=1 ~\n Q204=30 ~\n Q335=16 ~\n Q351=1\n6 L X+5 Y+6 FMAX M99\n"
+                   b"7 CYCL DEF 1.0 PECKING\n8 CYCL DEF 1.1 SET UP -2\n9 CYCL DEF 1.2 DEPTH -9\n10 CYCL DEF 1.3 PECKG -5\n11 CYCL DEF 1.5 F80\n12 CYCL CALL\n"
+                   b"13 CYCL DEF 207 TAP ~\n Q200=2 ~\n Q201=-9 ~\n Q203=1 ~\n Q239=1\n14 CYCL CALL\n15 CYCL DEF 241 LIP ~\n Q200=2 ~\n Q201=-9 ~\n Q203=1 ~\n Q206=9\n"
+                   b"16 CYCL CALL\n17 END PGM D MM\n",),
 }  # fmt: skip
 """Programs as other systems write them, by controller; some of it is refused by name."""
 

@@ -47,6 +47,7 @@ from .findings import (
     word_findings,
     wrap_findings,
 )
+from .heidenhain_cycles import diameters
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
 from .of_machine import OfMachine
 from .planes import IN_PLANE, Planes, planes_of
@@ -83,7 +84,9 @@ def read_nc(
     told = "iso" if dialect is None else dialect.language
     language = language_of(text, told)
     grammar = GRAMMARS[language]
-    words, lines, before = _words_and_lines(text, grammar, dialect, assumed, progress, OfMachine(kinematics, assumed.no_motion))
+    words, lines, before = _words_and_lines(
+        text, grammar, dialect, assumed, progress, OfMachine(kinematics, assumed.no_motion, diameters(text))
+    )
     findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
     mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from freecad_fiveaxis.core.machine.kinematics import Chain
 
@@ -11,10 +12,12 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 @dataclass(frozen=True, eq=False)
 class OfMachine:
     """``kinematics``: how its rotary axes take up a plane; None where no machine is known. ``no_motion``: names of its functions
-    that move nothing."""
+    that move nothing. ``diameters`` mm of the tools that a text names beside their calls, by the index of the line of the
+    call."""
 
     kinematics: Chain | None = None
     no_motion: tuple[str, ...] = ()
+    diameters: Mapping[int, float] = field(default_factory=dict)
 
 
 NO_MACHINE = OfMachine()

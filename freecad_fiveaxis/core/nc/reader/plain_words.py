@@ -67,7 +67,7 @@ def _siemens(text: bytes, progress: Progress) -> Plain:
 def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     source, refused, notes = None, list[Finding](), Notes()
     if heidenhain_run.marked(text):
-        run = heidenhain_run.written_out(text, progress, of_machine.kinematics)
+        run = heidenhain_run.written_out(text, progress, of_machine)
         if isinstance(run, interpreter.Written):
             text, source, refused = run.text, run.source, list(run.findings)
         else:
