@@ -3724,6 +3724,10 @@
         <translation>Die Datei wechselt das Werkzeug ({told}), das Programm nicht: Es fräst alles mit einem. Eine Datei je Werkzeug schreiben, oder eines wählen: {option}.</translation>
     </message>
     <message>
+        <source>The file ends in control characters; they are passed over.</source>
+        <translation>Die Datei endet mit Steuerzeichen; sie werden übergangen.</translation>
+    </message>
+    <message>
         <source>The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.</source>
         <translation>Das Grundsystem der Datei ist verschoben oder gedreht und wird nicht verwendet; die Achsen im System der Maschine selbst angeben.</translation>
     </message>
@@ -4086,6 +4090,10 @@
     <message>
         <source>a plane offset is {wrong}: give finite numbers</source>
         <translation>ein Ebenenabstand ist {wrong}: endliche Zahlen angeben</translation>
+    </message>
+    <message>
+        <source>a program's name where O takes a number</source>
+        <translation>ein Programmname, wo O eine Nummer nimmt</translation>
     </message>
     <message>
         <source>a setup map</source>
@@ -5200,6 +5208,10 @@
         <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
     </message>
     <message>
+        <source>the head of NX's listing</source>
+        <translation>der Kopf eines Protokolls von NX</translation>
+    </message>
+    <message>
         <source>the header announces {facets} facets, but the file holds {held}: it is cut off, damaged or no STL; export it again</source>
         <translation>der Kopf kündigt {facets} Facetten an, die Datei enthält {held}: sie ist abgeschnitten, beschädigt oder kein STL; neu exportieren</translation>
     </message>
@@ -5758,6 +5770,10 @@
     <message>
         <source>{count} feed blocks turn {letter} by nearly a whole turn, and all its words lie within one: they seem meant by the shorter way. If the control takes it, set wrap_strategy to modulo.</source>
         <translation>{count} Vorschubsätze drehen {letter} um fast eine ganze Umdrehung, und alle Wörter liegen innerhalb einer: gemeint ist wohl der kürzere Weg. Nimmt ihn die Steuerung, wrap_strategy auf modulo stellen.</translation>
+    </message>
+    <message>
+        <source>{count} lines begin with a colon without a number; the rest of them is read.</source>
+        <translation>{count} Zeilen beginnen mit einem Doppelpunkt ohne Nummer; ihr Rest wird gelesen.</translation>
     </message>
     <message>
         <source>{count} lines begin with a slash (block skip); they are read as if the switch were off.</source>
@@ -6470,6 +6486,10 @@
     <message>
         <source>{share} % of the surface that faces up stays unfinished</source>
         <translation>{share} % der nach oben gerichteten Fläche bleiben unbearbeitet</translation>
+    </message>
+    <message>
+        <source>{shown} is {what}, no NC line; it is passed over. A control may refuse it: delete it.</source>
+        <translation>{shown} ist {what}, keine NC-Zeile, und wird übergangen. Eine Steuerung kann es ablehnen: löschen.</translation>
     </message>
     <message>
         <source>{sides}; name another, or null for the base</source>

@@ -53,6 +53,8 @@ FOREIGN = {
     ),
     "fanuc": (b"%\nO1234 (PART)\nG90 G21 G17 G94\nG0 X0. Y0. Z20. A0. C0.\n#100=3\nWHILE[#100GT0]DO1\nG1 X#100 F200.\n#100=#100-1\nEND1\nG43.4 H1\n"
               b"G1 X5. A10. C20.\nG49\nG91 G28 Z0.\nM98 P2000\nM30\nO2000\nG90 G1 Y5.\nM99\n%\n",
+              b"============\nInformation listing created by : me\nNode name : a\n============\n%\nOFinal ToolPath\n: G17\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\n"
+              b"G1 X5. F100.\nM30\n%\n\x03",
               b"O1 (A)\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\nG05 P10000\nG1 X5. F100.\nG05 P0\nM30\n"),
     "siemens840d": (b"; PART\nG710 G90 G17\nR1=5 R2=R1+1\nTRAORI\nG0 X0 Y0 Z0 A=0 C=0\nG1 X=R1 Y=R2 A=DC(10) F100\nG1 X=IC(1) A3=0 B3=0.1 C3=0.99\nTRAFOOF\n"
                     b"CYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\nG2 X3 Y3 I1 J1\nM30\n",),

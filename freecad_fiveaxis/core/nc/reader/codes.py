@@ -121,9 +121,7 @@ UNKNOWN: Kind = (Severity.WARNING, "unknown-code", say("not known and not interp
 DELTA: Kind = (
     Severity.NOTE,
     "tool-delta",
-    say(
-        "a tool unlike that of the control's table (DL, DR); the words are taken as they are, without the difference"
-    ),
+    say("a tool unlike that of the control's table (DL, DR); the words are taken as they are, without the difference"),
 )
 PRESET: Kind = (
     Severity.NOTE,
