@@ -5644,6 +5644,10 @@
         <translation>{blocks} {letter} über die Grenze von {limit} hinaus: am weitesten NC-Zeile {line}, {letter}{word}, {beyond} zu weit; die erste ist NC-Zeile {first}. {help}, oder eine Maschine mit mehr Weg nehmen.</translation>
     </message>
     <message>
+        <source>{cause} What follows from it is not told one by one ({count} in all): {codes}.</source>
+        <translation>{cause} Was daraus folgt, wird nicht einzeln genannt (zusammen {count}): {codes}.</translation>
+    </message>
+    <message>
         <source>{change} {rate}, {turned}, {blocks}</source>
         <translation>{change} {rate}, {turned}, {blocks}</translation>
     </message>

@@ -187,5 +187,5 @@ def _note_function(line: bytes, at: int, notes: Notes) -> None:
         kind = codes.SPATIAL
     else:
         kind = next((kind for start, kind in KINDS if line.startswith(start)), codes.UNKNOWN)
-    name = b" ".join(line.split()[:3])
+    name = line[:2] if line.startswith((b"CP ", b"LP ")) else b" ".join(line.split()[:3])  # each has other numbers
     notes.note(kind, name.decode("latin-1"), at)

@@ -32,13 +32,15 @@ BEHIND_A_CALL = re.compile(b"[%c%c][0-9]+ +[0-9.]" % (ord(codes.PLANE), ord(code
 @dataclass(frozen=True)
 class Plain:
     """``text`` as plain words; ``source``: the lines of the file that its lines are, where it was run; ``findings``; ``tilts``:
-    the lines that begin or end a tilted plane; ``drills``: the calls of drilling cycles."""
+    the lines that begin or end a tilted plane; ``drills``: the calls of drilling cycles; ``cause``: of the findings why it was
+    not run."""
 
     text: bytes
     source: Ints | None
     findings: tuple[Finding, ...]
     tilts: tuple[Tilt, ...]
     drills: tuple[Drill, ...] = ()
+    cause: Finding | None = None
 
 
 def plain_words(text: bytes, language: str, progress: Progress, of_machine: OfMachine = NO_MACHINE) -> Plain:
@@ -65,14 +67,15 @@ def _siemens(text: bytes, progress: Progress) -> Plain:
 
 
 def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
-    source, refused, notes = None, list[Finding](), Notes()
+    source, refused, cause, notes = None, list[Finding](), None, Notes()
     if heidenhain_run.marked(text):
         run = heidenhain_run.written_out(text, progress, of_machine)
         if isinstance(run, interpreter.Written):
             text, source, refused = run.text, run.source, list(run.findings)
         else:
-            refused = [not_run(run)]
-    return _told(text, heidenhain.plain(text, notes), notes, source, refused)
+            cause = not_run(run)
+            refused = [cause]
+    return replace(_told(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
 
 
 def not_run(run: interpreter.Refused) -> Finding:

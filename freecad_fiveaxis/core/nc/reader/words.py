@@ -87,7 +87,8 @@ class Words:
     """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file; ``text``: what was left
     of the file when they were read, ``start`` (w,) where they stand in it without its blanks. ``source``: where lines of the file
     were written out as several, ``line`` counts those; ``source`` (lines + 1,) are the lines of the file that they come from.
-    ``tilts``, ``drills``: what the lines with the private words of a tilted plane and of a drilling cycle say."""
+    ``tilts``, ``drills``: what the lines with the private words of a tilted plane and of a drilling cycle say. ``cause``: of the
+    ``findings``, why it was not run."""
 
     letter: Bytes
     value: Floats
@@ -98,6 +99,7 @@ class Words:
     source: Ints | None = None
     tilts: tuple[Tilt, ...] = ()
     drills: tuple[Drill, ...] = ()
+    cause: Finding | None = None
 
     def place(self, word: int) -> str:
         """Where a word stands, as "line 3, column 7"."""
@@ -144,7 +146,7 @@ def read_words(
     words = _words_of(*made)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
-    return replace(words, findings=tuple(findings), tilts=tilts, drills=drills)
+    return replace(words, findings=tuple(findings), tilts=tilts, drills=drills, cause=plain.cause)
 
 
 def _words_of(text: bytes, source: Ints | None) -> Words:
