@@ -62,3 +62,9 @@ def test_din_iso_of_heidenhain_ends_with_its_name(controller: str) -> None:
     program = read(text, controller)
     assert path(program) == ["f 5 0 20"]
     assert ("other-language" in [one.code for one in program.findings]) == (controller != "heidenhain")
+
+
+@pytest.mark.parametrize("number", ["", "0 ", "1 ", "10 "])
+def test_klartext_shows_its_language_whatever_number_its_first_block_has(number: str) -> None:
+    program = read(f"{number}BEGIN PGM T MM\n; a note\nL X+0 Y+0 Z+20 A+0 C+0 R0 FMAX\nL X+5 F100\nEND PGM T MM\n", "linuxcnc")
+    assert path(program) == ["f 5 0 20"] and [one.code for one in program.findings] == ["other-language"]

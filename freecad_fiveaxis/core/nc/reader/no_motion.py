@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Functions that move nothing, passed over: a table of those that are met in programs, and a machine file's own.
 
-CYCL DEF 392     DMG's Application Tuning Cycle: weight and mode of the drives, no path. CYCL DEF 332: tuning, of other builders.
-M202(0.0024)     a tolerance of the path; the machine builder's.
+CYCL DEF 392     DMG's ATC: mode and weight for tuning the drives, as programs for its machines say beside Q240 and Q241.
+M202(0.0024)     a tolerance, the machine builder's. Neither was looked up in a manual of the builder.
 G05 P10000, P0   Fanuc's high precision contour control on and off (B-63324EN), in a line of its own: with other words G05 is
                  another function.
 
@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from .codes import UNKNOWN
 
 SHIPPED: dict[str, tuple[str, ...]] = {
-    "heidenhain": ("CYCL DEF 392", "CYCL DEF 332", "M202"),
+    "heidenhain": ("CYCL DEF 392", "M202"),
     "siemens": ("M202",),
     "iso": ("M202", "G05 P10000", "G05 P0"),
 }

@@ -74,7 +74,7 @@ MACROS = Template(
     "them. The first: {shown}."
 )
 NOT_CALLED = Template("Subprograms are not interpreted, because of this line: {reason}. Post one program without them.")
-HEIDENHAIN_SIGN = re.compile(rb"^ *(?:(?:0+ +)?BEGIN +PGM\b|%[^\n%]*? +G7[01] *\* *$)", re.MULTILINE | re.IGNORECASE)
+HEIDENHAIN_SIGN = re.compile(rb"^ *(?:(?:[0-9]+ +)?BEGIN +PGM\b|%[^\n%]*? +G7[01] *\* *$)", re.MULTILINE | re.IGNORECASE)
 SIEMENS_SIGN = re.compile(rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE)
 PREFACE = 3
 """Lines at the start of a file in which somebody may have written what the program is."""
