@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, facet_mean
 from freecad_fiveaxis.core.collision.obstacles import Reacher, tip_at
 from freecad_fiveaxis.core.corrections import auto_axis, facets_with_axis
 from freecad_fiveaxis.core.corrections import axis_field as module
-from freecad_fiveaxis.core.corrections.auto_axis import Free, auto_axes, divided
+from freecad_fiveaxis.core.corrections.auto_axis import Free, auto_axes, divided, refine_field
 from freecad_fiveaxis.core.corrections.facets_with_axis import find_axis_field
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles
@@ -242,6 +242,7 @@ def milled(shape, most=None, nodes=module.NODES, **lean):
         take_nodes(patch, nodes)
         field = find_axis_field(mesh, facets, reacher)
     assert len(field.nodes.point) <= nodes
+    field = refine_field(field, path, mesh, reacher)
     return path, given, auto_axes(path, given, field, mesh, reacher, AxisOptions(**lean)), mesh, reacher
 
 

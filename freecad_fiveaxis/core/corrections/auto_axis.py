@@ -7,7 +7,8 @@ preferred  the axis of the field, leaned by lead and tilt; where that is not fre
            either, the nearest free direction of one of the nearest nodes.
 
 Nodes are few, and a narrow place may have none: contacts that are not free become nodes themselves, and the field is found once
-more. Contacts without any free axis are told apart: a path that is made leaves them out, others keep the axis given there.
+more (:func:`refine_field`). Contacts without any free axis are told apart: a path that is made leaves them out, others keep the
+axis given there.
 """
 
 from __future__ import annotations
@@ -95,7 +96,6 @@ def auto_axes(
     free = np.zeros(len(contacts.first), np.int64)
     if not len(given) or not field.freedom.some.any():
         return given, free[contacts.contact], _findings(free, contacts)
-    field = _refined(field, contacts, long, with_margin(reacher), tree, progress)
     axis = field.at(contacts.point, contacts.mean)
     for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
         free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
@@ -113,6 +113,31 @@ def auto_axes(
             axis = _leaned(path, contacts, axis, free == gained, tool, tree, options, progress)
     row_free = free[contacts.contact]
     return np.where(row_free[:, None] > 0, axis[contacts.contact], given), row_free, _findings(free, contacts)
+
+
+def refine_field(
+    field: AxisField, path: OffsetPath, mesh: Mesh, reacher: Reacher, progress: Progress = silent
+) -> AxisField:
+    """Find the field once more with up to MORE contacts of ``path`` among its nodes, of those at which the ball fits and the tool
+    with its way out is not free with the axis of the ``field`` given; that very field where there are none."""
+    tree, wide = facet_tree(mesh), with_margin(reacher)
+    if not len(path.point) or not field.freedom.some.any():
+        return field
+    contacts, long = _contacts(path, reacher, tree), with_way_out(reacher, tree)
+    asked = contacts.all_fit()
+    asked &= np.arange(len(asked)) % max(1, len(asked) // SOME) == 0
+    axis = field.at(contacts.point, contacts.mean)
+    rows = np.flatnonzero(asked & ~contacts.free(axis, asked, long, tree, progress))
+    if not len(rows):
+        return field
+    rows = rows[:: max(1, -(-len(rows) // MORE))]
+    at = contacts.first[rows]
+    normal = contacts.mean[rows]
+    stand = contacts.stand[at] + wide.cutter.corner * (contacts.normal[at] - normal)  # the ball stays where it is
+    more = Nodes(contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing)
+    freedom = field.freedom.joined(find_freedom(more, wide, tree, field.freedom.direction, progress))
+    nodes = field.nodes.joined(more)
+    return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
 
 
 def select_rows_with_way_out(free: Ints, polyline: Ints) -> Ints:
@@ -162,27 +187,6 @@ def _joined_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints
     into[contact[end[same]]] = contact[start[same]]
     kept, number = np.unique(into, return_inverse=True)
     return number[contact], first[kept]
-
-
-def _refined(
-    field: AxisField, contacts: _Contacts, long: Reacher, wide: Reacher, tree: FacetTree, progress: Progress
-) -> AxisField:
-    """The field with up to MORE contacts among its nodes, of those at which the ball fits and the tool ``long`` is not free;
-    ``wide``: the tool that is asked of at nodes."""
-    asked = contacts.all_fit()
-    asked &= np.arange(len(asked)) % max(1, len(asked) // SOME) == 0
-    axis = field.at(contacts.point, contacts.mean)
-    rows = np.flatnonzero(asked & ~contacts.free(axis, asked, long, tree, progress))
-    if not len(rows):
-        return field
-    rows = rows[:: max(1, -(-len(rows) // MORE))]
-    at = contacts.first[rows]
-    normal = contacts.mean[rows]
-    stand = contacts.stand[at] + wide.cutter.corner * (contacts.normal[at] - normal)  # the ball stays where it is
-    more = Nodes(contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing)
-    freedom = field.freedom.joined(find_freedom(more, wide, tree, field.freedom.direction, progress))
-    nodes = field.nodes.joined(more)
-    return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
 
 
 def _pulled(

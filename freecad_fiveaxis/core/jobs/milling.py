@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.corrections.auto_axis import (
     auto_axes,
     divided,
+    refine_field,
     report_no_way_out,
     select_rows_with_way_out,
 )
@@ -128,6 +129,7 @@ def free_rows(
     reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
     offset, axis = divided(offset, axis, cutter.radius, cutter.ring)
     stand, mesh, progress = axis_options(settings), context.mesh, context.progress
+    field = refine_field(field, offset, mesh, reacher, progress)
     axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress)
     offset, axis, free, blocked = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)
     offset = break_polylines(offset, blocked[1:])
