@@ -299,7 +299,7 @@ def test_numbers_may_be_texts_as_the_command_line_has_them(tmp_path):
 def program(*words, **environment):
     kept = {name: value for name, value in os.environ.items() if name in ("PATH", "SYSTEMROOT")}
     command = [sys.executable, "-m", "freecad_fiveaxis", *(os.fspath(word) for word in words)]
-    return subprocess.run(command, cwd=ROOT, env=kept | environment, capture_output=True, timeout=60)
+    return subprocess.run(command, cwd=ROOT, env=kept | environment, capture_output=True, timeout=300)
 
 
 @pytest.mark.thorough
