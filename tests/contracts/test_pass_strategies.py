@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What every pass strategy promises: a finite field, ascending levels, passes on the region only, no place higher than the scallop,
-and passes that turn with the part."""
+and passes that turn with the part; and that what cannot be used is refused before any long work."""
 
 import itertools
 import json
@@ -15,11 +15,14 @@ from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.cl.coedge import close_gaps
 from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
+from freecad_fiveaxis.core.jobs import job, milling
+from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.passes import (
     PASS_STRATEGIES,
     PassOptions,
     Region,
     cut,
+    facets_under_axes,
     find_pass_strategy,
     flat_interval,
     refine,
@@ -195,6 +198,29 @@ def test_passes_that_stay_behind_would_be_noticed(strategy):
 def test_every_strategy_says_in_one_line_what_it_does(strategy):
     assert len(strategy.text) > 20 and "\n" not in strategy.text
     assert all(math.isfinite(angle) for angle in strategy.travels(OPTIONS))
+
+
+def test_a_check_that_lets_pass_does_none_of_the_work_of_the_field(strategy):
+    told = []
+    where = Region(slope(), np.ones(len(slope().face), bool), RADIUS, STEP, progress=lambda stage, share: told.append(stage))
+    strategy.check(where, OPTIONS)
+    assert not told
+    strategy.field(where, OPTIONS)
+    assert told
+
+
+@pytest.mark.parametrize(
+    "options",
+    [PassOptions(scallop=RADIUS), PassOptions(stepover=1e-7), PassOptions(scallop=1e-12, least=1e-9)],
+    ids=["scallop of the radius", "tiny stepover", "tiny scallop"],
+)
+def test_what_the_field_refuses_the_check_refuses_in_the_same_words(strategy, options):
+    refused = []
+    for ask in (strategy.check, strategy.field):
+        with pytest.raises(SettingsError) as raised:
+            ask(region(slope()), options)
+        refused.append((str(raised.value), raised.value.value))
+    assert refused[0] == refused[1]
 
 
 # ------------------------------------------------------------------------------------------------ planes
@@ -418,6 +444,17 @@ def test_passes_along_a_curve_keep_their_distance_from_it(tmp_path):
     np.testing.assert_allclose(found.value[main], known, atol=0.1)
 
 
+def test_a_source_counts_as_off_the_surface_by_its_distance_from_the_facets():
+    """In the middle of a facet twice as long as the ball is thick, far from its corners."""
+    mesh, thick = box((30.0, 20.0, 8.0)), 2.0 * RADIUS
+    top = mesh.normal[:, 2] > 0.5
+    CONSTANT.check(region(mesh, top), with_source((16.0, 10.0, 8.0 + thick - 1e-6)))
+    with pytest.raises(SettingsError, match=r"it is 6 mm off the surface"):
+        CONSTANT.check(region(mesh, top), with_source((16.0, 10.0, 8.0 + thick + 1e-6)))
+    with pytest.raises(SettingsError, match=r"it is 8 mm off the surface"):
+        CONSTANT.check(region(mesh, top), with_source((16.0, 10.0, 0.0)))  # on a face that is not to be cut
+
+
 def test_behind_an_edge_over_which_the_ball_rolls_as_much_is_cut():
     """A roof: a pass on one side does nothing for the other. Where edges were not looked at, four times as much would stay."""
     x, y = np.meshgrid(np.linspace(-5.13, 5.31, 30), np.linspace(0, 8, 25), indexing="ij")
@@ -485,22 +522,53 @@ BAD = [
     (["--passes", "scallop", "--from", "1,2"], "neither border nor X,Y,Z nor a file"),
     (["--passes", "scallop", "--scallop", "5", "--cutter", "ball:6"], "not below the cutter radius"),
     (["--passes", "scallop", "--stepover", "0.00001"], "give a larger stepover"),
+    (["--passes", "scallop", "--stepover", "0.00001", "--cutter", "bull:10:2"], "give a larger stepover"),
+    (["--passes", "planes", "--scallop", "5", "--cutter", "ball:6"], "not below the cutter radius"),
+    (["--passes", "planes", "--stepover", "0.00001"], "give a larger stepover"),
+    (["--passes", "zlevel", "--stepover", "0.00001"], "give a larger stepover"),
     (["--passes", "scallop", "--faces", "elsewhere.stl"], "elsewhere.stl"),
 ]
 
 
+class Begun(Exception):
+    """The field of axes was begun."""
+
+
+@pytest.fixture
+def no_axis_field(monkeypatch):
+    def begin(*given):
+        raise Begun
+
+    monkeypatch.setattr(milling, "find_axis_field", begin)
+
+
+@pytest.mark.parametrize("tool_axis", ["auto", "facet_mean"])
 @pytest.mark.parametrize("words, said", BAD)
-def test_what_cannot_be_used_is_one_line_and_no_file(stl, words, said, monkeypatch, capsys):
+def test_what_cannot_be_used_is_one_line_and_no_file(stl, no_axis_field, words, said, tool_axis, monkeypatch, capsys):
+    """And it is refused before the field of axes is computed, where the tool axis is auto."""
     monkeypatch.chdir(stl)
     (stl / "far.csv").write_text("0,0,0\n0,0,90\n")
     (stl / "words.csv").write_text("X,Y,Z\n1,two,3\n4,5,6\n")
     (stl / "one.csv").write_text("0,0,0\n")
     write_stl(ball(centre=(500.0, 0.0, 0.0)), stl / "elsewhere.stl")
-    given = ["mill", "part.stl", "--machine", "trunnion_ac", "--tool-axis", "facet_mean", "-o", "out.ngc", "--quiet"]
+    given = ["mill", "part.stl", "--machine", "trunnion_ac", "--tool-axis", tool_axis, "-o", "out.ngc", "--quiet"]
     assert cli.main([*given, *words]) == 2
     told = capsys.readouterr().err
     assert said in told and told.count("\n") == 1
     assert not (stl / "out.ngc").exists()
+
+
+def test_what_can_be_used_comes_to_the_field_of_axes(stl, no_axis_field, monkeypatch):
+    monkeypatch.chdir(stl)
+    with pytest.raises(Begun):
+        job.make(build_settings("mill", "part.stl", {"machine": "trunnion_ac", "tool_axis": "auto", "passes": "scallop"}))
+
+
+def test_what_no_axis_leans_over_does_not_count():
+    """The underside of a block, but for axes that may point up; its walls for axes a little off +Z as well."""
+    up = box((30.0, 20.0, 8.0)).normal[:, 2]
+    for most, counts in ((90.0, up > -0.5), (180.0, up > -2.0), (30.0, up > -0.5)):
+        np.testing.assert_array_equal(facets_under_axes(box((30.0, 20.0, 8.0)), math.radians(most)), counts)
 
 
 def test_the_options_are_those_of_job_files_too(stl, monkeypatch):

@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, tool_axes
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
-from freecad_fiveaxis.core.passes import facets_within_limits, place_planes, slice_mesh
+from freecad_fiveaxis.core.passes import facets_within_limits, prepare_planes, slice_mesh
 
 SCRIPT = Path(__file__).parents[2] / "resources" / "examples" / "make_parts.py"
 spec = importlib.util.spec_from_file_location("make_parts", SCRIPT)
@@ -43,7 +43,7 @@ def dome_passes(name, stepover=0.5, direction=0.0, strategy="facet_mean", lead=0
     """Offset path, axes and chain: the passes within ``half_width`` mm of the top of the dome, in the order of the cut."""
     mesh, kinematics = from_faces(*parts.dome()), kinematics_of(name)
     keep, _ = facets_within_limits(mesh, kinematics, np.radians(61.0), None)
-    planes, _ = place_planes(mesh, direction, 5.0, stepover=stepover, scallop=None, least=0.05, keep=keep)
+    planes, _ = prepare_planes(mesh, direction, 5.0, stepover=stepover, scallop=None, least=0.05, keep=keep)()
     planes = planes[np.abs(planes) <= half_width]
     ordered = close_gaps(slice_mesh(mesh, planes, direction, order=order), mesh, 5.0, 0.01, keep)
     axis = tool_axes(ordered, strategy, AxisOptions(lead=lead, tilt=tilt))

@@ -10,10 +10,10 @@ from mesh_shapes import box, sphere
 
 from freecad_fiveaxis.core.audit import against_part, against_path
 from freecad_fiveaxis.core.audit.against_part import _distance
-from freecad_fiveaxis.core.audit.nearest import Facets, Segments, nearest, search
 from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.geometry.nearest import Facets, Segments, nearest, search
 from freecad_fiveaxis.core.jobs import job, outputs
 from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine, save_machine

@@ -34,7 +34,7 @@ def both_taking_part(work=lambda part: None):
     def wait_and_work(part):
         if (thread := threading.get_ident()) not in seen:
             seen.add(thread)
-            both.wait(60.0)
+            both.wait(300.0)
         return work(part)
 
     return wait_and_work
@@ -82,34 +82,40 @@ def test_progress_is_told_on_the_calling_thread_and_only_grows():
     assert told == sorted(told) and told[0] > 0.0 and told[-1] <= 1.0
 
 
+LONG = range(10_000)
+"""Parts of 10 ms and more: a thread that is not ended goes on for a minute and more."""
+
+
 @pytest.mark.parametrize("where", ["helper", "caller"])
 def test_an_exception_of_either_thread_passes_through_and_ends_both(where):
+    """Both are at a part then, and the other one would go on with all that are left."""
     caller, done = threading.get_ident(), []
 
     def work(part):
-        time.sleep(0.002)
         if (threading.get_ident() == caller) == (where == "caller"):
             raise ValueError(f"part {part}")
+        time.sleep(0.01)
         done.append(part)
 
     with pytest.raises(ValueError, match="part"):
-        in_threads(work, range(1000))
-    assert len(done) < 100
+        in_threads(both_taking_part(work), LONG)
+    assert 0 < len(done) < len(LONG) - 1
 
 
 def test_cancelled_from_progress_passes_through_and_ends_both():
+    """The helper is at a part when the caller has ended its first one."""
     done = []
 
     def tell(share):
         raise Cancelled("stopped")
 
     def work(part):
-        time.sleep(0.001)
+        time.sleep(0.01)
         done.append(part)
 
     with pytest.raises(Cancelled):
-        in_threads(work, range(1000), tell)
-    assert len(done) < 100
+        in_threads(both_taking_part(work), LONG, tell)
+    assert 1 < len(done) < len(LONG)
     assert in_threads(abs, [-1, -2, -3]) == [1, 2, 3]  # and nothing of it stays
 
 

@@ -113,7 +113,7 @@ def test_ctrl_c_ends_all_also_what_is_deaf_or_has_a_group_of_its_own(rings, tmp_
     more = f"a:\n\t@timeout 600 {grouped}\nb:\n\t@timeout 600 {grouped} & {deaf}\n"
     process = rings({"c": (0, 0)}, "a", "c", "--", "b", more=more)
     ids = tmp_path / "ids"
-    end = time.monotonic() + 30
+    end = time.monotonic() + 300
     while not ids.exists() or len(ids.read_text().split()) < 3:
         assert time.monotonic() < end
         time.sleep(0.05)

@@ -11,13 +11,17 @@ from thorough import some_in_core
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.passes import place_planes, slice_mesh
+from freecad_fiveaxis.core.passes import prepare_planes, slice_mesh
 from freecad_fiveaxis.core.passes.scallop import facet_curvature, flat_interval, kink_factor, scallop_height, turned_along
 from freecad_fiveaxis.core.passes.spacing import AIM
 
 RADIUS, SCALLOP, LEAST = 5.0, 0.01, 0.02
 LENGTH, WIDTH = 13.0, 11.0  # of the patches, along and across the passes
 TURN = 0.3  # of the patches and their passes in the xy-plane, rad
+
+
+def place_planes(*given, **options):
+    return prepare_planes(*given, **options)()
 
 
 def grid_faces(along, across):

@@ -2,7 +2,8 @@
 """The window lives while the core works: its own events go on being served, and Esc stops everything.
 
 Beats: a timer of the window's own thread. How many of them were served while the work went on is what the tests ask for; no test
-depends on how quick the machine is. The bounds in seconds are some ten times what a busy machine takes.
+depends on how quick the machine is. The bounds in seconds guard against hanging only: more than ten times the most that was measured on
+two cores beside four busy loops, in scripts/busy's way.
 """
 
 import subprocess
@@ -29,10 +30,10 @@ ENOUGH = 40
 """Beats that are served under the dialog before Esc is pressed: the work goes on meanwhile."""
 SOME = 10
 """Beats that are served under work that nobody stops."""
-LONGEST = 3.0
-"""s between two beats."""
+LONGEST = 30.0
+"""s between two beats. Measured: 0.1 to 0.8, with half a million facets 0.4 to 1.9."""
 LATEST = 10.0
-"""s from Esc until the work is over."""
+"""s from Esc, or from a click on Cancel, until the work is over. Measured: 0.04 to 0.5."""
 
 
 class Beats:
@@ -217,6 +218,7 @@ def test_cancel_is_pressed_by_the_mouse_while_freecad_recomputes(pegs):
     timer.stop()
     late = time.monotonic() - at[0]
     hands[0].wait(60)
+    print(f"Cancel shown to end {late:.3f} s")
     assert late < LATEST and "stopped" in results.out_of_date(pegs)
 
 

@@ -26,10 +26,10 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Length, Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.geometry.nearest import Facets, Pieces, search
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 
-from .nearest import Facets, Pieces, search
 from .real_path import Ends, Peaks, RealPath, peaks
 
 NEAR = 0.05

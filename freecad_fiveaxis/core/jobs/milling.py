@@ -9,7 +9,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, take_rows
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.cl_offset import cl_offset_path, corner_radius, spacing_radius
@@ -33,9 +33,9 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.passes import (
     ContactPath,
-    PassStrategy,
     Region,
     cut,
+    facets_under_axes,
     facets_within_limits,
     find_pass_strategy,
     flat_interval,
@@ -47,7 +47,7 @@ from .context import MillContext
 from .driving import posted
 from .fewer_axes import keeps_its_axis
 from .made import Milled
-from .options import axis_corrections, axis_options, kept_off, pass_options, reacher_of
+from .options import axis_corrections, axis_options, kept_off, pass_options, reacher_of, travels
 from .settings import Settings
 
 AUTO = "auto"
@@ -60,6 +60,7 @@ def mill_context(
     """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all."""
     if settings.tool_axis.tool_axis == AUTO:
         faces = np.ones(len(mesh.face), np.bool_) if faces is None else faces
+        check_passes(settings, mesh, faces)
         reacher = reacher_of(settings, machine, kinematics, mesh)
         field = find_axis_field(mesh, faces, reacher, progress)
         keep, left_out = select_facets(field, mesh, faces, settings.passes.max_axis_angle)
@@ -67,6 +68,15 @@ def mill_context(
     followed = None if keeps_its_axis(settings, machine) else kinematics
     keep, left_out = facets_within_limits(mesh, followed, settings.passes.max_axis_angle, faces)
     return MillContext(settings, machine, kinematics, dialect, mesh.box, progress, mesh, keep), left_out
+
+
+def check_passes(settings: Settings, mesh: Mesh, faces: Bools) -> None:
+    """Refuse, before the long work of the axis field, passes that cannot be laid on those ``faces`` (f,) over which an axis may
+    lean at all. Raises SettingsError, FileError."""
+    keep = faces & facets_under_axes(mesh, settings.passes.max_axis_angle)
+    if keep.any():
+        strategy = find_pass_strategy(settings.passes.passes)
+        strategy.check(find_region(settings, mesh, keep, silent), pass_options(settings))
 
 
 def mill(context: MillContext) -> Milled:
@@ -86,23 +96,22 @@ def mill(context: MillContext) -> Milled:
 def laid(context: MillContext) -> tuple[ContactPath, tuple[Finding, ...]]:
     """The passes on the facets, and what they do not touch."""
     strategy, options = find_pass_strategy(context.settings.passes.passes), pass_options(context.settings)
-    region = _region(context, strategy)
+    region = find_region(context.settings, context.mesh, context.keep, context.progress)
     field = strategy.field(region, options)
     contact = cut(region, field, context.settings.links.order)
     return contact, strategy.untouched(region, options, field, contact.face)
 
 
-def _region(context: MillContext, strategy: PassStrategy) -> Region:
-    """What is to be cut, with the ball whose passes may stand as far apart as the cutter's. For what is no ball: at most as far
-    apart as on a flat, for beyond that its bottom ends."""
-    settings, mesh, keep, progress = context.settings, context.mesh, context.keep, context.progress
+def find_region(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> Region:
+    """The facets ``keep`` (f,), which are to be cut, with the ball whose passes may stand as far apart as the cutter's. For what
+    is no ball: at most as far apart as on a flat, for beyond that its bottom ends."""
     options, cutter = pass_options(settings), settings.cutter.cutter
     radius, scallop = cutter.radius, options.scallop
     interval = options.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
     if scallop is None or cutter.ring == 0.0:
         return Region(mesh, keep, radius, interval, progress=progress)
     stand = (settings.tool_axis.tool_axis, axis_options(settings))
-    radii = [spacing_radius(cutter, mesh, keep, angle, *stand, scallop) for angle in strategy.travels(options)]
+    radii = [spacing_radius(cutter, mesh, keep, angle, *stand, scallop) for angle in travels(settings)]
     return Region(mesh, keep, min(radii), interval, 1.0, progress)
 
 

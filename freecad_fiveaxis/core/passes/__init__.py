@@ -6,9 +6,9 @@ from .field import PassField, PassOptions, PassStrategy, Region, cut
 from .passes import ContactPath, direction, slice_field, slice_mesh
 from .scallop import CREASE, facet_curvature, flat_interval, turned_along
 from .sides import side_findings, untouched_sides
-from .spacing import place_planes
+from .spacing import prepare_planes
 from .strategies import PASS_STRATEGIES, find_pass_strategy
-from .within_limits import axes_within_limits, facets_within_limits, least_up, turns_within_limits, with_room
+from .within_limits import axes_within_limits, facets_under_axes, facets_within_limits, least_up, turns_within_limits, with_room
 
 __all__ = [
     "CREASE",
@@ -24,12 +24,13 @@ __all__ = [
     "cut",
     "direction",
     "facet_curvature",
+    "facets_under_axes",
     "facets_within_limits",
     "find_pass_strategy",
     "flat_interval",
     "least_up",
     "pass_curvature",
-    "place_planes",
+    "prepare_planes",
     "side_findings",
     "slice_field",
     "slice_mesh",

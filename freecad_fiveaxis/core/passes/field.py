@@ -89,8 +89,11 @@ class PassStrategy(Protocol):
     def travels(self, options: PassOptions) -> tuple[float, ...]:
         """rad: the directions of travel, seen from above, that stand for all of its passes."""
 
+    def check(self, region: Region, options: PassOptions) -> None:
+        """Refuse, without the field's long work, options that cannot be used on the region. Raises SettingsError, FileError."""
+
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """The field and its levels. Raises SettingsError for options that cannot be used."""
+        """The field and its levels. Raises what ``check`` raises."""
 
     def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
         """The field's findings, and what no pass touches; ``touched`` (n,): facets that passes touch."""

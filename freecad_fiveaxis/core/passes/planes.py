@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.base.sentences import Area, Length, say
 from .field import ALL_ROUND, PassField, PassOptions, Region, Vector
 from .passes import direction
 from .sides import side_findings, untouched_sides
-from .spacing import place_planes
+from .spacing import WIDEST, PlacePlanes, prepare_planes
 
 SHORTEST = 1e-9
 """Length of a normal whose direction is lost in rounding."""
@@ -47,19 +47,29 @@ class Planes:
         x, y, _ = _unit(normal).tolist()
         return (math.atan2(-x, y),) if math.hypot(x, y) > SHORTEST else ALL_ROUND
 
+    def check(self, region: Region, options: PassOptions) -> None:
+        """Raise SettingsError for a normal without direction, a scallop or stepover out of range, and too many planes."""
+        self._prepare(region, options)
+
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """Distance across the planes, mm, and where they lie. Raises SettingsError for a normal without direction."""
-        mesh, normal = region.mesh, self.own or options.normal
-        across = None if normal is None else _unit(normal)
-        more = {} if region.widest is None else {"widest": region.widest}
-        levels, found = place_planes(
-            mesh, options.direction, region.radius, stepover=options.stepover, scallop=options.scallop, least=options.least,
-            keep=region.keep, progress=region.progress, normal=across, **more,
-        )  # fmt: skip
+        """Distance across the planes, mm, and where they lie."""
+        mesh, across = region.mesh, self._across(options)
+        levels, found = self._prepare(region, options)()
         if across is not None:
             return PassField(mesh.vertex @ across, levels, found)
         cosine, sine = direction(options.direction)
         return PassField(cosine * mesh.vertex[:, 1] - sine * mesh.vertex[:, 0], levels, found, options.direction)
+
+    def _across(self, options: PassOptions) -> Floats | None:
+        normal = self.own or options.normal
+        return None if normal is None else _unit(normal)
+
+    def _prepare(self, region: Region, options: PassOptions) -> PlacePlanes:
+        return prepare_planes(
+            region.mesh, options.direction, region.radius, stepover=options.stepover, scallop=options.scallop,
+            least=options.least, keep=region.keep, progress=region.progress, widest=region.widest or WIDEST,
+            normal=self._across(options),
+        )  # fmt: skip
 
     def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
         """Of upright planes the sides that they leave out, with a remedy; of others the area."""

@@ -10,9 +10,13 @@ kink       what the normal turns between two contact points beyond what the curv
 
 from __future__ import annotations
 
+from weakref import WeakKeyDictionary
+
 import numpy as np
 
+from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 CREASE = np.radians(30.0)
@@ -23,6 +27,16 @@ FINE_KINK = 0.15
 
 TINY = 1e-12
 """mm: points nearer than this coincide; keeps divisions safe and is far below any coordinate's rounding."""
+
+
+def refuse_high_scallop(scallop: float, radius: float) -> None:
+    """Raise SettingsError for a ``scallop`` that no ball of ``radius`` leaves, both mm."""
+    if scallop >= radius:
+        text = say(
+            "scallop {scallop} is not below the cutter radius {radius}; give a smaller scallop",
+            scallop=Length(scallop), radius=Length(radius),
+        )  # fmt: skip
+        raise SettingsError(text, scallop)
 
 
 def scallop_height(chord: Floats, radius: float, curvature: Floats) -> Floats:
@@ -65,13 +79,24 @@ def kink_factor(chord: Floats, radius: float, kink: Floats, along: Floats, far: 
 # ------------------------------------------------------------------------------------------------ curvature
 
 
+_TENSORS: WeakKeyDictionary[Mesh, Floats] = WeakKeyDictionary()
+
+
 def facet_curvature(mesh: Mesh) -> Floats:
     """Curvature tensor (6, f) of each facet, 1/mm: xx, yy, zz, xy, yz, zx; ``c . T c`` is the curvature along unit tangent c.
 
     Each co-edge turns the surface by its dihedral angle about itself; the tensor is the mean of these turns over the facet
     and its neighbours (Cohen-Steiner & Morvan 2003), exact on average for any tessellation of a sphere or a cylinder. Sharp
-    edges bend no surface and do not count.
+    edges bend no surface and do not count. Made once, and kept as long as the mesh is: checks and strategies ask in turn.
     """
+    if mesh not in _TENSORS:
+        _TENSORS[mesh] = _mean_turns(mesh)
+        _TENSORS[mesh].setflags(write=False)
+    return _TENSORS[mesh]
+
+
+def _mean_turns(mesh: Mesh) -> Floats:
+    """The tensor (6, f) of each facet."""
     first, second, turned = _smooth_turns(mesh)
     rows = len(mesh.face)
     columns = np.concatenate([turned, np.zeros((1, len(first)))])

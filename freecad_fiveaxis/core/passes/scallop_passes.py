@@ -26,8 +26,8 @@ from .geodesic import FLATTEST, Frames, as_tensor, distance, frames, gradient, s
 from .passes import slice_field
 from .planes import area_left
 from .refine import Copy, finer_copy, joined, taken
-from .scallop import facet_curvature, flat_interval
-from .sources import read_curve, source_values
+from .scallop import facet_curvature, flat_interval, refuse_high_scallop
+from .sources import find_source, source_values
 
 AIM = 0.92
 """Share of the scallop that the passes are laid for: facets and the field's own error leave as much as the rest."""
@@ -85,13 +85,16 @@ class ConstantScallop:
         """Every direction."""
         return ALL_ROUND
 
+    def check(self, region: Region, options: PassOptions) -> None:
+        """Raise SettingsError for a source or a scallop that cannot be used and for more passes than any job can want."""
+        _survey(region, options)
+
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """Steps from the source, the pieces of the region one after the other. Raises SettingsError for a source that cannot be
-        used and for more passes than any job can want."""
-        curve = read_curve(options.source)
+        """Steps from the source, the pieces of the region one after the other."""
         region.progress("placing passes", 0.0)
-        surface = _surface(region, options)
-        source, known = source_values(surface.copy, surface.frame, surface.metric, curve, 2.0 * region.radius)
+        ground = _survey(region, options)
+        surface = _surface(region, ground)
+        source, known = source_values(surface.copy, surface.frame, surface.metric, ground.curve)
         region.progress("placing passes", 0.3)
         steps = distance(surface.copy.mesh.vertex, surface.copy.mesh.face, surface.frame, surface.metric, source, known)
         region.progress("placing passes", 0.7)
@@ -113,6 +116,20 @@ class ConstantScallop:
         return field.findings + area_left(region, touched)
 
 
+class _Ground(NamedTuple):
+    """The region as it is: where passes begin (``curve``), its ``rows`` of the mesh, their curvature ``tensor`` (6, n), frames,
+    metric and the ``least`` of that; the step on a ``flat``, mm, and how many ``squares`` of a step it has."""
+
+    curve: Floats | None
+    rows: Ints
+    tensor: Floats
+    frame: Frames
+    metric: Floats
+    least: float
+    flat: float
+    squares: float
+
+
 class _Surface(NamedTuple):
     """The finer copy of the region, its frames and its metric, and the step on a flat, mm."""
 
@@ -122,10 +139,11 @@ class _Surface(NamedTuple):
     flat: float
 
 
-def _surface(region: Region, options: PassOptions) -> _Surface:
-    """The region, its facets small against the steps. Raises SettingsError."""
+def _survey(region: Region, options: PassOptions) -> _Ground:
+    """Measure the region as it is, a moment's work against what is then laid on it. Raises SettingsError, FileError."""
+    flat, curve = _flat_step(region, options), find_source(options.source, region)
     mesh, rows = region.mesh, np.flatnonzero(region.keep)
-    flat, tensor = _flat_step(region, options), np.zeros((6, len(rows)))
+    tensor = np.zeros((6, len(rows)))
     if options.stepover is None:
         tensor = facet_curvature(mesh)[:, rows]
     least = FLATTEST if region.widest is None else max(FLATTEST, 1.0 / region.widest**2)
@@ -139,27 +157,26 @@ def _surface(region: Region, options: PassOptions) -> _Surface:
             length=Length(squares * flat, ".3g"),
         )
         raise SettingsError(text, squares * flat)
-    longest = max(LONGEST, math.sqrt(squares / (EVEN * MOST_FACETS)))
-    copy = finer_copy(mesh, rows, as_tensor(frame, metric), longest)
+    return _Ground(curve, rows, tensor, frame, metric, least, flat, squares)
+
+
+def _surface(region: Region, ground: _Ground) -> _Surface:
+    """The region, its facets small against the steps."""
+    mesh, rows, flat = region.mesh, ground.rows, ground.flat
+    longest = max(LONGEST, math.sqrt(ground.squares / (EVEN * MOST_FACETS)))
+    copy = finer_copy(mesh, rows, as_tensor(ground.frame, ground.metric), longest)
     copy = Copy(copy.mesh, copy.parent, copy.coedge, copy.component, BEND * flat, SHORT * flat)
     frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(mesh.face), -1)
     place[rows] = np.arange(len(rows))
-    return _Surface(copy, frame, scallop_metric(frame, tensor[:, place[copy.parent]], region.radius, flat, least), flat)
+    tensor = ground.tensor[:, place[copy.parent]]
+    return _Surface(copy, frame, scallop_metric(frame, tensor, region.radius, flat, ground.least), flat)
 
 
 def _flat_step(region: Region, options: PassOptions) -> float:
     if options.stepover is not None:
         return options.stepover
     assert options.scallop is not None
-    if options.scallop >= region.radius:
-        raise SettingsError(
-            say(
-                "scallop {scallop} is not below the cutter radius {radius}; give a smaller scallop",
-                scallop=Length(options.scallop),
-                radius=Length(region.radius),
-            ),
-            options.scallop,
-        )
+    refuse_high_scallop(options.scallop, region.radius)
     return max(flat_interval(region.radius, AIM * options.scallop), options.least)
 
 

@@ -13,8 +13,9 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, say
+from freecad_fiveaxis.core.geometry.nearest import Facets, nearest, search
 
-from .field import Vector
+from .field import Region, Vector
 from .geodesic import Frames, side_lengths
 from .refine import Copy
 
@@ -25,6 +26,15 @@ NEAR = 1.6
 
 MOST_POINTS = 100_000
 """Points of a curve; a file of more is no guide curve."""
+
+
+def find_source(source: str | Vector, region: Region) -> Floats | None:
+    """Read the source, as :func:`read_curve` does. Raises SettingsError, FileError, also where a place of it is farther from the
+    region than the ball is thick."""
+    curve = read_curve(source)
+    if curve is not None:
+        _refuse_off_surface(region, _along(curve, 0.25 * region.radius))
+    return curve
 
 
 def read_curve(source: str | Vector) -> Floats | None:
@@ -62,11 +72,10 @@ def _is_number(text: str) -> bool:
     return True
 
 
-def source_values(copy: Copy, frame: Frames, metric: Floats, curve: Floats | None, far: float) -> tuple[Ints, Floats]:
+def source_values(copy: Copy, frame: Frames, metric: Floats, curve: Floats | None) -> tuple[Ints, Floats]:
     """Vertices (m,) of the copy at the source, and their distance (m,) from it, in steps; of every piece at least one.
 
-    ``curve`` (n, 3) mm as of :func:`read_curve`; no place of it may be more than ``far`` mm off the surface. Raises
-    SettingsError.
+    ``curve`` (n, 3) mm as of :func:`read_curve`.
     """
     if curve is None:
         return _at_border(copy)
@@ -77,7 +86,6 @@ def source_values(copy: Copy, frame: Frames, metric: Floats, curve: Floats | Non
     np.maximum.at(reach, at, size.reshape(-1))
     np.maximum.at(scale, at, (length / size).reshape(-1))
     samples = _along(curve, 0.25 * float(np.median(size)))
-    _refuse_off_surface(copy, samples, far, float(np.max(size)))
     off = cKDTree(samples).query(copy.mesh.vertex)[0]
     chosen = off <= (NEAR * reach if len(curve) > 1 else 0.0)
     lonely = np.setdiff1d(copy.component, copy.component[chosen])
@@ -112,11 +120,13 @@ def _along(curve: Floats, step: float) -> Floats:
     return np.concatenate([curve[row] + share[:, None] * way[row], curve[-1:]])
 
 
-def _refuse_off_surface(copy: Copy, samples: Floats, far: float, side: float) -> None:
-    """Raise SettingsError where a place of the source is farther than ``far`` mm, and the facets' ``side``, from the surface."""
-    off = cKDTree(copy.mesh.vertex).query(samples)[0]
+def _refuse_off_surface(region: Region, samples: Floats) -> None:
+    """Raise SettingsError where one of the samples (n, 3) mm is farther from the region than the ball is thick."""
+    mesh = region.mesh
+    facets = Facets(mesh.vertex[mesh.face[region.keep]].transpose(1, 0, 2), mesh.normal[region.keep])
+    off = search(samples, facets.pieces(), facets.squared, nearest, 2)[:, 0]
     worst = int(off.argmax())
-    if off[worst] <= far + side:
+    if off[worst] <= 2.0 * region.radius:
         return
     x, y, z = samples[worst].tolist()
     raise SettingsError(

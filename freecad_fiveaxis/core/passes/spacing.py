@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,7 +32,7 @@ from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .pass_pair import Strip, scallop_between, smallest_interval
-from .scallop import flat_interval
+from .scallop import flat_interval, refuse_high_scallop
 
 MOST_PLANES = 200_000
 """More planes than any job can want: a unit or a setting is wrong."""
@@ -75,8 +76,11 @@ INSIDE = 1e-3
 PERIOD = 0.25
 """Seconds between two reports of progress."""
 
+PlacePlanes = Callable[[], tuple[Floats, tuple[Finding, ...]]]
+"""Long work that gives the offsets (k,) mm, ascending, of planes, and what is poor about them."""
 
-def place_planes(
+
+def prepare_planes(
     mesh: Mesh,
     angle: float,
     radius: float,
@@ -88,12 +92,13 @@ def place_planes(
     progress: Progress = silent,
     widest: float = WIDEST,
     normal: Floats | None = None,
-) -> tuple[Floats, tuple[Finding, ...]]:
-    """Offsets (k,) mm, ascending, of the planes that travel along ``angle`` rad, and what is poor about them.
+) -> PlacePlanes:
+    """Check what is asked of the planes, and give the long work that places them.
 
     ``radius`` of the ball, ``stepover`` or ``scallop``, and ``least``, mm; ``keep`` (f,) the facets that are cut, None for all;
-    ``widest``: the largest interval, in intervals of a flat. ``normal`` (3,) unit: of the planes, instead of upright ones.
-    Raises SettingsError for values out of range, both or none of stepover and scallop, and too many planes.
+    ``widest``: the largest interval, in intervals of a flat. ``normal`` (3,) unit: of the planes, which else are upright and
+    travel along ``angle`` rad. Raises SettingsError for values out of range, both or none of stepover and scallop, and too many
+    planes.
     """
     _check(angle, radius, stepover, scallop, least)
     across = np.array((-math.sin(angle), math.cos(angle), 0.0)) if normal is None else normal
@@ -102,9 +107,10 @@ def place_planes(
     if not low < high:
         raise _nothing_across(angle, normal)
     if stepover is not None:
-        return _even_planes(low, high, stepover), ()
+        _check_count((high - low) / stepover, "stepover", stepover)
+        return lambda: (_even_planes(low, high, stepover), ())
     assert scallop is not None
-    return _March(Strip(mesh, across, rows), radius, scallop, least, progress, widest).run()
+    return _March(Strip(mesh, across, rows), radius, scallop, least, progress, widest).run
 
 
 def _nothing_across(angle: float, normal: Floats | None) -> SettingsError:
@@ -127,15 +133,8 @@ def _check(angle: float, radius: float, stepover: float | None, scallop: float |
         if stepover is not None and scallop is not None:
             given = say("both stepover {stepover} and scallop {scallop}", stepover=Length(stepover), scallop=Length(scallop))
         raise SettingsError(say("{given} given; give either a stepover or a scallop", given=given), stepover)
-    if scallop is not None and scallop >= radius:
-        raise SettingsError(
-            say(
-                "scallop {scallop} is not below the cutter radius {radius}; give a smaller scallop",
-                scallop=Length(scallop),
-                radius=Length(radius),
-            ),
-            scallop,
-        )
+    if scallop is not None:
+        refuse_high_scallop(scallop, radius)
 
 
 def _extent(mesh: Mesh, across: Floats, rows: Ints) -> tuple[float, float]:
@@ -164,7 +163,6 @@ def _check_count(planes: float, what: str, value: float) -> None:
 
 def _even_planes(low: float, high: float, stepover: float) -> Floats:
     """As few planes as leave no more than half a stepover outside the outermost ones, both edges alike."""
-    _check_count((high - low) / stepover, "stepover", stepover)
     planes = max(math.ceil((high - low) / stepover - INSIDE), 1)
     first = 0.5 * (low + high - (planes - 1) * stepover)
     return first + stepover * np.arange(planes, dtype=np.float64)

@@ -100,6 +100,12 @@ def facets_within_limits(
     return keep, tuple(finding for finding in found if finding is not None)
 
 
+def facets_under_axes(mesh: Mesh, max_axis_angle: float) -> Bools:
+    """Mask (f,) of the facets over which an axis within ``max_axis_angle`` rad of +Z can lean: on others no tool stands."""
+    lean = max_axis_angle + 0.5 * math.pi - LEVEL
+    return np.asarray(mesh.normal[:, 2] > (math.cos(lean) if lean < math.pi else -math.inf))
+
+
 def least_up(max_axis_angle: float) -> float:
     """Give the least z of unit vectors that lean no more than ``max_axis_angle``, rad, from +Z."""
     return math.cos(min(max_axis_angle + LEVEL, math.pi))
