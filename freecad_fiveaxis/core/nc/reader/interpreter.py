@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from .expressions import Unread, Value, Variables, number
 from .flow import Flow, flow_of
 from .siemens_run import said_again
-from .statements import ARGUMENTS, SPECIAL, Block, Cycle, Macro, OWord, Statement, statement
+from .statements import ARGUMENTS, SPECIAL, Block, Macro, OWord, Statement, Text, statement
 
 MOST = 2_000_000
 DEEPEST = 100
@@ -70,9 +70,12 @@ def written_out(text: bytes, fanuc: bool, progress: Progress = silent, siemens: 
 
     Raises ProgramError for what does not end."""
     rows = text.split(b"\n")
-    lines = [row.replace(b" ", b"").decode("latin-1") for row in rows]
     try:
-        lines, plain = said_again(lines) if siemens else (lines, [not SPECIAL.search(line) for line in lines])
+        if siemens:
+            lines, plain = said_again([row.decode("latin-1") for row in rows])
+        else:
+            lines = [row.replace(b" ", b"").decode("latin-1") for row in rows]
+            plain = [not SPECIAL.search(line) for line in lines]
         flow = flow_of(lines)
     except Unread as refused:
         return Refused(refused.at + 1, refused.reason)
@@ -165,7 +168,7 @@ class Run:
         """Run one line; the next one."""
         if isinstance(what, Block):
             return self._block(what)
-        if isinstance(what, Cycle):
+        if isinstance(what, Text):
             self.made.append((self.at, what.row(self.known)))
             return self.at + 1
         return self._macro(what) if isinstance(what, Macro) else O_WORDS[what.word](self, what)

@@ -280,7 +280,7 @@ def _chords(lines: Lines, told: Moves, mode: Ints, grammar: Grammar) -> tuple[Ch
     sense = lines.mode({codes.CLOCKWISE: 0, codes.COUNTER: 1}, 0)[line]
     arcs = Arcs(
         row, lines.mode(codes.PLANES, 0)[line], sense == 1, offset, lines.mode(codes.CENTRES, 0)[line] == 1,
-        told_as["R"][line] * inch, centre,
+        told_as["R"][line] * inch, centre, lines.column(codes.TURNS)[line] if codes.TURNS in lines.letters else None,
     )  # fmt: skip
     return chorded(arcs, told.before, told.said, told.at)
 

@@ -2,7 +2,8 @@
 """Siemens 840D text to plain words (Programming manual, Fundamentals and Job planning).
 
 X=1.5     an address with an equals sign.          X=AC() X=IC() C=DC()   absolute, incremental, by the shorter way.
-A3= B3= C3=   the tool's direction.                 CR=                    radius of an arc; I=AC() an absolute centre.
+A3= B3= C3=   the tool's direction.                 CR=                    radius of an arc; I=AC() an absolute centre;
+                                                    TURN= full turns that an arc makes besides (Fundamentals, helix).
 KEYWORD   a word of two letters and more, maybe with brackets: known and harmless, known and not interpreted, or unknown.
 """
 
@@ -20,6 +21,7 @@ NUMBER = rb" *([-+]?[0-9.][0-9. ]*)"
 BRACKETED = re.compile(rb"(?<![A-Z_$])([XYZABCIJK]) *= *(AC|IC|DC|ACP|ACN) *\(" + NUMBER + rb"\)")
 VECTOR = re.compile(rb"(?<![A-Z_$])([ABC])3 *=")
 RADIUS = re.compile(rb"(?<![A-Z_$])CR *=")
+TURNS = re.compile(rb"(?<![A-Z0-9_$])TURN *=(?= *\+?[0-9])")
 ADDRESS = re.compile(rb"(?<![A-Z_$])([XYZABCUVWFIJKSDT]) *=(?= *[-+.0-9])")
 SIDE = re.compile(
     rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) *=" + NUMBER
@@ -27,7 +29,7 @@ SIDE = re.compile(
 SHIFT = re.compile(rb"(?<![A-Z0-9_$])(A)?TRANS(?![A-Z0-9_])")
 SWIVEL = "CYCLE800"
 CYCLE800 = re.compile(rb"\bCYCLE800 *\(([^()\n]*)\)")
-TOOL = re.compile(rb"(?<![A-Z0-9_$])T *= *$", re.MULTILINE)
+TOOL = re.compile(rb"(?<![A-Z0-9_$])T *=(?= *(?:$|[A-Z]))", re.MULTILINE)
 ORIENTATION = re.compile(rb"(?<![A-Z0-9_$])(?:[ABC][2-9]|LEAD|TILT|THETA|PHI|PSI) *=" + NUMBER)
 VALUE = rb" *= *[-+]?[0-9.]+(?![0-9. ]*[-+*/(\[])"
 """A plain number ends a keyword's value; of anything else nobody knows where it ends, and the rest of the line goes with it."""
@@ -107,6 +109,8 @@ def _addresses(text: bytes, notes: Notes) -> bytes:
     text = BRACKETED.sub(lambda found: _bracketed(found, notes), text)
     text = VECTOR.sub(lambda found: codes.VECTOR["ABC".index(found[1].decode())].encode().ljust(len(found[0])), text)
     text = RADIUS.sub(lambda found: b"R".ljust(len(found[0])), text)
+    if b"TURN" in text:
+        text = TURNS.sub(lambda found: codes.TURNS.encode().ljust(len(found[0])), text)
     text = ADDRESS.sub(lambda found: found[1].ljust(len(found[0])), text)
     text = SIDE.sub(_blank, text)
     return ORIENTATION.sub(lambda found: _noted(found, codes.SPATIAL, found[0].split(b"=")[0].strip(), notes), text)
