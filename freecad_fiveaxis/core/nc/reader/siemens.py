@@ -27,6 +27,8 @@ SIDE = re.compile(
     rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) *=" + NUMBER
 )
 SHIFT = re.compile(rb"(?<![A-Z0-9_$])(A)?TRANS(?![A-Z0-9_])")
+ROTATE = re.compile(rb"(?<![A-Z0-9_$])(A)?ROT(?![A-Z0-9_])")
+IN_THE_PLANE = re.compile(rb"(?<![A-Z0-9_$])RPL *=(?= *[-+.0-9])")
 SWIVEL = "CYCLE800"
 CYCLE800 = re.compile(rb"\bCYCLE800 *\(([^()\n]*)\)")
 TOOL = re.compile(rb"(?<![A-Z0-9_$])T *=(?= *(?:$|[A-Z]))", re.MULTILINE)
@@ -44,7 +46,7 @@ HARMLESS = frozenset(
     EXTCLOSE PAROT PAROTOF SETMS FXS CYCLE_HSC GROUP_BEGIN GROUP_END WAITM DISPLOF DISPLON SAVE SBLON SBLOF ACCLIMA VELOLIM
     ORIRESET CTRANS TOWSTD TOWTCP TCOFR TCOABS MIRRORW""".split()
 )
-SHIFTS = frozenset(b"DIAMON ROT AROT ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split())
+SHIFTS = frozenset(b"DIAMON ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split())
 CALLS = frozenset(b"CALL PCALL EXTCALL MCALL ISOCALL".split())
 ARCS = frozenset(b"CIP CT TURN AR".split())
 SPLINES = frozenset(b"ASPLINE BSPLINE CSPLINE POLY POLYPATH INVCW INVCCW".split())
@@ -76,7 +78,10 @@ def swivels(text: bytes, notes: Notes) -> bytes:
 
 
 def shifts(text: bytes) -> bytes:
-    """The text with the private word of a shift for TRANS and ATRANS, whose words stay as they are."""
+    """The text with the private word of a shift for TRANS, ATRANS, ROT and AROT, whose words stay as they are."""
+    if b"ROT" in text:
+        text = ROTATE.sub(lambda found: (b"s5" if found[1] else b"s4").ljust(len(found[0])), text)
+        text = IN_THE_PLANE.sub(lambda found: codes.IN_THE_PLANE.encode().ljust(len(found[0])), text)
     return SHIFT.sub(lambda found: (b"s3" if found[1] else b"s2").ljust(len(found[0])), text) if b"TRANS" in text else text
 
 
