@@ -49,3 +49,17 @@ def test_an_arc_with_turns_goes_round_and_ends_where_it_says(turn: str, turns: f
     assert angle[-1] == pytest.approx(2.0 * np.pi * turns)
     assert np.hypot(place[:, 0], place[:, 1]) == pytest.approx(10.0)
     assert place[:, 2] == pytest.approx(20.0 * (1.0 - angle / angle[-1]), abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [("X5 RND=2", "corner-not-interpreted"), ("X5 CHR=2", "corner-not-interpreted"), ("X5 ANG=30", "corner-not-interpreted"),
+     ("DIAMON", "offset-not-interpreted"), ("G54\nX1\nG500\nX2", "offset-not-interpreted")],
+)  # fmt: skip
+def test_words_that_move_otherwise_are_errors(line: str, code: str) -> None:
+    assert errors(read(HEAD + line + "\nX8\n", "siemens840d")) == [code]
+    assert not errors(read(HEAD + "G500\nX1\nG54\nX2\n", "siemens840d"))
+
+
+def test_a_program_that_fanuc_calls_from_outside_is_an_error() -> None:
+    assert errors(read("G21 G90 G0 X0. Y0. Z0. A0. C0.\nM198 P100\nG1 X5. F9.\n", "fanuc")) == ["call-not-interpreted"]

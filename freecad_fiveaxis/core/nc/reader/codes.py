@@ -117,6 +117,11 @@ MACRO: Kind = (
     "macro-not-interpreted",
     say("variables, expressions or jumps; their words are missing here. Post without them"),
 )
+CORNER: Kind = (
+    Severity.ERROR,
+    "corner-not-interpreted",
+    say("roundings, chamfers or angles of a contour, whose moves are missing here; post straight moves and arcs"),
+)
 SPATIAL: Kind = (
     Severity.ERROR,
     "orientation-not-interpreted",
@@ -178,13 +183,15 @@ class Grammar:
 
 
 ISO = Grammar(
-    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset({*HARMLESS, LOCAL}), CODES, {97: CALL, 98: CALL},
+    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset({*HARMLESS, LOCAL}), CODES, {97: CALL, 98: CALL, 198: CALL},
     guide_m={128: 1, 129: 0, 428: 1, 429: 0, 430: 0},
 )  # fmt: skip
 _SIEMENS_OWN = {
     700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0, 6450: 0, 500: 0,
     5000: 0, 4500: 0, 4510: 0, 2900: 0, 90: 0, 250: 0, 260: 0, 1500: 0, 4600: 0, 4610: 0, 1470: 0, 1480: 0,
 }  # fmt: skip
+WITHOUT_OFFSET = 5000
+"""G500 of Siemens: no settable zero offset is on."""
 POLES = (1100, 1110, 1120)
 """G110 to G112 of Siemens: poles, whose axis words move nothing."""
 _SIEMENS_OFFSETS = (540, 550, 560, 570, *range(5050, 6000, 10))

@@ -86,7 +86,7 @@ def read_nc(
     language = language_of(text, told)
     grammar = GRAMMARS[language]
     words, lines, before, cause = _words_and_lines(
-        text, grammar, dialect, assumed, progress, OfMachine(kinematics, assumed.no_motion, diameters(text))
+        text, grammar, dialect, assumed, progress, OfMachine(kinematics, assumed.no_motion, diameters(text), assumed.search)
     )
     findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]

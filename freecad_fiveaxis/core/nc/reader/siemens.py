@@ -22,6 +22,11 @@ BRACKETED = re.compile(rb"(?<![A-Z_$])([XYZABCIJK]) *= *(AC|IC|DC|ACP|ACN) *\(" 
 VECTOR = re.compile(rb"(?<![A-Z_$])([ABC])3 *=")
 RADIUS = re.compile(rb"(?<![A-Z_$])CR *=")
 TURNS = re.compile(rb"(?<![A-Z0-9_$])TURN *=(?= *\+?[0-9])")
+ALONE = re.compile(
+    rb"^( *(?:N *[0-9]+ *)?)(?:(L[0-9]+)|([A-Z_][A-Z_][A-Z0-9_]*)(?: *\((?:[^()\n]|\([^()\n]*\))*\))?)(?: +P *=? *[0-9]+)? *$",
+    re.MULTILINE,
+)
+"""A line of nothing but a name: a subprogram, where it is no known word."""
 ADDRESS = re.compile(rb"(?<![A-Z_$])([XYZABCUVWFIJKSDT]) *=(?= *[-+.0-9])")
 SIDE = re.compile(
     rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) *=" + NUMBER
@@ -51,13 +56,16 @@ CALLS = frozenset(b"CALL PCALL EXTCALL MCALL ISOCALL".split())
 ARCS = frozenset(b"CIP CT TURN AR".split())
 SPLINES = frozenset(b"ASPLINE BSPLINE CSPLINE POLY POLYPATH INVCW INVCCW".split())
 POLAR = frozenset(b"AP RP".split())
+CORNERS = frozenset(b"RND RNDM CHR CHF ANG ANG1 ANG2".split())
 MACROS = frozenset(
     b"""IF ELSE ENDIF FOR ENDFOR WHILE ENDWHILE LOOP ENDLOOP REPEAT REPEATB UNTIL GOTO GOTOF GOTOB GOTOC GOTOS CASE DEF DEFINE
     PROC SET RET ID IDS EVERY WHENEVER WHEN DO FROM""".split()
 )
+KNOWN = HARMLESS | {b"TRAORI", b"TRAFOOF", b"SUPA"}
 CYCLE = re.compile(rb"CYCLE[0-9]+|HOLES[0-9]|SLOT[0-9]|POCKET[0-9]|LONGHOLE|OSCTRL|OSE")
 KINDS = (
     (SHIFTS, codes.SHIFT), (CALLS, codes.CALL), (ARCS, codes.ARC_KIND), (SPLINES, codes.SPLINE), (POLAR, codes.POLAR),
+    (CORNERS, codes.CORNER),
 )  # fmt: skip
 WAYS = {b"AC": str, b"IC": codes.STEP_OF, b"DC": codes.SHORTER_OF, b"ACP": codes.SHORTER_OF, b"ACN": codes.SHORTER_OF}
 
@@ -65,6 +73,7 @@ WAYS = {b"AC": str, b"IC": codes.STEP_OF, b"DC": codes.SHORTER_OF, b"ACP": codes
 def plain(text: bytes, notes: Notes) -> bytes:
     """The text, in capitals and without comments, as ISO words with the private letters; every line stays where it is."""
     text = shifts(without_strings(text))
+    text = ALONE.sub(lambda found: _alone(found, notes), text)
     if b"=" in text:
         text = _addresses(text, notes)
     if b"CYCLE8" in text or b"MCALL" in text:
@@ -155,6 +164,14 @@ def _keyword(found: re.Match[bytes], notes: Notes) -> bytes:
     if name == b"MCALL":  # of something else: it ends the modal cycle before it
         return notes.drill(Drill()) + _noted(found, codes.CALL, name, notes)[2:]
     return _noted(found, _kind(name), name, notes)
+
+
+def _alone(found: re.Match[bytes], notes: Notes) -> bytes:
+    """The line with blanks for a call, noted; as it is where its word is a known one."""
+    name = found[2] or found[3]
+    if name in KNOWN or not (found[2] or _kind(name) is codes.UNKNOWN):
+        return found[0]
+    return found[1] + _noted(found, codes.CALL, name, notes)[len(found[1]) :]
 
 
 def _kind(name: bytes) -> codes.Kind:

@@ -16,7 +16,8 @@ import re
 from freecad_fiveaxis.core.base.sentences import say
 
 from .expressions import Unread
-from .siemens import HARMLESS
+from .siemens import HARMLESS, MACROS, shifts, without_strings
+from .siemens_calls import Whole, found_units, put_unit
 from .siemens_cycles import split_arguments
 from .siemens_names import SETS, by_names, definition, marked, unmarked, value_end
 from .statements import TEXT
@@ -38,6 +39,10 @@ WORKED_OUT = re.compile(r"=[-+]*(?:(?!(?:AC|IC|DC|ACP|ACN)\()[A-Z_]*[0-9]?\(|[0-
 """A value to work out, without variables."""
 PLAIN = re.compile(r"[-+]?[0-9.]*")
 CALLED = re.compile(r"(?<![A-Z0-9_$])([A-Z_][A-Z_][A-Z0-9_]*) *\((.*)\) *$")
+SUB = 90_000_000
+"""Before the number of a subprogram, as an O-word."""
+BY_NUMBER = re.compile(r" *@([0-9]+)(SUB|ENDSUB)?(?:\((.*)\))? *$")
+BACK = re.compile(r" *(?:N *[0-9]+)? *(?:RET|M *(?:0*2|17|30)) *")
 NUMBERED = re.compile(r"^ *(?:N *[0-9]+)? *(?:[A-Z_]{2}[A-Z0-9_]* *:)?")
 ENDS = re.compile(r"M(?:0*2|17|30)(?![0-9=])")
 RELATIONS = (("==", "EQ"), ("<>", "NE"), (">=", "GE"), ("<=", "LE"), (">", "GT"), ("<", "LT"))
@@ -51,24 +56,54 @@ CLOSES = {
 UNKNOWN = re.compile(r"DIV|NOT|B_|TRUNC|ATAN2|POT|[AID]C\[|R\[|\$|,|[A-Z_]{2}[A-Z0-9_]*=")
 
 
-def said_again(rows: list[str]) -> tuple[list[str], list[bool]]:
+def with_calls(rows: list[bytes], called: list[bytes], search: tuple[str, ...]) -> Whole:
+    """The rows with the programs that they call behind them; ``called``: the rows with their strings. Raises Unread."""
+    main = [row.decode("latin-1") for row in rows]
+    texts = [row.decode("latin-1") for row in called] if len(called) == len(rows) else main
+    units = found_units(texts, search, HARMLESS | MACROS)
+    whole = Whole([], [], [])
+    put_unit(whole, 0, main, texts, list(range(len(main))), units)
+    for k, unit in enumerate(units.values(), 1):
+        own = [shifts(without_strings(row.encode("latin-1"))).decode("latin-1") for row in unit.rows]
+        head = [f"@{k}SUB", *(f"DEF REAL {name}" for name, _ in unit.parameters)]
+        head += [f"{name}=#{i}" for i, (name, _) in enumerate(unit.parameters, 1)]
+        rows_of = [*head, *own, f"@{k}ENDSUB"]
+        put_unit(whole, k, rows_of, [*head, *unit.rows, ""], [unit.source[0]] * len(rows_of), units)
+    return whole
+
+
+def said_again(whole: Whole) -> tuple[list[str], list[bool]]:
     """The rows, in capitals, as O-words, and which are no more than blocks as they stand.
 
     Raises Unread for what is not known."""
-    rows = marked(rows)
+    rows = marked(whole.rows)
     lines = [row.replace(" ", "") for row in rows]
-    labels = {found[2]: 900_000 + at for at, line in enumerate(lines) if (found := HEAD.match(line)) and found[2]}
+    labels: dict[int, dict[str, int]] = {unit: {} for unit in whole.unit}
+    for at, line in enumerate(lines):
+        if (found := HEAD.match(line)) and found[2]:
+            labels[whole.unit[at]][found[2]] = 900_000 + at
     again, plain, opened = list[str](), list[bool](), list[tuple[str, int]]()
     for at, (row, line) in enumerate(zip(rows, lines, strict=True)):
         try:
-            new = _again(row, line, at, labels, opened)
+            new = _called(row, whole.unit[at]) or _again(row, line, at, labels[whole.unit[at]], opened)
         except Unread as refused:
-            raise Unread(refused.reason, at) from None
+            raise Unread(refused.reason, whole.source[at]) from None
         again.append(line if new is None else new)
         plain.append(new is None)
     if opened:
-        raise Unread(say("{word} has no end", word=opened[-1][0]), opened[-1][1])
+        raise Unread(say("{word} has no end", word=opened[-1][0]), whole.source[opened[-1][1]])
     return again, plain
+
+
+def _called(row: str, unit: int) -> str | None:
+    """A call, the head or the end of a subprogram, or the way back from it, as O-words; None for any other row."""
+    if found := BY_NUMBER.match(row):
+        inside = found[3] or ""
+        values = [_expression(part.replace(" ", "")) for part in split_arguments(inside)] if inside.strip() else []
+        return f"O{SUB + int(found[1])}{found[2] or 'CALL'}" + "".join(f"[{value}]" for value in values)
+    if BACK.fullmatch(row):
+        return f"O{SUB + unit}RETURN" if unit else "M30"
+    return None
 
 
 def _again(row: str, line: str, at: int, labels: dict[str, int], opened: list[tuple[str, int]]) -> str | None:
