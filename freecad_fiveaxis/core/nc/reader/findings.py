@@ -212,8 +212,8 @@ def _without_offset(told: Moves, lines: Lines, grammar: Grammar) -> list[Finding
     if not len(rows):
         return []
     text = say(
-        "{count} blocks stand under G500 after a work offset: where they lead only the machine knows, and they are not right here. "
-        "Post them under the offset, or as machine positions (SUPA).",
+        "{count} blocks stand under G500 after a work offset: where they lead only the machine knows, and they are not right "
+        "here. Post them under the offset, or as machine positions (SUPA).",
         count=len(rows),
     )
     return [Finding(Severity.ERROR, codes.SHIFT[1], text, float(len(rows)), block=int(rows[0]), line=int(told.at[rows[0]]))]
