@@ -1523,6 +1523,10 @@
         <translation>Feste Achse I, J, K</translation>
     </message>
     <message>
+        <source>Folder of called programs</source>
+        <translation>Ordner der aufgerufenen Programme</translation>
+    </message>
+    <message>
         <source>Follow the tip</source>
         <translation>Der Spitze folgen</translation>
     </message>
