@@ -138,6 +138,7 @@ def _of_programs() -> dict[str, str]:
         "units": translate("FiveAxis", "Units"),
         "cl_tool": translate("FiveAxis", "Tool of the CL file"),
         "decimal": translate("FiveAxis", "Words without a decimal point"),
+        "search": translate("FiveAxis", "Folder of called programs"),
         "axis_tolerance": translate("FiveAxis", "Axis tolerance"),
         "method": translate("FiveAxis", "Line deviation by"),
         "region": translate("FiveAxis", "Room for the work zero"),

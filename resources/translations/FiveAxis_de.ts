@@ -764,6 +764,10 @@
         <translation>Schemaversion</translation>
     </message>
     <message>
+        <source>Search</source>
+        <translation>Suchordner</translation>
+    </message>
+    <message>
         <source>Setup</source>
         <translation>Aufspannung</translation>
     </message>
@@ -1168,6 +1172,10 @@
         <translation>Zickzack fräst in beiden Richtungen, eine Richtung nur in einer</translation>
     </message>
     <message>
+        <source>a folder with the programs that the program calls, beside its own; may be repeated</source>
+        <translation>ein Ordner mit den Programmen, die das Programm aufruft, neben seinem eigenen; darf wiederholt werden</translation>
+    </message>
+    <message>
         <source>feed of all its moves, mm/min and deg/min</source>
         <translation>Vorschub aller Bewegungen, mm/min und Grad/min</translation>
     </message>
@@ -1513,6 +1521,10 @@
     <message>
         <source>Fixed axis I, J, K</source>
         <translation>Feste Achse I, J, K</translation>
+    </message>
+    <message>
+        <source>Folder of called programs</source>
+        <translation>Ordner der aufgerufenen Programme</translation>
     </message>
     <message>
         <source>Follow the tip</source>
@@ -4508,6 +4520,14 @@
         <translation>ist kein JSON ({error})</translation>
     </message>
     <message>
+        <source>it calls more than {most} programs</source>
+        <translation>es ruft mehr als {most} Programme auf</translation>
+    </message>
+    <message>
+        <source>it gives more values than the program takes</source>
+        <translation>er gibt mehr Werte, als das Programm nimmt</translation>
+    </message>
+    <message>
         <source>it has more values than are known here</source>
         <translation>er hat mehr Werte, als hier bekannt sind</translation>
     </message>
@@ -5038,6 +5058,10 @@
     <message>
         <source>rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words</source>
         <translation>Rundachswörter mit Drehsinn (ACP, ACN); auf dem kürzeren Weg genommen. Absolute Wörter ausgeben</translation>
+    </message>
+    <message>
+        <source>roundings, chamfers or angles of a contour, whose moves are missing here; post straight moves and arcs</source>
+        <translation>Rundungen, Fasen oder Winkel einer Kontur, deren Bewegungen hier fehlen; Geraden und Kreisbögen ausgeben</translation>
     </message>
     <message>
         <source>row {row} of the CL path is a feed move with feed {value}; give a feed above 0</source>
@@ -5690,6 +5714,10 @@
     <message>
         <source>{count} blocks near the pole</source>
         <translation>{count} NC-Sätze nahe am Pol</translation>
+    </message>
+    <message>
+        <source>{count} blocks stand under G500 after a work offset: where they lead only the machine knows, and they are not right here. Post them under the offset, or as machine positions (SUPA).</source>
+        <translation>{count} Sätze stehen nach einer Nullpunktverschiebung unter G500: wohin sie führen, weiß nur die Maschine, und sie stimmen hier nicht. Unter der Verschiebung oder als Maschinenpositionen (SUPA) ausgeben.</translation>
     </message>
     <message>
         <source>{count} blocks take the shorter way to {letter}, as the machine file says (modulo). {name} does so only if it is set to: check it.</source>
@@ -6482,6 +6510,10 @@
     <message>
         <source>{rtcp} lets the controller guide the tip, {linearize} divides blocks where it does not; give one</source>
         <translation>{rtcp} lässt die Steuerung die Spitze führen, {linearize} teilt Sätze, wo sie es nicht tut; eines davon angeben</translation>
+    </message>
+    <message>
+        <source>{search} {folder} is no folder; name one with the called programs</source>
+        <translation>{search} {folder} ist kein Ordner; einen mit den aufgerufenen Programmen angeben</translation>
     </message>
     <message>
         <source>{segments} segments of passes</source>

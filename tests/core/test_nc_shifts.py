@@ -167,7 +167,7 @@ def test_relative_planes_go_on_from_the_one_that_is_on() -> None:
         ("heidenhain", "PLANE POINTS P1X+0 P1Y+0 P1Z+20 P2X+30 P2Y+31 P2Z+20 P3X+0 P3Y+41 P3Z+32 TURN FMAX", "PLANE POINTS"),
         ("heidenhain", "PLANE RELATIV SPA+Q5 TURN FMAX", "PLANE RELATIV"), ("heidenhain", "CYCL DEF 7.1 #5", "CYCL DEF 7.1"), ("heidenhain", "CYCL DEF 7.1 X+Q5", "CYCL DEF 7.1"),
         ("heidenhain", "TRANS DATUM TABLE TABLINE5", "TRANS DATUM"), ("heidenhain", "TRANS DATUM AXIS X+10 C+5", "TRANS DATUM"), ("heidenhain", "TRANS ROTATION ROT+30", "TRANS ROTATION"),
-        ("heidenhain", "N50 G53 P01 5", "G53"), ("heidenhain", "N50 G54 X+10 B+5", "G54"), ("siemens840d", "TRANS X10 C5", "TRANS"), ("siemens840d", "AROT Z30", "AROT"), ("siemens840d", "TRANS X=R7", "R7"),
+        ("heidenhain", "N50 G53 P01 5", "G53"), ("heidenhain", "N50 G54 X+10 B+5", "G54"), ("siemens840d", "TRANS X10 C5", "TRANS"), ("siemens840d", "ASCALE X2", "ASCALE"), ("siemens840d", "ATRANS C5\nROT Z0", "ATRANS"), ("siemens840d", "TRANS X=R7", "R7"),
     ],
 )  # fmt: skip
 def test_what_is_not_known_of_shifts_planes_and_boring_is_an_error_by_name_with_a_remedy(controller, line, name) -> None:

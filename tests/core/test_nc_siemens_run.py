@@ -44,5 +44,5 @@ def test_a_loop_that_does_not_end_is_refused_and_findings_keep_their_lines(monke
     with pytest.raises(ProgramError, match="does not end"):
         read(HEAD + "LOOP\nR1=1\nENDLOOP\n", "siemens840d")
     program = read(HEAD + "R1=0\nWHILE R1<3\nR1=R1+1\nX=R1\nENDWHILE\nSUBPROG\n", "siemens840d")
-    assert [found.line for found in program.findings if found.code == "unknown-code"] == [8]
+    assert [found.line for found in program.findings if found.code == "call-not-interpreted"] == [8]
     assert program.line.tolist() == [1, 6, 6, 6]

@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import Option, one_line, say
 from freecad_fiveaxis.core.cl.apt import read_apt
-from freecad_fiveaxis.core.jobs.options import cl_reading, clamped, dialect_for, title_of
+from freecad_fiveaxis.core.jobs.options import cl_reading, clamped, dialect_for, search_folders, title_of
 from freecad_fiveaxis.core.jobs.settings import PROVE, RECOVER, Settings, flat_options
 from freecad_fiveaxis.core.machine import Axis, Machine, check_new, load_machine, machine_bytes
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
@@ -88,7 +88,8 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     path = read_apt(apt, cl_reading(settings), progress)
     dialect = dialect_for(settings.machine.controller, start)
     dialect, read_as = (dialect, ()) if settings.machine.controller else dialect_of_text(nc, dialect)
-    assumed = Assumed(settings.reading.units, settings.reading.decimal, start.no_motion if start else ())
+    search = search_folders(settings, settings.recover.program)
+    assumed = Assumed(settings.reading.units, settings.reading.decimal, start.no_motion if start else (), search)
     program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress, assumed)
     _refuse_guided(program)
     found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)

@@ -55,6 +55,7 @@ from .options import (
     driven_to_surface,
     machine_of,
     post_options,
+    search_folders,
     title_of,
     tool_body,
     with_cutter,
@@ -90,7 +91,9 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
         return post(settings, machine, kinematics, dialect, progress)
     text = read_bytes(settings.source, "NC file")
     dialect, found = (dialect, ()) if settings.machine.controller else dialect_of_text(text, dialect)
-    assumed = Assumed(settings.reading.units, settings.reading.decimal, machine.no_motion)
+    assumed = Assumed(
+        settings.reading.units, settings.reading.decimal, machine.no_motion, search_folders(settings, settings.source)
+    )
     program = read_nc(text, kinematics, dialect, progress, assumed)
     settings, named = _with_named_cutter(settings, text)
     found += named

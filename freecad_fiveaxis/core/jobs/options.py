@@ -46,6 +46,18 @@ def machine_of(settings: Settings) -> tuple[Machine, Chain, Dialect]:
     return machine, chain(machine, setup), dialect
 
 
+def search_folders(settings: Settings, program: str) -> tuple[str, ...]:
+    """The folders in which the programs lie that ``program`` calls: its own, then those named. Raises SettingsError for one that
+    is none."""
+    for folder in settings.reading.search:
+        if not Path(folder).is_dir():
+            raise SettingsError(
+                say("{search} {folder} is no folder; name one with the called programs", search=Option("search"), folder=folder),
+                folder,
+            )
+    return (str(Path(program).parent), *settings.reading.search)
+
+
 def dialect_for(controller: str | None, machine: Machine | None) -> Dialect:
     """The dialect of the controller that is named, else of the machine's own, else the usual one. Raises SettingsError."""
     return find_dialect(controller or (machine.controller if machine else "") or DEFAULT_CONTROLLER)

@@ -370,6 +370,9 @@ class ReadingSettings:
         "calculator", "choice", "a word without a decimal point: X100 is 100 mm, or 0.1 mm (least increment)", (AUDIT, RECOVER),
         choices=DECIMAL,
     )  # fmt: skip
+    search: tuple[str, ...] = option(
+        (), "paths", "a folder with the programs that the program calls, beside its own; may be repeated", (AUDIT, RECOVER)
+    )
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ FULL = 1e-7
 class Arcs:
     """One row an arc, (n,): ``row`` of the moves; ``plane`` 0 XY, 1 ZX, 2 YZ; ``counter``: G3; ``offset`` (n, 3) I J K, NaN
     where not given; ``absolute``: they are the centre's place; ``radius`` R, NaN where not given; ``centre`` (n, 3) the centre
-    told before, NaN where none."""
+    told before, NaN where none; ``turns`` full turns made besides, None: none."""
 
     row: Ints
     plane: Ints
@@ -41,6 +41,7 @@ class Arcs:
     absolute: Bools
     radius: Floats
     centre: Floats
+    turns: Floats | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,6 +72,8 @@ def chorded(arcs: Arcs, before: Floats, said: Floats, line: Ints) -> tuple[Chord
     a0, a1 = (np.arctan2(*(place - centre)[::-1]) for place in (start, end))
     turn = np.where(arcs.counter, 1.0, -1.0)
     sweep[good] = _sweep((turn * (a1 - a0))[good])
+    if arcs.turns is not None:
+        sweep[good] += 2.0 * np.pi * np.nan_to_num(arcs.turns[good])
     step = 2.0 * np.arccos(1.0 - np.minimum(ARC_TOLERANCE / np.maximum(r0[good], r1[good]), 1.0))
     count[good] = np.maximum(np.ceil(sweep[good] / step), 1.0).astype(np.int64)
     if count.sum() > MOST:

@@ -71,7 +71,12 @@ PLANE = "w"
 DRILL = "d"
 """d3: the fourth of the program's calls of drilling cycles (:mod:`.siemens_cycles`)."""
 SHIFTED = "s"
-"""The words of this line shift the zero; s0: ends all shifts, s1: of the axes named, s2: of all, s3: on from where it is."""
+"""The words of this line shift the zero; s0: ends all shifts, s1: of the axes named, s2: of all, s3: on from where it is;
+s4, s5: turn the coordinates anew, on (Siemens' ROT, AROT)."""
+IN_THE_PLANE = "I"
+"""In a line that turns the coordinates: the angle about the normal of G17, G18 or G19 (Siemens' RPL=)."""
+TURNS = "o"
+"""o2: the arc of this line goes round twice more (Siemens' TURN=)."""
 ORIGIN = "hlm"
 """In the line of a tilted plane: the shift before it, mm."""
 MACHINE = "v"
@@ -111,6 +116,11 @@ MACRO: Kind = (
     Severity.ERROR,
     "macro-not-interpreted",
     say("variables, expressions or jumps; their words are missing here. Post without them"),
+)
+CORNER: Kind = (
+    Severity.ERROR,
+    "corner-not-interpreted",
+    say("roundings, chamfers or angles of a contour, whose moves are missing here; post straight moves and arcs"),
 )
 SPATIAL: Kind = (
     Severity.ERROR,
@@ -173,13 +183,15 @@ class Grammar:
 
 
 ISO = Grammar(
-    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset({*HARMLESS, LOCAL}), CODES, {97: CALL, 98: CALL},
+    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset({*HARMLESS, LOCAL}), CODES, {97: CALL, 98: CALL, 198: CALL},
     guide_m={128: 1, 129: 0, 428: 1, 429: 0, 430: 0},
 )  # fmt: skip
 _SIEMENS_OWN = {
     700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0, 6450: 0, 500: 0,
     5000: 0, 4500: 0, 4510: 0, 2900: 0, 90: 0, 250: 0, 260: 0, 1500: 0, 4600: 0, 4610: 0, 1470: 0, 1480: 0,
 }  # fmt: skip
+WITHOUT_OFFSET = 5000
+"""G500 of Siemens: no settable zero offset is on."""
 POLES = (1100, 1110, 1120)
 """G110 to G112 of Siemens: poles, whose axis words move nothing."""
 _SIEMENS_OFFSETS = (540, 550, 560, 570, *range(5050, 6000, 10))

@@ -6,6 +6,9 @@ dialect   LinuxCNC: AND, OR, XOR are logical and bind least; FIX and FUP go down
           with a name is an error. Fanuc, Haas: bitwise, AND binds as *, OR and XOR as +; FIX goes to zero, FUP from it; a
           variable that was never set is vacant, and a word with it is left out.
 
+ATAN[y]/[x]  LinuxCNC: from -180 to 180. Fanuc, Haas: from 0 to 360, as Fanuc's parameter 6004#0 (NAT) = 0 is said to have it,
+             with 1 as LinuxCNC's. Neither Fanuc's page nor Haas' was at hand.
+
 Angles in degrees. Sources: LinuxCNC 2.9, G-code overview; Fanuc B-63324EN, 15.4 (custom macro); Haas mill operator's manual.
 """
 
@@ -167,8 +170,8 @@ class Parser:
             return self.exists()
         inner = self.value()
         if name == "ATAN" and self.takes("/"):
-            other = self.value()
-            return lambda known: math.degrees(math.atan2(number(inner(known)), number(other(known))))
+            other, turn = self.value(), 360.0 if self.fanuc else 0.0
+            return lambda known: _direction(number(inner(known)), number(other(known)), turn)
         table = FANUC_FUNCTIONS if self.fanuc else FUNCTIONS
         work = table[name]
         return lambda known: work(number(inner(known)))
@@ -211,8 +214,7 @@ class Parser:
 def _named(name: str) -> tuple[Expression, Callable[[Variables, Value], None]]:
     def read(known: Variables) -> Value:
         if name not in known.named(name):
-            shown = name if re.fullmatch("R[0-9]+", name) else f"#<{name.lower()}>"
-            raise Unread(say("{name} was never set", name=shown))
+            raise Unread(say("{name} was never set", name=_shown(name)))
         return known.named(name)[name]
 
     def write(known: Variables, value: Value) -> None:
@@ -221,8 +223,21 @@ def _named(name: str) -> tuple[Expression, Callable[[Variables, Value], None]]:
     return read, write
 
 
+def _shown(name: str) -> str:
+    """A name as the program writes it: Siemens' R1 and names of variables (:mod:`.siemens_names`), or LinuxCNC's."""
+    if re.fullmatch("_R[0-9]+", name):
+        return name[1:]
+    return name.partition(".")[2].upper() if name.startswith(("v.", "_g.")) else f"#<{name.lower()}>"
+
+
 def _whole(value: float) -> int:
     return round(value)
+
+
+def _direction(y: float, x: float, turn: float) -> float:
+    """The angle of a direction, deg: from -180 to 180, or from 0 to below ``turn``."""
+    angle = math.degrees(math.atan2(y, x))
+    return angle + turn if angle < 0.0 else angle
 
 
 def _power(a: float, b: float) -> float:

@@ -199,7 +199,24 @@ def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar:
             count=len(offsets),
         )
         found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
+    found += _without_offset(told, lines, grammar)
     return found
+
+
+def _without_offset(told: Moves, lines: Lines, grammar: Grammar) -> list[Finding]:
+    """That blocks stand under G500 after the program has had a zero offset (Siemens)."""
+    if grammar.name != "siemens" or codes.WITHOUT_OFFSET not in lines.code:
+        return []
+    state = lines.mode({**dict.fromkeys(grammar.offsets, 1), codes.WITHOUT_OFFSET: 2}, 0)[told.at]
+    rows = np.flatnonzero(np.logical_or.accumulate(state == 1) & (state == 2))
+    if not len(rows):
+        return []
+    text = say(
+        "{count} blocks stand under G500 after a work offset: where they lead only the machine knows, and they are not right "
+        "here. Post them under the offset, or as machine positions (SUPA).",
+        count=len(rows),
+    )
+    return [Finding(Severity.ERROR, codes.SHIFT[1], text, float(len(rows)), block=int(rows[0]), line=int(told.at[rows[0]]))]
 
 
 def _units_finding(told: Moves, lines: Lines, grammar: Grammar) -> Finding:

@@ -8,7 +8,7 @@ refusal   one thing that is not understood makes the whole program one that is n
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NoReturn, Protocol
 
 import numpy as np
@@ -21,8 +21,8 @@ from freecad_fiveaxis.core.base.sentences import say
 
 from .expressions import Unread, Value, Variables, number
 from .flow import Flow, flow_of
-from .siemens_run import said_again
-from .statements import ARGUMENTS, SPECIAL, Block, Cycle, Macro, OWord, Statement, statement
+from .siemens_run import said_again, with_calls
+from .statements import ARGUMENTS, SPECIAL, Block, Macro, OWord, Statement, Text, statement
 
 MOST = 2_000_000
 DEEPEST = 100
@@ -64,23 +64,31 @@ class Frame:
     o_word: bool = False
 
 
-def written_out(text: bytes, fanuc: bool, progress: Progress = silent, siemens: bool = False) -> Written | Refused:
+def written_out(
+    text: bytes, fanuc: bool, progress: Progress = silent, siemens: bytes = b"", search: tuple[str, ...] = ()
+) -> Written | Refused:
     """The text, in capitals and without comments, as the control runs it. ``fanuc``: as Fanuc and Haas mean it, else LinuxCNC.
-    ``siemens``: with R parameters and Siemens' jumps.
+    ``siemens``: with Siemens' variables and jumps; the same with its strings. ``search``: folders with the programs called.
 
     Raises ProgramError for what does not end."""
     rows = text.split(b"\n")
-    lines = [row.replace(b" ", b"").decode("latin-1") for row in rows]
     try:
-        lines, plain = said_again(lines) if siemens else (lines, [not SPECIAL.search(line) for line in lines])
+        origin = list(range(len(rows)))
+        if siemens:
+            program = with_calls(rows, siemens.split(b"\n"), search)
+            lines, plain, origin = *said_again(program), program.source
+            rows = [row.encode("latin-1") for row in program.rows]
+        else:
+            lines = [row.replace(b" ", b"").decode("latin-1") for row in rows]
+            plain = [not SPECIAL.search(line) for line in lines]
         flow = flow_of(lines)
     except Unread as refused:
         return Refused(refused.at + 1, refused.reason)
     run = Run(lines, plain, flow, fanuc, progress)
     if refusal := refusal_of(run):
-        return refusal
+        return replace(refusal, line=origin[refusal.line - 1] + 1)
     made = [rows[at] if row is None else row.encode("latin-1") for at, row in run.made]
-    return Written(b"\n".join(made), np.array([0, *(at + 1 for at, _ in run.made)], np.int64))
+    return Written(b"\n".join(made), np.array([0, *(origin[at] + 1 for at, _ in run.made)], np.int64))
 
 
 class Running(Protocol):
@@ -165,7 +173,7 @@ class Run:
         """Run one line; the next one."""
         if isinstance(what, Block):
             return self._block(what)
-        if isinstance(what, Cycle):
+        if isinstance(what, Text):
             self.made.append((self.at, what.row(self.known)))
             return self.at + 1
         return self._macro(what) if isinstance(what, Macro) else O_WORDS[what.word](self, what)

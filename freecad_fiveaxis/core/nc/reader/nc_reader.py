@@ -51,7 +51,7 @@ from .findings import (
 from .heidenhain_cycles import diameters
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
 from .of_machine import OfMachine
-from .planes import IN_PLANE, Planes, planes_of
+from .planes import Planes, planes_of
 from .positions import (
     ABSOLUTE,
     STEP,
@@ -86,7 +86,7 @@ def read_nc(
     language = language_of(text, told)
     grammar = GRAMMARS[language]
     words, lines, before, cause = _words_and_lines(
-        text, grammar, dialect, assumed, progress, OfMachine(kinematics, assumed.no_motion, diameters(text))
+        text, grammar, dialect, assumed, progress, OfMachine(kinematics, assumed.no_motion, diameters(text), assumed.search)
     )
     findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
@@ -131,7 +131,10 @@ def read_nc(
         kinematics, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect, planes
     )
     if planes is not None:
-        findings += (*vector_findings(told_moves), *off_normal(planes, told_moves, chords, tool_axes(kinematics, program.words)))
+        findings += (
+            *vector_findings(planes, told_moves),
+            *off_normal(planes, told_moves, chords, tool_axes(kinematics, program.words)),
+        )
     findings = fold(before + in_file(words, findings + guide_findings(program, told_moves)), cause)
     return replace(program, line=words.in_file(program.line), findings=findings, wrap=wrap)
 
@@ -222,6 +225,7 @@ def _moves(
 ) -> tuple[Ints, Moves]:  # fmt: skip
     """The lines of the blocks, those of a safe start left out, and where they lead."""
     vector = _vectors(lines, at, mode, on)
+    vector = vector if planes is None else planes.vectors_in_work(vector, meaning)
     start = begun(words, meaning, mode[at] == codes.RAPID, vector)
     kept = [(value[start.row :], kind[start.row :]) for value, kind in words]
     at, vector, meaning = at[start.row :], vector[start.row :], meaning[start.row :]
@@ -280,7 +284,7 @@ def _chords(lines: Lines, told: Moves, mode: Ints, grammar: Grammar) -> tuple[Ch
     sense = lines.mode({codes.CLOCKWISE: 0, codes.COUNTER: 1}, 0)[line]
     arcs = Arcs(
         row, lines.mode(codes.PLANES, 0)[line], sense == 1, offset, lines.mode(codes.CENTRES, 0)[line] == 1,
-        told_as["R"][line] * inch, centre,
+        told_as["R"][line] * inch, centre, lines.column(codes.TURNS)[line] if codes.TURNS in lines.letters else None,
     )  # fmt: skip
     return chorded(arcs, told.before, told.said, told.at)
 
@@ -303,7 +307,7 @@ def _program(
     motion = np.where(mode == codes.RAPID, Motion.RAPID, Motion.CUT).astype(np.int8)
     change = said - before
     said = in_work(said, meaning, planes)
-    words = where_axes_stand(kinematics, said, on if planes is None else on | (meaning >= IN_PLANE))
+    words = where_axes_stand(kinematics, said, on if planes is None else on | planes.by_tip(meaning))
     guided = _guided(kinematics, words, said, on, vector) if on.any() else None
     seconds = _seconds(words, change, motion, feed, inverse, feed_mode == codes.PER_TURN, on, kinematics, dialect)
     return Program(kinematics.letters, words, feed, inverse, motion, seconds, np.full(len(line), -1), line, (), guided)

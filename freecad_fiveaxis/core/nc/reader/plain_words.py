@@ -45,20 +45,21 @@ class Plain:
 
 def plain_words(text: bytes, language: str, progress: Progress, of_machine: OfMachine = NO_MACHINE) -> Plain:
     """A text in capitals, without comments. Raises ProgramError for what does not end."""
-    return _siemens(text, progress) if language == "siemens" else _heidenhain(text, progress, of_machine)
+    return _siemens(text, progress, of_machine) if language == "siemens" else _heidenhain(text, progress, of_machine)
 
 
-def _siemens(text: bytes, progress: Progress) -> Plain:
+def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     notes = Notes()
     read = siemens.plain(text, notes)
     met = notes.met.keys()
-    if not (siemens_run.SIGN.search(text) or any(kind is codes.MACRO or name == siemens.SWIVEL for kind, name in met)):
+    calls = bool(of_machine.search) and any(kind is codes.CALL for kind, _ in met)
+    if not (calls or siemens_run.SIGN.search(text) or any(kind is codes.MACRO or name == siemens.SWIVEL for kind, name in met)):
         return _told(text, read, notes, None, [])
-    notes = Notes()
+    notes, called = Notes(), text
     text = siemens.shifts(siemens.without_strings(siemens.swivels(text, notes)))
     source, refused = None, list[Finding]()
-    if siemens_run.MARK.search(text):
-        run = interpreter.written_out(text, False, progress, siemens=True)
+    if calls or siemens_run.MARK.search(text):
+        run = interpreter.written_out(text, False, progress, siemens=called, search=of_machine.search)
         if isinstance(run, interpreter.Written):
             text, source = run.text, run.source
         else:

@@ -56,7 +56,7 @@ class Tilt:
     0 where the line does not say; ``back``: to where both rotary words are 0; ``relative``: on
     from the plane that is on; ``away``: it draws the tool back before;
     ``table``: a free axis of the table turns with the plane; ``refused``: why it is not understood; ``name``: how it is
-    called."""
+    called; ``frame``: coordinates alone, of the tip where the control guides it, else of the axes."""
 
     rule: str
     turn: Floats | None = None
@@ -71,6 +71,7 @@ class Tilt:
     table: bool = False
     refused: str = ""
     name: str = ""
+    frame: bool = False
 
 
 def beyond(values: Sequence[float]) -> str:

@@ -30,13 +30,26 @@ JOINTS, GUIDED, IN_PLANE = 0, 1, 2
 class Planes:
     """``meaning`` (lines,): 0, or IN_PLANE + the index of the plane in which each line stands; ``origin`` (k, 3) mm, ``turn``
     (k, 3, 3) of the planes; ``turning``: what the turning lines say, with the plane (3, 3), its axes as columns, whose normal the
-    tool shall take."""
+    tool shall take; ``frame`` (k,): programmed frames, which come twice: for the tip, and (``axes``) for the axes."""
 
     meaning: Ints
     origin: Floats
     turn: Floats
     turning: dict[int, tuple[Tilt, Floats]]
     findings: tuple[Finding, ...]
+    frame: Bools
+    axes: Bools
+
+    def by_tip(self, meaning: Ints) -> Bools:
+        """Which of ``meaning`` (m,) are planes whose coordinates are the tip's."""
+        return self._of(~self.axes, meaning)
+
+    def frames(self, meaning: Ints) -> Bools:
+        """Which of ``meaning`` (m,) are programmed frames."""
+        return self._of(self.frame, meaning)
+
+    def _of(self, which: Bools, meaning: Ints) -> Bools:
+        return np.asarray((meaning >= IN_PLANE) & np.append(which, False)[np.maximum(meaning - IN_PLANE, -1)])
 
     def modes(self, mode: Ints, on: Bools) -> tuple[Ints, Bools]:
         """The motion modes (lines,) and whether the control guides the tip, with those of the turning lines."""
@@ -50,7 +63,9 @@ class Planes:
         stand, unless the control guides the tip (``on`` (m,))."""
         linear = np.logical_or.reduce([kind != 0 for _, kind in words[:3]])
         rotary = np.logical_or.reduce([kind != 0 for _, kind in words[3:]])
-        meaning = np.where((self.meaning[at] >= IN_PLANE) & (linear | ~rotary | on), self.meaning[at], on)
+        now = self.meaning[at]
+        frame = self.frames(now)
+        meaning = np.where((now >= IN_PLANE) & (linear | ~rotary | on | frame), now + (frame & ~on), on)
         turning = np.searchsorted(at, list(self.turning))
         meaning[turning] = on[turning]
         return np.asarray(meaning, np.int64)
@@ -62,6 +77,13 @@ class Planes:
         place = place.copy(order="K")
         place[rows] = self.origin[which] + np.einsum("nij,nj->ni", self.turn[which], place[rows])
         return place
+
+    def vectors_in_work(self, vector: Floats, meaning: Ints) -> Floats:
+        """Tool axes (m, 3) told in programmed frames, in the work; the others as they are."""
+        rows = np.flatnonzero(self.frames(meaning))
+        vector = vector.copy()
+        vector[rows] = np.einsum("nij,nj->ni", self.turn[meaning[rows] - IN_PLANE], vector[rows])
+        return vector
 
     def in_plane(self, place: Floats, meaning: int) -> Floats:
         """The other way round, for one place (3,)."""
@@ -119,7 +141,7 @@ def _euler(told: dict[str, float]) -> Tilt:
 def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
     scale = np.where(lines.inch(grammar), INCH, 1.0)
     origins, turns, turning, findings = list[Floats](), list[Floats](), dict[int, tuple[Tilt, Floats]](), list[Finding]()
-    state, now = np.zeros(lines.count, np.int64), 0
+    state, now, frames = np.zeros(lines.count, np.int64), 0, list[bool]()
     before = np.nan_to_num(np.stack([lines.column(letter) for letter in codes.ORIGIN], axis=1))
     for row, tilt in tilts.items():
         reason = _wrong(tilt, now)
@@ -131,6 +153,10 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
             origins.append(origins[now - IN_PLANE] if relative else place)
             turns.append(turns[now - IN_PLANE] @ tilt.turn if relative else tilt.turn)
             now = IN_PLANE + len(turns) - 1
+            frames += [tilt.frame] * (1 + tilt.frame)
+            if tilt.frame:
+                origins.append(origins[-1])
+                turns.append(turns[-1])
         elif not (tilt.rule == FANUC and tilt.move == TURN):
             now = 0
         if not reason and tilt.move != plane_calls.STAY:
@@ -139,7 +165,13 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
             findings.append(_away(row))
         state[row] = now
     meaning = state[last_of(np.array(sorted(tilts)), lines.count)]
-    return Planes(meaning, np.reshape(origins, (-1, 3)), np.reshape(turns, (-1, 3, 3)), turning, tuple(findings))
+    return Planes(meaning, np.reshape(origins, (-1, 3)), np.reshape(turns, (-1, 3, 3)), turning, tuple(findings), *_kinds(frames))
+
+
+def _kinds(frames: list[bool]) -> tuple[Bools, Bools]:
+    """Which planes are frames, and the second of each two of them."""
+    frame = np.array(frames, np.bool_)
+    return frame, np.asarray(frame & (np.cumsum(frame) % 2 == 0))
 
 
 def _wrong(tilt: Tilt, now: int) -> str:

@@ -160,13 +160,21 @@ def _pose(kinematics: Chain, said: Floats, was: int, now: int, planes: Planes | 
     words = said[None]
     if was == now:
         return said
-    if was != JOINTS:
-        words = standing(kinematics, in_work(words, np.array([was]), planes)[:, :3], words[:, 3:])
-    if now != JOINTS:
+    words = in_work(words, np.array([was]), planes)
+    if _of_tip(was, planes):
+        words = standing(kinematics, words[:, :3], words[:, 3:])
+    if _of_tip(now, planes):
         words = np.concatenate([forward(kinematics, words_to_q(words))[0], words[:, 3:]], axis=1)
     if planes is not None and now >= IN_PLANE:
         words[0, :3] = planes.in_plane(words[0, :3], now)
     return np.asarray(words[0])
+
+
+def _of_tip(meaning: int, planes: Planes | None) -> bool:
+    """Whether X Y Z of that meaning are the tip's."""
+    if planes is None or meaning < IN_PLANE:
+        return meaning != JOINTS
+    return bool(planes.by_tip(np.array([meaning]))[0])
 
 
 def in_work(said: Floats, meaning: Ints, planes: Planes | None) -> Floats:

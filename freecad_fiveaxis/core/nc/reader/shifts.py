@@ -29,6 +29,7 @@ from .lines import Lines, last_of
 from .plane_calls import FANUC, SIEMENS, TURN, Tilt
 from .planes import tilts_of
 from .positions import ABSOLUTE, STEP, axis_words
+from .siemens_frames import ROTATED, framed
 from .words import Words
 
 NONE, NAMED, WHOLE, ON = 0, 1, 2, 3
@@ -66,6 +67,8 @@ def shifted(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[F
     kind = _kinds(lines, grammar)
     if np.isnan(kind).all():
         return words, []
+    if (kind >= ROTATED).any():
+        return framed(words, lines, grammar, kind)
     table, tilts = _table(lines, grammar, kind), tilts_of(lines, grammar)
     zero, at, states, origins, findings = _Zero(), [0], [np.zeros(3)], dict[int, Floats](), list[Finding]()
     moving = np.flatnonzero((table.meant != 0).any(axis=1) & np.isnan(kind) & ~lines.any_of(grammar.no_move))

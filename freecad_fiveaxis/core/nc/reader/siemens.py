@@ -2,7 +2,8 @@
 """Siemens 840D text to plain words (Programming manual, Fundamentals and Job planning).
 
 X=1.5     an address with an equals sign.          X=AC() X=IC() C=DC()   absolute, incremental, by the shorter way.
-A3= B3= C3=   the tool's direction.                 CR=                    radius of an arc; I=AC() an absolute centre.
+A3= B3= C3=   the tool's direction.                 CR=                    radius of an arc; I=AC() an absolute centre;
+                                                    TURN= full turns that an arc makes besides (Fundamentals, helix).
 KEYWORD   a word of two letters and more, maybe with brackets: known and harmless, known and not interpreted, or unknown.
 """
 
@@ -20,14 +21,22 @@ NUMBER = rb" *([-+]?[0-9.][0-9. ]*)"
 BRACKETED = re.compile(rb"(?<![A-Z_$])([XYZABCIJK]) *= *(AC|IC|DC|ACP|ACN) *\(" + NUMBER + rb"\)")
 VECTOR = re.compile(rb"(?<![A-Z_$])([ABC])3 *=")
 RADIUS = re.compile(rb"(?<![A-Z_$])CR *=")
+TURNS = re.compile(rb"(?<![A-Z0-9_$])TURN *=(?= *\+?[0-9])")
+ALONE = re.compile(
+    rb"^( *(?:N *[0-9]+ *)?)(?:(L[0-9]+)|([A-Z_][A-Z_][A-Z0-9_]*)(?: *\((?:[^()\n]|\([^()\n]*\))*\))?)(?: +P *=? *[0-9]+)? *$",
+    re.MULTILINE,
+)
+"""A line of nothing but a name: a subprogram, where it is no known word."""
 ADDRESS = re.compile(rb"(?<![A-Z_$])([XYZABCUVWFIJKSDT]) *=(?= *[-+.0-9])")
 SIDE = re.compile(
     rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) *=" + NUMBER
 )
 SHIFT = re.compile(rb"(?<![A-Z0-9_$])(A)?TRANS(?![A-Z0-9_])")
+ROTATE = re.compile(rb"(?<![A-Z0-9_$])(A)?ROT(?![A-Z0-9_])")
+IN_THE_PLANE = re.compile(rb"(?<![A-Z0-9_$])RPL *=(?= *[-+.0-9])")
 SWIVEL = "CYCLE800"
 CYCLE800 = re.compile(rb"\bCYCLE800 *\(([^()\n]*)\)")
-TOOL = re.compile(rb"(?<![A-Z0-9_$])T *= *$", re.MULTILINE)
+TOOL = re.compile(rb"(?<![A-Z0-9_$])T *=(?= *(?:$|[A-Z]))", re.MULTILINE)
 ORIENTATION = re.compile(rb"(?<![A-Z0-9_$])(?:[ABC][2-9]|LEAD|TILT|THETA|PHI|PSI) *=" + NUMBER)
 VALUE = rb" *= *[-+]?[0-9.]+(?![0-9. ]*[-+*/(\[])"
 """A plain number ends a keyword's value; of anything else nobody knows where it ends, and the rest of the line goes with it."""
@@ -42,18 +51,21 @@ HARMLESS = frozenset(
     EXTCLOSE PAROT PAROTOF SETMS FXS CYCLE_HSC GROUP_BEGIN GROUP_END WAITM DISPLOF DISPLON SAVE SBLON SBLOF ACCLIMA VELOLIM
     ORIRESET CTRANS TOWSTD TOWTCP TCOFR TCOABS MIRRORW""".split()
 )
-SHIFTS = frozenset(b"DIAMON ROT AROT ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split())
+SHIFTS = frozenset(b"DIAMON ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split())
 CALLS = frozenset(b"CALL PCALL EXTCALL MCALL ISOCALL".split())
 ARCS = frozenset(b"CIP CT TURN AR".split())
 SPLINES = frozenset(b"ASPLINE BSPLINE CSPLINE POLY POLYPATH INVCW INVCCW".split())
 POLAR = frozenset(b"AP RP".split())
+CORNERS = frozenset(b"RND RNDM CHR CHF ANG ANG1 ANG2".split())
 MACROS = frozenset(
     b"""IF ELSE ENDIF FOR ENDFOR WHILE ENDWHILE LOOP ENDLOOP REPEAT REPEATB UNTIL GOTO GOTOF GOTOB GOTOC GOTOS CASE DEF DEFINE
     PROC SET RET ID IDS EVERY WHENEVER WHEN DO FROM""".split()
 )
+KNOWN = HARMLESS | {b"TRAORI", b"TRAFOOF", b"SUPA"}
 CYCLE = re.compile(rb"CYCLE[0-9]+|HOLES[0-9]|SLOT[0-9]|POCKET[0-9]|LONGHOLE|OSCTRL|OSE")
 KINDS = (
     (SHIFTS, codes.SHIFT), (CALLS, codes.CALL), (ARCS, codes.ARC_KIND), (SPLINES, codes.SPLINE), (POLAR, codes.POLAR),
+    (CORNERS, codes.CORNER),
 )  # fmt: skip
 WAYS = {b"AC": str, b"IC": codes.STEP_OF, b"DC": codes.SHORTER_OF, b"ACP": codes.SHORTER_OF, b"ACN": codes.SHORTER_OF}
 
@@ -61,6 +73,7 @@ WAYS = {b"AC": str, b"IC": codes.STEP_OF, b"DC": codes.SHORTER_OF, b"ACP": codes
 def plain(text: bytes, notes: Notes) -> bytes:
     """The text, in capitals and without comments, as ISO words with the private letters; every line stays where it is."""
     text = shifts(without_strings(text))
+    text = ALONE.sub(lambda found: _alone(found, notes), text)
     if b"=" in text:
         text = _addresses(text, notes)
     if b"CYCLE8" in text or b"MCALL" in text:
@@ -74,7 +87,10 @@ def swivels(text: bytes, notes: Notes) -> bytes:
 
 
 def shifts(text: bytes) -> bytes:
-    """The text with the private word of a shift for TRANS and ATRANS, whose words stay as they are."""
+    """The text with the private word of a shift for TRANS, ATRANS, ROT and AROT, whose words stay as they are."""
+    if b"ROT" in text:
+        text = ROTATE.sub(lambda found: (b"s5" if found[1] else b"s4").ljust(len(found[0])), text)
+        text = IN_THE_PLANE.sub(lambda found: codes.IN_THE_PLANE.encode().ljust(len(found[0])), text)
     return SHIFT.sub(lambda found: (b"s3" if found[1] else b"s2").ljust(len(found[0])), text) if b"TRANS" in text else text
 
 
@@ -107,6 +123,8 @@ def _addresses(text: bytes, notes: Notes) -> bytes:
     text = BRACKETED.sub(lambda found: _bracketed(found, notes), text)
     text = VECTOR.sub(lambda found: codes.VECTOR["ABC".index(found[1].decode())].encode().ljust(len(found[0])), text)
     text = RADIUS.sub(lambda found: b"R".ljust(len(found[0])), text)
+    if b"TURN" in text:
+        text = TURNS.sub(lambda found: codes.TURNS.encode().ljust(len(found[0])), text)
     text = ADDRESS.sub(lambda found: found[1].ljust(len(found[0])), text)
     text = SIDE.sub(_blank, text)
     return ORIENTATION.sub(lambda found: _noted(found, codes.SPATIAL, found[0].split(b"=")[0].strip(), notes), text)
@@ -146,6 +164,14 @@ def _keyword(found: re.Match[bytes], notes: Notes) -> bytes:
     if name == b"MCALL":  # of something else: it ends the modal cycle before it
         return notes.drill(Drill()) + _noted(found, codes.CALL, name, notes)[2:]
     return _noted(found, _kind(name), name, notes)
+
+
+def _alone(found: re.Match[bytes], notes: Notes) -> bytes:
+    """The line with blanks for a call, noted; as it is where its word is a known one."""
+    name = found[2] or found[3]
+    if name in KNOWN or not (found[2] or _kind(name) is codes.UNKNOWN):
+        return found[0]
+    return found[1] + _noted(found, codes.CALL, name, notes)[len(found[1]) :]
 
 
 def _kind(name: bytes) -> codes.Kind:

@@ -17,7 +17,9 @@ from .flow import O_WORD, without_number
 
 SPECIAL = re.compile(r"[#\[\]=<>@^]|O[0-9]|M0*(?:2|30|7[0-3]|9[789])(?![0-9])|G0*6[567](?![0-9])|GOTO|IF|WHILE|END|DO|THEN")
 """A line without any of these is a block of words with numbers."""
-CYCLE = re.compile(r"((?:MCALL)?CYCLE[0-9]+)\((.*)\)$")
+VALUES = re.compile(r"\{([^{}]*)\}")
+TEXT = '"'
+"""Before a line of Siemens' that stays text, with values in braces."""
 LARGEST = 1e12
 ARGUMENTS = dict(zip("ABCIJKDEFHMQRSTUVWXYZ", (1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, *range(17, 27)), strict=True))
 """Where G65 puts its words (Fanuc B-63324EN, 15.6: argument specification I)."""
@@ -71,20 +73,19 @@ class Macro:
 
 
 @dataclass(frozen=True, eq=False)
-class Cycle:
-    """A call of Siemens' drilling cycles: its ``name``, after MCALL where it is modal, and its values, None where one is left
-    out."""
+class Text:
+    """A line of Siemens': ``parts`` as they stand, with a value between each two of them."""
 
-    name: str
-    values: tuple[Expression | None, ...]
+    parts: tuple[str, ...]
+    values: tuple[Expression, ...]
 
     def row(self, known: Variables) -> str:
-        """The call with numbers for its values."""
-        told = ["" if value is None else written(number(value(known))) for value in self.values]
-        return f"{self.name.replace('MCALL', 'MCALL ')}({','.join(told)})"
+        """The line with numbers for its values."""
+        told = [*(written(number(value(known))) for value in self.values), ""]
+        return "".join(part + value for part, value in zip(self.parts, told, strict=True))
 
 
-Statement = Block | OWord | Macro | Cycle
+Statement = Block | OWord | Macro | Text
 
 
 def written(value: float) -> str:
@@ -101,8 +102,9 @@ def statement(line: str, words: tuple[str, str] | None, fanuc: bool) -> Statemen
     line = without_number(line)
     if words is not None:
         return _o_word(line, *words, fanuc)
-    if found := CYCLE.match(line):
-        return Cycle(found[1], tuple(_whole(part, fanuc) if part else None for part in found[2].split(",")))
+    if line[:1] == TEXT:
+        parts = VALUES.split(line[1:])
+        return Text(tuple(parts[::2]), tuple(_whole(part, fanuc) for part in parts[1::2]))
     parser = Parser(line, fanuc)
     if parser.takes("WHILE["):
         condition = parser.bracketed()
@@ -185,4 +187,4 @@ def _kind(words: list[tuple[str, str, Expression | None]], fanuc: bool) -> tuple
 
 STATES = {("M", 70.0), ("M", 71.0), ("M", 72.0), ("M", 73.0)}
 CALLS = {("M", 97.0), ("M", 98.0), ("M", 99.0), ("G", 65.0)}
-__all__ = ["ARGUMENTS", "SPECIAL", "Block", "Cycle", "Macro", "OWord", "Statement", "number", "statement"]
+__all__ = ["ARGUMENTS", "SPECIAL", "TEXT", "Block", "Macro", "OWord", "Statement", "Text", "number", "statement"]

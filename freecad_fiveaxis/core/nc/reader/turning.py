@@ -61,9 +61,9 @@ def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tupl
     return Turned(made, tuple(findings))
 
 
-def vector_findings(told: Moves) -> tuple[Finding, ...]:
+def vector_findings(planes: Planes, told: Moves) -> tuple[Finding, ...]:
     """Where tool axes are told by vectors in a tilted plane."""
-    both = (told.meaning >= IN_PLANE) & ~np.isnan(told.told).all(axis=1)
+    both = (told.meaning >= IN_PLANE) & ~planes.frames(told.meaning) & ~np.isnan(told.told).all(axis=1)
     return (
         (refused(say("Tool vectors"), say("tool axes are told by vectors in it"), int(told.at[both.argmax()])),)
         if both.any()
@@ -75,7 +75,7 @@ def off_normal(planes: Planes, told: Moves, chords: Chords | None, axis: Floats)
     """The blocks (m,) in planes in which the tool ``axis`` (m, 3) does not lie along the normal, and nobody guides the tip."""
     row = np.arange(len(axis)) if chords is None else chords.row
     meaning, on, line = told.meaning[row], told.on[row], told.at[row]
-    rows = np.flatnonzero((meaning >= IN_PLANE) & ~on)
+    rows = np.flatnonzero((meaning >= IN_PLANE) & ~on & ~planes.frames(meaning))
     normal = planes.turn[meaning[rows] - IN_PLANE, :, 2]
     lean = np.degrees(2.0 * np.arcsin(np.clip(np.linalg.norm(axis[rows] - normal, axis=1) / 2.0, 0.0, 1.0)))
     off = lean > OFF_NORMAL
