@@ -392,6 +392,10 @@
         <translation>Wie viele Drehlagen des Werkstücks um Z versucht werden, gleichmäßig über 360°; 1: wie es steht</translation>
     </message>
     <message>
+        <source>How the controller drives its axes in a rapid: all together, each at its own rate, or unknown; machine: as the machine file says</source>
+        <translation>Wie die Steuerung ihre Achsen im Eilgang bewegt: alle gemeinsam, jede mit eigener Geschwindigkeit oder unbekannt; machine: wie es in der Maschinendatei steht</translation>
+    </message>
+    <message>
         <source>How the deviation from the line is computed: exactly, or by the model of So et al. 2008</source>
         <translation>Wie die Abweichung von der Geraden berechnet wird: genau oder nach dem Modell von So u. a. 2008</translation>
     </message>
@@ -726,6 +730,10 @@
     <message>
         <source>Rapid moves stay this far off the part's bounding box</source>
         <translation>So weit bleiben Eilgänge vom Hüllquader des Werkstücks weg</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>Eilgänge</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -1953,6 +1961,10 @@
     <message>
         <source>Proven bound</source>
         <translation>Bewiesene Schranke</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>Eilgänge</translation>
     </message>
     <message>
         <source>Recompute</source>
@@ -3360,6 +3372,10 @@
         <translation>CL-Datei: {finding}</translation>
     </message>
     <message>
+        <source>Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the machine file or by {rapids}.</source>
+        <translation>Die Achsgruppen nacheinander bewegen oder, wenn die Steuerung Eilgänge interpoliert, dies in der Maschinendatei oder mit {rapids} angeben.</translation>
+    </message>
+    <message>
         <source>EXISTS of a variable without a name</source>
         <translation>EXISTS einer Variablen ohne Namen</translation>
     </message>
@@ -3450,6 +3466,10 @@
     <message>
         <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
         <translation>In {count} von {all} Vorschubsätzen dringt die Kugel von {diameter} um mehr als {tolerance} ins Werkstück ein; am tiefsten in NC-Zeile {line}, {depth}; die erste ist NC-Zeile {first}. Sind {cutter}, {origin} und die Maschine die des Programms, steht das STL am Werkstücknullpunkt? Sonst ist das Werkstück verdorben.</translation>
+    </message>
+    <message>
+        <source>In {count} rapids it is not proven that the tool stays out of the part on every way of independent axes, the first in NC line {line}; it enters by no more than {bound}.</source>
+        <translation>In {count} Eilgängen ist nicht bewiesen, dass das Werkzeug auf jedem Weg unabhängiger Achsen außerhalb des Werkstücks bleibt, zuerst in NC-Zeile {line}; tiefer als {bound} dringt es nicht ein.</translation>
     </message>
     <message>
         <source>In {where} the tip moves over the part more than {factor} times faster or slower than meant: at worst {feed} in NC line {line}, where {meant}. </source>
@@ -3948,6 +3968,14 @@
         <translation>Die {count} Wörter {letter} werden nicht ausgewertet.</translation>
     </message>
     <message>
+        <source>The {part} goes at least {depth} into the part at {at} if the axes of this rapid run independently; it is clear if they are interpolated. Which of the two this controller does is not known.</source>
+        <translation>{part}: dringt bei {at} mindestens {depth} ins Werkstück ein, wenn die Achsen in diesem Eilgang unabhängig laufen; werden sie interpoliert, ist der Weg frei. Welches von beidem diese Steuerung tut, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The {part} goes at least {depth} into the part at {at} in a rapid whose axes run independently; it is clear only if they are interpolated.</source>
+        <translation>{part}: dringt bei {at} mindestens {depth} ins Werkstück ein, in einem Eilgang, dessen Achsen unabhängig laufen; frei ist der Weg nur, wenn sie interpoliert werden.</translation>
+    </message>
+    <message>
         <source>The {part} goes {depth} into the part at {at}.</source>
         <translation>{part}: dringt bei {at} {depth} ins Werkstück ein.</translation>
     </message>
@@ -4082,6 +4110,10 @@
     <message>
         <source>a plane offset is {wrong}: give finite numbers</source>
         <translation>ein Ebenenabstand ist {wrong}: endliche Zahlen angeben</translation>
+    </message>
+    <message>
+        <source>a rapid with independent axes hits the part</source>
+        <translation>ein Eilgang mit unabhängigen Achsen trifft das Werkstück</translation>
     </message>
     <message>
         <source>a setup map</source>

@@ -52,6 +52,7 @@ from .options import (
     driven_to_surface,
     kept_off,
     lead_options,
+    rapids_of,
     tip_to_driven,
     tip_to_surface,
     tool_body,
@@ -222,7 +223,10 @@ def entered(context: MillContext, program: Program) -> GougeCheck | None:
     if settings.gouge.gouge == "off":
         return None
     body, driven = tool_body(settings), tip_to_driven(settings)
-    return check_program(context.mesh, body, context.kinematics, program, tolerance, driven, context.progress, _remedy(settings))
+    rapids = rapids_of(settings, context.machine, context.dialect)
+    return check_program(
+        context.mesh, body, context.kinematics, program, tolerance, driven, context.progress, _remedy(settings), rapids
+    )
 
 
 def _remedy(settings: Settings) -> str:

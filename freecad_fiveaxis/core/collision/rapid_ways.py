@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How deep a tool can get into the part on a rapid whose axes run independently, with a bound that holds for every way.
+
+way       of a rapid whose rates are not known: each joint goes from its one end to its other and never back. Any words between
+          the ends are on some way, so all ways together are a box of joints.
+pair      a box, or a part of it, with a node of the facet tree, or with a facet. It is dropped when its bound says that nothing
+          in it is deeper than asked for, or than what its block is known to hold already; else the larger partner is divided.
+
+Most rapids go far over the part and are dropped whole, as one pair. What the tool meets is found as in :mod:`.search`: depth and
+bound are brought together by division, across whatever adds most to the bound.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
+from freecad_fiveaxis.core.tool.body import Body, Piece
+
+from .bounds import pared, toward_box, toward_triangle
+from .deepest import deepest, end_and_side, support_at
+from .edges import along
+from .joint_box import Hulls, JointBoxes, JointSpace
+from .search import family, halves_of_facets
+
+SLICE = 4096
+"""Pairs at a time."""
+
+ROUNDS = 100
+"""Divisions of a pair; after that the bound is what it is."""
+
+RELATIVE = 0.05
+"""A depth is known to this share of itself, or to the accuracy asked for where that is more."""
+
+EVEN_SHARE = 0.05
+"""Of what a joint moves the tool so much counts as if it lay along the bound's direction: across it, it loosens the bound too."""
+
+LONGER = 2.0
+"""A box is divided where it is so many times as long as its node."""
+
+
+@dataclass(frozen=True, eq=False)
+class WayEntries:
+    """Of each of m blocks: ``depth`` (m,) mm that a point of the part is in the body at some ``words`` (m, 5), mm and
+    **degrees**, between the block's ends, at ``place`` (m, 3) mm; 0 where no depth above the limit was found. ``bound`` (m,) mm:
+    no point is deeper on any way; ``part`` (m,) CUTTER, SHANK or HOLDER."""
+
+    depth: Floats
+    bound: Floats
+    words: Floats
+    place: Floats
+    part: Ints
+
+
+class _Pairs(NamedTuple):
+    """``boxes`` (n) with nodes ``node`` (n,) that are no facets; ``turns``: so often they were divided."""
+
+    turns: int
+    boxes: JointBoxes
+    node: Ints
+
+    def take(self, rows: Ints) -> _Pairs:
+        return _Pairs(self.turns, self.boxes.take(rows), self.node.take(rows))
+
+
+class _FacetPairs(NamedTuple):
+    """``boxes`` (n) with facets ``leaf`` (n,), or what is left of them, ``corner`` (3, 3, n) mm."""
+
+    turns: int
+    boxes: JointBoxes
+    leaf: Ints
+    corner: Floats
+
+    def take(self, rows: Ints) -> _FacetPairs:
+        return _FacetPairs(self.turns, self.boxes.take(rows), self.leaf.take(rows), self.corner.take(rows, axis=2))
+
+
+def boxes_of(words: Floats, blocks: Ints) -> JointBoxes:
+    """Lay a box over the ends of each of these blocks (k,); block i leads from row i to row i + 1 of ``words`` (m, 5), mm and
+    **degrees**."""
+    start, end = words[blocks], words[blocks + 1]
+    return JointBoxes(blocks, 0.5 * (start + end), 0.5 * np.abs(end - start))
+
+
+def find_way_entries(
+    body: Body, tree: FacetTree, space: JointSpace, words: Floats, blocks: Ints, limit: float, accuracy: float,
+    progress: Progress = silent,
+) -> WayEntries:  # fmt: skip
+    """Find the entries deeper than ``limit`` mm on any way of these ``blocks`` (k,) of a program's ``words`` (m + 1, 5), mm and
+    **degrees**; those of other blocks stay empty.
+
+    None deeper than the limit is missed; depth and bound differ by at most ``accuracy`` mm or RELATIVE, but where ROUNDS
+    divisions leave more.
+    """
+    m = len(words) - 1
+    found = WayEntries(np.zeros(m), np.zeros(m), np.zeros((m, 5)), np.zeros((m, 3)), np.zeros(m, np.int64))
+    search = _Search(body, tree, space, limit, accuracy, found, np.full(m, limit))
+    turning = np.ptp(np.stack([words[blocks, 3:], words[blocks + 1, 3:]]), axis=0).any(axis=1)
+    blocks = np.concatenate([blocks[~turning], blocks[turning]])  # among themselves, boxes without a turn have one corner
+    for first in range(0, len(blocks), SLICE):
+        progress("gouge", first / len(blocks))
+        search.run(boxes_of(words, blocks[first : first + SLICE]))
+    found.bound[blocks] = np.maximum(found.bound[blocks], search.floors[blocks])
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """``floors`` (m,) mm: what a pair of a block must be able to exceed."""
+
+    body: Body
+    tree: FacetTree
+    space: JointSpace
+    limit: float
+    accuracy: float
+    found: WayEntries
+    floors: Floats
+
+    def run(self, boxes: JointBoxes) -> None:
+        """Fill in the entries of these blocks."""
+        for piece in sorted(self.body.pieces, key=lambda piece: -piece.most):
+            if piece.most <= self.limit:
+                continue
+            open_: list[_Pairs | _FacetPairs] = [_Pairs(0, boxes, np.zeros(len(boxes.block), np.int64))]
+            while open_:  # the last first: what is found deep makes others superfluous, and few are open at a time
+                pairs = open_.pop()
+                parts = self._facets(piece, pairs) if isinstance(pairs, _FacetPairs) else self._nodes(piece, pairs)
+                open_ += [some for part in parts for some in _sliced(part)]
+
+    def _nodes(self, piece: Piece, pairs: _Pairs) -> list[_Pairs | _FacetPairs]:
+        """Divide the pairs that may hold more than is known."""
+        hulls = self.space.hulls(pairs.boxes, self.body.reach)
+        rows = self._open(piece, pairs, hulls)
+        pairs, size = pairs.take(rows), hulls.size.take(rows, axis=0)
+        leaf = pairs.node >= self.tree.leaf
+        facets = pairs.take(np.flatnonzero(leaf))
+        rows = np.flatnonzero(~leaf)
+        pairs, size = pairs.take(rows), size[rows]
+        by_box = size.sum(axis=1) > LONGER * self.tree.size.take(pairs.node)
+        one, two = pairs.take(np.flatnonzero(by_box)), pairs.take(np.flatnonzero(~by_box))
+        many = self.tree.arity.take(two.node)
+        owner = np.repeat(np.arange(len(many)), many)
+        halves = one.boxes.halved(size[by_box].argmax(axis=1))
+        corner = self.tree.corners(facets.node - self.tree.leaf)
+        return [
+            _Pairs(pairs.turns, two.boxes.take(owner), family(self.tree.child.take(two.node), many)),
+            _Pairs(pairs.turns + 1, halves, np.tile(one.node, 2)),
+            _FacetPairs(pairs.turns, facets.boxes, facets.node - self.tree.leaf, corner),
+        ]
+
+    def _open(self, piece: Piece, pairs: _Pairs, hulls: Hulls) -> Ints:
+        """The rows (k,) whose bounds are all above what is known; from the cheapest bound to the dearest."""
+        core, off = pared(piece, self.limit)
+        rows = np.arange(len(pairs.node))
+        most = np.full(len(rows), piece.most - off)
+        for bound in (self._toward_node, self._along_box, self._along_normal):
+            some = np.flatnonzero(most > self.floors.take(pairs.boxes.block.take(rows)) - off)
+            rows, hulls = rows.take(some), hulls.take(some)
+            most = np.minimum(most.take(some), bound(core, hulls, pairs.node.take(rows)))
+        return rows.take(np.flatnonzero(most > self.floors.take(pairs.boxes.block.take(rows)) - off))
+
+    def _toward_node(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
+        g, begins = toward_box(piece, hulls.pose.tip, hulls.pose.axis, self.tree.boxes(node))
+        return hulls.reached(piece, g) - begins
+
+    def _along_box(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
+        """The least of the bounds along the directions of the node's box: wide boxes of joints are beside it in one of them."""
+        box = self.tree.boxes(node)
+        arm = along(box.ways, box.middle - hulls.pose.tip)
+        ways = zip(box.ways, arm, box.half, strict=True)
+        return np.asarray(np.min([hulls.reached(piece, s * g) - s * a + h for g, a, h in ways for s in (1, -1)], axis=0))
+
+    def _along_normal(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
+        plate = self.tree.plates(node)
+        place = (plate.normal * hulls.pose.tip).sum(axis=0)
+        up = hulls.reached(piece, plate.normal) + place - plate.bottom
+        down = hulls.reached(piece, -plate.normal) - place + plate.top
+        return np.asarray(np.minimum(up, down))
+
+    def _facets(self, piece: Piece, pairs: _FacetPairs) -> list[_Pairs | _FacetPairs]:
+        """Note how deep the facets are in the middle of the boxes; divide what may hold more than is known."""
+        rows = np.flatnonzero(piece.most > self.floors.take(pairs.boxes.block))
+        pairs = pairs.take(rows)
+        if not len(rows):
+            return []
+        hulls = self.space.hulls(pairs.boxes, self.body.reach)
+        deep = deepest(piece, hulls.pose, pairs.corner)
+        self._note(piece, pairs, -deep.distance, deep.point)
+        arm = pairs.corner - hulls.pose.tip
+        most, g = self._facet_bound(piece, hulls, arm, (deep.g, *self._directions(piece, hulls, pairs, deep.point, arm)))
+        most = np.minimum(most, piece.most)
+        flat = support_at(piece, hulls.pose, g) - (g * hulls.pose.tip).sum(axis=0) - along(arm, g).min(axis=0) + deep.distance
+        rows = np.flatnonzero(most > self.floors.take(pairs.boxes.block))
+        if pairs.turns >= ROUNDS:
+            np.maximum.at(self.found.bound, pairs.boxes.block[rows], most[rows])
+            return []
+        spread = (hulls.spread(piece, g) + EVEN_SHARE * hulls.size)[rows]
+        return _halves(pairs.take(rows), spread, flat[rows])
+
+    def _directions(self, piece: Piece, hulls: Hulls, pairs: _FacetPairs, point: Floats, arm: Floats) -> list[Floats]:
+        normal = self.tree.plates(self.tree.leaf + pairs.leaf).normal
+        core, _ = pared(piece, self.limit)
+        found = [normal, -normal, toward_triangle(core, hulls.pose.axis, arm)[0]]
+        return found if piece.round else [*found, *end_and_side(piece, hulls.pose, point)]
+
+    def _facet_bound(self, piece: Piece, hulls: Hulls, arm: Floats, directions: tuple[Floats, ...]) -> tuple[Floats, Floats]:
+        """The least of the bounds (n,) mm along these directions (3, n), and the direction it is along."""
+        most, best = np.full(arm.shape[2], np.inf), directions[0]
+        for g in directions:
+            bound = hulls.reached(piece, g) - along(arm, g).min(axis=0)
+            best = np.where(bound < most, g, best)
+            most = np.minimum(most, bound)
+        return most, best
+
+    def _note(self, piece: Piece, pairs: _FacetPairs, depth: Floats, point: Floats) -> None:
+        """Keep the deepest entry of each block, with its place."""
+        found, boxes = self.found, pairs.boxes
+        rows = np.flatnonzero((depth > self.limit) & (depth > found.depth.take(boxes.block)))
+        order = rows[np.argsort(depth[rows], kind="stable")]  # where a block comes again, the deepest is written last
+        block = boxes.block[order]
+        found.depth[block], found.words[block], found.place[block] = depth[order], boxes.middle[order], point.T[order]
+        found.part[block] = piece.part
+        placed = found.depth[block]
+        self.floors[block] = placed + np.maximum(self.accuracy, RELATIVE * placed)
+
+
+def _halves(pairs: _FacetPairs, spread: Floats, flat: Floats) -> list[_Pairs | _FacetPairs]:
+    """Each pair as two: its box halved across the joint that adds most to the bound, or its facet where that adds more."""
+    by_box = spread.max(axis=1, initial=0.0) >= flat
+    one, two = pairs.take(np.flatnonzero(by_box)), pairs.take(np.flatnonzero(~by_box))
+    turns, double = pairs.turns + 1, np.tile(np.arange(len(two.leaf)), 2)
+    return [
+        _FacetPairs(turns, two.boxes.take(double), np.tile(two.leaf, 2), np.concatenate(halves_of_facets(two.corner), axis=2)),
+        _FacetPairs(turns, one.boxes.halved(spread[by_box].argmax(axis=1)), np.tile(one.leaf, 2), np.tile(one.corner, (1, 1, 2))),
+    ]
+
+
+def _sliced(pairs: _Pairs | _FacetPairs) -> list[_Pairs | _FacetPairs]:
+    count = len(pairs.boxes.block)
+    if count <= SLICE:
+        return [pairs] if count else []
+    return [pairs.take(np.arange(first, min(first + SLICE, count))) for first in range(0, count, SLICE)]
