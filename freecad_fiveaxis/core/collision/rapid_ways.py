@@ -195,6 +195,7 @@ class _Search:
         most, g = self._facet_bound(piece, hulls, arm, (deep.g, *self._directions(piece, hulls, pairs, deep.point, arm)))
         most = np.minimum(most, piece.most)
         flat = support_at(piece, hulls.pose, g) - (g * hulls.pose.tip).sum(axis=0) - along(arm, g).min(axis=0) + deep.distance
+        flat[_longest_side(pairs.corner) < hulls.size.sum(axis=1)] = 0.0  # a short facet is not what makes the bound loose
         rows = np.flatnonzero(most > self.floors.take(pairs.boxes.block))
         if pairs.turns >= ROUNDS:
             np.maximum.at(self.found.bound, pairs.boxes.block[rows], most[rows])
@@ -238,6 +239,10 @@ def _halves(pairs: _FacetPairs, spread: Floats, flat: Floats) -> list[_Pairs | _
         _FacetPairs(turns, two.boxes.take(double), np.tile(two.leaf, 2), np.concatenate(halves_of_facets(two.corner), axis=2)),
         _FacetPairs(turns, one.boxes.halved(spread[by_box].argmax(axis=1)), np.tile(one.leaf, 2), np.tile(one.corner, (1, 1, 2))),
     ]
+
+
+def _longest_side(corner: Floats) -> Floats:
+    return np.asarray(np.sqrt(((corner - np.roll(corner, -1, axis=0)) ** 2).sum(axis=1).max(axis=0)))
 
 
 def _sliced(pairs: _Pairs | _FacetPairs) -> list[_Pairs | _FacetPairs]:
