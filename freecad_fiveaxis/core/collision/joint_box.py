@@ -115,33 +115,25 @@ class JointSpace(NamedTuple):
     def hulls(self, boxes: JointBoxes, reach: float) -> Hulls:
         """Give what each box holds; ``reach`` mm from the tip to the farthest point of the body."""
         middle, half = boxes.middle, boxes.half
-        pose = self.poses(middle)
-        tips, axes, travels = [], [], []
-        for corner in self._corners(half):
-            at = self.poses(middle + corner)
-            tips.append(at.tip - pose.tip)
-            axes.append(at.axis)
-            travels.append(self._travel(middle + corner, half, at))
+        ways = np.eye(5)[:3] * half[:, :3].any(axis=0).reshape(3, 1)
+        corners = self._corners(half)
+        at = [middle, *(middle + turned + half * way for turned in corners for way in (np.zeros(5), *ways))]
+        poses = self.poses(np.concatenate(at))
+        tip, axis = (part.reshape(3, len(at), -1) for part in poses)
+        pose = Poses(np.ascontiguousarray(tip[:, 0]), np.ascontiguousarray(axis[:, 0]))
+        tips, axes = (np.moveaxis(part[:, 1:].reshape(3, len(corners), 4, -1), 0, 2) for part in (tip, axis))
         turn = np.deg2rad(half[:, 3:]).T
         lever = self._levers(middle, half) + abs(self.back)
         bend = 0.5 * turn * turn
         size = np.concatenate([half[:, :3], (turn * (lever + reach)).T], axis=1)
         bend_tip, bend_axis = (bend * lever).sum(axis=0), bend.sum(axis=0)
-        return Hulls(pose, np.stack(tips), np.stack(axes), np.stack(travels), bend_tip, bend_axis, size)
+        return Hulls(pose, tips[:, 0] - pose.tip, axes[:, 0], tips[:, 1:] - tips[:, :1], bend_tip, bend_axis, size)
 
     @staticmethod
     def _corners(half: Floats) -> list[Floats]:
         """What leads to each corner (n, 5): the first axis' lower end first, of each the second's."""
         turns = [(-1.0, 1.0) if half[:, j].any() else (0.0,) for j in (3, 4)]
         return [half * np.array([0.0, 0.0, 0.0, a, b]) for a, b in product(*turns)]
-
-    def _travel(self, words: Floats, half: Floats, at: Poses) -> Floats:
-        """(3, 3, n) mm: what each linear joint adds to the tip at these words."""
-        travel = np.zeros((3, 3, len(words)))
-        for j in range(3):
-            if half[:, j].any():
-                travel[j] = self.poses(words + half * np.eye(5)[j]).tip - at.tip
-        return travel
 
     def _levers(self, middle: Floats, half: Floats) -> Floats:
         """(2, n) mm: no place of the box is farther from the first rotary axis, from the second, with the second word as it may

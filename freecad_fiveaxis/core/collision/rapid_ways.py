@@ -13,7 +13,7 @@ bound are brought together by division, across whatever adds most to the bound.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -58,26 +58,26 @@ class WayEntries:
 
 
 class _Pairs(NamedTuple):
-    """``boxes`` (n) with nodes ``node`` (n,) that are no facets; ``turns``: so often they were divided."""
+    """``boxes`` (n) with nodes ``node`` (n,); ``turns`` (n,): so often they were divided."""
 
-    turns: int
+    turns: Ints
     boxes: JointBoxes
     node: Ints
 
     def take(self, rows: Ints) -> _Pairs:
-        return _Pairs(self.turns, self.boxes.take(rows), self.node.take(rows))
+        return _Pairs(self.turns.take(rows), self.boxes.take(rows), self.node.take(rows))
 
 
 class _FacetPairs(NamedTuple):
     """``boxes`` (n) with facets ``leaf`` (n,), or what is left of them, ``corner`` (3, 3, n) mm."""
 
-    turns: int
+    turns: Ints
     boxes: JointBoxes
     leaf: Ints
     corner: Floats
 
     def take(self, rows: Ints) -> _FacetPairs:
-        return _FacetPairs(self.turns, self.boxes.take(rows), self.leaf.take(rows), self.corner.take(rows, axis=2))
+        return _FacetPairs(self.turns.take(rows), self.boxes.take(rows), self.leaf.take(rows), self.corner.take(rows, axis=2))
 
 
 def boxes_of(words: Floats, blocks: Ints) -> JointBoxes:
@@ -109,6 +109,9 @@ def find_way_entries(
     return found
 
 
+Some = TypeVar("Some", _Pairs, _FacetPairs)
+
+
 @dataclass(frozen=True, eq=False)
 class _Search:
     """``floors`` (m,) mm: what a pair of a block must be able to exceed."""
@@ -126,13 +129,18 @@ class _Search:
         for piece in sorted(self.body.pieces, key=lambda piece: -piece.most):
             if piece.most <= self.limit:
                 continue
-            open_: list[_Pairs | _FacetPairs] = [_Pairs(0, boxes, np.zeros(len(boxes.block), np.int64))]
-            while open_:  # the last first: what is found deep makes others superfluous, and few are open at a time
-                pairs = open_.pop()
-                parts = self._facets(piece, pairs) if isinstance(pairs, _FacetPairs) else self._nodes(piece, pairs)
-                open_ += [some for part in parts for some in _sliced(part)]
+            none = np.zeros(len(boxes.block), np.int64)
+            nodes, facets = _sliced(_Pairs(none, boxes, none)), list[_FacetPairs]()
+            while nodes or facets:  # facets first, the last first: what is found deep makes others superfluous, and few are open
+                if facets:
+                    for pairs in self._facets(piece, _merged(facets)):
+                        facets += _sliced(pairs)
+                else:
+                    *parts, found = self._nodes(piece, nodes.pop())
+                    nodes += [some for part in parts for some in _sliced(part)]
+                    facets += _sliced(found)
 
-    def _nodes(self, piece: Piece, pairs: _Pairs) -> list[_Pairs | _FacetPairs]:
+    def _nodes(self, piece: Piece, pairs: _Pairs) -> tuple[_Pairs, _Pairs, _FacetPairs]:
         """Divide the pairs that may hold more than is known."""
         hulls = self.space.hulls(pairs.boxes, self.body.reach)
         rows = self._open(piece, pairs, hulls)
@@ -147,11 +155,11 @@ class _Search:
         owner = np.repeat(np.arange(len(many)), many)
         halves = one.boxes.halved(size[by_box].argmax(axis=1))
         corner = self.tree.corners(facets.node - self.tree.leaf)
-        return [
-            _Pairs(pairs.turns, two.boxes.take(owner), family(self.tree.child.take(two.node), many)),
-            _Pairs(pairs.turns + 1, halves, np.tile(one.node, 2)),
-            _FacetPairs(pairs.turns, facets.boxes, facets.node - self.tree.leaf, corner),
-        ]
+        return (
+            _Pairs(two.turns.take(owner), two.boxes.take(owner), family(self.tree.child.take(two.node), many)),
+            _Pairs(np.tile(one.turns + 1, 2), halves, np.tile(one.node, 2)),
+            _FacetPairs(facets.turns, facets.boxes, facets.node - self.tree.leaf, corner),
+        )
 
     def _open(self, piece: Piece, pairs: _Pairs, hulls: Hulls) -> Ints:
         """The rows (k,) whose bounds are all above what is known; from the cheapest bound to the dearest."""
@@ -182,7 +190,7 @@ class _Search:
         down = hulls.reached(piece, -plate.normal) - place + plate.top
         return np.asarray(np.minimum(up, down))
 
-    def _facets(self, piece: Piece, pairs: _FacetPairs) -> list[_Pairs | _FacetPairs]:
+    def _facets(self, piece: Piece, pairs: _FacetPairs) -> list[_FacetPairs]:
         """Note how deep the facets are in the middle of the boxes; divide what may hold more than is known."""
         rows = np.flatnonzero(piece.most > self.floors.take(pairs.boxes.block))
         pairs = pairs.take(rows)
@@ -196,10 +204,10 @@ class _Search:
         most = np.minimum(most, piece.most)
         flat = support_at(piece, hulls.pose, g) - (g * hulls.pose.tip).sum(axis=0) - along(arm, g).min(axis=0) + deep.distance
         flat[_longest_side(pairs.corner) < hulls.size.sum(axis=1)] = 0.0  # a short facet is not what makes the bound loose
-        rows = np.flatnonzero(most > self.floors.take(pairs.boxes.block))
-        if pairs.turns >= ROUNDS:
-            np.maximum.at(self.found.bound, pairs.boxes.block[rows], most[rows])
-            return []
+        open_ = most > self.floors.take(pairs.boxes.block)
+        last = np.flatnonzero(open_ & (pairs.turns >= ROUNDS))
+        np.maximum.at(self.found.bound, pairs.boxes.block[last], most[last])
+        rows = np.flatnonzero(open_ & (pairs.turns < ROUNDS))
         spread = (hulls.spread(piece, g) + EVEN_SHARE * hulls.size)[rows]
         return _halves(pairs.take(rows), spread, flat[rows])
 
@@ -230,14 +238,16 @@ class _Search:
         self.floors[block] = placed + np.maximum(self.accuracy, RELATIVE * placed)
 
 
-def _halves(pairs: _FacetPairs, spread: Floats, flat: Floats) -> list[_Pairs | _FacetPairs]:
+def _halves(pairs: _FacetPairs, spread: Floats, flat: Floats) -> list[_FacetPairs]:
     """Each pair as two: its box halved across the joint that adds most to the bound, or its facet where that adds more."""
     by_box = spread.max(axis=1, initial=0.0) >= flat
     one, two = pairs.take(np.flatnonzero(by_box)), pairs.take(np.flatnonzero(~by_box))
-    turns, double = pairs.turns + 1, np.tile(np.arange(len(two.leaf)), 2)
+    boxes, owner = one.boxes.halved(spread[by_box].argmax(axis=1)), np.tile(np.arange(len(one.leaf)), 2)
+    same = two.take(np.tile(np.arange(len(two.leaf)), 2))
+    halves = np.concatenate(halves_of_facets(two.corner), axis=2)
     return [
-        _FacetPairs(turns, two.boxes.take(double), np.tile(two.leaf, 2), np.concatenate(halves_of_facets(two.corner), axis=2)),
-        _FacetPairs(turns, one.boxes.halved(spread[by_box].argmax(axis=1)), np.tile(one.leaf, 2), np.tile(one.corner, (1, 1, 2))),
+        _FacetPairs(same.turns + 1, same.boxes, same.leaf, halves),
+        _FacetPairs(one.turns.take(owner) + 1, boxes, one.leaf.take(owner), one.corner.take(owner, axis=2)),
     ]
 
 
@@ -245,7 +255,17 @@ def _longest_side(corner: Floats) -> Floats:
     return np.asarray(np.sqrt(((corner - np.roll(corner, -1, axis=0)) ** 2).sum(axis=1).max(axis=0)))
 
 
-def _sliced(pairs: _Pairs | _FacetPairs) -> list[_Pairs | _FacetPairs]:
+def _merged(open_: list[_FacetPairs]) -> _FacetPairs:
+    """Take the last of them from the list, as many as make a slice."""
+    taken, count = [open_.pop()], 0
+    while open_ and (count := count + len(taken[-1].leaf)) + len(open_[-1].leaf) <= SLICE:
+        taken.append(open_.pop())
+    boxes = JointBoxes(*(np.concatenate(part) for part in zip(*(one.boxes for one in taken), strict=True)))
+    turns, leaf = (np.concatenate(part) for part in ([one.turns for one in taken], [one.leaf for one in taken]))
+    return _FacetPairs(turns, boxes, leaf, np.concatenate([one.corner for one in taken], axis=2))
+
+
+def _sliced(pairs: Some) -> list[Some]:
     count = len(pairs.boxes.block)
     if count <= SLICE:
         return [pairs] if count else []
