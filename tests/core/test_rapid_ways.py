@@ -23,6 +23,7 @@ from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine, save_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.report.part_facts import part_numbers, part_verdict
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of, depth_of, support
 
@@ -179,6 +180,19 @@ def test_a_rapid_that_enters_anyhow_is_told_once():
     check = check_program(BLOCK, body_of(Cutter(10.0)), kinematics, program, LIMIT, rapids=UNKNOWN)
     assert [one.code for one in check.findings] == ["rapid-collision"]
     assert check.ways is not None and not check.ways.depth.any()
+
+
+def test_a_report_does_not_call_a_program_gouge_free_that_is_so_only_if_interpolated():
+    made = load_machine("trunnion_ac")
+    kinematics = chain(made, Setup(made.origin))
+    program = read_nc("\n".join(OVER).encode(), kinematics, find_dialect("linuxcnc"))
+
+    def told(rapids):
+        check = check_program(BLOCK, body_of(Cutter(10.0)), kinematics, program, LIMIT, rapids=rapids)
+        numbers = part_numbers(program, check, None, LIMIT, 0.0)
+        return numbers.get("independent_rapid_blocks"), [kind for _, kind in part_verdict(numbers, LIMIT)]
+
+    assert told(INTERPOLATED) == (None, ["good"]) and told(UNKNOWN) == (1, ["bad"])
 
 
 # ------------------------------------------------------------------------------------------------ who says it

@@ -5,6 +5,7 @@ from .check import CURES, DIVIDE, GOUGES, GougeCheck, check_motion, check_progra
 from .inside import inside, is_closed
 from .outline import Outline, outline
 from .rapid_check import INDEPENDENT_RAPID
+from .rapid_ways import WayEntries
 from .rest_material import RestMaterial, find_rest_material, too_deep_finding, uncut_finding
 from .search import Entries, find_entries, which_enter
 from .spots import spots
@@ -20,6 +21,7 @@ __all__ = [
     "Outline",
     "RestMaterial",
     "SweptMotion",
+    "WayEntries",
     "check_motion",
     "check_program",
     "find_entries",
