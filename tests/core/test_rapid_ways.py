@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.collision import check_program, find_entries, real_motion
 from freecad_fiveaxis.core.collision.joint_box import JointBoxes, JointSpace
 from freecad_fiveaxis.core.collision.rapid_check import independent_rapids
-from freecad_fiveaxis.core.collision.rapid_ways import boxes_of, find_way_entries
+from freecad_fiveaxis.core.collision.rapid_ways import RELATIVE, boxes_of, find_way_entries
 from freecad_fiveaxis.core.controllers import DIALECTS, find_dialect
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
@@ -121,7 +121,7 @@ def test_dense_simulation_over_random_rates_finds_nothing_that_the_bound_does_no
     assert (found.bound[found.depth == 0.0] <= LIMIT).all(), "nothing stays open"
     hit = found.depth > 0.0
     assert hit.any() and not hit.all() and (deepest > LIMIT).any()
-    assert (found.bound[hit] <= found.depth[hit] + np.maximum(0.1, 0.05 * found.depth[hit]) + 1e-9).all()
+    assert (found.bound[hit] <= found.depth[hit] + np.maximum(0.1, RELATIVE * found.depth[hit]) + 1e-9).all()
     at = there.poses(found.words[hit])
     depth = [depth_of(body, tip, k, p[None])[0] for tip, k, p in zip(at.tip.T, at.axis.T, found.place[hit], strict=True)]
     assert depth == pytest.approx(found.depth[hit], abs=1e-6), "each depth is that of a place on a way"

@@ -34,7 +34,7 @@ SLICE = 4096
 ROUNDS = 100
 """Divisions of a pair; after that the bound is what it is."""
 
-RELATIVE = 0.05
+RELATIVE = 0.1
 """A depth is known to this share of itself, or to the accuracy asked for where that is more."""
 
 EVEN_SHARE = 0.05
