@@ -73,7 +73,7 @@ def test_what_the_ball_just_passes_over_is_told_from_what_it_touches(low, enters
     found = find_way_entries(body_of(Cutter(10.0)), facet_tree(BLOCK), space("trunnion_ac"), words, np.array([0]), LIMIT, 0.001)
     assert (found.depth[0] > 0.0) == enters and (found.bound[0] <= LIMIT) == (not enters)
     if enters:
-        assert found.depth[0] == pytest.approx(3 * LIMIT, abs=0.002)
+        assert found.depth[0] == pytest.approx(3 * LIMIT, rel=RELATIVE)
 
 
 def space(machine, back=0.0):
