@@ -3744,6 +3744,10 @@
         <translation>Die Datei wechselt das Werkzeug ({told}), das Programm nicht: Es fräst alles mit einem. Eine Datei je Werkzeug schreiben, oder eines wählen: {option}.</translation>
     </message>
     <message>
+        <source>The file ends in control characters; they are passed over.</source>
+        <translation>Die Datei endet mit Steuerzeichen; sie werden übergangen.</translation>
+    </message>
+    <message>
         <source>The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.</source>
         <translation>Das Grundsystem der Datei ist verschoben oder gedreht und wird nicht verwendet; die Achsen im System der Maschine selbst angeben.</translation>
     </message>
@@ -4044,6 +4048,10 @@
         <translation>X Y Z sind die Werkzeugspitzen des CL-Wegs, obwohl die Rundachsen drehen: das Programm überlässt die Drehpunkte der Steuerung (RTCP); ohne Werkzeugspitzenführung ausgeben</translation>
     </message>
     <message>
+        <source>X and Y are not told before it</source>
+        <translation>X und Y stehen nicht davor</translation>
+    </message>
+    <message>
         <source>X{x} Y{y} Z{z}</source>
         <translation>X{x} Y{y} Z{z}</translation>
     </message>
@@ -4112,6 +4120,10 @@
         <translation>ein Ebenenabstand ist {wrong}: endliche Zahlen angeben</translation>
     </message>
     <message>
+        <source>a program's name where O takes a number</source>
+        <translation>ein Programmname, wo O eine Nummer nimmt</translation>
+    </message>
+    <message>
         <source>a rapid with independent axes hits the part</source>
         <translation>ein Eilgang mit unabhängigen Achsen trifft das Werkstück</translation>
     </message>
@@ -4138,6 +4150,10 @@
     <message>
         <source>a tilted plane ends with a shift in it, and moves follow; reset the shift first</source>
         <translation>eine geschwenkte Ebene endet mit einer Verschiebung darin, und Bewegungen folgen; zuerst die Verschiebung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>a tool unlike that of the control's table (DL, DR); the words are taken as they are, without the difference</source>
+        <translation>ein Werkzeug anders als in der Tabelle der Steuerung (DL, DR); die Wörter werden ohne den Unterschied genommen, wie sie sind</translation>
     </message>
     <message>
         <source>a value beyond all words</source>
@@ -4364,10 +4380,6 @@
         <translation>Fräser {text}: im Angebot sind nur {kinds}; schreiben wie {form}</translation>
     </message>
     <message>
-        <source>cycle {number} whose depth is not below 0, or whose infeed is not above it</source>
-        <translation>Zyklus {number}, dessen Tiefe nicht unter 0 oder dessen Zustellung nicht darüber liegt</translation>
-    </message>
-    <message>
         <source>cycle {number} with {name} above 0</source>
         <translation>Zyklus {number} mit {name} über 0</translation>
     </message>
@@ -4576,6 +4588,10 @@
         <translation>sein Q ergibt zu viele Zustellungen</translation>
     </message>
     <message>
+        <source>its depth is not below 0, or its infeed is not above it</source>
+        <translation>seine Tiefe ist nicht unter 0 oder seine Zustellung nicht darüber</translation>
+    </message>
+    <message>
         <source>its depth lies above R</source>
         <translation>seine Tiefe liegt über R</translation>
     </message>
@@ -4590,6 +4606,10 @@
     <message>
         <source>its pecks get smaller (I)</source>
         <translation>seine Zustellungen werden kleiner (I)</translation>
+    </message>
+    <message>
+        <source>its radius is that of the tool, which only the control knows; name it above TOOL CALL as ; DM=16</source>
+        <translation>sein Radius ist der des Werkzeugs, den nur die Steuerung kennt; über TOOL CALL nennen als ; DM=16</translation>
     </message>
     <message>
         <source>its repeats are no whole number from 0 on</source>
@@ -4904,6 +4924,14 @@
         <translation>keine Stellung liegt in den Grenzen der Drehachsen</translation>
     </message>
     <message>
+        <source>no_motion: {name} is no function that can be passed over; write one each as M202, G05 P10000, CYCL DEF 392 (300 to 399, 500 to 599) or FUNCTION NAME</source>
+        <translation>no_motion: {name} ist keine Funktion, die übergangen werden kann; jede für sich schreiben wie M202, G05 P10000, CYCL DEF 392 (300 bis 399, 500 bis 599) oder FUNCTION NAME</translation>
+    </message>
+    <message>
+        <source>no_motion: {name} moves the tool or ends a program; leave it out</source>
+        <translation>no_motion: {name} bewegt das Werkzeug oder beendet ein Programm; weglassen</translation>
+    </message>
+    <message>
         <source>none asked for</source>
         <translation>keine verlangt</translation>
     </message>
@@ -5046,6 +5074,10 @@
     <message>
         <source>row {row} of the CL path is a feed move with feed {value}; give a feed above 0</source>
         <translation>Zeile {row} des CL-Wegs ist eine Vorschubbewegung mit dem Vorschub {value}; einen Vorschub über 0 angeben</translation>
+    </message>
+    <message>
+        <source>rows of the control's table, whose distance is not known; the blocks between are not right. Audit each part on its own</source>
+        <translation>Zeilen der Tabelle der Steuerung, deren Abstand nicht bekannt ist; die Sätze dazwischen stimmen nicht. Jeden Teil für sich prüfen</translation>
     </message>
     <message>
         <source>scallop and stepover exclude each other; give one of them</source>
@@ -5208,6 +5240,10 @@
         <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
     </message>
     <message>
+        <source>the head of NX's listing</source>
+        <translation>der Kopf eines Protokolls von NX</translation>
+    </message>
+    <message>
         <source>the header announces {facets} facets, but the file holds {held}: it is cut off, damaged or no STL; export it again</source>
         <translation>der Kopf kündigt {facets} Facetten an, die Datei enthält {held}: sie ist abgeschnitten, beschädigt oder kein STL; neu exportieren</translation>
     </message>
@@ -5296,6 +5332,10 @@
         <translation>die Spindel bleibt aus</translation>
     </message>
     <message>
+        <source>the spindle's speed is not told before it</source>
+        <translation>die Spindeldrehzahl steht nicht davor</translation>
+    </message>
+    <message>
         <source>the text cannot be shown: {strerror}</source>
         <translation>der Text kann nicht gezeigt werden: {strerror}</translation>
     </message>
@@ -5318,6 +5358,10 @@
     <message>
         <source>the tool is lifted out of the part by up to {value}, what it leaves stays uncut</source>
         <translation>das Werkzeug ist um bis zu {value} aus dem Werkstück gehoben, was es stehen lässt, bleibt ungefräst</translation>
+    </message>
+    <message>
+        <source>the tool is wider than the hole</source>
+        <translation>das Werkzeug ist breiter als die Bohrung</translation>
     </message>
     <message>
         <source>the tool stays out of the part</source>
@@ -5374,6 +5418,10 @@
     <message>
         <source>the work zero at X {x} Y {y} Z {z} of the machine</source>
         <translation>der Werkstücknullpunkt bei X {x} Y {y} Z {z} der Maschine</translation>
+    </message>
+    <message>
+        <source>the zero is that row of the control's table; the program is read as if the work zero stood there</source>
+        <translation>der Nullpunkt ist diese Zeile der Tabelle der Steuerung; das Programm wird gelesen, als stünde dort der Werkstücknullpunkt</translation>
     </message>
     <message>
         <source>the {all}</source>
@@ -5628,6 +5676,10 @@
         <translation>{blocks} {letter} über die Grenze von {limit} hinaus: am weitesten NC-Zeile {line}, {letter}{word}, {beyond} zu weit; die erste ist NC-Zeile {first}. {help}, oder eine Maschine mit mehr Weg nehmen.</translation>
     </message>
     <message>
+        <source>{cause} What follows from it is not told one by one ({count} in all): {codes}.</source>
+        <translation>{cause} Was daraus folgt, wird nicht einzeln genannt (zusammen {count}): {codes}.</translation>
+    </message>
+    <message>
         <source>{change} {rate}, {turned}, {blocks}</source>
         <translation>{change} {rate}, {turned}, {blocks}</translation>
     </message>
@@ -5754,6 +5806,10 @@
     <message>
         <source>{count} feed blocks turn {letter} by nearly a whole turn, and all its words lie within one: they seem meant by the shorter way. If the control takes it, set wrap_strategy to modulo.</source>
         <translation>{count} Vorschubsätze drehen {letter} um fast eine ganze Umdrehung, und alle Wörter liegen innerhalb einer: gemeint ist wohl der kürzere Weg. Nimmt ihn die Steuerung, wrap_strategy auf modulo stellen.</translation>
+    </message>
+    <message>
+        <source>{count} lines begin with a colon without a number; the rest of them is read.</source>
+        <translation>{count} Zeilen beginnen mit einem Doppelpunkt ohne Nummer; ihr Rest wird gelesen.</translation>
     </message>
     <message>
         <source>{count} lines begin with a slash (block skip); they are read as if the switch were off.</source>
@@ -6208,6 +6264,10 @@
         <translation>{name} wird nicht ausgeschrieben, seine Bewegungen fehlen: {reason}. Berichtigen oder gerade Bewegungen ausgeben.</translation>
     </message>
     <message>
+        <source>{name} is passed over: the machine file says that it moves nothing (no_motion).</source>
+        <translation>{name} wird übergangen: Laut Maschinendatei bewegt es nichts (no_motion).</translation>
+    </message>
+    <message>
         <source>{name} is {value}; give a length above 0</source>
         <translation>{name} ist {value}; eine Länge über 0 angeben</translation>
     </message>
@@ -6282,6 +6342,10 @@
     <message>
         <source>{name}'s {switch} names the tool's length offset: give {tool}, its number</source>
         <translation>{switch} von {name} nennt den Längenversatz des Werkzeugs: {tool} angeben, seine Nummer</translation>
+    </message>
+    <message>
+        <source>{name}(...) stands in {count} lines and is not known; what it does is missing here. If it moves nothing, name it under no_motion in the machine file.</source>
+        <translation>{name}(...) steht in {count} Zeilen und ist nicht bekannt; was es tut, fehlt hier. Bewegt es nichts, in der Maschinendatei unter no_motion nennen.</translation>
     </message>
     <message>
         <source>{name}: the post has {value} (within {certainty}), {machine} has {given}, {apart} apart.{effect}</source>
@@ -6460,6 +6524,10 @@
         <translation>{share} % der nach oben gerichteten Fläche bleiben unbearbeitet</translation>
     </message>
     <message>
+        <source>{shown} is {what}, no NC line; it is passed over. A control may refuse it: delete it.</source>
+        <translation>{shown} ist {what}, keine NC-Zeile, und wird übergangen. Eine Steuerung kann es ablehnen: löschen.</translation>
+    </message>
+    <message>
         <source>{sides}; name another, or null for the base</source>
         <translation>{sides}; eine andere nennen, oder null für das Gestell</translation>
     </message>
@@ -6538,6 +6606,10 @@
     <message>
         <source>{value} are too steep for the largest axis angle and left out</source>
         <translation>{value} sind zu steil für den größten Achswinkel und ausgelassen</translation>
+    </message>
+    <message>
+        <source>{value} is no list of names; write ["M202", "CYCL DEF 392"]</source>
+        <translation>{value} ist keine Liste von Namen; schreiben: ["M202", "CYCL DEF 392"]</translation>
     </message>
     <message>
         <source>{value} is no name of a file: give a text or a path</source>

@@ -4,7 +4,7 @@
 import numpy as np
 import Part
 import pytest
-from conftest import UNCURED
+from conftest import PLAIN, UNCURED
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import markers, results
@@ -106,7 +106,7 @@ def test_a_file_that_is_not_there_leaves_nothing_behind(doc, tmp_path):
     assert not doc.Objects
 
 
-DOME = {"machine": "trunnion_ac", "stepover": 8, "tolerance": 0.005, **UNCURED}
+DOME = {"machine": "trunnion_ac", "stepover": 8, "tolerance": 0.005, **PLAIN, **UNCURED}
 
 
 def test_markers_on_a_dome_stand_where_the_core_says(doc, dome, tmp_path):

@@ -11,6 +11,7 @@ import FreeCAD
 import Part
 import pytest
 from cam_jobs import make_job
+from conftest import PLAIN
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app.results import nc_of
@@ -22,8 +23,7 @@ SETTINGS = {
     "stepover": "5",
     "tolerance": "50",
     "linear_deflection": "0.2",
-    "passes": "planes",
-    "tool_axis": "facet_mean",
+    **PLAIN,
 }
 
 
@@ -66,7 +66,8 @@ def solids(doc):
 def a_toolpath(doc):
     obj = doc.addObject("Part::Feature", "Dome")
     obj.Shape = dome()
-    app.create_toolpath(doc, obj, machine="trunnion_bc", cutter="ball:4", stepover=6, tolerance=50, linear_deflection=0.2)
+    settings = {"cutter": "ball:4", "stepover": 6, "tolerance": 50, "linear_deflection": 0.2, **PLAIN}
+    app.create_toolpath(doc, obj, machine="trunnion_bc", **settings)
 
 
 def a_cut(doc):

@@ -7,7 +7,7 @@ import FreeCAD
 import numpy as np
 import pytest
 from cam_jobs import make_job
-from conftest import UNCURED
+from conftest import PLAIN, UNCURED
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import cam
@@ -30,7 +30,7 @@ def dome(doc):
 
 def mill(dome, **settings):
     return app.create_toolpath(
-        dome.Document, dome, machine="trunnion_ac", cutter="ball:6", stepover=5, linear_deflection=0.2, **settings
+        dome.Document, dome, machine="trunnion_ac", cutter="ball:6", stepover=5, linear_deflection=0.2, **PLAIN, **settings
     )
 
 
@@ -135,7 +135,8 @@ def test_a_job_gives_its_model_its_ball_end_and_its_feeds(dome):
 
 def test_a_jobs_settings_make_a_toolpath(dome):
     (model,), settings = cam.settings_from_job(make_job(dome.Document, dome))
-    toolpath = app.create_toolpath(dome.Document, model, machine="trunnion_ac", stepover=5, linear_deflection=0.2, **settings)
+    settings = {"stepover": 5, "linear_deflection": 0.2, **PLAIN, **settings}
+    toolpath = app.create_toolpath(dome.Document, model, machine="trunnion_ac", **settings)
     assert toolpath.CutterDiameter.Value == 6 and toolpath.CutterLength.Value == 40
     assert toolpath.Feed.getValueAs("mm/min").Value == pytest.approx(1000) and toolpath.Tool == 3
     assert cam.preview(toolpath) not in cam.jobs_of(dome.Document)
@@ -156,7 +157,7 @@ def test_a_ball_end_is_taken_before_others_and_any_of_use_by_its_number(dome, mo
     flat = cam.settings_from_job(job, 1)[1]["cutter"]
     assert (flat.diameter, flat.corner) == (5.0, 0.0)
     path = app.create_toolpath(dome.Document, dome, machine="trunnion_ac", cutter=flat, stepover=5,
-                               linear_deflection=0.2, **UNCURED)  # fmt: skip
+                               linear_deflection=0.2, **PLAIN, **UNCURED)  # fmt: skip
     assert path.CutterKind == "flat" and path.Blocks > 0
     tools = [one for one in cam.cutters_of_job(job) if one.number == 1]
     monkeypatch.setattr(cam, "cutters_of_job", lambda job: tools)

@@ -5,7 +5,7 @@ import os
 
 import FreeCAD
 import pytest
-from conftest import UNCURED
+from conftest import PLAIN, UNCURED
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app.nc_output import NCOutput, is_ours, out_of_date
@@ -19,7 +19,8 @@ def toolpath(doc):
     dome = doc.addObject("Part::Sphere", "Dome")
     dome.Radius, dome.Angle1 = 10, 0
     doc.recompute()
-    return app.create_toolpath(doc, dome, machine="trunnion_ac", cutter="ball:6", stepover=5, linear_deflection=0.2, **UNCURED)
+    settings = {"cutter": "ball:6", "stepover": 5, "linear_deflection": 0.2, **PLAIN, **UNCURED}
+    return app.create_toolpath(doc, dome, machine="trunnion_ac", **settings)
 
 
 def test_the_file_holds_what_the_toolpath_makes(toolpath, tmp_path):
@@ -173,7 +174,10 @@ def test_esc_halfway_writes_nothing(toolpath, tmp_path, monkeypatch):
 
 
 def test_it_survives_saving_and_opening(toolpath, tmp_path):
+    """With the passes and axes of the default: what is saved gives the same bytes again."""
     doc, nc = toolpath.Document, tmp_path / "dome.ngc"
+    toolpath.PassStrategy, toolpath.ToolAxis, toolpath.Stepover = "scallop", "auto", 8
+    doc.recompute()
     app.post_process(toolpath, nc)
     doc.saveCopy(str(tmp_path / "dome.FCStd"))
     again = FreeCAD.openDocument(str(tmp_path / "dome.FCStd"))

@@ -6,6 +6,7 @@ import Mesh
 import numpy as np
 import Part
 import pytest
+from conftest import PLAIN
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import convert, results, tessellation
@@ -13,7 +14,7 @@ from freecad_fiveaxis.app.scaling import scale_part
 from freecad_fiveaxis.core.base.errors import SettingsError
 
 PLACE = FreeCAD.Placement(FreeCAD.Vector(0.01, 0.02, 0.03), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 90))
-OPTIONS = {"stepover": 4.0, "cutter": "ball:6:30"}
+OPTIONS = {"stepover": 4.0, "cutter": "ball:6:30", **PLAIN}
 
 
 def solid():

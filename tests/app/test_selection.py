@@ -6,7 +6,7 @@ import Mesh
 import numpy as np
 import Part
 import pytest
-from conftest import half_ball
+from conftest import FAST, PLAIN, half_ball
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import convert, selection, signs, tessellation
@@ -60,7 +60,7 @@ def test_a_link_to_a_solid_is_the_solid_where_the_link_stands(doc, ball):
     doc.recompute()
     assert selection.pick([(link, ["Face1"])]) == (link, ("Face1",))
     assert selection.solids(link)[0].BoundBox.ZMin == pytest.approx(50)
-    assert app.create_toolpath(doc, link, machine="trunnion_ac", stepover=5, linear_deflection=0.1).Blocks > 100
+    assert app.create_toolpath(doc, link, **{**FAST, "stepover": 5}).Blocks > 100
 
 
 def test_picking_a_mesh_takes_the_whole_of_it(dome):
@@ -179,7 +179,8 @@ def test_a_part_design_body_a_compound_and_a_mesh_are_milled(doc):
     mesh = doc.addObject("Mesh::Feature", "Mesh")
     mesh.Mesh = Mesh.createBox(10, 10, 10)
     doc.recompute()
-    blocks = [app.create_toolpath(doc, base, machine="trunnion_ac", stepover=4).Blocks for base in (body, compound, mesh)]
+    settings = {"machine": "trunnion_ac", "stepover": 4, **PLAIN}
+    blocks = [app.create_toolpath(doc, base, **settings).Blocks for base in (body, compound, mesh)]
     assert min(blocks) > 10 and blocks[1] > blocks[2]
 
 
@@ -191,7 +192,7 @@ def test_a_mesh_that_was_moved_is_milled_where_it_is(doc, tmp_path):
     from freecad_fiveaxis.app import results
 
     result = results.result_of(
-        app.create_toolpath(doc, mesh, **{"machine": "trunnion_ac", "stepover": 4, "work_zero": (0, 0, 5)})
+        app.create_toolpath(doc, mesh, **{"machine": "trunnion_ac", "stepover": 4, "work_zero": (0, 0, 5), **PLAIN})
     )
     assert result.made.mesh.vertex.min(axis=0).tolist() == [2.0, -5.0, -10.0]
 

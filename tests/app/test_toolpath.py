@@ -8,7 +8,7 @@ import sys
 import FreeCAD
 import numpy as np
 import pytest
-from conftest import FAST, ROOT, half_ball
+from conftest import FAST, PLAIN, ROOT, half_ball
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import long_work, results, wording
@@ -109,7 +109,7 @@ def test_the_work_zero_is_taken_off_the_mesh(doc, ball):
 def test_a_change_of_the_base_reaches_the_toolpath(doc):
     box = doc.addObject("Part::Box", "Box")
     doc.recompute()
-    path = app.create_toolpath(doc, box, machine="trunnion_ac", stepover=2)
+    path = app.create_toolpath(doc, box, machine="trunnion_ac", stepover=2, **PLAIN)
     before, facets = path.CutLength.Value, results.nc_of(path)
     box.Length = 20
     assert results.out_of_date(path) == "Box was changed: recompute the document"
@@ -333,14 +333,14 @@ def test_stopped_in_a_recompute_the_object_keeps_its_result_says_so_and_can_go_o
 
 def test_a_tessellation_that_is_there_is_milled_and_not_copied(doc, ball):
     mesh = app.tessellate(ball, linear_deflection=0.1)
-    path = app.create_toolpath(doc, mesh, machine="trunnion_ac", stepover=4)
+    path = app.create_toolpath(doc, mesh, machine="trunnion_ac", stepover=4, **PLAIN)
     assert path.Mesh is mesh and len(doc.Objects) == 3
     with pytest.raises(FiveAxisError, match="is a mesh already"):
         app.create_toolpath(doc, mesh, machine="trunnion_ac", stepover=4, linear_deflection=0.5)
 
 
 def test_without_a_machine_it_is_the_trunnion(doc, ball):
-    assert app.create_toolpath(doc, ball, stepover=4, linear_deflection=0.1).Machine == "trunnion_ac"
+    assert app.create_toolpath(doc, ball, stepover=4, linear_deflection=0.1, **PLAIN).Machine == "trunnion_ac"
 
 
 def test_a_base_that_waits_for_its_recompute_is_computed_first(doc):

@@ -496,7 +496,8 @@ def test_what_cannot_be_used_is_one_line_and_no_file(stl, words, said, monkeypat
     (stl / "words.csv").write_text("X,Y,Z\n1,two,3\n4,5,6\n")
     (stl / "one.csv").write_text("0,0,0\n")
     write_stl(ball(centre=(500.0, 0.0, 0.0)), stl / "elsewhere.stl")
-    assert cli.main(["mill", "part.stl", "--machine", "trunnion_ac", "-o", "out.ngc", "--quiet", *words]) == 2
+    given = ["mill", "part.stl", "--machine", "trunnion_ac", "--tool-axis", "facet_mean", "-o", "out.ngc", "--quiet"]
+    assert cli.main([*given, *words]) == 2
     told = capsys.readouterr().err
     assert said in told and told.count("\n") == 1
     assert not (stl / "out.ngc").exists()
@@ -506,7 +507,7 @@ def test_the_options_are_those_of_job_files_too(stl, monkeypatch):
     monkeypatch.chdir("/")
     (stl / "curve.csv").write_text("-10,0,-9\n10,0,9\n")
     job = {"task": "mill", "source": "part.stl", "machine": "trunnion_ac", "passes": "scallop", "scallop": 0.2, "from": "curve.csv",
-           "output": str(stl / "a.ngc"), "report": [str(stl / "a.json")], "gouge": "off"}  # fmt: skip
+           "output": str(stl / "a.ngc"), "report": [str(stl / "a.json")], "gouge": "off", "tool_axis": "facet_mean"}  # fmt: skip
     (stl / "job.json").write_text(json.dumps(job))
     assert cli.main(["run", str(stl / "job.json"), "--quiet"]) in (0, 1)
     inputs = json.loads((stl / "a.json").read_text())["inputs"]

@@ -3,7 +3,7 @@
 
 import math
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from types import SimpleNamespace
 
 import numpy as np
@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.cl.coedge import close_gaps
 from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, facet_mean
 from freecad_fiveaxis.core.collision.obstacles import Reacher, tip_at
-from freecad_fiveaxis.core.corrections import auto_axis
+from freecad_fiveaxis.core.corrections import auto_axis, facets_with_axis
 from freecad_fiveaxis.core.corrections import axis_field as module
 from freecad_fiveaxis.core.corrections.auto_axis import Free, auto_axes, divided
 from freecad_fiveaxis.core.corrections.facets_with_axis import find_axis_field
@@ -31,6 +31,7 @@ from freecad_fiveaxis.core.tool.body import depth_of
 SHORT = Cutter(6.0, 12.0)
 HOLDER = ((24.0, 30.0),)
 NODES = 300
+"""Fewer than the product takes: what takes its own number of them is thorough."""
 
 
 def trunnion(most=None):
@@ -217,6 +218,11 @@ def test_a_ball_is_raised_out_of_a_shallow_crease_and_does_not_fit_into_a_narrow
 # ------------------------------------------------------------------------------------------------ the contacts
 
 
+def take_nodes(patch, count):
+    """Let `auto` look at so many places of the part; NODES are the product's."""
+    patch.setattr(facets_with_axis, "surface_nodes", partial(module.surface_nodes, count=count))
+
+
 @cache
 def contacts_on(shape):
     """Passes over what looks up of a part, with its mesh and these facets."""
@@ -227,26 +233,31 @@ def contacts_on(shape):
 
 
 @cache
-def milled(shape, most=None, **lean):
+def milled(shape, most=None, nodes=module.NODES, **lean):
     """Passes over a part, what facet_mean gives, and the axes of `auto` with its findings."""
     path, mesh, facets = contacts_on(shape)
     given = facet_mean(path, AxisOptions())
     reacher = Reacher(SHORT, holder=HOLDER, kinematics=None if most is None else trunnion(most))
-    field = find_axis_field(mesh, facets, reacher)
+    with pytest.MonkeyPatch.context() as patch:
+        take_nodes(patch, nodes)
+        field = find_axis_field(mesh, facets, reacher)
+    assert len(field.nodes.point) <= nodes
     return path, given, auto_axes(path, given, field, mesh, reacher, AxisOptions(**lean)), mesh, reacher
 
 
+@some_in_core("nodes", [NODES, module.NODES])
 @some_in_core("lean", [{}, {"lead": 0.1, "tilt": -0.1}], ids=["upright", "leaned"], kept=(1,))
-def test_all_rows_of_one_contact_share_one_unit_axis(lean):
-    path, _, (axis, _, _), _, _ = milled(corner, **lean)
+def test_all_rows_of_one_contact_share_one_unit_axis(lean, nodes):
+    path, _, (axis, _, _), _, _ = milled(corner, nodes=nodes, **lean)
     np.testing.assert_allclose(np.linalg.norm(axis, axis=1), 1.0, atol=1e-12)
     same = (np.abs(np.diff(path.point, axis=0)) < 1e-9).all(axis=1) & (np.diff(path.polyline) == 0)
     same &= (path.before[1:] == path.before[:-1]).all(axis=1) & (path.after[1:] == path.after[:-1]).all(axis=1)
     assert same.any() and (axis[1:][same] == axis[:-1][same]).all()
 
 
-def test_contacts_are_free_with_auto_where_they_are_not_with_the_normals():
-    path, given, (axis, free, _), mesh, reacher = milled(hollows)
+@some_in_core("nodes", [NODES, module.NODES])
+def test_contacts_are_free_with_auto_where_they_are_not_with_the_normals(nodes):
+    path, given, (axis, free, _), mesh, reacher = milled(hollows, nodes=nodes)
     points, row = dense_points(mesh, 1.0), slice(None, None, 2)
     point, normal = path.point[row], path.normal[row]
     by_normal, by_field = (deepest(reacher, tip_at(SHORT, point, normal, way[row]), way[row], points) for way in (given, axis))
@@ -258,7 +269,7 @@ def test_contacts_are_free_with_auto_where_they_are_not_with_the_normals():
 @pytest.mark.parametrize(("held", "severity"), [(0, None), (5, Severity.NOTE), (6, Severity.WARNING)])
 def test_single_contacts_without_a_free_axis_are_a_note(held, severity):
     free = np.where(np.arange(1000) < held, Free.NONE, Free.WAY_OUT)
-    contacts = SimpleNamespace(contact=np.arange(1000), fits=np.ones(1000, bool), point=np.zeros((1000, 3)))
+    contacts = SimpleNamespace(all_fit=lambda: np.ones(1000, bool), point=np.zeros((1000, 3)))
     assert [one.severity for one in auto_axis._findings(free, contacts)] == [severity][: int(held > 0)]
 
 

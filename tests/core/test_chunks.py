@@ -137,7 +137,7 @@ def test_the_pipeline_gives_the_same_bits_with_one_thread_and_two(monkeypatch, p
     monkeypatch.setattr(chunks_module, "PORTION", 97)
     monkeypatch.setattr(junction, "GROUP", 50)
     monkeypatch.setattr(number_text, "CHUNK", 60)
-    settings = build_settings("mill", str(parts / f"{part}.stl"), {"machine": machine, "stepover": 2.0})
+    settings = build_settings("mill", str(parts / f"{part}.stl"), {"machine": machine, "stepover": 4.0})
     made = []
     for alone in (True, False):
         monkeypatch.setattr(chunks_module, "ALONE", alone)

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from plain import build_settings
 from scipy.spatial import cKDTree
-from test_axis_field import stemmed
+from test_axis_field import NODES as FEW
+from test_axis_field import stemmed, take_nodes
 from test_fewer_axes import table_a
 from test_reach_map import block, slot
 from thorough import some_in_core
@@ -16,6 +17,7 @@ from thorough import some_in_core
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.collision.obstacles import Reacher
+from freecad_fiveaxis.core.corrections.axis_field import NODES
 from freecad_fiveaxis.core.corrections.facets_with_axis import find_axis_field, select_facets
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.machine import save_machine
@@ -34,6 +36,12 @@ def milled(mesh, **options):
 @cache
 def sphere_milled():
     return milled(stemmed())
+
+
+@pytest.fixture(params=[FEW, pytest.param(NODES, marks=pytest.mark.thorough)])
+def some_nodes(request, monkeypatch):
+    """So many places are looked at."""
+    take_nodes(monkeypatch, request.param)
 
 
 def served(mesh, reacher, most=RIGHT):
@@ -75,6 +83,7 @@ def test_nothing_enters_and_nothing_is_told_that_is_not_so():
     assert summary(job.figures(result))["unfinished_share"] < 0.05
 
 
+@pytest.mark.usefixtures("some_nodes")
 def test_the_underside_stays_out_as_long_as_the_axis_may_not_go_below_the_level():
     keep, findings = served(block(), Reacher(Cutter(6.0, 40.0), most=RIGHT))
     assert (keep == (block().normal[:, 2] > -0.5)).all()
@@ -85,6 +94,7 @@ def test_the_underside_stays_out_as_long_as_the_axis_may_not_go_below_the_level(
     assert keep.all() and findings == ()
 
 
+@pytest.mark.usefixtures("some_nodes")
 def test_a_table_is_named():
     mesh = block()
     keep, findings = served(mesh, Reacher(Cutter(6.0, 40.0), table=0.0), math.pi)
@@ -92,6 +102,7 @@ def test_a_table_is_named():
     assert "below the table" in findings[0].text and findings[0].value == pytest.approx(1200.0)
 
 
+@pytest.mark.usefixtures("some_nodes")
 @some_in_core(
     ("width", "tool", "words"),
     [

@@ -6,9 +6,12 @@ import pytest
 from gouge_examples import prism
 from mesh_shapes import box
 from plain import PLAIN
+from test_axis_field import NODES as FEW
+from test_axis_field import take_nodes
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.collision.obstacles import Reacher
-from freecad_fiveaxis.core.corrections import free_turns
+from freecad_fiveaxis.core.corrections import axis_field, free_turns
 from freecad_fiveaxis.core.corrections.free_turns import find_blocked_turns
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import job
@@ -57,8 +60,10 @@ def test_small_turns_and_ends_of_polylines_are_not_asked():
     assert not find_blocked_turns(path, np.tile([0.0, 0.0, 1.0], (len(path.point), 1)), mesh, Reacher(Cutter(4.0))).any()
 
 
-@pytest.mark.parametrize("asked", [pytest.param(True), pytest.param(False, marks=pytest.mark.thorough)])
-def test_a_short_tool_does_not_turn_its_holder_through_the_part(asked, monkeypatch):
+@some_in_core("nodes", [FEW, axis_field.NODES])
+@pytest.mark.parametrize("asked", [True, False])
+def test_a_short_tool_does_not_turn_its_holder_through_the_part(asked, nodes, monkeypatch):
+    take_nodes(monkeypatch, nodes)
     if not asked:
         monkeypatch.setattr(free_turns, "find_blocked_turns", lambda path, axis, *_: np.zeros(len(axis), bool))
     result = job.prove(made_on(prism(STEP, length=14.0), 40.0, cutter="ball:6:12", holder="40x30", gouge="report", stepover=6))

@@ -166,6 +166,18 @@ def test_with_one_side_of_the_tilt_only_the_first_axis_turns_at_the_pole_in_one_
     assert joints.findings == ()
 
 
+def test_along_cuts_at_the_pole_the_first_axis_turns_evenly():
+    """At once it would take the time of the whole turn on one short cut, where the tool would dwell."""
+    path = meridian([-9, -6, 0, 0, 0, 0, 6, 9])
+    path = replace(path, tip=path.tip + np.outer([0, 0, 0, 0, 1, 4, 6, 6, 6, 6], [0.0, 2.0, 0.0]))
+    joints = solve(path, kinematics_of("trunnion_ac", second=(-0.001, 90.0)), LOW, HIGH, CLEARANCE)
+    pole = np.flatnonzero(np.abs(joints.q[:, 4]) < 1e-9)
+    length, turns = np.linalg.norm(np.diff(joints.path.tip[pole], axis=0), axis=1), np.diff(joints.q[:, 3])
+    assert len(pole) == 4 and np.ptp(length) > 1.0
+    assert turns[pole[:-1]] == pytest.approx(turns.sum() * length / length.sum(), abs=1e-9)
+    assert abs(turns.sum()) == pytest.approx(math.pi) and np.abs(np.delete(turns, pole[:-1])).max() < 1e-9
+
+
 def test_the_turn_at_the_pole_is_made_on_a_rapid_where_there_is_one():
     up = path_of([[0, 0, 60.0], [30, 0, 60.0]], [[0, 0, 1.0]] * 2, [Motion.RAPID] * 2)
     path = joined(meridian([-9, -5, 0]), up, meridian([0, 5, 9], azimuth=1.3))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Lead-ins: arcs in closed form, counts of ends, and by another library's distances none of them leads the tool into the part."""
 
+import itertools
 import subprocess
 import sys
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, knob_in_corner, prism, step
 from plain import build_settings
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
@@ -119,8 +121,7 @@ def deepest(made):
     return gouge_judge.judged(made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, blocks).worst
 
 
-@pytest.mark.parametrize("links", ["near", "over"])
-@pytest.mark.parametrize("part", WALLED)
+@some_in_core("part, links", [*itertools.product(WALLED, ["near", "over"])], kept=(1, 2, 4, 5))
 def test_the_judge_finds_nothing_beside_walls(part, links):
     made = milled(WALLED[part](), lead_in=R, links=links, stepover=2.0)
     assert deepest(made) <= made.settings.proof.tolerance

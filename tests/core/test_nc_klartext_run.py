@@ -111,15 +111,15 @@ def test_cycle_203_leaves_by_its_own_feed_and_what_is_not_simple_is_named() -> N
         drill(203, **(WORDS | {"Q202": 20, "Q204": 0, "Q208": 500, "Q212": 0, "Q213": 0})) + "L X+5 Y+6 FMAX M99\n"
     )
     assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "f 5 6 3"] and program.feed[-1] == 500
-    for words, said in (({"Q213": 3}, "Q213"), ({"Q395": 1}, "Q395"), ({"Q201": 5}, "depth"), ({"Q202": 0}, "infeed")):
+    for words, said in (({"Q213": 3}, "Q256"), ({"Q395": 1}, "Q395"), ({"Q201": 5}, "depth"), ({"Q202": 0}, "infeed")):
         program = klartext(drill(203, **(WORDS | words)) + "L X+5 Y+6 FMAX M99\n")
         assert any(said in found.text for found in program.findings if found.severity is Severity.ERROR)
-    program = klartext(drill(207, Q200=2, Q201=-10) + "L X+5 Y+6 FMAX M99\n")
+    program = klartext(drill(251, Q200=2, Q201=-10) + "L X+5 Y+6 FMAX M99\n")
     assert errors(program) == ["cycle-not-interpreted"] * 2
 
 
 def test_a_cycle_after_another_that_is_not_known_is_not_called_for_it() -> None:
-    program = klartext(drill(200, **WORDS) + drill(207, Q200=2) + "L X+5 Y+6 FMAX M99\n")
+    program = klartext(drill(200, **WORDS) + drill(251, Q200=2) + "L X+5 Y+6 FMAX M99\n")
     assert path(program) == ["r 5 6 20"] and "cycle-not-interpreted" in errors(program)
 
 

@@ -135,3 +135,14 @@ def test_a_wide_cutter_that_only_rocks_about_its_middle_is_seen_at_every_lean():
     height = (middle * np.cos(turns) - np.abs(along[floor]) * np.sin(turns)).min(axis=0)
     assert floor.sum() > 50 and left.height[floor] == pytest.approx(height, abs=0.05)
     assert np.ptp(height) > 1.5
+
+
+def test_what_is_enough_is_not_looked_at_closer_and_what_is_more_is_the_same():
+    half = np.radians(40.0)
+    height = 3.0 / np.sin(half) - 3.0
+    asked = v_groove(half), BALL, upright((-20, 0, height), (20, 0, height)), np.array([0]), 0.8
+    exact, rough = find_rest_material(*asked), find_rest_material(*asked, enough=0.5)
+    more = exact.height > 0.5
+    assert (rough.height[more] == exact.height[more]).all() and (rough.block == exact.block)[more].all()
+    assert (rough.height >= exact.height - 1e-4).all() and (rough.height[~more] <= 0.5).all() and 10 < more.sum() < len(more) - 10
+    assert rough.left(0.5) == exact.left(0.5) and (rough.height > exact.height + 1e-9).any()

@@ -26,7 +26,21 @@ def test_an_option_that_is_too_small_is_refused_in_one_line(given, tmp_path):
     part, out = tmp_path / "part.stl", tmp_path / "part.ngc"
     write_stl(step(), part)
     more = [] if given.startswith(("--scallop", "--stepover")) else ["--stepover", "4"]
-    words = [*MILL, part, "--machine", "trunnion_ac", "--gouge", "off", *given.split(), *more, "-o", out, "--quiet"]
+    words = [
+        *MILL,
+        part,
+        "--machine",
+        "trunnion_ac",
+        "--tool-axis",
+        "facet_mean",
+        "--gouge",
+        "off",
+        *given.split(),
+        *more,
+        "-o",
+        out,
+        "--quiet",
+    ]
     done = subprocess.run(words, capture_output=True, text=True, timeout=30)
     assert done.returncode == 2 and len(done.stderr.splitlines()) == 1 and not out.exists(), done.stderr
     assert "give a larger" in done.stderr or "at least" in done.stderr, done.stderr

@@ -128,7 +128,7 @@ def rewinding(folder, links):
     return made
 
 
-@pytest.mark.parametrize("links", ["over", "near"])
+@some_in_core("links", ["over", "near"], kept=(1,))
 def test_rewinds_keep_the_whole_tool_off_too(tmp_path, links):
     made = rewinding(tmp_path, links)
     assert not gouges(made)
@@ -148,8 +148,10 @@ def ball_only(low, high, radius, clearance, body, axis):
     return keep._replace(safe=np.full(len(axis), keep.safe))
 
 
-@pytest.mark.parametrize(
-    "part, name", [("tee", "trunnion_ac"), ("block", "fork_head_bc"), ("tee", "fork_head_bc"), ("mushroom", "fork_head_bc")]
+@some_in_core(
+    "part, name",
+    [("tee", "trunnion_ac"), ("block", "fork_head_bc"), ("tee", "fork_head_bc"), ("mushroom", "fork_head_bc")],
+    kept=(0, 1),
 )
 def test_both_judges_see_a_holder_that_only_the_ball_looks_after(part, name, monkeypatch):
     monkeypatch.setattr(cl_path, "tool_keepout", ball_only)

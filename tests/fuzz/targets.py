@@ -52,11 +52,23 @@ FOREIGN = {
         b"O10 SUB\nG1 X#1 F100\nO10 ENDSUB\nG90\nG0 X0 Y0 Z5 A0 C0\nO10 CALL [7]\nO20 IF [#5 EQ 0]\nG1 C10\nO20 ELSE\nG1 C20\nO20 ENDIF\nM2\n",
     ),
     "fanuc": (b"%\nO1234 (PART)\nG90 G21 G17 G94\nG0 X0. Y0. Z20. A0. C0.\n#100=3\nWHILE[#100GT0]DO1\nG1 X#100 F200.\n#100=#100-1\nEND1\nG43.4 H1\n"
-              b"G1 X5. A10. C20.\nG49\nG91 G28 Z0.\nM98 P2000\nM30\nO2000\nG90 G1 Y5.\nM99\n%\n",),
+              b"G1 X5. A10. C20.\nG49\nG91 G28 Z0.\nM98 P2000\nM30\nO2000\nG90 G1 Y5.\nM99\n%\n",
+              b"============\nInformation listing created by : me\nNode name : a\n============\n%\nOFinal ToolPath\n: G17\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\n"
+              b"G1 X5. F100.\nM30\n%\n\x03",
+              b"O1 (A)\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\nG05 P10000\nG1 X5. F100.\nG05 P0\nM30\n"),
     "siemens840d": (b"; PART\nG710 G90 G17\nR1=5 R2=R1+1\nTRAORI\nG0 X0 Y0 Z0 A=0 C=0\nG1 X=R1 Y=R2 A=DC(10) F100\nG1 X=IC(1) A3=0 B3=0.1 C3=0.99\nTRAFOOF\n"
                     b"CYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\nG2 X3 Y3 I1 J1\nM30\n",),
     "heidenhain": (b"0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+20 A+0 C+0 FMAX\n2 M128\n3 L X+1 Y-2.5 A+3 R0 F100\n4 CC X+0 Y+0\n5 C X+2 Y+0 DR+\n6 LN X+1 Y+1 Z+1 "
-                   b"TX+0.1 TY+0 TZ+0.99\n7 M129\n8 Q1 = 5\n9 L IX+1 FMAX M140 MB MAX\n10 END PGM A MM\n",),
+                   b"TX+0.1 TY+0 TZ+0.99\n7 M129\n8 Q1 = 5\n9 L IX+1 FMAX M140 MB MAX\n10 END PGM A MM\n",
+                   b"0 BEGIN PGM B MM\n1 CALL LBL 1\n2 L X+0 Y+0 Z+90 A+0 C+0 R0 FMAX\n3 PLANE SPATIAL SPA90 SPB0 SPC180 STAY SEQ- TABLE ROT\n"
+                   b"4 L A+Q120 C+Q122 R0 FMAX M126\n5 L X1 Y2 Z3 F100\n6 M30\n7 LBL 1\n8 PLANE RESET STAY\n9 LBL 0\n10 END PGM B MM\n",
+                   b"0 BEGIN PGM C MM\n1 L X+0 Y+0 Z+20 A+0 C+0 R0 FMAX\n2 CYCL DEF 392 ATC~\n  Q240=0 ;MODE~\n  Q241=1\n3 M202(0.0024)\n"
+                   b"4 CYCL DEF9.0 DWELL\n5 CYCL DEF9.1 DWELL2\n6 L X+1 F100\n7 END PGM C MM\n",
+                   b"0 BEGIN PGM D MM\n1 ; / DM=6 CR=0\n2 TOOL CALL 5 Z S500 DL+0.1\n3 L X+0 Y+0 Z+20 A+0 C+0 R0 FMAX\n4 CYCL DEF 247 ~\n  Q339=+1\n"
+                   b"5 CYCL DEF 208 BORE ~\n Q200=2 ~\n Q201=-9 ~\n Q206=150 ~\n Q334=5 ~\n Q203=1 ~\n Q204=30 ~\n Q335=16 ~\n Q351=1\n6 L X+5 Y+6 FMAX M99\n"
+                   b"7 CYCL DEF 1.0 PECKING\n8 CYCL DEF 1.1 SET UP -2\n9 CYCL DEF 1.2 DEPTH -9\n10 CYCL DEF 1.3 PECKG -5\n11 CYCL DEF 1.5 F80\n12 CYCL CALL\n"
+                   b"13 CYCL DEF 207 TAP ~\n Q200=2 ~\n Q201=-9 ~\n Q203=1 ~\n Q239=1\n14 CYCL CALL\n15 CYCL DEF 241 LIP ~\n Q200=2 ~\n Q201=-9 ~\n Q203=1 ~\n Q206=9\n"
+                   b"16 CYCL CALL\n17 END PGM D MM\n",),
 }  # fmt: skip
 """Programs as other systems write them, by controller; some of it is refused by name."""
 

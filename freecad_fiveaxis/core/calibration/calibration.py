@@ -88,7 +88,7 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     path = read_apt(apt, cl_reading(settings), progress)
     dialect = dialect_for(settings.machine.controller, start)
     dialect, read_as = (dialect, ()) if settings.machine.controller else dialect_of_text(nc, dialect)
-    assumed = Assumed(settings.reading.units, settings.reading.decimal)
+    assumed = Assumed(settings.reading.units, settings.reading.decimal, start.no_motion if start else ())
     program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress, assumed)
     _refuse_guided(program)
     found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)

@@ -94,10 +94,12 @@ def find_rest_material(
     spacing: float,
     facets: Bools | None = None,
     progress: Progress = silent,
+    enough: float = -np.inf,
 ) -> RestMaterial:
-    """The heights over samples at most about ``spacing`` mm apart, of these ``facets`` (f,) of the mesh (None: all).
+    """Find the heights over samples at most about ``spacing`` mm apart, of these ``facets`` (f,) of the mesh (None: all).
 
-    ``body``: the cutter; ``blocks`` (b,): those of the swept motion that cut. Raises SettingsError where none does.
+    ``body``: the cutter; ``blocks`` (b,): those of the swept motion that cut. A height of at most ``enough`` mm may be smaller in
+    truth: who asks only where more is left need not wait for the rest. Raises SettingsError where no block cuts.
     """
     if not len(blocks):
         raise SettingsError(say("no block cuts, so nothing can be said of what is left"), 0)
@@ -108,7 +110,7 @@ def find_rest_material(
     for first in range(0, len(point), CHUNK // near):
         progress("what is left", first / len(point))
         rows = slice(first, first + CHUNK // near)
-        height[rows], nearest[rows] = _lowest(body, way, point[rows], near)
+        height[rows], nearest[rows] = _screened(body, way, point[rows], near, enough)
     progress("what is left", 1.0)
     return RestMaterial(point, facet, area, height, nearest, spacing)
 
@@ -233,6 +235,20 @@ def _starts(body: Body, way: _Way, point: Floats, count: int) -> Ints:
         starts.append(near[rows, best])
         height[np.abs(at - at[rows, best][:, None]) < 1.5 * way.spacing] = np.inf
     return np.stack(starts, axis=1)
+
+
+def _screened(body: Body, way: _Way, point: Floats, count: int, enough: float) -> tuple[Floats, Ints]:
+    """The least height (n,) of points and the block where it is; where the nearest sample of all leaves no more than ``enough``
+    mm, its height."""
+    if enough == -np.inf:
+        return _lowest(body, way, point, count)
+    near = np.asarray(way.tree.query(point)[1])
+    pose = Poses(way.pose.tip.take(near, axis=1), way.pose.axis.take(near, axis=1))
+    height, block = _height(body, pose, point.T), way.block[way.place(way.at[near])[0]]
+    rows = np.flatnonzero(height > enough)
+    if len(rows):
+        height[rows], block[rows] = _lowest(body, way, point[rows], count)
+    return height, block
 
 
 def _lowest(body: Body, way: _Way, point: Floats, count: int) -> tuple[Floats, Ints]:

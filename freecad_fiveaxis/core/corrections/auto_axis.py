@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
+from .at_pole import take_pole
 from .axis_field import Nodes, are_free, find_field, find_freedom, nearest_free, raised, with_margin, with_way_out
 from .facets_with_axis import AxisField
 
@@ -39,6 +40,9 @@ FEW = 0.005
 
 MORE = 400
 """Contacts, at most, that become nodes because they are not free."""
+
+SOME = 8000
+"""Contacts, about, that are asked for these: where nothing is free there, it is not free at those beside them either."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,12 +61,16 @@ class _Contacts:
 
     def free(self, axis: Floats, asked: Bools, reacher: Reacher, tree: FacetTree, progress: Progress) -> Bools:
         """Whether the contacts ``asked`` (k,) are free with ``axis`` (k, 3), at each of their rows; the others are not."""
-        rows = np.flatnonzero(asked[self.contact] & self.fits)
+        rows = np.flatnonzero((asked & self.all_fit())[self.contact])
         rows = rows[(axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) >= 0.0]  # none leans into the surface
         turned = axis[self.contact[rows]]
         free = np.zeros(len(self.contact), np.bool_)
         free[rows] = are_free(reacher, tree, self.stand[rows], self.normal[rows], turned, progress)
         return np.asarray(np.bincount(self.contact[~free], minlength=len(self.first)) == 0)
+
+    def all_fit(self) -> Bools:
+        """Whether the ball fits at all rows of a contact (k,)."""
+        return np.asarray(np.bincount(self.contact[~self.fits], minlength=len(self.first)) == 0)
 
 
 class Free(IntEnum):
@@ -87,15 +95,19 @@ def auto_axes(
     free = np.zeros(len(contacts.first), np.int64)
     if not len(given) or not field.freedom.some.any():
         return given, free[contacts.contact], _findings(free, contacts)
+    field = _refined(field, contacts, long, with_margin(reacher), tree, progress)
     axis = field.at(contacts.point, contacts.mean)
-    free = contacts.free(axis, free == Free.NONE, long, tree, progress) * int(Free.WAY_OUT)
-    if not free.all():
-        field = _refined(field, contacts, free == Free.NONE, with_margin(reacher), tree, progress)
-        axis, free = field.at(contacts.point, contacts.mean), np.zeros_like(free)
-        for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
-            free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
-            axis, pulled = _pulled(field, contacts, axis, free != Free.NONE, tool, tree, progress)
-            free[pulled & (free == Free.NONE)] = gained
+    for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
+        free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
+        axis, pulled = _pulled(field, contacts, axis, free != Free.NONE, tool, tree, progress)
+        free[pulled & (free == Free.NONE)] = gained
+    if reacher.kinematics is not None and reacher.cutter.ring == 0.0:  # what is no ball cuts otherwise when it leans otherwise
+
+        def free_with(pole: Floats, near: Bools) -> Bools:
+            out = contacts.free(pole, near & (free == Free.WAY_OUT), long, tree, progress)
+            return out | contacts.free(pole, near & (free == Free.STANDING), reacher, tree, progress)
+
+        axis = take_pole(axis, contacts.contact, path.polyline, reacher.kinematics, free_with)
     if options.lead or options.tilt:
         for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
             axis = _leaned(path, contacts, axis, free == gained, tool, tree, options, progress)
@@ -153,18 +165,24 @@ def _joined_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints
 
 
 def _refined(
-    field: AxisField, contacts: _Contacts, wanted: Bools, reacher: Reacher, tree: FacetTree, progress: Progress
+    field: AxisField, contacts: _Contacts, long: Reacher, wide: Reacher, tree: FacetTree, progress: Progress
 ) -> AxisField:
-    """The field with up to MORE of the ``wanted`` contacts (k,) among its nodes."""
-    rows = np.flatnonzero(wanted)
+    """The field with up to MORE contacts among its nodes, of those at which the ball fits and the tool ``long`` is not free;
+    ``wide``: the tool that is asked of at nodes."""
+    asked = contacts.all_fit()
+    asked &= np.arange(len(asked)) % max(1, len(asked) // SOME) == 0
+    axis = field.at(contacts.point, contacts.mean)
+    rows = np.flatnonzero(asked & ~contacts.free(axis, asked, long, tree, progress))
+    if not len(rows):
+        return field
     rows = rows[:: max(1, -(-len(rows) // MORE))]
     at = contacts.first[rows]
     normal = contacts.mean[rows]
-    stand = contacts.stand[at] + reacher.cutter.corner * (contacts.normal[at] - normal)  # the ball stays where it is
+    stand = contacts.stand[at] + wide.cutter.corner * (contacts.normal[at] - normal)  # the ball stays where it is
     more = Nodes(contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing)
-    freedom = field.freedom.joined(find_freedom(more, reacher, tree, field.freedom.direction, progress))
+    freedom = field.freedom.joined(find_freedom(more, wide, tree, field.freedom.direction, progress))
     nodes = field.nodes.joined(more)
-    return AxisField(nodes, freedom, find_field(nodes, freedom, reacher, tree, progress))
+    return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
 
 
 def _pulled(
@@ -197,8 +215,7 @@ def _leaned(
 
 def _findings(free: Ints, contacts: _Contacts) -> tuple[Finding, ...]:
     """At how many contacts at which the ball fits no axis that was tried keeps the tool out of the part."""
-    fits = np.bincount(contacts.contact[~contacts.fits], minlength=len(free)) == 0
-    held = fits & (free == Free.NONE)
+    held = contacts.all_fit() & (free == Free.NONE)
     count = int(np.count_nonzero(held))
     if not count:
         return ()

@@ -35,10 +35,14 @@ PARTS = 4
 ROUNDS = 2
 
 
-def find_blocked_turns(path: OffsetPath, axis: Floats, mesh: Mesh, reacher: Reacher, progress: Progress = silent) -> Bools:
-    """Find the rows (n,) that the tool comes to through the part while its axis (n, 3) turns evenly from the row before."""
+def find_blocked_turns(
+    path: OffsetPath, axis: Floats, mesh: Mesh, reacher: Reacher, progress: Progress = silent, asked: Bools | None = None
+) -> Bools:
+    """Find the rows (n,) that the tool comes to through the part while its axis (n, 3) turns evenly from the row before; of rows
+    that are not ``asked`` (n,) none, None: all are."""
     blocked, cosine = np.zeros(len(axis), np.bool_), (axis[1:] * axis[:-1]).sum(axis=1)
-    turn = np.where(np.diff(path.polyline) == 0, np.arccos(np.clip(cosine, -1.0, 1.0)), 0.0)
+    turning = (np.diff(path.polyline) == 0) & (True if asked is None else asked[1:])
+    turn = np.where(turning, np.arccos(np.clip(cosine, -1.0, 1.0)), 0.0)
     pieces = np.ones(len(axis), np.int64)
     pieces[1:][turn > TURN] = np.clip(np.ceil(turn[turn > TURN] / STEP), 2, MOST)
     if not (pieces > 1).any():
@@ -68,9 +72,11 @@ def divide_blocked_turns(
         if not blocked.any():
             break
         path, axis, row = rows_between(path, axis, np.where(blocked, PARTS, 1), reacher.cutter.ring)
-        new, free = np.flatnonzero(row[:-1] == row[1:]), free[row]
+        added, free = np.append(row[:-1] == row[1:], False), free[row]
+        new = np.flatnonzero(added)
         more, given = take_path_rows(path, new), take_rows(axis, new)
         axis = np.array(axis)
         axis[new], free[new], _ = auto_axes(more, given, field, mesh, reacher, options, progress)
-        blocked = find_blocked_turns(path, axis, mesh, reacher, progress)
+        beside = added | np.append(False, added[:-1])  # the other moves are as they were, and not blocked
+        blocked = find_blocked_turns(path, axis, mesh, reacher, progress, beside)
     return path, axis, free, blocked

@@ -189,9 +189,9 @@ def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
         return ()
     cutter = settings.cutter.cutter
     swept = _commanded(settings, path)
-    spacing = LEFT_SPACING * cutter.diameter
-    left = find_rest_material(mesh, body_of(cutter), swept, cutting(path.motion), spacing, keep, context.progress)
-    return uncut_finding(left, allowed(settings, mesh, keep))
+    spacing, above, blocks = LEFT_SPACING * cutter.diameter, allowed(settings, mesh, keep), cutting(path.motion)
+    left = find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, above)
+    return uncut_finding(left, above)
 
 
 def allowed(settings: Settings, mesh: Mesh, keep: Bools) -> float:

@@ -91,7 +91,8 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
         return post(settings, machine, kinematics, dialect, progress)
     text = read_bytes(settings.source, "NC file")
     dialect, found = (dialect, ()) if settings.machine.controller else dialect_of_text(text, dialect)
-    program = read_nc(text, kinematics, dialect, progress, Assumed(settings.reading.units, settings.reading.decimal))
+    assumed = Assumed(settings.reading.units, settings.reading.decimal, machine.no_motion)
+    program = read_nc(text, kinematics, dialect, progress, assumed)
     settings, named = _with_named_cutter(settings, text)
     found += named
     return Made(settings, machine, kinematics, dialect, program, found + program.findings)

@@ -21,6 +21,7 @@ from typing import Literal
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Point, measure, say
 
+from .no_motion import checked
 from .safe_start import SafeStart
 
 Vector = tuple[float, float, float]
@@ -128,8 +129,9 @@ class Machine:
     ``origin``: where the work zero stands unless the setup says otherwise, machine frame, mm. ``controller``: name of the
     dialect that the machine speaks unless the settings say otherwise, or empty. ``safe_start``: how its programs begin and end.
     ``rapids``: how its controller drives the axes in a rapid, one of :data:`~.base.rapids.RAPIDS`, or empty: as its dialect says.
-    ``table`` mm: height of the table's face in the machine frame, all joints zero; None where it is not known. Raises
-    MachineError for axes that do not make a machine of three to five axes.
+    ``table`` mm: height of the table's face in the machine frame, all joints zero; None where it is not known. ``no_motion``: its
+    control's functions that move nothing (:mod:`.no_motion`). Raises MachineError for axes that do not make a machine of three to
+    five axes, and for such a function that moves.
     """
 
     name: str
@@ -142,11 +144,13 @@ class Machine:
     safe_start: SafeStart = SafeStart()
     table: float | None = None
     rapids: str = ""
+    no_motion: tuple[str, ...] = ()
     letters: str = field(init=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "axes", with_stand_ins(self.name, tuple(self.axes)))
         object.__setattr__(self, "letters", "".join(axis.letter for axis in self.axes))
+        object.__setattr__(self, "no_motion", checked(self.no_motion))
         for name in ("gauge_point", "origin"):
             object.__setattr__(self, name, finite_vector(getattr(self, name), name, FARTHEST))
         if self.table is not None and not abs(self.table) <= FARTHEST:

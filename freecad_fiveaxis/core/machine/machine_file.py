@@ -8,8 +8,9 @@ parent    the axis that carries this one, null for the base. The axes of the tab
 unlimited a limit of 99999 mm or degrees or beyond means that the axis has none (JSON knows no infinity).
 fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and ``origin`` (machine frame),
           ``singular_cone`` (degrees), ``controller``, ``rapids`` (interpolated, independent or unknown; the controller's own
-          where it is missing), ``safe_start`` (an object: ``retract`` and, for a retract to a machine coordinate, ``Z``) and
-          ``table`` (height of its face, machine frame). FreeCAD drops it when it saves; each has a default.
+          where it is missing), ``safe_start`` (an object: ``retract`` and, for a retract to a machine coordinate, ``Z``),
+          ``table`` (height of its face, machine frame) and ``no_motion`` (a list of functions that move nothing,
+          :mod:`.no_motion`). FreeCAD drops it when it saves; each has a default.
 
 What the program does not use (tool heads, output, post-processor, base frame) is not read. Every key that it uses must be
 there and make sense: a guess about a machine is worse than a question.
@@ -230,8 +231,18 @@ def _extra(data: _Object, unit: float) -> dict[str, Any]:
         "safe_start": lambda key: _safe_start(_object(extra, where, key), f"{where}{key}.", unit),
         "rapids": lambda key: _choice(extra, where, key, RAPIDS),
         "table": lambda key: unit * _number(extra, where, key),
+        "no_motion": lambda key: _names(extra, where, key),
     }
     return {key: read(key) for key, read in readers.items() if key in extra}
+
+
+def _names(holder: _Object, where: str, key: str) -> tuple[str, ...]:
+    value = _get(holder, where, key)
+    if not isinstance(value, list) or not all(isinstance(name, str) for name in value):
+        raise _fail(
+            where + key, say('{value} is no list of names; write ["M202", "CYCL DEF 392"]', value=reprlib.repr(value)), value
+        )
+    return tuple(value)
 
 
 def _safe_start(given: _Object, where: str, unit: float) -> SafeStart:
@@ -386,6 +397,7 @@ def _data(machine: Machine) -> dict[str, Any]:
             "safe_start": _safe_start_data(machine.safe_start),
             **({"rapids": machine.rapids} if machine.rapids else {}),
             **({} if machine.table is None else {"table": machine.table}),
+            **({"no_motion": list(machine.no_motion)} if machine.no_motion else {}),
         },
     }
 

@@ -35,14 +35,14 @@ AIM = 0.92
 LONGEST = 1.5
 """Sides of the facets that carry the field are no longer than so many steps."""
 
-MOST_FACETS = 200_000
+MOST_FACETS = 300_000
 """About so many facets carry a field: some seconds of work. A larger part has a coarser one, as far as its own facets allow."""
 
 MOST_SQUARES = 20_000_000
 """Squares of a step on the region, at most: passes as long as so many steps are a program of some gigabytes."""
 
-EVEN = 0.3
-"""Area of a facet over the square of its longest side, where sides are halved."""
+EVEN = 0.07
+"""Area of a facet over the square of the longest side allowed, where sides are halved: 0.06 to 0.08 on real parts."""
 
 FIRST = 0.5
 """Steps from the source to the first pass: the ball reaches half a step to either side."""

@@ -2,8 +2,8 @@
 """From the CL path to joints: branch, winding, limits, retract and re-engage.
 
 pole row   a row whose axis is parallel to the first rotary axis. Any first rotary word will do there, so it keeps that of the
-           row before until the path needs another; the turn is then made on the step where it harms least: a rapid if
-           there is one, else the longest of the cuts that begin or end at the pole.
+           row before until the path needs another; the turn is then made where it harms least: on a rapid if there is
+           one, else evenly along the cuts at the pole, or on the longest of those that begin or end there.
 crossing   a step through the pole. The branch may change there at no cost: the second rotary word passes its pole
            position and changes sides while the first one stays.
 
@@ -217,7 +217,8 @@ def _too_few_axes(letter: str, count: int, all_rows: int, tip: Floats, axis: Flo
 
 
 def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> None:
-    """Move the turn of each run of pole rows to its best step; the travel stays the same. Changes words and branch in place.
+    """Move the turn of each run of pole rows to its best step, or spread it over the cuts along which the axis stays at the pole;
+    the travel stays the same. Changes words and branch in place.
 
     A turn of more than pi that has no rapid stays spread over its steps as it was found: in one step it would be a break.
     """
@@ -232,16 +233,41 @@ def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> Non
     harmless[path.motion[1:] == Motion.RAPID] = math.inf
     best = np.maximum.reduceat(np.append(harmless, 0.0), bounds.ravel())[::2]
     movable = (np.abs(words[bounds[:, 1], 0] - words[bounds[:, 0], 0]) <= math.pi) | (best == math.inf)
-    (first, last), best = bounds[movable].T, best[movable]
-    length = last - first
-    run = np.repeat(np.arange(len(first)), length)
-    step = np.arange(len(run)) - np.repeat(np.cumsum(length) - length - first, length)
-    chosen = np.full(len(first), len(pole))
+    bounds, best = bounds[movable], best[movable]
+    fed = np.append(0.0, np.cumsum(np.where(np.isinf(harmless), 0.0, np.maximum(harmless, 0.0))))
+    spread = fed[bounds[:, 1] - 1] - fed[bounds[:, 0] + 1] >= best
+    _spread_turns(fed, bounds[spread], words, branch)
+    _turn_at_once(harmless, bounds[~spread], best[~spread], words, branch)
+
+
+def _spread_turns(fed: Floats, bounds: Ints, words: Floats, branch: Bytes) -> None:
+    """Turn evenly over the length of cut ``fed`` (n,) mm up to each row, between the first and the last pole row of runs whose
+    neighbours are ``bounds`` (k, 2): at once the tool would dwell there until the turn is made."""
+    first, last = bounds.T
+    run, row = _rows_between(first, last - 1)
+    begin = fed[first + 1]
+    share = (fed[row] - begin[run]) / np.maximum(fed[last - 1] - begin, 1e-300)[run]
+    one, other = words[first, 0][run], words[last, 0][run]
+    words[row, 0], branch[row] = one + share * (other - one), branch[np.where(share < 1.0, first[run], last[run])]
+
+
+def _turn_at_once(harmless: Floats, bounds: Ints, best: Floats, words: Floats, branch: Bytes) -> None:
+    """Turn on the first step of each run that is as ``harmless`` (n - 1,) as the ``best`` (k,) of it."""
+    first, last = bounds.T
+    run, step = _rows_between(first - 1, last - 1)
+    chosen = np.full(len(first), len(words))
     at_best = harmless[step] >= best[run]
     np.minimum.at(chosen, run[at_best], step[at_best])
     row, run = step[step > first[run]], run[step > first[run]]
     source = np.where(row <= chosen[run], first[run], last[run])
     words[row, 0], branch[row] = words[source, 0], branch[source]
+
+
+def _rows_between(first: Ints, last: Ints) -> tuple[Ints, Ints]:
+    """The runs (m,) and rows (m,) behind ``first`` (k,) up to and with ``last`` (k,)."""
+    length = last - first
+    run = np.repeat(np.arange(len(first)), length)
+    return run, np.arange(len(run)) - np.repeat(np.cumsum(length) - length - first - 1, length)
 
 
 def _hold_stand_ins(angles: Floats, kinematics: Chain) -> None:

@@ -118,6 +118,21 @@ SPATIAL: Kind = (
     say("tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors"),
 )
 UNKNOWN: Kind = (Severity.WARNING, "unknown-code", say("not known and not interpreted; what it does is missing here"))
+DELTA: Kind = (
+    Severity.NOTE,
+    "tool-delta",
+    say("a tool unlike that of the control's table (DL, DR); the words are taken as they are, without the difference"),
+)
+PRESET: Kind = (
+    Severity.NOTE,
+    "datum-of-table",
+    say("the zero is that row of the control's table; the program is read as if the work zero stood there"),
+)
+PRESETS: Kind = (
+    Severity.WARNING,
+    "work-offset-change",
+    say("rows of the control's table, whose distance is not known; the blocks between are not right. Audit each part on its own"),
+)
 WAY: Kind = (
     Severity.WARNING,
     "rotary-direction",

@@ -21,6 +21,7 @@ from .plane_calls import heidenhain as plane
 
 CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
 NUMBERED = re.compile(rb"^( *(?:/ *)?)([0-9]+)(?= *(?:[A-Z/]|$))", re.MULTILINE)
+CYCLE = re.compile(rb"\bCYCL +DEF(?=[0-9])")
 CODE_LINE = re.compile(rb"^ *(?:/ *)?(?!LN )([A-Z]{2,}[^\n]*)$", re.MULTILINE)
 OWN = re.compile(rb"(?:LN?|CC|CR?)(?= |[IXYZABCUVW][XYZABC]?[-+.0-9])|I[XYZABC](?= *[-+.0-9])|FMAX|R[LR]\b|[TN][XYZ] *[-+.0-9]")
 """How lines of words begin that are not lines of one function: they are words with numbers."""
@@ -50,8 +51,11 @@ PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"), (b"NX", "n"), (b"NY", "n"),
 UNKNOWN_FEED = (codes.PER_TURN_KIND[0], "feed-by-parameter", say("feeds told by a parameter or the tool; F is not known there"))
 HARMLESS = (
     b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32", b"CYCL DEF 9.",
-    b"CYCL DEF 13", b"CYCL DEF 7.0", b"CYCL DEF 247", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING",
+    b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING",
 )  # fmt: skip
+DELTA = re.compile(rb"(?<![A-Z0-9])D(?:L|R2?) *[-+]? *(?:Q[LRS]?[0-9]+|[0-9]*\.?[0-9]+\.?)")
+NO_DELTA = re.compile(rb"D(?:L|R2?) *[-+]? *[0.]+$")
+PRESET = re.compile(rb"CYCL DEF 247\b(?:.*?Q339 *= *([-+]?[0-9]+))?")
 KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
     (b"CYCL DEF 7 ", codes.SHIFT), (b"CYCL DEF 7.", codes.SHIFT), (b"CYCL DEF 8", codes.SHIFT), (b"CYCL DEF 10", codes.SHIFT),
     (b"CYCL DEF 11", codes.SHIFT), (b"CYCL DEF 19", codes.SHIFT), (b"CYCL DEF 26", codes.SHIFT), (b"PLANE", codes.SHIFT),
@@ -74,6 +78,7 @@ def plain(text: bytes, notes: Notes) -> bytes:
     text = RAPID.sub(lambda found: b"FMAX".ljust(len(found[0])), text)
     text = SAME_SIDE.sub(_blank, text)
     text = CODE_LINE.sub(lambda found: _function(found, notes), text)
+    _name_datum_changes(notes)
     text = text.replace(b"FMAX", b"G0  ").replace(b" R0 ", b"    ")
     for word, private in PRIVATE:
         text = text.replace(word, private.encode() + b" ")
@@ -133,7 +138,7 @@ def _centre(found: re.Match[bytes], notes: Notes) -> bytes:
 
 def _function(found: re.Match[bytes], notes: Notes) -> bytes:
     """What a line that begins with a word of letters means."""
-    line = b" ".join(found[1].split())
+    line = CYCLE.sub(b"CYCL DEF ", b" ".join(found[1].split()))
     before = found[0][: found.start(1) - found.start()]
     if OWN.match(line):
         return found[0]
@@ -141,10 +146,29 @@ def _function(found: re.Match[bytes], notes: Notes) -> bytes:
         return before + notes.tilt(plane(line.decode("latin-1"))).ljust(len(found[1]))
     if shift := SHIFT.match(line):
         return before + (b"s1 " + shift[1] if shift[1] else b"s0").ljust(len(found[1]))
+    if line.startswith((b"TOOL CALL", b"CYCL DEF 247")):
+        _note_tool_or_datum(line, found.start(1), notes)
+        return before + b" " * len(found[1])
     word = _word_of(line)
     if word is None:
         _note_function(line, found.start(1), notes)
     return before + (word or b"").ljust(len(found[1]))
+
+
+def _note_tool_or_datum(line: bytes, at: int, notes: Notes) -> None:
+    """TOOL CALL with differences other than 0, and a datum of the table."""
+    if preset := PRESET.match(line):
+        notes.note(codes.PRESET, f"CYCL DEF 247 Q339={int(preset[1] or 0)}", at)
+    told = [one for one in DELTA.findall(re.sub(rb'"[^"]*"', b"", line)) if not NO_DELTA.match(one)]
+    if told:
+        notes.note(codes.DELTA, b" ".join([b"TOOL CALL", *told]).decode("latin-1"), at)
+
+
+def _name_datum_changes(notes: Notes) -> None:
+    """Several rows of the table are another finding than one."""
+    rows = [(kind, name) for kind, name in notes.met if kind is codes.PRESET]
+    for key in rows if len(rows) > 1 else ():
+        notes.met[codes.PRESETS, key[1]] = notes.met.pop(key)
 
 
 def _word_of(line: bytes) -> bytes | None:
@@ -163,5 +187,5 @@ def _note_function(line: bytes, at: int, notes: Notes) -> None:
         kind = codes.SPATIAL
     else:
         kind = next((kind for start, kind in KINDS if line.startswith(start)), codes.UNKNOWN)
-    name = b" ".join(line.split()[:3])
+    name = line[:2] if line.startswith((b"CP ", b"LP ")) else b" ".join(line.split()[:3])  # each has other numbers
     notes.note(kind, name.decode("latin-1"), at)

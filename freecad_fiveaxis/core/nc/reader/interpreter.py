@@ -14,6 +14,7 @@ from typing import NoReturn, Protocol
 import numpy as np
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError, ProgramError
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import say
@@ -32,10 +33,12 @@ REPEATS = 1e6
 
 @dataclass(frozen=True, eq=False)
 class Written:
-    """``text`` with one line a row; ``source`` (rows + 1,) the line of the file of each row, counted from 1, 0 for row 0."""
+    """``text`` with one line a row; ``source`` (rows + 1,) the line of the file of each row, counted from 1, 0 for row 0;
+    ``findings`` of the run, with lines of the file."""
 
     text: bytes
     source: Ints
+    findings: tuple[Finding, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -24,10 +24,11 @@ from .words import Words
 class Assumed:
     """What is taken where the text does not say it. ``units``: ``mm``, ``inch``, or ``file`` where nobody has said it either (mm,
     with a finding); ``decimal``: a word without a point is in millimetres or inches and degrees (``calculator``), or counts the
-    controller's least increment."""
+    controller's least increment; ``no_motion``: functions of the machine that move nothing, as its file names them."""
 
     units: str = "file"
     decimal: str = "calculator"
+    no_motion: tuple[str, ...] = ()
 
 
 UNTOLD = Assumed()

@@ -33,6 +33,7 @@ from freecad_fiveaxis.core.motion.program import Guided, Program, rapid_minutes
 from . import codes
 from .arcs import Arcs, Chords, chorded
 from .canned_cycles import written_out
+from .causes import fold
 from .codes import GRAMMARS, INCH, Grammar
 from .feeds import feeds
 from .findings import (
@@ -47,7 +48,9 @@ from .findings import (
     word_findings,
     wrap_findings,
 )
+from .heidenhain_cycles import diameters
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
+from .of_machine import OfMachine
 from .planes import IN_PLANE, Planes, planes_of
 from .positions import (
     ABSOLUTE,
@@ -82,7 +85,9 @@ def read_nc(
     told = "iso" if dialect is None else dialect.language
     language = language_of(text, told)
     grammar = GRAMMARS[language]
-    words, lines, before = _words_and_lines(text, grammar, dialect, assumed, progress)
+    words, lines, before, cause = _words_and_lines(
+        text, grammar, dialect, assumed, progress, OfMachine(kinematics, assumed.no_motion, diameters(text))
+    )
     findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
     mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)
@@ -127,17 +132,19 @@ def read_nc(
     )
     if planes is not None:
         findings += (*vector_findings(told_moves), *off_normal(planes, told_moves, chords, tool_axes(kinematics, program.words)))
-    findings = before + in_file(words, findings + guide_findings(program, told_moves))
+    findings = fold(before + in_file(words, findings + guide_findings(program, told_moves)), cause)
     return replace(program, line=words.in_file(program.line), findings=findings, wrap=wrap)
 
 
 def _words_and_lines(
-    text: bytes, grammar: Grammar, dialect: Dialect | None, assumed: Assumed, progress: Progress
-) -> tuple[Words, Lines, tuple[Finding, ...]]:
-    """The words up to the program's end, loops and cycles written out; the same by lines; the findings."""
+    text: bytes, grammar: Grammar, dialect: Dialect | None, assumed: Assumed, progress: Progress, of_machine: OfMachine
+) -> tuple[Words, Lines, tuple[Finding, ...], Finding | None]:
+    """The words up to the program's end, loops and cycles written out; the same by lines; the findings, and the one of them that
+    says why the program was not run."""
     controller = "" if dialect is None else dialect.name
-    words = read_words(text, grammar.name, controller, progress)
+    words = read_words(text, grammar.name, controller, progress, of_machine)
     progress("reading NC", 0.5)
+    cause = words.cause
     words, findings = up_to_end(words, grammar)
     words = without_dwells(words, grammar)
     lines = Lines(words, assumed)
@@ -157,7 +164,7 @@ def _words_and_lines(
     else:
         made, found = written_out(words, lines, grammar, controller)
     findings += in_file(words, tuple(found))
-    return made, lines if made is words else Lines(made, assumed), findings
+    return made, lines if made is words else Lines(made, assumed), findings, cause
 
 
 def dialect_of_text(text: bytes, usual: Dialect) -> tuple[Dialect, tuple[Finding, ...]]:

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
 from .noted import Notes
+from .of_machine import NO_MACHINE, OfMachine
 from .plane_calls import Tilt
 from .siemens_cycles import Drill
 
@@ -31,18 +32,20 @@ BEHIND_A_CALL = re.compile(b"[%c%c][0-9]+ +[0-9.]" % (ord(codes.PLANE), ord(code
 @dataclass(frozen=True)
 class Plain:
     """``text`` as plain words; ``source``: the lines of the file that its lines are, where it was run; ``findings``; ``tilts``:
-    the lines that begin or end a tilted plane; ``drills``: the calls of drilling cycles."""
+    the lines that begin or end a tilted plane; ``drills``: the calls of drilling cycles; ``cause``: of the findings why it was
+    not run."""
 
     text: bytes
     source: Ints | None
     findings: tuple[Finding, ...]
     tilts: tuple[Tilt, ...]
     drills: tuple[Drill, ...] = ()
+    cause: Finding | None = None
 
 
-def plain_words(text: bytes, language: str, progress: Progress) -> Plain:
+def plain_words(text: bytes, language: str, progress: Progress, of_machine: OfMachine = NO_MACHINE) -> Plain:
     """A text in capitals, without comments. Raises ProgramError for what does not end."""
-    return _siemens(text, progress) if language == "siemens" else _heidenhain(text, progress)
+    return _siemens(text, progress) if language == "siemens" else _heidenhain(text, progress, of_machine)
 
 
 def _siemens(text: bytes, progress: Progress) -> Plain:
@@ -63,15 +66,16 @@ def _siemens(text: bytes, progress: Progress) -> Plain:
     return _told(text, siemens.plain(text, notes), notes, source, refused, first=True)
 
 
-def _heidenhain(text: bytes, progress: Progress) -> Plain:
-    source, refused, notes = None, list[Finding](), Notes()
+def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
+    source, refused, cause, notes = None, list[Finding](), None, Notes()
     if heidenhain_run.marked(text):
-        run = heidenhain_run.written_out(text, progress)
+        run = heidenhain_run.written_out(text, progress, of_machine)
         if isinstance(run, interpreter.Written):
-            text, source = run.text, run.source
+            text, source, refused = run.text, run.source, list(run.findings)
         else:
-            refused = [not_run(run)]
-    return _told(text, heidenhain.plain(text, notes), notes, source, refused)
+            cause = not_run(run)
+            refused = [cause]
+    return replace(_told(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
 
 
 def not_run(run: interpreter.Refused) -> Finding:

@@ -55,7 +55,8 @@ class Tilt:
     (3,) in the plane; ``move``: of :data:`STAY`, :data:`TURN`, :data:`MOVE`; ``side``: -1 or 1 for the sign of the first axis,
     0 where the line does not say; ``back``: to where both rotary words are 0; ``relative``: on
     from the plane that is on; ``away``: it draws the tool back before;
-    ``refused``: why it is not understood; ``name``: how it is called."""
+    ``table``: a free axis of the table turns with the plane; ``refused``: why it is not understood; ``name``: how it is
+    called."""
 
     rule: str
     turn: Floats | None = None
@@ -67,6 +68,7 @@ class Tilt:
     back: bool = False
     relative: bool = False
     away: bool = False
+    table: bool = False
     refused: str = ""
     name: str = ""
 
@@ -126,7 +128,7 @@ def _heidenhain(form: str, rest: str) -> Tilt:
     values = {found[1]: found[2] for found in said if found[1]}
     dist = values.get("DIST", "0")
     left = REST.sub(" ", rest).strip()
-    away = "MB" in values
+    away, table = "MB" in values, any(found[0].startswith("TABLE") for found in said)
     if left or dist == "MAX":
         return Tilt(HEIDENHAIN, refused=say("{rest} is not known here", rest=repr((left or dist)[:20])))
     if form == "RESET":
@@ -142,7 +144,7 @@ def _heidenhain(form: str, rest: str) -> Tilt:
     turn = _turned(form, [told.get(name, 0.0) for name in FORMS[form]])
     if turn is None:
         return Tilt(HEIDENHAIN, refused=say("its vectors span no plane"))
-    return Tilt(HEIDENHAIN, turn, move=move, side=side, dist=float(dist), relative=form == RELATIVE, away=away)
+    return Tilt(HEIDENHAIN, turn, move=move, side=side, dist=float(dist), relative=form == RELATIVE, away=away, table=table)
 
 
 def _turned(form: str, values: list[float]) -> Floats | None:

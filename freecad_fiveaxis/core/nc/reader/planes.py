@@ -29,7 +29,8 @@ JOINTS, GUIDED, IN_PLANE = 0, 1, 2
 @dataclass(eq=False)
 class Planes:
     """``meaning`` (lines,): 0, or IN_PLANE + the index of the plane in which each line stands; ``origin`` (k, 3) mm, ``turn``
-    (k, 3, 3) of the planes; ``turning``: what the turning lines say, with the normal that the tool shall take."""
+    (k, 3, 3) of the planes; ``turning``: what the turning lines say, with the plane (3, 3), its axes as columns, whose normal the
+    tool shall take."""
 
     meaning: Ints
     origin: Floats
@@ -133,7 +134,7 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
         elif not (tilt.rule == FANUC and tilt.move == TURN):
             now = 0
         if not reason and tilt.move != plane_calls.STAY:
-            turning[row] = tilt, turns[now - IN_PLANE][:, 2] if now else np.array([0.0, 0.0, 1.0])
+            turning[row] = tilt, turns[now - IN_PLANE] if now else np.eye(3)
         if tilt.away and not reason:
             findings.append(_away(row))
         state[row] = now

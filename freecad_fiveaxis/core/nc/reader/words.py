@@ -30,11 +30,13 @@ from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, interpreter
 from .heidenhain import with_unit
+from .no_motion import pass_over
+from .of_machine import NO_MACHINE, OfMachine
 from .plain_words import Plain, moved, not_run, plain_words
 from .plane_calls import Tilt
+from .preface import SOLID, between_marks, finding_at, line_end, without_end_sign, without_preface
 from .siemens_cycles import Drill
 
-SOLID = re.compile(rb"[^ \n]")
 BRACKETS, SEMICOLON, STAR = (
     (b"(", rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"),
     (b";", rb";[^\n]*"),
@@ -72,7 +74,7 @@ MACROS = Template(
     "them. The first: {shown}."
 )
 NOT_CALLED = Template("Subprograms are not interpreted, because of this line: {reason}. Post one program without them.")
-HEIDENHAIN_SIGN = re.compile(rb"^ *(?:0+ +)?BEGIN +PGM\b", re.MULTILINE | re.IGNORECASE)
+HEIDENHAIN_SIGN = re.compile(rb"^ *(?:(?:[0-9]+ +)?BEGIN +PGM\b|%[^\n%]*? +G7[01] *\* *$)", re.MULTILINE | re.IGNORECASE)
 SIEMENS_SIGN = re.compile(rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE)
 PREFACE = 3
 """Lines at the start of a file in which somebody may have written what the program is."""
@@ -85,7 +87,8 @@ class Words:
     """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file; ``text``: what was left
     of the file when they were read, ``start`` (w,) where they stand in it without its blanks. ``source``: where lines of the file
     were written out as several, ``line`` counts those; ``source`` (lines + 1,) are the lines of the file that they come from.
-    ``tilts``, ``drills``: what the lines with the private words of a tilted plane and of a drilling cycle say."""
+    ``tilts``, ``drills``: what the lines with the private words of a tilted plane and of a drilling cycle say. ``cause``: of the
+    ``findings``, why it was not run."""
 
     letter: Bytes
     value: Floats
@@ -96,6 +99,7 @@ class Words:
     source: Ints | None = None
     tilts: tuple[Tilt, ...] = ()
     drills: tuple[Drill, ...] = ()
+    cause: Finding | None = None
 
     def place(self, word: int) -> str:
         """Where a word stands, as "line 3, column 7"."""
@@ -130,17 +134,19 @@ def language_of(text: bytes, told: str) -> str:
     return "siemens" if told == "iso" and SIEMENS_SIGN.search(start) else told
 
 
-def read_words(text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent) -> Words:
+def read_words(
+    text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent, of_machine: OfMachine = NO_MACHINE
+) -> Words:
     """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC where there is none)
-    comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
-    text, findings, plain = _blanked(text, language, progress)
+    of that machine comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
+    text, findings, plain = _blanked(text, language, progress, of_machine)
     source, tilts, drills = plain.source, plain.tilts, plain.drills
     marks, fanuc = _marks(text, language), controller in FANUC
     made = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
     words = _words_of(*made)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
-    return replace(words, findings=tuple(findings), tilts=tilts, drills=drills)
+    return replace(words, findings=tuple(findings), tilts=tilts, drills=drills, cause=plain.cause)
 
 
 def _words_of(text: bytes, source: Ints | None) -> Words:
@@ -160,10 +166,12 @@ def _words_of(text: bytes, source: Ints | None) -> Words:
     return Words(code[start].astype(np.int8), value, line, (), text, start, source)
 
 
-def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, list[Finding], Plain]:
+def _blanked(text: bytes, language: str, progress: Progress, of_machine: OfMachine) -> tuple[bytes, list[Finding], Plain]:
     """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over; what the text's own
     language brought."""
+    findings: list[Finding] = []
     text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    text = without_end_sign(text, findings)
     if control := text.translate(None, TEXT):
         at = text.index(control[:1])
         line, column = text.count(b"\n", 0, at) + 1, at - text.rfind(b"\n", 0, at)
@@ -179,14 +187,15 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
     forms = [form for begin, form in COMMENTS[language] if begin in text]  # a pattern of one form alone is searched faster
     if forms:
         text = re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text)
-    findings: list[Finding] = []
-    whole = text.translate(CLEAN)
-    text = _between_marks(whole, findings)
+    whole = without_preface(text.translate(CLEAN), language, findings)
+    text = between_marks(whole, findings)
     if language == "heidenhain":
         text = with_unit(whole, text)
+    text, passed = pass_over(text, language, of_machine.no_motion)
+    findings += passed
     plain = Plain(text, None, (), ())
     if language != "iso":
-        plain = plain_words(text, language, progress)
+        plain = plain_words(text, language, progress, of_machine)
         text = plain.text
         findings += plain.findings
     if language == "iso" and (b"$" in text or b"M66" in text):
@@ -194,7 +203,7 @@ def _blanked(text: bytes, language: str, progress: Progress) -> tuple[bytes, lis
     if b"/" in text:
         text, lines = _overwritten(text, SLASH, b" ")
         if lines:
-            found = _finding(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0])
+            found = finding_at(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0])
             findings.append(moved(found, plain.source))
     if b":" in text:
         text, _ = _overwritten(text, COLON, b"O")
@@ -262,37 +271,6 @@ def _has_adjacent_letters(text: bytes) -> bool:
     return bool((letter[1:] & letter[:-1]).any())
 
 
-def _between_marks(text: bytes, findings: list[Finding]) -> bytes:
-    """The text up to the closing ``%`` line; the opening one and the leader before it become blank."""
-    mark = _mark(text, 0)
-    if mark >= 0 and not SOLID.search(text, 0, mark):
-        end = _line_end(text, mark)
-        text = re.sub(rb"[^\n]", b" ", text[:end]) + text[end:]
-        mark = _mark(text, end)
-    if mark < 0:
-        return text
-    if SOLID.search(text, _line_end(text, mark)):
-        findings.append(_finding(Severity.NOTE, "text-after-end", say("The text after the closing % is not read."), text, mark))
-    return text[:mark]
-
-
-def _mark(text: bytes, start: int) -> int:
-    """The next ``%`` that begins a line, -1 if there is none."""
-    at = text.find(b"%", start)
-    while at >= 0 and text[text.rfind(b"\n", 0, at) + 1 : at].strip():
-        at = text.find(b"%", at + 1)
-    return at
-
-
-def _line_end(text: bytes, at: int) -> int:
-    end = text.find(b"\n", at)
-    return len(text) if end < 0 else end
-
-
-def _finding(severity: Severity, code: str, said: str, text: bytes, at: int) -> Finding:
-    return Finding(severity, code, said, line=text.count(b"\n", 0, at) + 1)
-
-
 def _check_characters(text: bytes, source: Ints | None) -> None:
     if illegal := text.translate(None, LEGAL):
         shown = illegal[:1].decode("latin-1")
@@ -350,7 +328,7 @@ def _complain(text: bytes, compact: bytes, at: int, source: Ints | None) -> NoRe
     line = compact.count(b"\n", 0, at)
     begin = _line_start(text, line + 1)
     column = _column(text, line + 1, at - (compact.rfind(b"\n", 0, at) + 1))
-    found = text[begin : _line_end(text, begin)].strip()
+    found = text[begin : line_end(text, begin)].strip()
     reason = say("a word is a letter and one number")
     if found == b"O":
         reason = say("the program has no number; write one after the O, as O1")
@@ -370,7 +348,7 @@ def _line_start(text: bytes, line: int) -> int:
 def _column(text: bytes, line: int, within: int) -> int:
     """The column, counted from 1, of character ``within`` of a line without its blanks; 1 beyond its end."""
     begin = _line_start(text, line)
-    places = [found.start() for found in SOLID.finditer(text, begin, _line_end(text, begin))]
+    places = [found.start() for found in SOLID.finditer(text, begin, line_end(text, begin))]
     return places[within] - begin + 1 if within < len(places) else 1
 
 

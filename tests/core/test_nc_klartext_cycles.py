@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Heidenhain's drilling cycles as moves, by hand; datums of the table; tools that differ from theirs."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from test_nc_cycles import errors, path, read
+
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.nc.reader import heidenhain_cycles
+
+HEAD = "0 BEGIN PGM T MM\n1 ; DRILL / DM=6 CR=0\n2 TOOL CALL 5 Z S500\n3 L X+0 Y+0 Z+20 A+0 C+0 R0 FMAX\n4 L F100\n"
+LEVELS = {"Q200": 2, "Q201": -10, "Q203": 1, "Q204": 30}
+
+
+def klartext(text: str, head: str = HEAD):
+    return read(head + text, "heidenhain")
+
+
+def hole(number: int, words: dict[str, float], head: str = HEAD):
+    told = " ~\n".join(f"   {name}={value:+} ;NOTE" for name, value in words.items())
+    return klartext(f"5 CYCL DEF {number} NAME ~\n{told}\nL X+5 Y+6 FMAX M99\n", head)
+
+
+def reason(program) -> str:
+    return " ".join(found.text for found in program.findings if found.code == "cycle-not-interpreted")
+
+
+def test_203_breaks_chips_and_lessens_its_infeeds() -> None:
+    words = {**LEVELS, "Q206": 150, "Q202": 4, "Q213": 2, "Q256": 0.5, "Q212": 1, "Q205": 1.5, "Q208": 500}
+    program = hole(203, words)
+    # infeeds 4, 3, 2, 1 (the rest; 1.5 at least): a break after the first two, a retract after the third
+    assert path(program) == [
+        "r 5 6 20", "r 5 6 3", "f 5 6 -3", "r 5 6 -2.5", "f 5 6 -6", "r 5 6 -5.5", "f 5 6 -8", "r 5 6 3", "r 5 6 -6", "f 5 6 -9",
+        "f 5 6 3", "r 5 6 31",
+    ]  # fmt: skip
+    assert not errors(program) and program.feed[11] == 500
+    assert "without Q256" in reason(hole(203, {**words, "Q256": -1}))
+
+
+def test_207_taps_at_pitch_times_speed() -> None:
+    program = hole(207, {**LEVELS, "Q239": 1.5})
+    assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "f 5 6 3", "r 5 6 31"] and not errors(program)
+    assert program.feed[3:5].tolist() == [750, 750]
+    assert hole(207, {**LEVELS, "Q239": -1.5}).feed[3] == 750
+    assert "speed" in reason(hole(207, {**LEVELS, "Q239": 1.5}, HEAD.replace("S500", "")))
+
+
+def test_241_goes_slowly_over_a_start_below_the_surface() -> None:
+    program = hole(241, {**LEVELS, "Q206": 150, "Q379": 5, "Q253": 50, "Q208": 300})
+    assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -3", "f 5 6 -9", "f 5 6 3", "r 5 6 31"]
+    assert program.feed[3:6].tolist() == [50, 150, 300] and not errors(program)
+    deep = hole(241, {**LEVELS, "Q201": -80, "Q206": 150, "Q379": 60})
+    assert path(deep)[1:4] == ["r 5 6 3", "r 5 6 -57", "f 5 6 -79"]  # no more than Q200 over the start
+    assert "Q202" in reason(hole(241, {**LEVELS, "Q206": 150, "Q202": 3}))
+
+
+def test_208_mills_helices_about_the_hole() -> None:
+    words = {**LEVELS, "Q206": 150, "Q334": 5, "Q335": 16}
+    program = hole(208, words)
+    x, y, z = program.words[:, :3].T
+    cut = program.feed == 150
+    assert not errors(program) and cut.any()
+    radius = np.hypot(x - 5, y - 6)
+    round_ = radius > 1e-6
+    np.testing.assert_allclose(radius[round_ & (program.line == program.line[-1])], 5, atol=1e-6)
+    angle = np.unwrap(np.arctan2(y - 6, x - 5)[round_ & cut])
+    assert angle[-1] - angle[0] == pytest.approx(
+        2 * np.pi * 4, abs=1e-6
+    )  # 12 mm in three turns, then a circle: against the clock
+    assert z.min() == pytest.approx(-9) and path(program)[-1] == "r 5 6 31"
+    turn = round_ & cut & (z > -9 + 1e-9) & (z < 3)
+    pitch = np.diff(z[turn]) / np.diff(np.unwrap(np.arctan2(y - 6, x - 5)[turn])) * 2 * np.pi
+    assert pitch.min() == pytest.approx(-5, abs=1e-6)
+    up_cut = hole(208, {**words, "Q351": -1})
+    assert np.unwrap(np.arctan2(up_cut.words[:, 1] - 6, up_cut.words[:, 0] - 5)[round_ & cut])[-1] < 0
+
+
+def test_208_asks_for_the_tools_diameter() -> None:
+    words = {**LEVELS, "Q206": 150, "Q334": 5, "Q335": 16}
+    assert "DM=16" in reason(hole(208, words, HEAD.replace("DM=6", "D=6")))
+    assert "wider than the hole" in reason(hole(208, {**words, "Q335": 5}))
+    assert path(hole(208, {**words, "Q335": 6}))[1:4] == ["r 5 6 3", "f 5 6 -9", "r 5 6 3"]
+    wider = hole(208, words, HEAD.replace("S500", "S500 DR+0.5"))
+    assert np.hypot(wider.words[:, 0] - 5, wider.words[:, 1] - 6)[wider.feed == 150].max() == pytest.approx(4.5, abs=1e-6)
+    other = HEAD.replace("3 L X+0", "TOOL CALL 6 Z S400\n3 L X+0")
+    assert "DM=16" in reason(hole(208, words, other))
+
+
+def test_a_comment_belongs_to_the_call_right_below_it() -> None:
+    found = heidenhain_cycles.diameters(
+        b"1 ; / DM=5 CR=0\r\n2 L X+1\r\n3 * - TOOL: A / DM=7.5\r\n\r\n4 TOOL CALL 7 Z\r\n5 TOOL CALL 8 Z\r\n"
+    )
+    assert found == {4: 7.5}
+
+
+def test_cycle_1_goes_by_steps_from_where_the_tool_stands() -> None:
+    text = "CYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP -2\nCYCL DEF 1.2 DEPTH -20\nCYCL DEF 1.3 PECKG -15\nCYCL DEF 1.4 DWELL 0\nCYCL DEF 1.5 F80\n"
+    program = klartext(text + "L X+5 Y+6 FMAX\nL Z+2 FMAX\nCYCL CALL\nL X+9\n")
+    assert path(program) == [
+        "r 5 6 20", "r 5 6 2", "f 5 6 -15", "r 5 6 2", "r 5 6 -14.4", "f 5 6 -20", "r 5 6 2", "f 9 6 2",
+    ]  # fmt: skip
+    assert program.feed[3] == 80 and program.feed[-1] == 100 and not errors(program)
+    assert "1.5" in reason(klartext(text.replace("CYCL DEF 1.5 F80\n", "") + "L X+5 Y+6 FMAX M99\n"))
+    assert "depth" in reason(klartext(text.replace("DEPTH -20", "DEPTH 20") + "L X+5 Y+6 FMAX M99\n"))
+
+
+def test_what_a_cycle_lacks_is_found_once_and_the_rest_is_run() -> None:
+    program = klartext(
+        "Q1 = 5\nCYCL DEF 207 TAP ~\nQ200=2 ~\nQ201=-3\nL X+Q1 Y+6 FMAX M99\nL X+7 FMAX M99\nCALL LBL 1\nM30\nLBL 1\nL X+8\nLBL 0\n"
+    )
+    found = [one for one in program.findings if one.severity is Severity.ERROR]
+    assert [one.code for one in found] == ["cycle-not-interpreted"] and "without Q203" in found[0].text and found[0].line == 10
+    assert path(program) == ["r 5 6 20", "r 7 6 20", "f 8 6 20"]
+
+
+@pytest.mark.parametrize("other", ["CYCL DEF 4.0 POCKET\nCYCL DEF 4.1 SET UP -2\n", "CYCL DEF 251 POCKET ~\nQ215=0\n"])
+def test_another_cycle_is_not_called_as_the_one_before(other: str) -> None:
+    program = klartext(f"CYCL DEF 207 TAP ~\nQ200=2 ~\nQ201=-3 ~\nQ203=0 ~\nQ239=1\n{other}L X+5 Y+6 FMAX M99\n")
+    assert path(program) == ["r 5 6 20"] and "cycle-not-interpreted" in errors(program)
+
+
+def test_one_datum_of_the_table_is_a_note_and_several_are_a_warning() -> None:
+    one = klartext("CYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+1\nCYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+2\n")
+    assert [(found.code, found.severity, found.line) for found in one.findings] == [("datum-of-table", Severity.NOTE, 6)]
+    two = klartext("CYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+1\nCYCL DEF 247 DATUM SETTING ~\nQ339=+4\nL X+2\n")
+    assert [found.code for found in two.findings if found.severity is Severity.WARNING] == ["work-offset-change"] * 2
+
+
+@pytest.mark.parametrize(
+    ("told", "note"),
+    [("DL+0 DR+0", ""), ("DL-0.0 DR0", ""), ("DL+0.25", "DL+0.25"), ("DR-.1 DR2+0.", "DR-.1"), ("DL+Q5", "DL+Q5")],
+)
+def test_a_tool_that_differs_from_its_table_is_a_note(told: str, note: str) -> None:
+    program = klartext(f'TOOL CALL "DL+9" Z S1 {told}\nL X+1\n')
+    notes = [found.text for found in program.findings if found.code == "tool-delta"]
+    assert len(notes) == bool(note) and (not note or notes[0].startswith(f"TOOL CALL {note} ")) and not errors(program)
