@@ -13,12 +13,13 @@ bound are brought together by division, across whatever adds most to the bound.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import product
 from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import Body, Piece
 
@@ -26,7 +27,8 @@ from .bounds import pared, toward_box, toward_triangle
 from .deepest import deepest, end_and_side, support_at
 from .edges import along
 from .joint_box import Hulls, JointBoxes, JointSpace
-from .search import family, halves_of_facets
+from .search import family, find_entries, halves_of_facets
+from .swept_motion import still_positions
 
 SLICE = 4096
 """Pairs at a time."""
@@ -39,6 +41,9 @@ RELATIVE = 0.1
 
 EVEN_SHARE = 0.05
 """Of what a joint moves the tool so much counts as if it lay along the bound's direction: across it, it loosens the bound too."""
+
+ROUGH = 0.1
+"""mm; so well is the depth of a sample known: the search that follows begins there."""
 
 LONGER = 2.0
 """A box is divided where it is so many times as long as its node."""
@@ -97,16 +102,17 @@ def find_way_entries(
     None deeper than the limit is missed; depth and bound differ by at most ``accuracy`` mm or RELATIVE, but where ROUNDS
     divisions leave more.
     """
-    m = len(words) - 1
-    found = WayEntries(np.zeros(m), np.zeros(m), np.zeros((m, 5)), np.zeros((m, 3)), np.zeros(m, np.int64))
-    search = _Search(body, tree, space, limit, accuracy, found, np.full(m, limit))
-    turning = np.ptp(np.stack([words[blocks, 3:], words[blocks + 1, 3:]]), axis=0).any(axis=1)
-    blocks = np.concatenate([blocks[~turning], blocks[turning]])  # among themselves, boxes without a turn have one corner
-    for first in range(0, len(blocks), SLICE):
-        progress("gouge", first / len(blocks))
-        search.run(boxes_of(words, blocks[first : first + SLICE]))
-    found.bound[blocks] = np.maximum(found.bound[blocks], search.floors[blocks])
-    return found
+    search = _Search.of(body, tree, space, limit, accuracy, len(words) - 1)
+    return search.find(boxes_of(words, blocks), progress)
+
+
+def which_ways_enter(
+    body: Body, tree: FacetTree, space: JointSpace, boxes: JointBoxes, limit: float, progress: Progress = silent
+) -> Bools:
+    """Which of these boxes (k,), whose ``block`` is their place among them, are not proven to be entered by at most ``limit`` mm
+    on every way; how deep is not asked."""
+    search = _Search.of(body, tree, space, limit, np.inf, len(boxes.block))
+    return np.asarray(search.find(boxes, progress).bound > limit)
 
 
 Some = TypeVar("Some", _Pairs, _FacetPairs)
@@ -124,8 +130,27 @@ class _Search:
     found: WayEntries
     floors: Floats
 
+    @classmethod
+    def of(cls, body: Body, tree: FacetTree, space: JointSpace, limit: float, accuracy: float, count: int) -> _Search:
+        """Begin with nothing known of ``count`` blocks."""
+        none = np.zeros(count)
+        found = WayEntries(none, none.copy(), np.zeros((count, 5)), np.zeros((count, 3)), np.zeros(count, np.int64))
+        return cls(body, tree, space, limit, accuracy, found, np.full(count, limit))
+
+    def find(self, boxes: JointBoxes, progress: Progress) -> WayEntries:
+        """Find the entries of the blocks of these boxes."""
+        turning = boxes.half[:, 3:].any(axis=1)
+        order = np.argsort(turning, kind="stable")  # among themselves, boxes without a turn have one corner
+        for first in range(0, len(order), SLICE):
+            progress("gouge", first / len(order))
+            self.run(boxes.take(order[first : first + SLICE]))
+        block = boxes.block
+        self.found.bound[block] = np.maximum(self.found.bound[block], self.floors[block])
+        return self.found
+
     def run(self, boxes: JointBoxes) -> None:
         """Fill in the entries of these blocks."""
+        self._sample(boxes)
         for piece in sorted(self.body.pieces, key=lambda piece: -piece.most):
             if piece.most <= self.limit:
                 continue
@@ -139,6 +164,17 @@ class _Search:
                     *parts, found = self._nodes(piece, nodes.pop())
                     nodes += [some for part in parts for some in _sliced(part)]
                     facets += _sliced(found)
+
+    def _sample(self, boxes: JointBoxes) -> None:
+        """Look at the middle and the corners of boxes that reach the part: most of those that enter it are known at once."""
+        none = np.zeros(len(boxes.block), np.int64)
+        pairs, hulls = _Pairs(none, boxes, none), self.space.hulls(boxes, self.body.reach)
+        rows = [self._open(piece, pairs, hulls) for piece in self.body.pieces if piece.most > self.limit]
+        near = boxes.take(np.unique(np.concatenate([none[:0], *rows])))
+        owner, words = _samples(near)
+        still = still_positions(*(part.T for part in self.space.poses(words)))
+        deep = find_entries(self.body, self.tree, still, self.limit, max(self.accuracy, ROUGH))
+        self._note(near.block[owner], deep.part, words, deep.depth, deep.place)
 
     def _nodes(self, piece: Piece, pairs: _Pairs) -> tuple[_Pairs, _Pairs, _FacetPairs]:
         """Divide the pairs that may hold more than is known."""
@@ -198,7 +234,8 @@ class _Search:
             return []
         hulls = self.space.hulls(pairs.boxes, self.body.reach)
         deep = deepest(piece, hulls.pose, pairs.corner)
-        self._note(piece, pairs, -deep.distance, deep.point)
+        part = np.full(len(pairs.leaf), piece.part)
+        self._note(pairs.boxes.block, part, pairs.boxes.middle, -deep.distance, deep.point.T)
         arm = pairs.corner - hulls.pose.tip
         most, g = self._facet_bound(piece, hulls, arm, (deep.g, *self._directions(piece, hulls, pairs, deep.point, arm)))
         most = np.minimum(most, piece.most)
@@ -226,16 +263,23 @@ class _Search:
             most = np.minimum(most, bound)
         return most, best
 
-    def _note(self, piece: Piece, pairs: _FacetPairs, depth: Floats, point: Floats) -> None:
-        """Keep the deepest entry of each block, with its place."""
-        found, boxes = self.found, pairs.boxes
-        rows = np.flatnonzero((depth > self.limit) & (depth > found.depth.take(boxes.block)))
+    def _note(self, block: Ints, part: Ints, words: Floats, depth: Floats, place: Floats) -> None:
+        """Keep the deepest entry of each block, with its place; the columns are those of :class:`WayEntries`, ``block`` (n,)."""
+        found = self.found
+        rows = np.flatnonzero((depth > self.limit) & (depth > found.depth.take(block)))
         order = rows[np.argsort(depth[rows], kind="stable")]  # where a block comes again, the deepest is written last
-        block = boxes.block[order]
-        found.depth[block], found.words[block], found.place[block] = depth[order], boxes.middle[order], point.T[order]
-        found.part[block] = piece.part
-        placed = found.depth[block]
-        self.floors[block] = placed + np.maximum(self.accuracy, RELATIVE * placed)
+        at = block[order]
+        found.depth[at], found.words[at], found.place[at], found.part[at] = depth[order], words[order], place[order], part[order]
+        known = found.depth[at]
+        self.floors[at] = known + np.maximum(self.accuracy, RELATIVE * known)
+
+
+def _samples(boxes: JointBoxes) -> tuple[Ints, Floats]:
+    """Give the middle and the corners of each box: whose they are (n,), and their words (n, 5) mm and **degrees**."""
+    ends = np.array([np.zeros(5), *product((1.0, -1.0), repeat=5)])
+    new = ~((ends[:, None] < 0.0) & (boxes.half == 0.0)).any(axis=2)  # a joint that stands has one end
+    which, owner = np.nonzero(new)
+    return owner, boxes.middle[owner] + ends[which] * boxes.half[owner]
 
 
 def _halves(pairs: _FacetPairs, spread: Floats, flat: Floats) -> list[_FacetPairs]:

@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.cl_offset import scallop_of
@@ -33,6 +34,7 @@ from freecad_fiveaxis.core.collision import (
     uncut_finding,
     which_enter,
 )
+from freecad_fiveaxis.core.corrections.divide_rapids import RapidClearance, divide_rapids
 from freecad_fiveaxis.core.corrections.lead_in import lead_in
 from freecad_fiveaxis.core.corrections.leave_out import leave_out
 from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
@@ -151,6 +153,17 @@ def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLP
         path = _halved(path, rows, driven_to_surface(settings))
         joints = drive(context, path, entering)
     return path, joints
+
+
+def keep_rapids_clear(context: MillContext, joints: JointPath) -> JointPath:
+    """Divide the rapids that are clear only if interpolated, where the controller may drive their axes independently and the part
+    is looked at; else give the very joint path."""
+    settings = context.settings
+    if settings.gouge.gouge == "off" or rapids_of(settings, context.machine, context.dialect) == INTERPOLATED:
+        return joints
+    body, limit, back = tool_body(settings), settings.proof.tolerance, tip_to_driven(settings)
+    clearance = RapidClearance(body, facet_tree(context.mesh), back, limit, context.progress)
+    return divide_rapids(joints, context.kinematics, context.dialect, clearance)
 
 
 def _entering(context: MillContext, path: CLPath, joints: JointPath) -> Ints:
