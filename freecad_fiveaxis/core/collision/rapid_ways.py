@@ -36,6 +36,9 @@ SLICE = 4096
 ROUNDS = 100
 """Divisions of a pair; after that the bound is what it is."""
 
+FEW_ROUNDS = 8
+"""The same where it is only asked whether a rapid is clear: to divide it costs less than to prove what is nearly not so."""
+
 RELATIVE = 0.1
 """A depth is known to this share of itself, or to the accuracy asked for where that is more."""
 
@@ -109,9 +112,9 @@ def find_way_entries(
 def which_ways_enter(
     body: Body, tree: FacetTree, space: JointSpace, boxes: JointBoxes, limit: float, progress: Progress = silent
 ) -> Bools:
-    """Which of these boxes (k,), whose ``block`` is their place among them, are not proven to be entered by at most ``limit`` mm
-    on every way; how deep is not asked."""
-    search = _Search.of(body, tree, space, limit, np.inf, len(boxes.block))
+    """Which of these boxes (k,), whose ``block`` is their place among them, are not proven, in FEW_ROUNDS divisions, to be entered
+    by at most ``limit`` mm on every way; how deep is not asked."""
+    search = _Search.of(body, tree, space, limit, np.inf, len(boxes.block), FEW_ROUNDS)
     return np.asarray(search.find(boxes, progress).bound > limit)
 
 
@@ -120,7 +123,8 @@ Some = TypeVar("Some", _Pairs, _FacetPairs)
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """``floors`` (m,) mm: what a pair of a block must be able to exceed."""
+    """``floors`` (m,) mm: what a pair of a block must be able to exceed. ``rounds``: a block of which a pair was divided so often
+    is given up; it counts as entered to any depth."""
 
     body: Body
     tree: FacetTree
@@ -129,13 +133,16 @@ class _Search:
     accuracy: float
     found: WayEntries
     floors: Floats
+    rounds: float = np.inf
 
     @classmethod
-    def of(cls, body: Body, tree: FacetTree, space: JointSpace, limit: float, accuracy: float, count: int) -> _Search:
+    def of(
+        cls, body: Body, tree: FacetTree, space: JointSpace, limit: float, accuracy: float, count: int, rounds: float = np.inf
+    ) -> _Search:  # fmt: skip
         """Begin with nothing known of ``count`` blocks."""
         none = np.zeros(count)
         found = WayEntries(none, none.copy(), np.zeros((count, 5)), np.zeros((count, 3)), np.zeros(count, np.int64))
-        return cls(body, tree, space, limit, accuracy, found, np.full(count, limit))
+        return cls(body, tree, space, limit, accuracy, found, np.full(count, limit), rounds)
 
     def find(self, boxes: JointBoxes, progress: Progress) -> WayEntries:
         """Find the entries of the blocks of these boxes."""
@@ -180,6 +187,7 @@ class _Search:
         """Divide the pairs that may hold more than is known."""
         hulls = self.space.hulls(pairs.boxes, self.body.reach)
         rows = self._open(piece, pairs, hulls)
+        rows = rows[~self._give_up(pairs.take(rows))]
         pairs, size = pairs.take(rows), hulls.size.take(rows, axis=0)
         leaf = pairs.node >= self.tree.leaf
         facets = pairs.take(np.flatnonzero(leaf))
@@ -196,6 +204,12 @@ class _Search:
             _Pairs(np.tile(one.turns + 1, 2), halves, np.tile(one.node, 2)),
             _FacetPairs(facets.turns, facets.boxes, facets.node - self.tree.leaf, corner),
         )
+
+    def _give_up(self, pairs: _Pairs | _FacetPairs) -> Bools:
+        """Which of the pairs (n,) belong to blocks that are given up."""
+        block = pairs.boxes.block
+        self.floors[block[pairs.turns >= self.rounds]] = np.inf
+        return np.isinf(self.floors[block])
 
     def _open(self, piece: Piece, pairs: _Pairs, hulls: Hulls) -> Ints:
         """The rows (k,) whose bounds are all above what is known; from the cheapest bound to the dearest."""
@@ -228,7 +242,7 @@ class _Search:
 
     def _facets(self, piece: Piece, pairs: _FacetPairs) -> list[_FacetPairs]:
         """Note how deep the facets are in the middle of the boxes; divide what may hold more than is known."""
-        rows = np.flatnonzero(piece.most > self.floors.take(pairs.boxes.block))
+        rows = np.flatnonzero(~self._give_up(pairs) & (piece.most > self.floors.take(pairs.boxes.block)))
         pairs = pairs.take(rows)
         if not len(rows):
             return []
