@@ -1363,6 +1363,10 @@
         <translation>Kollision zwischen Bahnen</translation>
     </message>
     <message>
+        <source>Collision in a rapid</source>
+        <translation>Kollision in einem Eilgang</translation>
+    </message>
+    <message>
         <source>Collisions are not checked against it.</source>
         <translation>Kollisionen mit ihr werden nicht geprüft.</translation>
     </message>
@@ -1465,6 +1469,10 @@
     <message>
         <source>Draw {label}</source>
         <translation>{label} zeichnen</translation>
+    </message>
+    <message>
+        <source>Drive one group of axes after the other. Where the control interpolates rapids, set Rapids to interpolated, or say so in the machine file.</source>
+        <translation>Eine Gruppe von Achsen nach der anderen fahren. Wo die Steuerung Eilgänge interpoliert, Eilgänge auf interpolated stellen, oder es in der Maschinendatei sagen.</translation>
     </message>
     <message>
         <source>Edge tolerance</source>
@@ -1603,6 +1611,10 @@
         <translation>Maschine übernehmen</translation>
     </message>
     <message>
+        <source>In a rapid the tool goes {depth} into the part if its axes run independently.</source>
+        <translation>In einem Eilgang dringt das Werkzeug {depth} in das Werkstück ein, wenn die Achsen unabhängig laufen.</translation>
+    </message>
+    <message>
         <source>In the folder that is proposed it stands in every list of machines from then on.</source>
         <translation>Im vorgeschlagenen Ordner steht sie von da an in jeder Maschinenliste.</translation>
     </message>
@@ -1721,6 +1733,10 @@
     <message>
         <source>Make a setup of these values, so that other paths take them too</source>
         <translation>Aus diesen Werten eine Aufspannung machen, damit andere Wege sie auch übernehmen</translation>
+    </message>
+    <message>
+        <source>Many controls drive each axis of G0 at a rate of its own; the way is then no straight line.</source>
+        <translation>Viele Steuerungen fahren in G0 jede Achse mit ihrer eigenen Geschwindigkeit; der Weg ist dann keine gerade Linie.</translation>
     </message>
     <message>
         <source>Mark</source>
@@ -2627,6 +2643,10 @@
         <translation>Kollision zwischen Bahnen: {count} Stellen</translation>
     </message>
     <message>
+        <source>collision in a rapid: {count} places</source>
+        <translation>Kollision in einem Eilgang: {count} Stellen</translation>
+    </message>
+    <message>
         <source>commanded and real way of the ball's centre</source>
         <translation>Soll- und wirklicher Weg der Kugelmitte</translation>
     </message>
@@ -2997,6 +3017,10 @@
     <message>
         <source>tip</source>
         <translation>Werkzeugspitze</translation>
+    </message>
+    <message>
+        <source>tool {depth} in the part if axes run independently</source>
+        <translation>Werkzeug {depth} im Werkstück, wenn Achsen unabhängig laufen</translation>
     </message>
     <message>
         <source>trying setups</source>
@@ -5898,6 +5922,10 @@
     <message>
         <source>{count} passes come within {limit} of the pole and could not be turned past it any better: {letter} turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.</source>
         <translation>{count} Zeilen kommen dem Pol näher als {limit} und ließen sich nicht besser vorbeidrehen: {letter} dreht dort bis zu {rate}. Ein größerer Winkel, weitere Grenzen der Rundachsen oder eine andere Aufspannung können helfen.</translation>
+    </message>
+    <message>
+        <source>{count} rapids are divided by {rows} more blocks, so that the tool stays clear of the part on whichever way {name} drives the axes between their ends.</source>
+        <translation>{count} Eilgänge sind durch {rows} weitere Sätze geteilt, damit das Werkzeug vom Werkstück frei bleibt, auf welchem Weg {name} die Achsen zwischen ihren Enden auch fährt.</translation>
     </message>
     <message>
         <source>{count} retracts or approaches pass below the part, because the tool looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>

@@ -112,8 +112,8 @@ def find_way_entries(
 def which_ways_enter(
     body: Body, tree: FacetTree, space: JointSpace, boxes: JointBoxes, limit: float, progress: Progress = silent
 ) -> Bools:
-    """Which of these boxes (k,), whose ``block`` is their place among them, are not proven, in FEW_ROUNDS divisions, to be entered
-    by at most ``limit`` mm on every way; how deep is not asked."""
+    """Tell which of these boxes (k,), whose ``block`` is their place among them, are not proven, in FEW_ROUNDS divisions, to be
+    entered by at most ``limit`` mm on every way; how deep is not asked."""
     search = _Search.of(body, tree, space, limit, np.inf, len(boxes.block), FEW_ROUNDS)
     return np.asarray(search.find(boxes, progress).bound > limit)
 

@@ -156,9 +156,12 @@ def find_cuts(ways: RapidWays, clearance: RapidClearance) -> Pieces:
     count = len(ways.start)
     pieces = Pieces(np.arange(count), np.zeros(count), np.ones(count))
     blocked = pieces.take(clearance.find_blocked(ways, pieces))
-    blocked = blocked.take(~clearance.find_entering(ways.take(blocked.rapid)))
+    if len(blocked.rapid):
+        blocked = blocked.take(~clearance.find_entering(ways.take(blocked.rapid)))
     cuts = [blocked.take(np.arange(0))]
     for _ in range(HALVINGS):
+        if not len(blocked.rapid):
+            break
         pieces = blocked.halved()
         cuts.append(pieces.take(np.arange(len(blocked.rapid))))
         blocked = pieces.take(clearance.find_blocked(ways, pieces))
