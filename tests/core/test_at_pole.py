@@ -32,7 +32,9 @@ def test_a_stretch_that_comes_near_the_pole_is_near_as_far_as_it_stays_there():
     assert lean[2] > CONE and lean[5] < WIDE < lean[6]
     near = find_near_rows(lean, np.zeros(10, np.int64))
     assert near.tolist() == [False, True, True, True, True, True, False, False, False, False]
-    parted = find_near_rows(lean, np.array([0, 0, 0, 1, 1, 1, 1, 1, 1, 1]))  # another pass: what lies before is not of its stretch
+    parted = find_near_rows(
+        lean, np.array([0, 0, 0, 1, 1, 1, 1, 1, 1, 1])
+    )  # another pass: what lies before is not of its stretch
     assert parted.tolist() == [False, False, False, True, True, True, False, False, False, False]
 
 
