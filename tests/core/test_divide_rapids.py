@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.controllers import find_dialect
 from freecad_fiveaxis.core.corrections import divide_rapids as stage
 from freecad_fiveaxis.core.corrections.divide_rapids import RapidClearance, RapidWays, divide_rapids, find_cuts, rapid_ways
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
-from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.jobs import job, milling
 from freecad_fiveaxis.core.jobs.options import tool_body
 from freecad_fiveaxis.core.machine import load_machine
@@ -211,3 +211,20 @@ def test_a_rapid_that_is_clear_only_if_interpolated_has_a_marker_in_each_run(und
     assert marked and marked[0].block == depth.argmax() + 1 and marked[0].finding is not None
     assert {one.block for one in marked} <= set((independent_rapids(result.made.program) + 1).tolist())
     assert f"{depth.max():.4g} mm in the part" in marked[0].label
+
+
+@pytest.mark.parametrize(("machine", "part", "options"), [CASES[0], CASES[3]])
+def test_an_audit_of_our_own_file_finds_none_either(tmp_path, undivided, machine, part, options):
+    asked = {
+        "machine": machine,
+        "tool_length": 120,
+        "cutter": "ball:8:40",
+        "gouge": "report",
+        "controller": options["controller"],
+    }
+    write_stl(PARTS[part](), tmp_path / "part.stl")
+    for made, clear in ((milled(machine, part, **options), True), (undivided(machine, part, **options), False)):
+        (tmp_path / "own.nc").write_bytes(made.nc)
+        given = {**asked, "against": str(tmp_path / "part.stl")}
+        found = {one.code for one in job.run(build_settings("audit", str(tmp_path / "own.nc"), given)).findings}
+        assert ("independent-rapid" not in found) == clear and "rapid-collision" not in found
