@@ -125,6 +125,7 @@ def _of_programs() -> dict[str, str]:
         "controller": translate("FiveAxis", "Controller"),
         "origin": translate("FiveAxis", "Work zero on the machine"),
         "tool_length": translate("FiveAxis", "Tool length"),
+        "rapids": translate("FiveAxis", "Rapids"),
         "control_point": translate("FiveAxis", "Programmed point"),
         "gouge": translate("FiveAxis", "Gouge protection"),
         "shank": translate("FiveAxis", "Shank, Ø x length"),

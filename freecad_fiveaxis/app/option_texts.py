@@ -80,6 +80,11 @@ TEXTS = {
     "tool_length": QT_TRANSLATE_NOOP(
         "App::Property", "From the spindle's gauge point to the tip; machines with a rotary head need it"
     ),
+    "rapids": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "How the controller drives its axes in a rapid: all together, each at its own rate, or unknown; machine: as the machine "
+        "file says",
+    ),
     "control_point": QT_TRANSLATE_NOOP(
         "App::Property", "Point of the tool that the program moves: the tip, or the centre of the corner radius"
     ),

@@ -392,6 +392,10 @@
         <translation>Wie viele Drehlagen des Werkstücks um Z versucht werden, gleichmäßig über 360°; 1: wie es steht</translation>
     </message>
     <message>
+        <source>How the controller drives its axes in a rapid: all together, each at its own rate, or unknown; machine: as the machine file says</source>
+        <translation>Wie die Steuerung ihre Achsen im Eilgang bewegt: alle gemeinsam, jede mit eigener Geschwindigkeit oder unbekannt; machine: wie es in der Maschinendatei steht</translation>
+    </message>
+    <message>
         <source>How the deviation from the line is computed: exactly, or by the model of So et al. 2008</source>
         <translation>Wie die Abweichung von der Geraden berechnet wird: genau oder nach dem Modell von So u. a. 2008</translation>
     </message>
@@ -726,6 +730,10 @@
     <message>
         <source>Rapid moves stay this far off the part's bounding box</source>
         <translation>So weit bleiben Eilgänge vom Hüllquader des Werkstücks weg</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>Eilgänge</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -1363,6 +1371,10 @@
         <translation>Kollision zwischen Bahnen</translation>
     </message>
     <message>
+        <source>Collision in a rapid</source>
+        <translation>Kollision in einem Eilgang</translation>
+    </message>
+    <message>
         <source>Collisions are not checked against it.</source>
         <translation>Kollisionen mit ihr werden nicht geprüft.</translation>
     </message>
@@ -1465,6 +1477,10 @@
     <message>
         <source>Draw {label}</source>
         <translation>{label} zeichnen</translation>
+    </message>
+    <message>
+        <source>Drive one group of axes after the other. Where the control interpolates rapids, set Rapids to interpolated, or say so in the machine file.</source>
+        <translation>Eine Gruppe von Achsen nach der anderen fahren. Wo die Steuerung Eilgänge interpoliert, Eilgänge auf interpolated stellen, oder es in der Maschinendatei sagen.</translation>
     </message>
     <message>
         <source>Edge tolerance</source>
@@ -1607,6 +1623,10 @@
         <translation>Maschine übernehmen</translation>
     </message>
     <message>
+        <source>In a rapid the tool goes {depth} into the part if its axes run independently.</source>
+        <translation>In einem Eilgang dringt das Werkzeug {depth} in das Werkstück ein, wenn die Achsen unabhängig laufen.</translation>
+    </message>
+    <message>
         <source>In the folder that is proposed it stands in every list of machines from then on.</source>
         <translation>Im vorgeschlagenen Ordner steht sie von da an in jeder Maschinenliste.</translation>
     </message>
@@ -1725,6 +1745,10 @@
     <message>
         <source>Make a setup of these values, so that other paths take them too</source>
         <translation>Aus diesen Werten eine Aufspannung machen, damit andere Wege sie auch übernehmen</translation>
+    </message>
+    <message>
+        <source>Many controls drive each axis of G0 at a rate of its own; the way is then no straight line.</source>
+        <translation>Viele Steuerungen fahren in G0 jede Achse mit ihrer eigenen Geschwindigkeit; der Weg ist dann keine gerade Linie.</translation>
     </message>
     <message>
         <source>Mark</source>
@@ -1965,6 +1989,10 @@
     <message>
         <source>Proven bound</source>
         <translation>Bewiesene Schranke</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>Eilgänge</translation>
     </message>
     <message>
         <source>Recompute</source>
@@ -2627,6 +2655,10 @@
         <translation>Kollision zwischen Bahnen: {count} Stellen</translation>
     </message>
     <message>
+        <source>collision in a rapid: {count} places</source>
+        <translation>Kollision in einem Eilgang: {count} Stellen</translation>
+    </message>
+    <message>
         <source>commanded and real way of the ball's centre</source>
         <translation>Soll- und wirklicher Weg der Kugelmitte</translation>
     </message>
@@ -2997,6 +3029,10 @@
     <message>
         <source>tip</source>
         <translation>Werkzeugspitze</translation>
+    </message>
+    <message>
+        <source>tool {depth} in the part if axes run independently</source>
+        <translation>Werkzeug {depth} im Werkstück, wenn Achsen unabhängig laufen</translation>
     </message>
     <message>
         <source>trying setups</source>
@@ -3372,6 +3408,10 @@
         <translation>CL-Datei: {finding}</translation>
     </message>
     <message>
+        <source>Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the machine file or by {rapids}.</source>
+        <translation>Die Achsgruppen nacheinander bewegen oder, wenn die Steuerung Eilgänge interpoliert, dies in der Maschinendatei oder mit {rapids} angeben.</translation>
+    </message>
+    <message>
         <source>EXISTS of a variable without a name</source>
         <translation>EXISTS einer Variablen ohne Namen</translation>
     </message>
@@ -3462,6 +3502,10 @@
     <message>
         <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
         <translation>In {count} von {all} Vorschubsätzen dringt die Kugel von {diameter} um mehr als {tolerance} ins Werkstück ein; am tiefsten in NC-Zeile {line}, {depth}; die erste ist NC-Zeile {first}. Sind {cutter}, {origin} und die Maschine die des Programms, steht das STL am Werkstücknullpunkt? Sonst ist das Werkstück verdorben.</translation>
+    </message>
+    <message>
+        <source>In {count} rapids it is not proven that the tool stays out of the part on every way of independent axes, the first in NC line {line}; it enters by no more than {bound}.</source>
+        <translation>In {count} Eilgängen ist nicht bewiesen, dass das Werkzeug auf jedem Weg unabhängiger Achsen außerhalb des Werkstücks bleibt, zuerst in NC-Zeile {line}; tiefer als {bound} dringt es nicht ein.</translation>
     </message>
     <message>
         <source>In {where} the tip moves over the part more than {factor} times faster or slower than meant: at worst {feed} in NC line {line}, where {meant}. </source>
@@ -3964,6 +4008,14 @@
         <translation>Die {count} Wörter {letter} werden nicht ausgewertet.</translation>
     </message>
     <message>
+        <source>The {part} goes at least {depth} into the part at {at} if the axes of this rapid run independently; it is clear if they are interpolated. Which of the two this controller does is not known.</source>
+        <translation>{part}: dringt bei {at} mindestens {depth} ins Werkstück ein, wenn die Achsen in diesem Eilgang unabhängig laufen; werden sie interpoliert, ist der Weg frei. Welches von beidem diese Steuerung tut, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The {part} goes at least {depth} into the part at {at} in a rapid whose axes run independently; it is clear only if they are interpolated.</source>
+        <translation>{part}: dringt bei {at} mindestens {depth} ins Werkstück ein, in einem Eilgang, dessen Achsen unabhängig laufen; frei ist der Weg nur, wenn sie interpoliert werden.</translation>
+    </message>
+    <message>
         <source>The {part} goes {depth} into the part at {at}.</source>
         <translation>{part}: dringt bei {at} {depth} ins Werkstück ein.</translation>
     </message>
@@ -4106,6 +4158,10 @@
     <message>
         <source>a program's name where O takes a number</source>
         <translation>ein Programmname, wo O eine Nummer nimmt</translation>
+    </message>
+    <message>
+        <source>a rapid with independent axes hits the part</source>
+        <translation>ein Eilgang mit unabhängigen Achsen trifft das Werkstück</translation>
     </message>
     <message>
         <source>a setup map</source>
@@ -5894,6 +5950,10 @@
     <message>
         <source>{count} passes come within {limit} of the pole and could not be turned past it any better: {letter} turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.</source>
         <translation>{count} Zeilen kommen dem Pol näher als {limit} und ließen sich nicht besser vorbeidrehen: {letter} dreht dort bis zu {rate}. Ein größerer Winkel, weitere Grenzen der Rundachsen oder eine andere Aufspannung können helfen.</translation>
+    </message>
+    <message>
+        <source>{count} rapids are divided by {rows} more blocks, so that the tool stays clear of the part on whichever way {name} drives the axes between their ends.</source>
+        <translation>{count} Eilgänge sind durch {rows} weitere Sätze geteilt, damit das Werkzeug vom Werkstück frei bleibt, auf welchem Weg {name} die Achsen zwischen ihren Enden auch fährt.</translation>
     </message>
     <message>
         <source>{count} retracts or approaches pass below the part, because the tool looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>

@@ -9,6 +9,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -29,13 +30,14 @@ from .tool_in_part import is_ball, tool_in_part
 class AuditOptions:
     """``tolerance`` mm, of overcuts too, and ``axis_tolerance`` rad against the CL path; the ``cutter``; ``body``: cutter, shank
     and holder where all of them, and rapids, are held against the part, None: a ball cutter's ball alone; ``above`` mm: so far
-    over the driven point lies the one that is held against a CL path."""
+    over the driven point lies the one that is held against a CL path; ``rapids``: how the controller drives them."""
 
     tolerance: float
     axis_tolerance: float
     cutter: Cutter
     body: Body | None = None
     above: float = 0.0
+    rapids: str = INTERPOLATED
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,4 +82,4 @@ def _in_part(kinematics: Chain, program: Program, mesh: Mesh, options: AuditOpti
     cutter, body, tolerance = options.cutter, options.body, options.tolerance
     if body is None and is_ball(cutter):
         return against_part(kinematics, program, mesh, cutter.radius, tolerance, progress)
-    return tool_in_part(kinematics, program, mesh, cutter, body or body_of(cutter), tolerance, progress)
+    return tool_in_part(kinematics, program, mesh, cutter, body or body_of(cutter), tolerance, progress, options.rapids)

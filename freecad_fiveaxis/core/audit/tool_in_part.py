@@ -11,8 +11,9 @@ from dataclasses import replace
 
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Option, joined, say
-from freecad_fiveaxis.core.collision import check_program
+from freecad_fiveaxis.core.collision import INDEPENDENT_RAPID, check_program
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
@@ -30,14 +31,15 @@ ASKED = say(
 
 
 def tool_in_part(
-    kinematics: Chain, program: Program, mesh: Mesh, cutter: Cutter, body: Body, tolerance: float, progress: Progress = silent
-) -> AgainstPart:
+    kinematics: Chain, program: Program, mesh: Mesh, cutter: Cutter, body: Body, tolerance: float, progress: Progress = silent,
+    rapids: str = INTERPOLATED,
+) -> AgainstPart:  # fmt: skip
     """Every block of the program, rapids too, against the part, in the work frame; the rows are those of its feed blocks.
 
-    ``body``: cutter, shank and holder. Of a cutter that is no ball the depth is never below 0, ``clearance`` not known (NaN) and
-    ``place`` that of the part's deepest point.
+    ``body``: cutter, shank and holder; ``rapids``: one of :data:`~.base.rapids.RAPIDS`. Of a cutter that is no ball the depth is
+    never below 0, ``clearance`` not known (NaN) and ``place`` that of the part's deepest point.
     """
-    check = check_program(mesh, body, kinematics, program, tolerance, progress=progress, remedy="")
+    check = check_program(mesh, body, kinematics, program, tolerance, progress=progress, remedy="", rapids=rapids)
     findings = _asked(check.findings)
     if is_ball(cutter):
         return replace(against_part(kinematics, program, mesh, cutter.radius, tolerance, progress), findings=findings)
@@ -53,4 +55,5 @@ def is_ball(cutter: Cutter) -> bool:
 
 def _asked(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
     """The first of them asks whether part and program belong together."""
-    return tuple(replace(one, text=joined((one.text, ASKED))) if k == 0 else one for k, one in enumerate(findings))
+    asked = [one.code != INDEPENDENT_RAPID for one in findings[:1]]
+    return tuple(replace(one, text=joined((one.text, ASKED))) for one in findings[: sum(asked)]) + findings[sum(asked) :]

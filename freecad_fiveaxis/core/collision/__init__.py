@@ -1,22 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cutter, shank and holder against the whole part, along the way that they really go."""
 
-from .check import CURES, DIVIDE, GOUGES, GougeCheck, check_motion, check_program, program_motion, spots
+from .check import CURES, DIVIDE, GOUGES, GougeCheck, check_motion, check_program, program_motion
 from .inside import inside, is_closed
 from .outline import Outline, outline
+from .rapid_check import INDEPENDENT_RAPID
+from .rapid_ways import WayEntries
 from .rest_material import RestMaterial, find_rest_material, too_deep_finding, uncut_finding
 from .search import Entries, find_entries, which_enter
+from .spots import spots
 from .swept_motion import SweptMotion, real_motion, still_positions, straight_motion
 
 __all__ = [
     "CURES",
     "DIVIDE",
     "GOUGES",
+    "INDEPENDENT_RAPID",
     "Entries",
     "GougeCheck",
     "Outline",
     "RestMaterial",
     "SweptMotion",
+    "WayEntries",
     "check_motion",
     "check_program",
     "find_entries",

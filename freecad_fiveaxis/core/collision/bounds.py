@@ -18,7 +18,7 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
-from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
+from freecad_fiveaxis.core.geometry.facet_tree import Boxes, FacetTree
 from freecad_fiveaxis.core.tool.body import Piece, distance_off, support
 
 from .deepest import nearest_on_facet, toward
@@ -42,16 +42,19 @@ def pared(piece: Piece, by: float) -> tuple[Piece, float]:
 
 def box_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
     """The bound (n,) mm in the direction from the piece to the nearest place of the nodes' boxes."""
-    box = tree.boxes(node)
-    arm = box.middle - sweep.tip
-    height = (arm * sweep.unit).sum(axis=0)
-    core = (
-        np.minimum(np.maximum(height, piece.low), piece.high) * sweep.unit - arm
-    )  # its place on the axis, from the box's middle
-    off = np.minimum(np.maximum(along(box.ways, core), -box.half), box.half)
-    g = _away(piece, sweep.unit, arm + np.einsum("kn,kin->in", off, box.ways))
-    begins = (g * arm).sum(axis=0) - (np.abs(along(box.ways, g)) * box.half).sum(axis=0)
+    g, begins = toward_box(piece, sweep.tip, sweep.unit, tree.boxes(node))
     return np.asarray(_reached(piece, sweep, g) - begins)
+
+
+def toward_box(piece: Piece, tip: Floats, axis: Floats, box: Boxes) -> tuple[Floats, Floats]:
+    """Find the direction (3, n) from the piece at tips (3, n) mm, with unit axes (3, n), to the nearest place of boxes, and where
+    these begin along it (n,) mm from the tip."""
+    arm = box.middle - tip
+    height = (arm * axis).sum(axis=0)
+    core = np.minimum(np.maximum(height, piece.low), piece.high) * axis - arm  # its place on the axis, from the box's middle
+    off = np.minimum(np.maximum(along(box.ways, core), -box.half), box.half)
+    g = _away(piece, axis, arm + np.einsum("kn,kin->in", off, box.ways))
+    return g, (g * arm).sum(axis=0) - (np.abs(along(box.ways, g)) * box.half).sum(axis=0)
 
 
 def plate_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
@@ -74,14 +77,19 @@ def facet_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints)
 
 def _triangle_bound(piece: Piece, sweep: StraightSweep, arm: Floats) -> Floats:
     """The bound (n,) mm for triangles, corners (3, 3, n) from the tip in the middle of the way."""
-    if piece.low_radius == piece.high_radius:
-        place = nearest_on_edges(piece, sweep.unit, arm)
-    else:
-        height = (arm.mean(axis=0) * sweep.unit).sum(axis=0)
-        place = nearest_on_facet(arm, np.clip(height, piece.low, piece.high) * sweep.unit)
-    g = _away(piece, sweep.unit, place)
-    begins = along(arm, g).min(axis=0)
+    g, begins = toward_triangle(piece, sweep.unit, arm)
     return np.asarray(_reached(piece, sweep, g) - begins)
+
+
+def toward_triangle(piece: Piece, axis: Floats, arm: Floats) -> tuple[Floats, Floats]:
+    """Find the same as :func:`toward_box` for triangles, corners (3, 3, n) from the tip."""
+    if piece.low_radius == piece.high_radius:
+        place = nearest_on_edges(piece, axis, arm)
+    else:
+        height = (arm.mean(axis=0) * axis).sum(axis=0)
+        place = nearest_on_facet(arm, np.clip(height, piece.low, piece.high) * axis)
+    g = _away(piece, axis, place)
+    return g, along(arm, g).min(axis=0)
 
 
 def least_depth(piece: Piece, sweep: StraightSweep, point: Floats) -> Floats:

@@ -9,13 +9,14 @@ spot        blocks that follow one another and all enter. Each of the deepest sp
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Point, Sentence, Template, joined, say
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -25,14 +26,15 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, PARTS, SHANK, Body
 
 from .inside import buried_blocks, crossing_depth, is_closed
+from .joint_box import JointSpace
+from .rapid_check import check_rapids, rapid_findings
+from .rapid_ways import WayEntries
 from .search import Entries, find_entries
+from .spots import MOST_SPOTS, spots
 from .swept_motion import SweptMotion, real_motion, straight_motion
 
 ROUGHLY = 0.1
 """mm; so well is known how deep shank and holder are in the part. Whether they are is known to the tolerance all the same."""
-
-MOST_SPOTS = 10
-"""Findings of one kind; more would bury each other."""
 
 GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collision", "holder-collision"
 """The codes of the findings."""
@@ -74,12 +76,14 @@ Where = Callable[[int], tuple[int | None, int | None]]
 @dataclass(frozen=True, eq=False)
 class GougeCheck:
     """``cutter`` and ``above`` (shank and holder): their entries, a row a block of the swept motion; ``buried`` (m,) blocks
-    that are wholly in the part; ``findings``."""
+    that are wholly in the part; ``findings``. ``ways``: what the tool enters on rapids whose axes may run independently, None
+    where they are interpolated."""
 
     cutter: Entries
     above: Entries
     buried: Bools
     findings: tuple[Finding, ...]
+    ways: WayEntries | None = None
 
     def cases(self, motion: Bytes) -> tuple[tuple[str, Entries, Floats], ...]:
         """The three kinds of entries: code, entries, and their depths (m,) mm, 0 in blocks that have none of this kind;
@@ -131,16 +135,22 @@ def program_motion(kinematics: Chain, program: Program, back: float = 0.0) -> Sw
 
 def check_program(
     mesh: Mesh, body: Body, kinematics: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent,
-    remedy: str = CURES,
+    remedy: str = CURES, rapids: str = INTERPOLATED,
 ) -> GougeCheck:  # fmt: skip
-    """Check every block of a program, along the way that the machine really goes; see :func:`check_course` and
-    :func:`program_course`."""
+    """Check every block of a program, along the way that the machine really goes; see :func:`check_motion` and
+    :func:`program_motion`. ``rapids``: one of :data:`~.base.rapids.RAPIDS`; where the axes may run independently, rapids are
+    checked on every way between their ends, too."""
     swept = program_motion(kinematics, program, back)
 
     def where(block: int) -> tuple[int | None, int | None]:
         return block + 1, int(program.line[block + 1])
 
-    return check_motion(mesh, body, swept, program.motion[1:], tolerance, where, progress=progress, remedy=remedy)
+    check = check_motion(mesh, body, swept, program.motion[1:], tolerance, where, progress=progress, remedy=remedy)
+    if rapids == INTERPOLATED:
+        return check
+    known = (check.cutter.depth > 0.0) | (check.above.depth > 0.0)
+    ways = check_rapids(mesh, body, JointSpace.of(kinematics, back), program, tolerance, ROUGHLY, known, progress)
+    return replace(check, ways=ways, findings=check.findings + rapid_findings(ways, program, tolerance, rapids))
 
 
 def _findings(
@@ -173,17 +183,6 @@ def _spots(
         told, line = where(block)
         found.append(Finding(Severity.ERROR, code, said, float(depth[block]), tolerance, "mm", told, line, (x, y, z)))
     return found
-
-
-def spots(depth: Floats) -> tuple[Ints, int]:
-    """The deepest block of each spot, deepest first, and how many blocks (m,) have a depth above 0."""
-    rows = np.flatnonzero(depth > 0.0)
-    if not len(rows):
-        return rows, 0
-    spot = np.cumsum(np.diff(rows, prepend=rows[0]) > 1)
-    order = np.lexsort((-depth[rows], spot))
-    worst = rows[order[np.flatnonzero(np.diff(spot[order], prepend=-1))]]
-    return worst[np.argsort(-depth[worst], kind="stable")], len(rows)
 
 
 def _buried(buried: Bools, where: Where, swept: SweptMotion) -> tuple[Finding, ...]:

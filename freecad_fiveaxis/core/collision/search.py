@@ -320,12 +320,12 @@ def _divided(clusters: Clusters, tree: FacetTree, sweep: Ints, node: Ints, enter
     one, two = np.flatnonzero(by_way), np.flatnonzero(~by_way)
     first, count = clusters.child.take(sweep[one]), clusters.arity.take(sweep[one])
     below, many = tree.child.take(node[two]), tree.arity.take(node[two])
-    ways = np.concatenate([_family(first, count), np.repeat(sweep[two], many)])
-    nodes = np.concatenate([np.repeat(node[one], count), _family(below, many)])
+    ways = np.concatenate([family(first, count), np.repeat(sweep[two], many)])
+    nodes = np.concatenate([np.repeat(node[one], count), family(below, many)])
     return ways, nodes
 
 
-def _family(first: Ints, count: Ints) -> Ints:
+def family(first: Ints, count: Ints) -> Ints:
     head = np.cumsum(count) - count
     return np.asarray(np.arange(int(count.sum())) + np.repeat(first - head, count))
 
@@ -335,14 +335,14 @@ def _halved(left: _Left, in_time: Bools) -> _Left:
     middle = 0.5 * (left.start + left.end)
     start = np.concatenate([left.start, np.where(in_time, middle, left.start)])
     end = np.concatenate([np.where(in_time, middle, left.end), left.end])
-    one, two = _parted(left.corner)
+    one, two = halves_of_facets(left.corner)
     corner = np.concatenate(
         [np.where(in_time, left.corner, one), np.where(in_time, left.corner, two)], axis=2
     )  # fmt: skip
     return _Left(np.tile(left.block, 2), start, end, corner, np.tile(left.leaf, 2))
 
 
-def _parted(corner: Floats) -> tuple[Floats, Floats]:
+def halves_of_facets(corner: Floats) -> tuple[Floats, Floats]:
     side = ((corner - np.roll(corner, -1, axis=0)) ** 2).sum(axis=1)
     longest, at = side.argmax(axis=0), np.arange(corner.shape[2])
     a, b, c = (corner[(longest + k) % 3, :, at].T for k in range(3))

@@ -19,6 +19,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.rapids import UNKNOWN
 from freecad_fiveaxis.core.base.sentences import Choice, Option, Sentence, say
 
 if TYPE_CHECKING:
@@ -72,6 +73,8 @@ class Dialect:
     its reference point (:mod:`~freecad_fiveaxis.core.nc.start`).
     ``speed_call``: the line that sets the speed where no tool is called, if it is not the spindle's.
     ``suffix``: how the names of its NC files end.
+    ``rapids``: how it drives its axes in a rapid, one of :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; the module of each
+    controller names its source.
     """
 
     name: str
@@ -88,6 +91,7 @@ class Dialect:
     rapid: str = "G0"
     straight: str = "G1"
     rapid_end: str = ""
+    rapids: str = UNKNOWN
     inverse_time: str = "G93"
     per_minute: str = "G94"
     metric: str = "G21"

@@ -2,9 +2,14 @@
 """Fanuc series 15i to 31i (B-63324EN, B-63944EN and later operator's manuals).
 
 Guided: tool center point control for 5-axis machining, type 1 (G43.4, rotary words) and type 2 (G43.5, I J K).
+
+Rapids: "either of the following tool paths can be selected according to bit 1 (LRP) of parameter No. 1401" (B-63944EN, 4.1
+Positioning): nonlinear, each axis at its own rate, or linear. What the builder has set is not known.
 """
 
 from __future__ import annotations
+
+from freecad_fiveaxis.core.base.rapids import UNKNOWN
 
 from .dialect import ANGLES, VECTORS, Dialect, Guide
 
@@ -49,6 +54,7 @@ an omitted one counts as 0; the rotary axes take the shorter way. G05.1 Q1 is AI
         VECTORS: Guide(on=("G43.5 H{number}",), off=("G49",), vector=("I", "J", "K"), needs_tool=True),
     },
     feed_decimals=3,
+    rapids=UNKNOWN,
     inverse_decimals=3,
     largest_feed=99_999.0,
     largest_inverse=9_999.999,

@@ -1,7 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""grbl's multi-axis forks: grbl-Mega-5X, grblHAL, FluidNC (grbl wiki, G-code; grblHAL wiki). Joint output only."""
+"""grbl's multi-axis forks: grbl-Mega-5X, grblHAL, FluidNC (grbl wiki, G-code; grblHAL wiki). Joint output only.
+
+Rapids: the planner makes one line of every motion of all axes, rapids too, slowed down to the slowest axis (grbl 1.1,
+``planner.c``, ``plan_buffer_line`` and ``limit_value_by_axis_maximum``).
+"""
 
 from __future__ import annotations
+
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 
 from .dialect import Dialect
 
@@ -26,6 +32,7 @@ rotary words below some thousand degrees.""",
     ),
     tail=("M5", "M9", "G94", "M30"),
     feed_decimals=3,
+    rapids=INTERPOLATED,
     inverse_decimals=3,
     rotary_in_feed=True,
     line_length=80,

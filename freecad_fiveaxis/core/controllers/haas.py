@@ -2,9 +2,14 @@
 """Haas mills with the next generation control (Mill operator's manual): UMC and rotary tables.
 
 Guided: tool center point control, TCPC (G234); G49 ends it.
+
+Rapids: "Generally, rapid motion will not be in a single straight line. Each axis specified moves at its maximum speed, but all
+axes will not necessarily complete their motions at the same time" (Haas, G00 Rapid Motion Positioning).
 """
 
 from __future__ import annotations
+
+from freecad_fiveaxis.core.base.rapids import INDEPENDENT
 
 from .dialect import ANGLES, Dialect, Guide
 
@@ -46,6 +51,7 @@ offsets are G154 P1 to P99. G187 sets smoothness (P1 rough, P2 medium, P3 finish
     guided_tail=("{guide}", "M5", "M9", "G94", "M30", "%"),
     guides={ANGLES: Guide(on=("G234 H{number}",), off=("G49",), needs_tool=True)},
     linear_decimals=4,
+    rapids=INDEPENDENT,
     rotary_decimals=3,
     feed_decimals=3,
     inverse_decimals=3,

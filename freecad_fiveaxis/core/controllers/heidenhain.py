@@ -4,11 +4,16 @@ machining).
 
 Guided: FUNCTION TCPM, with the rotary words (AXIS POS, L blocks) or the tool vector (LN blocks with TX TY TZ); on older controls
 M128 and M129.
+
+Rapids: L blocks are straight, FMAX too: "the TNC moves the tool in a straight line from its current position to the straight-line
+end point" (TNC 320 User's manual, 6.4). Of the older controls of ``heidenhain_m128`` it is not known for rotary axes.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
+
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED, UNKNOWN
 
 from .dialect import ANGLES, VECTORS, Dialect, Guide
 
@@ -60,6 +65,7 @@ to finish, TA of rotary axes.""",
     rapid="L",
     straight="L",
     rapid_end=" FMAX",
+    rapids=INTERPOLATED,
     inverse_time="",
     per_minute="",
     feed_decimals=3,
@@ -89,6 +95,7 @@ to finish, TA of rotary axes.""",
 HEIDENHAIN_M128 = replace(
     HEIDENHAIN,
     name="heidenhain_m128",
+    rapids=UNKNOWN,
     description="Heidenhain iTNC 530 and TNC 4xx, klartext: as heidenhain, with M128 for FUNCTION TCPM",
     head=tuple("M129" if line == "FUNCTION RESET TCPM" else line for line in HEIDENHAIN.head),
     guides={

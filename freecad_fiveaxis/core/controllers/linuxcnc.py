@@ -3,9 +3,14 @@
 
 Joint output: trivial kinematics, the words are the joints. Guided: the ``trt`` and other switchable kinematics, whose remaps M428
 and M429 switch to the tip and back; the tool's length reaches the kinematics by ``motion.tooloffset.z``.
+
+Rapids: "the axes will arrive at the same time, since the ones that would arrive before the last axis gets to the end are slowed
+down" (EMC Handbook, G0 Rapid linear motion).
 """
 
 from __future__ import annotations
+
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 
 from .dialect import ANGLES, Dialect, Guide
 
@@ -45,6 +50,7 @@ Q. A line may hold 255 characters. M2 ends the program and sets the modes back."
     guided_tail=("{guide}", "M5", "M9", "G94", "M2"),
     guides={ANGLES: Guide(on=("M428",), off=("M429",))},
     exact_path="G61",
+    rapids=INTERPOLATED,
     blend_path="G64 P{blend} Q{blend}",
     work_offsets=(r"G5[4-9]|G59\.[1-3]", "G54 to G59, or G59.1 to G59.3"),
 )

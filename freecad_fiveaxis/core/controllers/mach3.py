@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mach3 and Mach4 (Using Mach3Mill, G and M code reference). There is no tool centre point control: joint output only."""
+"""Mach3 and Mach4 (Using Mach3Mill, G and M code reference). There is no tool centre point control: joint output only.
+
+Rapids: no source was found that says whether G0 is interpolated in every version, rotary axes too.
+"""
 
 from __future__ import annotations
+
+from freecad_fiveaxis.core.base.rapids import UNKNOWN
 
 from .dialect import Dialect
 
@@ -26,6 +31,7 @@ tolerance cannot be given in the program. The percent sign is not needed.""",
     ),
     tail=("M5", "M9", "G94", "M30"),
     line_length=250,
+    rapids=UNKNOWN,
     exact_path="G61",
     blend_path="G64",
     work_offsets=(r"G5[4-9]|G59 ?P([7-9]|[1-9][0-9]|1[0-9]{2}|2[0-4][0-9]|25[0-4])", "G54 to G59, or G59 P7 to G59 P254"),

@@ -2,9 +2,14 @@
 """Siemens SINUMERIK 840D sl and ONE (Programming manuals Fundamentals, NC programming, and Job planning: 5-axis transformation).
 
 Guided: TRAORI, with the rotary words (ORIAXES) or the direction vector A3= B3= C3= (ORIVECT, ORIWKS); TRAFOOF ends it.
+
+Rapids: linear by RTLION, the default (MD20730); RTLIOF makes them nonlinear only under G60 and without a transformation
+(SINUMERIK ONE Programming Manual NC programming, 2.9 Motion commands). What we write is under G64 or G642, so linear.
 """
 
 from __future__ import annotations
+
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 
 from .dialect import ANGLES, VECTORS, Dialect, Guide
 
@@ -63,6 +68,7 @@ machine axis Z1 to its first fixed point.""",
     line_length=512,
     comment=("; ", ""),
     exact_path="G64",
+    rapids=INTERPOLATED,
     blend_path="G642 CTOL={blend}",
     work_offsets=(r"G5[4-7]|G50[5-9]|G5[1-9][0-9]", "G54 to G57, or G505 to G599"),
     shorter_way=True,

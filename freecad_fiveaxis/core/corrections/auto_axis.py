@@ -115,9 +115,7 @@ def auto_axes(
     return np.where(row_free[:, None] > 0, axis[contacts.contact], given), row_free, _findings(free, contacts)
 
 
-def refine_field(
-    field: AxisField, path: OffsetPath, mesh: Mesh, reacher: Reacher, progress: Progress = silent
-) -> AxisField:
+def refine_field(field: AxisField, path: OffsetPath, mesh: Mesh, reacher: Reacher, progress: Progress = silent) -> AxisField:
     """Find the field once more with up to MORE contacts of ``path`` among its nodes, of those at which the ball fits and the tool
     with its way out is not free with the axis of the ``field`` given; that very field where there are none."""
     tree, wide = facet_tree(mesh), with_margin(reacher)

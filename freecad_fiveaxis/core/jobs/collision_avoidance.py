@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.cl_offset import scallop_of
@@ -33,6 +34,7 @@ from freecad_fiveaxis.core.collision import (
     uncut_finding,
     which_enter,
 )
+from freecad_fiveaxis.core.corrections.divide_rapids import RapidClearance, divide_rapids
 from freecad_fiveaxis.core.corrections.lead_in import lead_in
 from freecad_fiveaxis.core.corrections.leave_out import leave_out
 from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
@@ -52,6 +54,7 @@ from .options import (
     driven_to_surface,
     kept_off,
     lead_options,
+    rapids_of,
     tip_to_driven,
     tip_to_surface,
     tool_body,
@@ -152,6 +155,17 @@ def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLP
     return path, joints
 
 
+def keep_rapids_clear(context: MillContext, joints: JointPath) -> JointPath:
+    """Divide the rapids that are clear only if interpolated, where the controller may drive their axes independently and the part
+    is looked at; else give the very joint path."""
+    settings = context.settings
+    if settings.gouge.gouge == "off" or rapids_of(settings, context.machine, context.dialect) == INTERPOLATED:
+        return joints
+    body, limit, back = tool_body(settings), settings.proof.tolerance, tip_to_driven(settings)
+    clearance = RapidClearance(body, facet_tree(context.mesh), back, limit, context.progress)
+    return divide_rapids(joints, context.kinematics, context.dialect, clearance)
+
+
 def _entering(context: MillContext, path: CLPath, joints: JointPath) -> Ints:
     """The rows (k,) of the path to which the machine leads the cutter through the part, and the path itself does not."""
     settings, progress = context.settings, context.progress
@@ -222,7 +236,10 @@ def entered(context: MillContext, program: Program) -> GougeCheck | None:
     if settings.gouge.gouge == "off":
         return None
     body, driven = tool_body(settings), tip_to_driven(settings)
-    return check_program(context.mesh, body, context.kinematics, program, tolerance, driven, context.progress, _remedy(settings))
+    rapids = rapids_of(settings, context.machine, context.dialect)
+    return check_program(
+        context.mesh, body, context.kinematics, program, tolerance, driven, context.progress, _remedy(settings), rapids
+    )
 
 
 def _remedy(settings: Settings) -> str:

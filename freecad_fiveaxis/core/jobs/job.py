@@ -55,6 +55,7 @@ from .options import (
     driven_to_surface,
     machine_of,
     post_options,
+    rapids_of,
     search_folders,
     title_of,
     tool_body,
@@ -180,7 +181,8 @@ def _audited(made: Made, deviation: Deviation, against: CLPath | Mesh | None, pr
     gouge = settings.gouge
     body = tool_body(settings) if gouge.gouge != "off" or gouge.shank or gouge.holder else None
     above = driven_to_surface(settings)
-    options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body, above)
+    rapids = rapids_of(settings, made.machine, made.dialect)
+    options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body, above, rapids)
     return audit_program(made.kinematics, made.program, deviation, against, options, progress)
 
 

@@ -42,7 +42,16 @@ from freecad_fiveaxis.core.passes import (
     turns_within_limits,
 )
 
-from .collision_avoidance import drive_free, led_in, left_out_rows, lifted, near_the_part, tilted, uncut_by_cure
+from .collision_avoidance import (
+    drive_free,
+    keep_rapids_clear,
+    led_in,
+    left_out_rows,
+    lifted,
+    near_the_part,
+    tilted,
+    uncut_by_cure,
+)
 from .context import MillContext
 from .driving import posted
 from .fewer_axes import keeps_its_axis
@@ -88,6 +97,7 @@ def mill(context: MillContext) -> Milled:
     path, entering = lifted(context, linked(context, turned, led))
     path = led_in(context, near_the_part(context, path))
     path, joints = drive_free(context, path, entering)
+    joints = keep_rapids_clear(context, joints)
     found = untouched + contact.findings + turned.findings + held + said + path.findings + uncut_by_cure(context, path)
     program = posted(context, path, joints, found)
     return Milled(**vars(program), mesh=context.mesh, contact=contact, offset=offset, axis=axis, keep=context.keep)

@@ -31,6 +31,7 @@ from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of
 from .context import MillContext
 from .fewer_axes import refuse_what_needs_more_axes
 from .settings import MILL, Settings
+from .settings.groups import AS_MACHINE
 
 DEFAULT_CONTROLLER = "linuxcnc"
 IN_TABLE = 0.1
@@ -61,6 +62,12 @@ def search_folders(settings: Settings, program: str) -> tuple[str, ...]:
 def dialect_for(controller: str | None, machine: Machine | None) -> Dialect:
     """The dialect of the controller that is named, else of the machine's own, else the usual one. Raises SettingsError."""
     return find_dialect(controller or (machine.controller if machine else "") or DEFAULT_CONTROLLER)
+
+
+def rapids_of(settings: Settings, machine: Machine, dialect: Dialect) -> str:
+    """How rapids are driven: as the option says, else the machine file, else the controller."""
+    asked = settings.machine.rapids
+    return (machine.rapids or dialect.rapids) if asked == AS_MACHINE else asked
 
 
 def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:

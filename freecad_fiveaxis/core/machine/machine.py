@@ -128,6 +128,7 @@ class Machine:
     ``singular_cone`` rad: half angle about the first rotary axis within which a block counts as near the pole.
     ``origin``: where the work zero stands unless the setup says otherwise, machine frame, mm. ``controller``: name of the
     dialect that the machine speaks unless the settings say otherwise, or empty. ``safe_start``: how its programs begin and end.
+    ``rapids``: how its controller drives the axes in a rapid, one of :data:`~.base.rapids.RAPIDS`, or empty: as its dialect says.
     ``table`` mm: height of the table's face in the machine frame, all joints zero; None where it is not known. ``no_motion``: its
     control's functions that move nothing (:mod:`.no_motion`). Raises MachineError for axes that do not make a machine of three to
     five axes, and for such a function that moves.
@@ -142,6 +143,7 @@ class Machine:
     controller: str = ""
     safe_start: SafeStart = SafeStart()
     table: float | None = None
+    rapids: str = ""
     no_motion: tuple[str, ...] = ()
     letters: str = field(init=False)
 

@@ -7,9 +7,10 @@ parent    the axis that carries this one, null for the base. The axes of the tab
           lie nearer to the base; two rotary ones side by side leave the chain open and are refused.
 unlimited a limit of 99999 mm or degrees or beyond means that the axis has none (JSON knows no infinity).
 fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and ``origin`` (machine frame),
-          ``singular_cone`` (degrees), ``controller``, ``safe_start`` (an object: ``retract`` and, for a retract to a machine
-          coordinate, ``Z``), ``table`` (height of its face, machine frame) and ``no_motion`` (a list of functions that move
-          nothing, :mod:`.no_motion`). FreeCAD drops it when it saves; each has a default.
+          ``singular_cone`` (degrees), ``controller``, ``rapids`` (interpolated, independent or unknown; the controller's own
+          where it is missing), ``safe_start`` (an object: ``retract`` and, for a retract to a machine coordinate, ``Z``),
+          ``table`` (height of its face, machine frame) and ``no_motion`` (a list of functions that move nothing,
+          :mod:`.no_motion`). FreeCAD drops it when it saves; each has a default.
 
 What the program does not use (tool heads, output, post-processor, base frame) is not read. Every key that it uses must be
 there and make sense: a guess about a machine is worse than a question.
@@ -30,6 +31,7 @@ from typing import Any, Literal
 
 from freecad_fiveaxis.core.base.errors import FileError, MachineError
 from freecad_fiveaxis.core.base.files import read_bytes, write_whole
+from freecad_fiveaxis.core.base.rapids import RAPIDS
 from freecad_fiveaxis.core.base.sentences import say
 
 from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector, finite_vector
@@ -227,6 +229,7 @@ def _extra(data: _Object, unit: float) -> dict[str, Any]:
         "singular_cone": lambda key: math.radians(_number(extra, where, key)),
         "controller": lambda key: _text(extra, where, key),
         "safe_start": lambda key: _safe_start(_object(extra, where, key), f"{where}{key}.", unit),
+        "rapids": lambda key: _choice(extra, where, key, RAPIDS),
         "table": lambda key: unit * _number(extra, where, key),
         "no_motion": lambda key: _names(extra, where, key),
     }
@@ -392,6 +395,7 @@ def _data(machine: Machine) -> dict[str, Any]:
             "singular_cone": _degrees(machine.singular_cone),
             "controller": machine.controller,
             "safe_start": _safe_start_data(machine.safe_start),
+            **({"rapids": machine.rapids} if machine.rapids else {}),
             **({} if machine.table is None else {"table": machine.table}),
             **({"no_motion": list(machine.no_motion)} if machine.no_motion else {}),
         },

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.collision import GOUGES
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.collision import GOUGES, INDEPENDENT_RAPID, Entries, GougeCheck, WayEntries
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.tool.body import PARTS
 
@@ -76,7 +76,7 @@ def _entered(figures: Figures) -> list[Marker]:
     if figures.gouge is None:
         return []
     told, made = {(one.code, one.block): one for one in reversed(figures.findings)}, []
-    for code, entries, depth in figures.gouge.cases(figures.program.motion[1:]):
+    for code, entries, depth in _depths(figures.gouge, figures.program.motion[1:]):
         for block in _run_peaks(depth > 0.0, depth).tolist():
             x, y, z = entries.place[block].tolist()
             label = f"{PARTS[int(entries.part[block])]} {depth[block]:.4g} mm in the part, line {figures.program.line[block + 1]}"
@@ -84,7 +84,13 @@ def _entered(figures: Figures) -> list[Marker]:
     return made
 
 
+def _depths(gouge: GougeCheck, motion: Bytes) -> list[tuple[str, Entries | WayEntries, Floats]]:
+    """The cases of the check, and the rapids that are clear only if interpolated."""
+    ways = gouge.ways
+    return [*gouge.cases(motion), *([] if ways is None else [(INDEPENDENT_RAPID, ways, ways.depth)])]
+
+
 def _placed(figures: Figures) -> list[Marker]:
-    marked = (OVER, SINGULAR, *(GOUGES if figures.gouge else ()))
+    marked = (OVER, SINGULAR, *((*GOUGES, INDEPENDENT_RAPID) if figures.gouge else ()))
     others = [one for one in figures.findings if one.place is not None and one.code not in marked]
     return [Marker(one.place, one.code, one.code.replace("-", " "), one, one.block) for one in others[:MARKERS] if one.place]

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.collision import GOUGES, GougeCheck, RestMaterial, spots
+from freecad_fiveaxis.core.collision import GOUGES, GougeCheck, RestMaterial, WayEntries, spots
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import PARTS
 
@@ -46,6 +46,7 @@ def part_numbers(
             told[f"{name}_line"] = None if worst is None else int(program.line[worst + 1])
         told["cutter_bound"] = float(gouge.cutter.bound.max(initial=0.0))
         told["buried_blocks"] = int(gouge.buried.sum())
+        told |= {} if gouge.ways is None else _rapid_numbers(program, gouge.ways)
     if left is not None:
         told["max_left"] = float(left.height.max())
         told["left_area"], told["left_volume"] = left.left(allowed)
@@ -53,6 +54,17 @@ def part_numbers(
         told["too_deep_area"], told["too_deep_volume"] = left.taken(tolerance)
         told["machined_area"] = float(left.area.sum())
     return told
+
+
+def _rapid_numbers(program: Program, ways: WayEntries) -> dict[str, Any]:
+    """The numbers of rapids whose axes may run independently."""
+    worst = spots(ways.depth)[0]
+    return {
+        "max_independent_rapid": float(ways.depth.max(initial=0.0)),
+        "independent_rapid_blocks": int((ways.depth > 0.0).sum()),
+        "independent_rapid_places": len(worst),
+        "independent_rapid_line": int(program.line[worst[0] + 1]) if len(worst) else None,
+    }
 
 
 def deepest_entries(program: Program, gouge: GougeCheck) -> list[dict[str, Any]]:
@@ -120,8 +132,13 @@ def part_verdict(numbers: Mapping[str, Any], tolerance: float) -> tuple[tuple[st
         if entered:
             parts = "; ".join(" ".join(_entry_fact(numbers, code)) for code in entered)
             said.append((f"The tool enters the part by more than {tolerance:g} mm: {parts}.", "bad"))
-        elif not numbers["buried_blocks"]:
+        elif not numbers["buried_blocks"] and not numbers.get("independent_rapid_blocks"):
             said.append((f"Gouge-free: nowhere does the tool enter the part by more than {tolerance:g} mm.", "good"))
+        if hit := numbers.get("independent_rapid_blocks"):
+            text = f"In {hit} rapids the tool enters the part unless the axes are interpolated; deepest "
+            said.append(
+                (f"{text}{numbers['max_independent_rapid']:.4g} mm (NC line {numbers['independent_rapid_line']}).", "bad")
+            )
         if numbers["buried_blocks"]:
             said.append((f"In {numbers['buried_blocks']} blocks the whole cutter is inside the part.", "bad"))
     if "max_left" in numbers:

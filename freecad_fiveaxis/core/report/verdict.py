@@ -117,6 +117,7 @@ def judged_largest(numbers: Mapping[str, Any]) -> tuple[float, float]:
 ENTERS = {
     "overcut": say("enters the part"),
     "rapid-collision": say("hits the part between passes"),
+    "independent-rapid": say("a rapid with independent axes hits the part"),
     "holder-collision": say("shank or holder hits the part"),
     "buried": say("the whole cutter is inside the part"),
     "cut-too-deep": say("cuts too deep"),

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from freecad_fiveaxis.gui.qt import translate
 
-from .marks import GOUGE_COLOURS, HOLDER_COLLISION, OVERCUT, RAPID_COLLISION
+from .marks import GOUGE_COLOURS, HOLDER_COLLISION, INDEPENDENT_RAPID, OVERCUT, RAPID_COLLISION
 from .on_screen import Label
 from .units import area_text, length_text
 
@@ -26,6 +26,7 @@ def names() -> dict[str, str]:
         OVERCUT: translate("FiveAxis", "Cut too deep"),
         HOLDER_COLLISION: translate("FiveAxis", "Shank or holder collides"),
         RAPID_COLLISION: translate("FiveAxis", "Collision between passes"),
+        INDEPENDENT_RAPID: translate("FiveAxis", "Collision in a rapid"),
         UNCUT: translate("FiveAxis", "Uncut"),
         TOO_DEEP: translate("FiveAxis", "Below the surface"),
         BURIED: translate("FiveAxis", "Cutter inside the part"),
@@ -40,6 +41,7 @@ def label_text(kind: str, depth: float) -> str:
         OVERCUT: translate("FiveAxis", "{depth} too deep"),
         HOLDER_COLLISION: translate("FiveAxis", "shank or holder {depth} in the part"),
         RAPID_COLLISION: translate("FiveAxis", "cutter {depth} in the part between passes"),
+        INDEPENDENT_RAPID: translate("FiveAxis", "tool {depth} in the part if axes run independently"),
     }
     return texts[kind].format(depth=length_text(depth))
 
@@ -47,7 +49,7 @@ def label_text(kind: str, depth: float) -> str:
 def labels(places: Sequence[Sequence[float]], kinds: Sequence[str], values: Sequence[float | None]) -> list[Label]:
     """The label of the first mark of each kind, which is its deepest; ``values`` mm. A cut that is too deep comes first."""
     first = {kind: at for at, kind in reversed(list(enumerate(kinds)))}
-    rows = [first[kind] for kind in (OVERCUT, HOLDER_COLLISION, RAPID_COLLISION) if kind in first]
+    rows = [first[kind] for kind in (OVERCUT, HOLDER_COLLISION, RAPID_COLLISION, INDEPENDENT_RAPID) if kind in first]
     return [
         Label(places[at], label_text(kinds[at], value), GOUGE_COLOURS[kinds[at]])
         for at in rows
@@ -62,6 +64,7 @@ def legend_keys(kinds: Sequence[str]) -> list[tuple[tuple[float, float, float], 
         OVERCUT: translate("FiveAxis", "cut too deep: {count} places"),
         HOLDER_COLLISION: translate("FiveAxis", "shank or holder collides: {count} places"),
         RAPID_COLLISION: translate("FiveAxis", "collision between passes: {count} places"),
+        INDEPENDENT_RAPID: translate("FiveAxis", "collision in a rapid: {count} places"),
     }
     return [(GOUGE_COLOURS[kind], text.format(count=count[kind])) for kind, text in texts.items() if count[kind]]
 
@@ -70,6 +73,7 @@ def told(finding: Finding) -> tuple[str, str, str] | None:
     """What happens, why, and what helps; None for another code, or where no value is known."""
     sayings = {
         OVERCUT: _overcut, TOO_DEEP: _overcut, HOLDER_COLLISION: _holder, RAPID_COLLISION: _between, UNCUT: _uncut,
+        INDEPENDENT_RAPID: _independent,
     }  # fmt: skip
     if finding.code not in sayings or finding.value is None:
         return None
@@ -112,6 +116,20 @@ def _between(depth: float) -> tuple[str, str, str]:
         translate(
             "FiveAxis",
             "In the tool path's panel a larger clearance; under the part let the tool be lifted, or leave such places out.",
+        ),
+    )
+
+
+def _independent(depth: float) -> tuple[str, str, str]:
+    return (
+        translate("FiveAxis", "In a rapid the tool goes {depth} into the part if its axes run independently.").format(
+            depth=length_text(depth)
+        ),
+        translate("FiveAxis", "Many controls drive each axis of G0 at a rate of its own; the way is then no straight line."),
+        translate(
+            "FiveAxis",
+            "Drive one group of axes after the other. Where the control interpolates rapids, set Rapids to interpolated, or say "
+            "so in the machine file.",
         ),
     )
 

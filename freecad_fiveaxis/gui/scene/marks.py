@@ -22,11 +22,12 @@ from . import nodes
 LARGEST, OVER, SINGULAR = "largest-deviation", "deviation-over-tolerance", "singular-block"
 """The kinds of the core that have a look of their own; all others look alike."""
 OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collision", "holder-collision"
+INDEPENDENT_RAPID = "independent-rapid"
 """Those of a tool that enters the part."""
 OTHER_COLOUR = (0.35, 0.71, 0.91)
 RIM, DARK, WHITE = 4.0, (0.05, 0.05, 0.05), (1.0, 1.0, 1.0)
 YELLOW, BLUE = (0.94, 0.89, 0.26), (0.0, 0.45, 0.70)
-GOUGE_COLOURS = {OVERCUT: YELLOW, RAPID_COLLISION: DARK, HOLDER_COLLISION: BLUE}
+GOUGE_COLOURS = {OVERCUT: YELLOW, RAPID_COLLISION: DARK, INDEPENDENT_RAPID: DARK, HOLDER_COLLISION: BLUE}
 NOTHING = 5e-5
 """mm; a largest deviation below this is none: its marker would show the way to nowhere."""
 SPOT = 0.4
@@ -85,7 +86,7 @@ class Marks:
             *([] if largest is None else [(kind == LARGEST, _Look(largest, DARK, size + 5.0, 1.0))]),
             (kind == OVERCUT, _Look(YELLOW, DARK, size + 4.0, 0.035, DARK)),
             (kind == HOLDER_COLLISION, _Look(BLUE, WHITE, size + 4.0, 0.034, WHITE)),
-            (kind == RAPID_COLLISION, _Look(DARK, WHITE, size + 4.0, 0.033, YELLOW)),
+            (np.isin(kind, (RAPID_COLLISION, INDEPENDENT_RAPID)), _Look(DARK, WHITE, size + 4.0, 0.033, YELLOW)),
             (kind == OVER, _Look(bad, WHITE, size, 0.032)),
             (kind == SINGULAR, _Look(singular, DARK, size + 7.0, 0.031)),
             (~known, _Look(OTHER_COLOUR, DARK, size, 0.03)),

@@ -18,6 +18,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from freecad_fiveaxis.core.base.ranges import LARGEST_CHANGE, LEAST_CHANGE, LEAST_TILT, MOST_TILT
+from freecad_fiveaxis.core.base.rapids import RAPIDS
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.tool import Cutter
 
@@ -191,6 +192,10 @@ class HeadSettings:
     )
 
 
+AS_MACHINE = "machine"
+"""The choice that leaves it to the machine file."""
+
+
 @dataclass(frozen=True)
 class MachineSettings:
     """The machine and where the part stands on it."""
@@ -205,6 +210,12 @@ class MachineSettings:
     tool_length: float | None = option(
         None, "length", "gauge point to tip; machines with a rotary head need it", TASKS, least=0, most=LONGEST
     )
+    rapids: str = option(
+        AS_MACHINE, "choice",
+        "how the controller drives its axes in a rapid: together (interpolated), each at its own rate (independent), or unknown; "
+        "machine: as the machine file says, else the controller",
+        (MILL, AUDIT), choices=(AS_MACHINE, *RAPIDS),
+    )  # fmt: skip
     control_point: Literal["tip", "centre"] = option(
         "tip", "choice", "the point of the tool that the words drive", choices=("tip", "centre")
     )

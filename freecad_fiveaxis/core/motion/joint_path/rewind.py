@@ -79,7 +79,7 @@ def insert_rewinds(
     contact[:, 0] = _part_way(drive.path.contact, breaks, leave.share)
     at = np.broadcast_to(breaks[:, None] + 1, keep.shape)
     uncut = np.linalg.norm(enter.tip - leave.tip, axis=1)
-    longer = _insert(
+    longer = insert_rows(
         _entered_by_link(drive, breaks, enter),
         kinematics,
         at[keep],
@@ -172,10 +172,10 @@ def _entered_by_link(drive: Drive, breaks: Ints, enter: Place) -> Drive:
     return replace(drive, path=replace(drive.path, motion=motion))
 
 
-def _insert(
+def insert_rows(
     drive: Drive, kinematics: Chain, at: Ints, tip: Floats, axis: Floats, angles: Floats, motion: Bytes, contact: Floats
 ) -> Drive:
-    """Rows put in before the rows ``at``, which ascend.
+    """Put rows in before the rows ``at`` (m,), which ascend: ``tip``, ``axis``, ``contact`` (m, 3), ``angles`` (m, 2) rad.
 
     Links and rapids touch nothing; other rows cut what the row that they lead to cuts.
     """
@@ -218,7 +218,7 @@ def subdivide_rapids(drive: Drive, kinematics: Chain, tolerance: float) -> Drive
     inner[first] = inner[first + pieces] = False
     tip, angles, at = tip[inner], angles[inner], np.repeat(arrival, pieces - 1)
     axis = forward(kinematics, np.column_stack([np.zeros_like(tip), angles]))[1]
-    return _insert(drive, kinematics, at, tip, axis, angles, np.full(len(at), Motion.RAPID, np.int8), tip)
+    return insert_rows(drive, kinematics, at, tip, axis, angles, np.full(len(at), Motion.RAPID, np.int8), tip)
 
 
 def _evenly(drive: Drive, arrival: Ints, pieces: Ints) -> tuple[Floats, Floats, Ints]:
