@@ -80,6 +80,7 @@ def _tasks() -> dict[str, str]:
         "post": translate("FiveAxis", "“Post-process”"),
         "setup": translate("FiveAxis", "“Where to clamp”"),
         "recover": translate("FiveAxis", "“Recover a machine from a program”"),
+        "prove-signs": translate("FiveAxis", "“Prove the signs”"),
         "machines": translate("FiveAxis", "the list of machines"),
     }
 

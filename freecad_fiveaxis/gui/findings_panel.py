@@ -132,9 +132,7 @@ class Panel:
         self.figures = figures
         self.rows, self.row_of_marker = listed(figures)
         self._fill()
-        self.text.setHtml(
-            "" if self.rows else html.escape(translate("FiveAxis", "Nothing to report: all blocks are as they should be."))
-        )
+        self.text.setHtml(_scope_page(figures, bool(self.rows)))
 
     def clear(self) -> None:
         """List nothing."""
@@ -221,3 +219,14 @@ class Panel:
 def _html(parts: list[tuple[str, str]], title: str) -> str:
     body = "".join(f"<p><b>{html.escape(head)}</b> {html.escape(text)}</p>" for head, text in parts)
     return f"<h3>{html.escape(title)}</h3>{body}"
+
+
+def _scope_page(figures: Any, some: bool) -> str:
+    """What the verdict rests on; above it, where there is not ``some`` finding, that there is none."""
+    from freecad_fiveaxis.app import wording
+    from freecad_fiveaxis.core.report import scope, summary
+
+    parts = [] if some else [("", translate("FiveAxis", "Nothing to report: all blocks are as they should be."))]
+    for name, told in scope(figures, summary(figures)).named:
+        parts += [(wording.told(name) + ":", "; ".join(wording.told(one) for one in told) + ".")]
+    return _html(parts, translate("FiveAxis", "What the verdict rests on"))

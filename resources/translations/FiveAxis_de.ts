@@ -2503,6 +2503,10 @@
         <translation>Worunter der Abstand im ganzen NC-Satz bewiesenermaßen bleibt</translation>
     </message>
     <message>
+        <source>What the verdict rests on</source>
+        <translation>Worauf das Urteil beruht</translation>
+    </message>
+    <message>
         <source>Where the program's zero is drawn in the document</source>
         <translation>Wo der Nullpunkt des Programms im Dokument gezeichnet wird</translation>
     </message>
@@ -3197,6 +3201,10 @@
         <translation>„NC-Datei ausgeben“</translation>
     </message>
     <message>
+        <source>“Prove the signs”</source>
+        <translation>„Vorzeichen nachweisen“</translation>
+    </message>
+    <message>
         <source>“Recover a machine from a program”</source>
         <translation>„Maschine aus einem Programm zurückgewinnen“</translation>
     </message>
@@ -3370,6 +3378,10 @@
     <message>
         <source>Are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero? If they are, the part is spoilt.</source>
         <translation>Sind {cutter}, {origin} und die Maschine die des Programms, und steht die STL-Datei am Werkstücknullpunkt? Wenn ja, ist das Werkstück verdorben.</translation>
+    </message>
+    <message>
+        <source>Assumed</source>
+        <translation>Angenommen</translation>
     </message>
     <message>
         <source>At every stop compare what you see with this sheet, and stop for good if it differs. The tip stays at least {gap} above the level of the mark, even if a rotary axis turns the wrong way or the two are exchanged.</source>
@@ -3600,6 +3612,10 @@
         <translation>Keine der Maschinen kann diesen Werkzeugweg fahren.</translation>
     </message>
     <message>
+        <source>Not known</source>
+        <translation>Nicht bekannt</translation>
+    </message>
+    <message>
         <source>Nothing here holds {tolerance} within the limits of its machine.</source>
         <translation>Nichts hier hält {tolerance} innerhalb der Grenzen seiner Maschine ein.</translation>
     </message>
@@ -3670,6 +3686,10 @@
     <message>
         <source>Post it again for this machine</source>
         <translation>Für diese Maschine neu ausgeben</translation>
+    </message>
+    <message>
+        <source>Proven</source>
+        <translation>Bewiesen</translation>
     </message>
     <message>
         <source>RTP, RFP and its depth do not lie one below the other</source>
@@ -4380,6 +4400,14 @@
         <translation>Fräser</translation>
     </message>
     <message>
+        <source>cutter and holder stay</source>
+        <translation>Fräser und Halter bleiben</translation>
+    </message>
+    <message>
+        <source>cutter and shank stay</source>
+        <translation>Fräser und Schaft bleiben</translation>
+    </message>
+    <message>
         <source>cutter compensation; the words are taken as they are</source>
         <translation>Fräserradiuskorrektur; die Wörter werden genommen, wie sie sind</translation>
     </message>
@@ -4414,6 +4442,10 @@
     <message>
         <source>cutter {text}: only {kinds} cutters are on offer; write it as {form}</source>
         <translation>Fräser {text}: im Angebot sind nur {kinds}; schreiben wie {form}</translation>
+    </message>
+    <message>
+        <source>cutter, shank and holder stay</source>
+        <translation>Fräser, Schaft und Halter bleiben</translation>
     </message>
     <message>
         <source>cycle {number} with {name} above 0</source>
@@ -4486,6 +4518,10 @@
     <message>
         <source>fixed tool axis {fixed} has no direction; give three numbers, as 0,0,1</source>
         <translation>die feste Werkzeugachse {fixed} hat keine Richtung; drei Zahlen angeben, wie 0,0,1</translation>
+    </message>
+    <message>
+        <source>fixtures, the machine's own bodies, and stock that is still there</source>
+        <translation>Spannmittel, die Maschine selbst und Material, das noch steht</translation>
     </message>
     <message>
         <source>folder {folder} cannot be made: {strerror}; choose another one</source>
@@ -4566,6 +4602,22 @@
     <message>
         <source>how much stays is not known here, the map of what is left ({left}) tells it</source>
         <translation>wie viel stehen bleibt, ist hier nicht bekannt; die Karte des Restmaterials ({left}) zeigt es</translation>
+    </message>
+    <message>
+        <source>in a feed block all axes run in proportion to each other</source>
+        <translation>in einem Vorschubsatz laufen alle Achsen im Verhältnis zueinander</translation>
+    </message>
+    <message>
+        <source>in a rapid all axes run in proportion to each other ({rapids})</source>
+        <translation>auch im Eilgang laufen alle Achsen im Verhältnis zueinander ({rapids})</translation>
+    </message>
+    <message>
+        <source>in {count} of {all} feed blocks {point} stays within {tolerance} of the straight way between the block's ends</source>
+        <translation>in {count} von {all} Vorschubsätzen bleibt {point} bis auf {tolerance} auf dem geraden Weg zwischen den Enden des Satzes</translation>
+    </message>
+    <message>
+        <source>in {count} of {all} feed blocks {point} stays within {tolerance} of the straight way between the blocks' ends</source>
+        <translation>in {count} von {all} Vorschubsätzen bleibt {point} bis auf {tolerance} auf dem geraden Weg zwischen den Enden der Sätze</translation>
     </message>
     <message>
         <source>is empty</source>
@@ -5004,6 +5056,10 @@
         <translation>auf jeder Zeile</translation>
     </message>
     <message>
+        <source>on rapids that holds for each rate at which the axes may run beside each other</source>
+        <translation>im Eilgang gilt das für jedes Verhältnis der Geschwindigkeiten, in dem die Achsen laufen mögen</translation>
+    </message>
+    <message>
         <source>on {uncut} more than {allowed} is left, at most {most}</source>
         <translation>auf {uncut} bleibt mehr als {allowed} stehen, höchstens {most}</translation>
     </message>
@@ -5070,6 +5126,10 @@
     <message>
         <source>program number is {program}; give 1 to 9999</source>
         <translation>die Programmnummer ist {program}; 1 bis 9999 angeben</translation>
+    </message>
+    <message>
+        <source>rapids, shank and holder were not looked at</source>
+        <translation>Eilgänge, Schaft und Halter wurden nicht geprüft</translation>
     </message>
     <message>
         <source>reachable</source>
@@ -5168,6 +5228,10 @@
         <translation>Schaft</translation>
     </message>
     <message>
+        <source>shank and holder: none were given</source>
+        <translation>Schaft und Halter: es wurden keine angegeben</translation>
+    </message>
+    <message>
         <source>shank in the way</source>
         <translation>Schaft im Weg</translation>
     </message>
@@ -5236,12 +5300,28 @@
         <translation>den Nullpunkt der Achse in der Steuerung</translation>
     </message>
     <message>
+        <source>the ball's centre</source>
+        <translation>die Kugelmitte</translation>
+    </message>
+    <message>
         <source>the base</source>
         <translation>dem Gestell</translation>
     </message>
     <message>
+        <source>the controller guides the tip straight between the ends of {count} blocks (RTCP); their ends alone were verified</source>
+        <translation>die Steuerung führt die Spitze gerade zwischen den Enden von {count} Sätzen (RTCP); geprüft sind nur deren Enden</translation>
+    </message>
+    <message>
+        <source>the cutter stays</source>
+        <translation>der Fräser bleibt</translation>
+    </message>
+    <message>
         <source>the cutter stays out of the part (no shank or holder given)</source>
         <translation>der Fräser bleibt aus dem Werkstück (kein Schaft oder Halter gegeben)</translation>
+    </message>
+    <message>
+        <source>the cutter's feed moves stay out of the part, but for {tolerance}</source>
+        <translation>im Vorschub bleibt der Fräser bis auf {tolerance} aus dem Teil</translation>
     </message>
     <message>
         <source>the deflections are {linear} and {angular}; both must be above 0</source>
@@ -5300,6 +5380,10 @@
         <translation>der Halter ist im Weg; das Werkzeug weiter auskragen lassen</translation>
     </message>
     <message>
+        <source>the holder: none was given</source>
+        <translation>der Halter: es wurde keiner angegeben</translation>
+    </message>
+    <message>
         <source>the key is missing; add "{key}"</source>
         <translation>der Schlüssel fehlt; „{key}“ ergänzen</translation>
     </message>
@@ -5310,6 +5394,10 @@
     <message>
         <source>the linear axes lie in one plane at {letter} {first} {other} {second} and cannot place the tip ({count} rows): lower {max_axis_angle} or take another machine</source>
         <translation>die Linearachsen liegen bei {letter} {first} {other} {second} in einer Ebene und können die Werkzeugspitze nicht setzen ({count} Punkte): {max_axis_angle} verringern oder eine andere Maschine nehmen</translation>
+    </message>
+    <message>
+        <source>the machine is as {machine} describes it: axes, their signs, centres of rotation ({signs} shows it), and the part stands where the program takes it to stand</source>
+        <translation>die Maschine ist so, wie {machine} sie beschreibt: Achsen, ihre Vorzeichen, Drehpunkte ({signs} zeigt es), und das Teil steht dort, wo das Programm es annimmt</translation>
     </message>
     <message>
         <source>the mark</source>
@@ -5326,6 +5414,10 @@
     <message>
         <source>the name is empty; give the machine one</source>
         <translation>der Name ist leer; der Maschine einen geben</translation>
+    </message>
+    <message>
+        <source>the part: whether the tool enters it was not looked at</source>
+        <translation>das Teil: ob das Werkzeug hineinfährt, wurde nicht geprüft</translation>
     </message>
     <message>
         <source>the planes cut the facets {segments} times, more than {most}; {remedy}</source>
@@ -5364,6 +5456,10 @@
         <translation>der Schaft ist im Weg; einen dünneren oder längeren nehmen</translation>
     </message>
     <message>
+        <source>the shank: none was given</source>
+        <translation>der Schaft: es wurde keiner angegeben</translation>
+    </message>
+    <message>
         <source>the short way</source>
         <translation>der kurze Weg</translation>
     </message>
@@ -5388,6 +5484,10 @@
         <translation>der Text kann nicht gezeigt werden: {strerror}</translation>
     </message>
     <message>
+        <source>the tip</source>
+        <translation>die Spitze</translation>
+    </message>
+    <message>
         <source>the tip swinging {way}</source>
         <translation>die Werkzeugspitze schwenkt {way}</translation>
     </message>
@@ -5404,12 +5504,20 @@
         <translation>das Werkzeug {where} entlang seiner Achse nicht herauskäme, denn das Werkstück ist darüber, etwa bei {place}</translation>
     </message>
     <message>
+        <source>the tool has the length and the shape given</source>
+        <translation>das Werkzeug hat die angegebene Länge und Form</translation>
+    </message>
+    <message>
         <source>the tool is lifted out of the part by up to {value}, what it leaves stays uncut</source>
         <translation>das Werkzeug ist um bis zu {value} aus dem Werkstück gehoben, was es stehen lässt, bleibt ungefräst</translation>
     </message>
     <message>
         <source>the tool is wider than the hole</source>
         <translation>das Werkzeug ist breiter als die Bohrung</translation>
+    </message>
+    <message>
+        <source>the tool is {length} long, and of the shape given</source>
+        <translation>das Werkzeug ist {length} lang und hat die angegebene Form</translation>
     </message>
     <message>
         <source>the tool stays out of the part</source>
@@ -5658,6 +5766,10 @@
     <message>
         <source>what is left is known of a toolpath only: select a toolpath</source>
         <translation>Restmaterial ist nur von einem Werkzeugweg bekannt: einen Werkzeugweg auswählen</translation>
+    </message>
+    <message>
+        <source>what the drives make of it: servo lag, look-ahead, rounded corners</source>
+        <translation>was die Antriebe daraus machen: Schleppabstand, Vorausschau, verrundete Ecken</translation>
     </message>
     <message>
         <source>where it begins is not known: X, Y and Z are not all told since the tilted plane began or ended</source>
@@ -6646,6 +6758,10 @@
     <message>
         <source>{tool_axis} turns two rotary axes, machine {name} has fewer; choose another, {fixed} keeps the tool along Z</source>
         <translation>{tool_axis} dreht zwei Drehachsen, die Maschine {name} hat weniger; eine andere wählen, {fixed} lässt das Werkzeug längs Z</translation>
+    </message>
+    <message>
+        <source>{tool} out of the part on feed moves and rapids, but for {tolerance}</source>
+        <translation>{tool} in Vorschub und Eilgang bis auf {tolerance} aus dem Teil</translation>
     </message>
     <message>
         <source>{travel} for each {arm} from the axis</source>

@@ -234,4 +234,5 @@ def figures(result: Result) -> Figures:
         mesh=made.mesh if isinstance(made, Milled) else None,
         unfinished=unfinished_share(result.findings, made.mesh, made.keep) if isinstance(made, Milled) else 0.0,
         contacts=_contacts(made) if isinstance(made, Milled) else None,
+        rapids=rapids_of(made.settings, made.machine, made.dialect),
     )  # fmt: skip

@@ -2,9 +2,9 @@
 """What is said about a finished program, and the markers for the 3D view.
 
 The numbers come from ``figures`` (which defines the words), the judgement from ``judgement``, the traffic light over everything
-from ``verdict``; ``text`` writes for the terminal, ``json_text`` for scripts, ``html_page`` a page with plots, ``block_table``
-and ``rate_table`` the CSV, ``drawing`` the arrays of a view. ``part_facts`` tells what the program does to the part,
-``left_picture`` draws it (``raster``).
+from ``verdict``, what that rests on from ``scope``; ``text`` writes for the terminal, ``json_text`` for scripts, ``html_page`` a
+page with plots, ``block_table`` and ``rate_table`` the CSV, ``drawing`` the arrays of a view. ``part_facts`` tells what the
+program does to the part, ``left_picture`` draws it (``raster``).
 """
 
 from .block_table import blocks_csv
@@ -15,6 +15,7 @@ from .json_text import as_json
 from .judgement import judge
 from .markers import Marker, markers
 from .rate_table import rates_csv
+from .scope import Scope, scope
 from .text import as_text
 from .verdict import Light, Verdict, judged_largest, verdict
 
@@ -24,6 +25,7 @@ __all__ = [
     "Light",
     "Marker",
     "Row",
+    "Scope",
     "Spot",
     "Verdict",
     "as_html",
@@ -37,6 +39,7 @@ __all__ = [
     "markers",
     "rates_csv",
     "scale_values",
+    "scope",
     "spot",
     "summary",
     "verdict",

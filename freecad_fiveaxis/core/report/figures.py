@@ -56,7 +56,8 @@ class Figures:
     ``deviation`` is that of the driven point, ``surface`` that of the point that makes the surface, where it is another one.
     ``audit`` where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
     ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
-    1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part.
+    1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part; ``rapids``: how
+    the controller drives them, one of :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`.
     """
 
     title: str
@@ -77,6 +78,7 @@ class Figures:
     unfinished: float = 0.0
     surface: Deviation | None = None
     contacts: Contacts | None = None
+    rapids: str = ""
 
     @property
     def judged(self) -> Deviation:

@@ -19,6 +19,7 @@ from .json_text import plain
 from .part_facts import deepest_entries, part_verdict
 from .plots import Plot, plots
 from .rest_material_picture import left_svg
+from .scope import Scope, scope
 from .text import facts, grouped, number, path_verdict
 from .verdict import Light, verdict
 
@@ -65,6 +66,7 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
         f"<header><h1>{escape(figures.title)}</h1><p>{escape(figures.kind)} on {escape(figures.machine.name)}</p></header>",
         f'<p class="verdict {MOOD[whole.light]}">{escape(whole.text)}</p>',
         _grounds([(path_verdict(figures, numbers), _path_mood(numbers)), *part_verdict(numbers, figures.tolerance)]),
+        _section("What the verdict rests on", _scope(scope(figures, numbers))),
         _section("Figures", _cards(facts(numbers))),
         _section("Where the tool enters the part", _entries(figures, numbers)),
         *_left_map(figures, numbers),
@@ -89,6 +91,13 @@ MOOD = {Light.RED: "bad", Light.AMBER: "open", Light.GREEN: "good"}
 def _grounds(said: Iterable[tuple[str, str]]) -> str:
     """What the verdict is made of: one sentence for the path, and one for each thing that was looked for on the part."""
     return '<ul class="grounds">' + "".join(f'<li class="{mood}">{escape(one)}</li>\n' for one, mood in said) + "</ul>"
+
+
+def _scope(found: Scope) -> str:
+    """Proven, assumed, not known: a row each."""
+    rows = [(name, "".join(f"<li>{escape(one)}</li>" for one in said)) for name, said in found.named]
+    cells = "".join(f'<tr><th scope="row">{escape(name)}</th><td><ul>{said}</ul></td></tr>\n' for name, said in rows)
+    return f'<div class="scroll"><table class="pairs scope"><tbody>{cells}</tbody></table></div>'
 
 
 def _path_mood(numbers: Mapping[str, Any]) -> str:

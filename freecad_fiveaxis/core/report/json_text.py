@@ -15,6 +15,7 @@ import numpy as np
 
 from .figures import Figures, summary, worst_of_audit, worst_table
 from .part_facts import deepest_entries, left_report
+from .scope import scope
 from .verdict import verdict
 
 VERSION = 1
@@ -28,7 +29,8 @@ def as_json(figures: Figures) -> str:
     Bytes of a file name that are no Unicode (Python's lone surrogates) become escapes, which JSON readers give back.
 
     Keys: version, summary (see :func:`~freecad_fiveaxis.core.report.figures.summary`; and ``light``: red, amber or green,
-    ``verdict``: the sentence, ``reasons``: its parts), worst_blocks, findings, inputs; of an
+    ``verdict``: the sentence, ``reasons``: its parts), worst_blocks, findings, inputs; scope: lists of sentences on what is
+    ``proven``, ``assumed`` for that, and ``unknown``; of an
     audit also ``audit``: its worst lines by limits, rates, and distance off the CL path or depth in the part; where the part was
     looked at also ``gouge``: the deepest entries, and ``left`` (see :mod:`~freecad_fiveaxis.core.report.part_facts`).
     """
@@ -37,6 +39,7 @@ def as_json(figures: Figures) -> str:
         "version": VERSION,
         "summary": numbers | _verdict(figures, numbers),
         "worst_blocks": worst_table(figures),
+        "scope": scope(figures, numbers)._asdict(),
         **({} if figures.audit is None else {"audit": worst_of_audit(figures)}),
         **_of_part(figures),
         "findings": figures.findings,

@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.base.findings import Finding
 from .audited import audit_facts
 from .figures import Figures, summary, worst_table
 from .part_facts import part_facts, part_verdict
+from .scope import scope
 from .verdict import judged_largest, verdict
 
 WIDTH = 100
@@ -33,6 +34,7 @@ def as_text(figures: Figures) -> str:
             *_wrap(path_verdict(figures, numbers)),
             *_on_part(figures, numbers),
         ],
+        _scope_lines(figures, numbers),
         _worst_lines(figures),
         _facts(numbers),
         _axis_lines(numbers["axes"]),
@@ -43,6 +45,13 @@ def as_text(figures: Figures) -> str:
 
 def _on_part(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
     return [line for said, _ in part_verdict(numbers, figures.tolerance) for line in _wrap(said)]
+
+
+def _scope_lines(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
+    lines = ["What the verdict rests on"]
+    for name, said in scope(figures, numbers).named:
+        lines += [line for one in said for line in _wrap(f"{name.lower()}: {one}", "  ")]
+    return lines
 
 
 def path_verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a verdict rests on: what was proven of the program, what that takes for granted, and what nobody looked at.
+
+The light of a verdict is taken for more than it says. So each report, and the window, say in one box what stands behind it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
+from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, Task, plural, say
+
+from .figures import Figures
+from .verdict import ENTERS, is_checked
+
+OPEN = "rapid-unproven"
+"""The finding that says of some rapids that not every way between their ends is proven clear."""
+
+
+class Scope(NamedTuple):
+    """Sentences: what is ``proven``, what is ``assumed`` for that, and what is ``unknown``, for it was not looked at."""
+
+    proven: tuple[Sentence, ...]
+    assumed: tuple[Sentence, ...]
+    unknown: tuple[Sentence, ...]
+
+    @property
+    def named(self) -> tuple[tuple[Sentence, tuple[Sentence, ...]], ...]:
+        """Each group with its heading; none that is empty."""
+        groups = ((say("Proven"), self.proven), (say("Assumed"), self.assumed), (say("Not known"), self.unknown))
+        return tuple((name, said) for name, said in groups if said)
+
+
+def scope(figures: Figures, numbers: Mapping[str, Any]) -> Scope:
+    """Find what stands behind the verdict; ``numbers``: the summary."""
+    return Scope(tuple(_proven(figures, numbers)), tuple(_assumed(figures, numbers)), tuple(_unknown(figures)))
+
+
+def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
+    measured = numbers["feed_blocks"] - numbers["guided_blocks"]
+    if held := measured - numbers["over_tolerance"] - numbers["unproven"]:
+        yield plural(
+            held,
+            "in {count} of {all} feed blocks {point} stays within {tolerance} of the straight way between the block's ends",
+            "in {count} of {all} feed blocks {point} stays within {tolerance} of the straight way between the blocks' ends",
+            all=numbers["feed_blocks"],
+            point=say("the tip") if figures.surface is None else say("the ball's centre"),
+            tolerance=Length(figures.tolerance),
+        )
+    errors = {one.code for one in figures.findings if one.severity is Severity.ERROR}
+    if is_checked(figures) and not errors & set(ENTERS):
+        yield from _out_of_the_part(figures)
+
+
+def _out_of_the_part(figures: Figures) -> Iterator[Sentence]:
+    if _feeds_alone(figures):
+        yield say("the cutter's feed moves stay out of the part, but for {tolerance}", tolerance=Length(figures.tolerance))
+        return
+    yield say(
+        "{tool} out of the part on feed moves and rapids, but for {tolerance}", tool=_tool(figures),
+        tolerance=Length(figures.tolerance),
+    )  # fmt: skip
+    if figures.rapids not in ("", INTERPOLATED) and all(one.code != OPEN for one in figures.findings):
+        yield say("on rapids that holds for each rate at which the axes may run beside each other")
+
+
+def _tool(figures: Figures) -> Sentence:
+    shank, holder = (bool(figures.inputs.get(name)) for name in ("shank", "holder"))
+    if shank and holder:
+        return say("cutter, shank and holder stay")
+    return say("cutter and shank stay") if shank else say("cutter and holder stay") if holder else say("the cutter stays")
+
+
+def _feeds_alone(figures: Figures) -> bool:
+    return figures.gouge is None and figures.inputs.get("gouge") == "off"
+
+
+def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
+    yield say(
+        "the machine is as {machine} describes it: axes, their signs, centres of rotation ({signs} shows it), and the part "
+        "stands where the program takes it to stand",
+        machine=figures.machine.name,
+        signs=Task("prove-signs"),
+    )
+    length = figures.inputs.get("tool_length")
+    if isinstance(length, int | float):
+        yield say("the tool is {length} long, and of the shape given", length=Length(float(length)))
+    else:
+        yield say("the tool has the length and the shape given")
+    if numbers["feed_blocks"] > numbers["guided_blocks"]:
+        yield say("in a feed block all axes run in proportion to each other")
+    if numbers["guided_blocks"]:
+        yield say(
+            "the controller guides the tip straight between the ends of {count} blocks (RTCP); their ends alone were verified",
+            count=numbers["guided_blocks"],
+        )
+    if is_checked(figures) and figures.rapids == INTERPOLATED:
+        yield say("in a rapid all axes run in proportion to each other ({rapids})", rapids=Option("rapids"))
+
+
+def _unknown(figures: Figures) -> Iterator[Sentence]:
+    yield say("fixtures, the machine's own bodies, and stock that is still there")
+    yield say("what the drives make of it: servo lag, look-ahead, rounded corners")
+    if not is_checked(figures):
+        yield say("the part: whether the tool enters it was not looked at")
+        return
+    if _feeds_alone(figures):
+        yield say("rapids, shank and holder were not looked at")
+        return
+    missing = [name for name in ("shank", "holder") if not figures.inputs.get(name)]
+    if missing:
+        both = {"shank": say("the shank: none was given"), "holder": say("the holder: none was given")}
+        yield both[missing[0]] if len(missing) == 1 else say("shank and holder: none were given")
