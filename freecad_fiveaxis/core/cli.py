@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     from freecad_fiveaxis.core.jobs.settings import Settings
 
 DONE, DONE_WITH_ERRORS, UNUSABLE, FAULT, STOPPED = 0, 1, 2, 3, 130
+REQUIRED = ("numpy", "scipy")
+"""Packages without which nothing is computed."""
 REPORT_TO = "https://github.com/freecad-fiveaxis/freecad-fiveaxis/issues"
 """Where faults are told, as package.xml says."""
 TRACEBACK = "FIVEAXIS_TRACEBACK"
@@ -85,7 +87,9 @@ def _answered(argv: Sequence[str]) -> int:
         return UNUSABLE
     except Exception as fault:
         signal = signals.received()  # what a module that is being loaded makes of a signal may be an ImportError
-        return _failed(fault) if signal is None else _stopped(signal)
+        if signal is not None:
+            return _stopped(signal)
+        return _without(fault) if isinstance(fault, ModuleNotFoundError) and fault.name in REQUIRED else _failed(fault)
 
 
 def _stopped(stop: BaseException) -> int:
@@ -95,6 +99,15 @@ def _stopped(stop: BaseException) -> int:
 
 def _complain_stopped() -> None:
     _complain(f"stopped; written before: {', '.join(written)}" if written else "stopped; nothing was written")
+
+
+def _without(missing: ModuleNotFoundError) -> int:
+    """A package that is needed is not installed for this Python: what to type, in one line."""
+    _complain(
+        f"fiveaxis: {missing.name} is not installed for {sys.executable}: `{os.path.basename(sys.executable)} -m pip install "
+        f"{' '.join(REQUIRED)}`, or Debian's python3-{missing.name}"
+    )
+    return UNUSABLE
 
 
 def _failed(fault: Exception) -> int:

@@ -85,6 +85,27 @@ def test_a_fault_after_the_files_are_written_says_so(nc, tmp_path, monkeypatch, 
     assert f"written before: {tmp_path / 'a.csv'};" in one_line(capsys)
 
 
+@pytest.mark.parametrize("name", ["numpy", "scipy"])
+def test_a_package_that_is_missing_is_named_with_what_to_type(name, tmp_path):
+    (tmp_path / f"{name}.py").write_text(f"raise ModuleNotFoundError('no {name}', name='{name}')\n")
+    nc = tmp_path / "part.ngc"
+    nc.write_text("G0 X0 Y0 Z0\nG1 X1 F100\n")
+    words = [sys.executable, "-m", "freecad_fiveaxis", "audit", str(nc), "--machine", "trunnion_ac"]
+    done = subprocess.run(words, cwd=ROOT, env={**os.environ, "PYTHONPATH": str(tmp_path)}, capture_output=True, text=True)
+    assert done.returncode == cli.UNUSABLE and done.stdout == ""
+    assert done.stderr.startswith(f"fiveaxis: {name} is not installed") and "pip install numpy scipy" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+def test_a_module_of_our_own_that_is_missing_is_a_fault(nc, tmp_path, monkeypatch, capsys):
+    def lost(*_):
+        raise ModuleNotFoundError("No module named 'freecad_fiveaxis.lost'", name="freecad_fiveaxis.lost")
+
+    monkeypatch.setattr("freecad_fiveaxis.core.jobs.job.make", lost)
+    assert run("audit", str(nc), "--machine", "trunnion_ac") == cli.FAULT
+    assert cli.REPORT_TO in capsys.readouterr().err
+
+
 def test_faults_are_told_where_the_package_says():
     tracker = [url.text for url in ET.parse(ROOT / "package.xml").iter() if url.get("type") == "bugtracker"]
     assert tracker == [cli.REPORT_TO]
