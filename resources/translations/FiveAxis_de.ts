@@ -2579,6 +2579,10 @@
         <translation>Sie sehen: {text}</translation>
     </message>
     <message>
+        <source>all axes in proportion</source>
+        <translation>alle Achsen im Verhältnis</translation>
+    </message>
+    <message>
         <source>along</source>
         <translation>entlang</translation>
     </message>
@@ -2593,6 +2597,10 @@
     <message>
         <source>around an edge</source>
         <translation>um eine Kante</translation>
+    </message>
+    <message>
+        <source>as machine file or controller say</source>
+        <translation>wie Maschinendatei oder Steuerung</translation>
     </message>
     <message>
         <source>as many as take some seconds</source>
@@ -2713,6 +2721,10 @@
     <message>
         <source>driving the turned axes</source>
         <translation>die gedrehten Achsen werden gefahren</translation>
+    </message>
+    <message>
+        <source>each axis at its own rate</source>
+        <translation>jede Achse für sich</translation>
     </message>
     <message>
         <source>exact</source>
