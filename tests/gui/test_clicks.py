@@ -180,7 +180,10 @@ def test_a_row_of_the_findings_moves_the_view(dome, doc, plan, tree_row, press, 
     tree_row("Dome")
     path = plan(doc)
     panel = findings_panel.show(path)
+    text = window.findChild(QtWidgets.QTextBrowser, "FiveAxisFindingsText")
+    until(lambda: all(said in text.toPlainText() for said in ("Proven:", "Assumed:", "Not known:")), 20000, "what that rests on")
     pump(300)
+    screenshot("findings-scope")
     view = FreeCADGui.getDocument(doc.Name).ActiveView
     before = view.getCamera()
     table = window.findChild(QtWidgets.QTableWidget, "FiveAxisFindingsTable")
