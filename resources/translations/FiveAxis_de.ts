@@ -3948,6 +3948,10 @@
         <translation>Die Spindel bleibt aus: {spindle} angeben.</translation>
     </message>
     <message>
+        <source>The spindle stays off: nothing before NC line {line}, the first that feeds, starts it. Give M3 with S before the tool gets to the part.</source>
+        <translation>Die Spindel steht: nichts vor NC-Zeile {line}, der ersten mit Vorschub, schaltet sie ein. M3 mit S geben, bevor das Werkzeug an das Teil kommt.</translation>
+    </message>
+    <message>
         <source>The table goes {right}: {letter} has the wrong sign.</source>
         <translation>Der Tisch geht {right}: {letter} hat das falsche Vorzeichen.</translation>
     </message>

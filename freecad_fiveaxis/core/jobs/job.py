@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
+from freecad_fiveaxis.core.audit.spindle import spindle_findings
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -97,7 +98,7 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
     )
     program = read_nc(text, kinematics, dialect, progress, assumed)
     settings, named = _with_named_cutter(settings, text)
-    found += named
+    found += named + spindle_findings(text, program)
     return Made(settings, machine, kinematics, dialect, program, found + program.findings)
 
 
