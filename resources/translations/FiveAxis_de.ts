@@ -2579,10 +2579,6 @@
         <translation>Sie sehen: {text}</translation>
     </message>
     <message>
-        <source>all axes in proportion</source>
-        <translation>alle Achsen im Verhältnis</translation>
-    </message>
-    <message>
         <source>along</source>
         <translation>entlang</translation>
     </message>
@@ -2597,10 +2593,6 @@
     <message>
         <source>around an edge</source>
         <translation>um eine Kante</translation>
-    </message>
-    <message>
-        <source>as machine file or controller say</source>
-        <translation>wie Maschinendatei oder Steuerung</translation>
     </message>
     <message>
         <source>as many as take some seconds</source>
@@ -2723,8 +2715,8 @@
         <translation>die gedrehten Achsen werden gefahren</translation>
     </message>
     <message>
-        <source>each axis at its own rate</source>
-        <translation>jede Achse für sich</translation>
+        <source>each axis alone</source>
+        <translation>jede Achse allein</translation>
     </message>
     <message>
         <source>exact</source>
@@ -2757,6 +2749,10 @@
     <message>
         <source>impossible: {why}</source>
         <translation>unmöglich: {why}</translation>
+    </message>
+    <message>
+        <source>in proportion</source>
+        <translation>im Verhältnis</translation>
     </message>
     <message>
         <source>inch</source>
