@@ -270,7 +270,7 @@ def test_contacts_are_free_with_auto_where_they_are_not_with_the_normals(nodes):
 @pytest.mark.parametrize(("held", "severity"), [(0, None), (5, Severity.NOTE), (6, Severity.WARNING)])
 def test_single_contacts_without_a_free_axis_are_a_note(held, severity):
     free = np.where(np.arange(1000) < held, Free.NONE, Free.WAY_OUT)
-    contacts = SimpleNamespace(all_fit=lambda: np.ones(1000, bool), point=np.zeros((1000, 3)))
+    contacts = SimpleNamespace(all_fit=np.ones(1000, bool), point=np.zeros((1000, 3)))
     assert [one.severity for one in auto_axis._findings(free, contacts)] == [severity][: int(held > 0)]
 
 

@@ -54,6 +54,8 @@ def is_ball(cutter: Cutter) -> bool:
 
 
 def _asked(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
-    """The first of them asks whether part and program belong together."""
-    asked = [one.code != INDEPENDENT_RAPID for one in findings[:1]]
-    return tuple(replace(one, text=joined((one.text, ASKED))) for one in findings[: sum(asked)]) + findings[sum(asked) :]
+    """The first of them asks whether part and program belong together; not where the tool enters on no commanded way."""
+    if not findings or findings[0].code == INDEPENDENT_RAPID:
+        return findings
+    first, *others = findings
+    return (replace(first, text=joined((first.text, ASKED))), *others)

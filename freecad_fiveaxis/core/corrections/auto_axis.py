@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import cached_property
 
 import numpy as np
 
@@ -62,13 +63,14 @@ class _Contacts:
 
     def free(self, axis: Floats, asked: Bools, reacher: Reacher, tree: FacetTree, progress: Progress) -> Bools:
         """Whether the contacts ``asked`` (k,) are free with ``axis`` (k, 3), at each of their rows; the others are not."""
-        rows = np.flatnonzero((asked & self.all_fit())[self.contact])
+        rows = np.flatnonzero((asked & self.all_fit)[self.contact])
         rows = rows[(axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) >= 0.0]  # none leans into the surface
         turned = axis[self.contact[rows]]
         free = np.zeros(len(self.contact), np.bool_)
         free[rows] = are_free(reacher, tree, self.stand[rows], self.normal[rows], turned, progress)
         return np.asarray(np.bincount(self.contact[~free], minlength=len(self.first)) == 0)
 
+    @cached_property
     def all_fit(self) -> Bools:
         """Whether the ball fits at all rows of a contact (k,)."""
         return np.asarray(np.bincount(self.contact[~self.fits], minlength=len(self.first)) == 0)
@@ -122,8 +124,8 @@ def refine_field(field: AxisField, path: OffsetPath, mesh: Mesh, reacher: Reache
     if not len(path.point) or not field.freedom.some.any():
         return field
     contacts, long = _contacts(path, reacher, tree), with_way_out(reacher, tree)
-    asked = contacts.all_fit()
-    asked &= np.arange(len(asked)) % max(1, len(asked) // SOME) == 0
+    each = np.arange(len(contacts.first))
+    asked = contacts.all_fit & (each % max(1, len(each) // SOME) == 0)
     axis = field.at(contacts.point, contacts.mean)
     rows = np.flatnonzero(asked & ~contacts.free(axis, asked, long, tree, progress))
     if not len(rows):
@@ -217,7 +219,7 @@ def _leaned(
 
 def _findings(free: Ints, contacts: _Contacts) -> tuple[Finding, ...]:
     """At how many contacts at which the ball fits no axis that was tried keeps the tool out of the part."""
-    held = contacts.all_fit() & (free == Free.NONE)
+    held = contacts.all_fit & (free == Free.NONE)
     count = int(np.count_nonzero(held))
     if not count:
         return ()

@@ -12,12 +12,10 @@ from typing import Any, NamedTuple
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, Task, plural, say
+from freecad_fiveaxis.core.collision.rapid_check import UNPROVEN_RAPID
 
 from .figures import Figures
 from .verdict import ENTERS, is_checked
-
-OPEN = "rapid-unproven"
-"""The finding that says of some rapids that not every way between their ends is proven clear."""
 
 
 class Scope(NamedTuple):
@@ -63,7 +61,7 @@ def _out_of_the_part(figures: Figures) -> Iterator[Sentence]:
         "{tool} out of the part on feed moves and rapids, but for {tolerance}", tool=_tool(figures),
         tolerance=Length(figures.tolerance),
     )  # fmt: skip
-    if figures.rapids not in ("", INTERPOLATED) and all(one.code != OPEN for one in figures.findings):
+    if figures.rapids not in ("", INTERPOLATED) and all(one.code != UNPROVEN_RAPID for one in figures.findings):
         yield say("on rapids that holds for each rate at which the axes may run beside each other")
 
 

@@ -2,25 +2,15 @@
 """Every input of a job: its groups and the tree that they make."""
 
 from .groups import (
-    AUDIT,
-    COMPARE,
-    MILL,
-    POST,
-    PROVE,
-    REACH,
-    RECOVER,
     RTCP,
-    SETUP,
-    TASKS,
-    WITHOUT_SOURCE,
     CureSettings,
     FacesSettings,
     GougeSettings,
     HeadSettings,
     OutputSettings,
     SetupSettings,
-    option,
 )
+from .option import AUDIT, COMPARE, MILL, POST, PROVE, REACH, RECOVER, SETUP, TASKS, WITHOUT_SOURCE, option
 from .settings import Settings, build_settings, flat_options, is_part, option_fields
 
 __all__ = [

@@ -22,14 +22,6 @@ from freecad_fiveaxis.core.base.sentences import Angle, Choice, Option, Task, sa
 from freecad_fiveaxis.core.jobs.option_values import read_option, read_text, write_option
 
 from .groups import (
-    AUDIT,
-    COMPARE,
-    MILL,
-    POST,
-    RECOVER,
-    SETUP,
-    TASKS,
-    WITHOUT_SOURCE,
     AuditSettings,
     CompareSettings,
     CureSettings,
@@ -49,6 +41,7 @@ from .groups import (
     SetupSettings,
     ToolAxisSettings,
 )
+from .option import AUDIT, COMPARE, MILL, POST, RECOVER, SETUP, TASKS, WITHOUT_SOURCE
 
 SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""

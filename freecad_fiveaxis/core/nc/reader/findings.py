@@ -68,6 +68,17 @@ def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...
     return replace(words, letter=words.letter[:keep], value=words.value[:keep], line=words.line[:keep], start=start), findings
 
 
+def shift_finding(name: str, reason: str, row: int) -> Finding:
+    """An error: the shift of the zero ``name`` in line ``row`` is not interpreted."""
+    text = say(
+        "{name}: this shift of the zero is not interpreted, and the coordinates after it are taken as they were before: "
+        "{reason}. Post without it.",
+        name=name,
+        reason=reason,
+    )
+    return Finding(Severity.ERROR, codes.SHIFT[1], text, line=row)
+
+
 def in_file(words: Words, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
     """The findings with the lines of the file for those of the words."""
     if words.source is None:

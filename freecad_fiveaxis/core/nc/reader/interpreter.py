@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.sentences import say
 
 from .expressions import Unread, Value, Variables, number
 from .flow import Flow, flow_of
-from .siemens_run import said_again, with_calls
+from .siemens_run import to_o_words, with_calls
 from .statements import ARGUMENTS, SPECIAL, Block, Macro, OWord, Statement, Text, statement
 
 MOST = 2_000_000
@@ -76,7 +76,7 @@ def written_out(
         origin = list(range(len(rows)))
         if siemens:
             program = with_calls(rows, siemens.split(b"\n"), search)
-            lines, plain, origin = *said_again(program), program.source
+            lines, plain, origin = *to_o_words(program), program.source
             rows = [row.encode("latin-1") for row in program.rows]
         else:
             lines = [row.replace(b" ", b"").decode("latin-1") for row in rows]

@@ -18,13 +18,14 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
 from . import codes
 from .arcs import AXES
 from .codes import INCH, Grammar
+from .findings import shift_finding
 from .lines import Lines, last_of
 from .plane_calls import FANUC, SIEMENS, TURN, Tilt
 from .planes import tilts_of
@@ -77,7 +78,7 @@ def shifted(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[F
         if row in tilts:
             _tilted(zero, tilts[row], row)
         elif reason := _moved(zero, table, row, grammar):
-            findings.append(_refused(NAMES[grammar.name], reason, row))
+            findings.append(shift_finding(NAMES[grammar.name], reason, row))
         if row in tilts and zero.base.any() and grammar.name != "siemens":
             origins[row] = zero.base
         at.append(row)
@@ -92,7 +93,7 @@ def _left(zero: _Zero, moving: Ints, row: int, grammar: Grammar) -> list[Finding
     if not zero.left.any() or np.searchsorted(moving, zero.end) == np.searchsorted(moving, row):
         return []
     zero.left = np.zeros(3, np.bool_)
-    return [_refused(NAMES[grammar.name], LEFT, zero.end)]
+    return [shift_finding(NAMES[grammar.name], LEFT, zero.end)]
 
 
 def _kinds(lines: Lines, grammar: Grammar) -> Floats:
@@ -184,13 +185,3 @@ def _with_origins(words: Words, keep: Bools, origins: dict[int, Floats]) -> Word
         line=line[order],
         start=start,
     )
-
-
-def _refused(name: str, reason: str, row: int) -> Finding:
-    text = say(
-        "{name}: this shift of the zero is not interpreted, and the coordinates after it are taken as they were before: "
-        "{reason}. Post without it.",
-        name=name,
-        reason=reason,
-    )
-    return Finding(Severity.ERROR, codes.SHIFT[1], text, line=row)

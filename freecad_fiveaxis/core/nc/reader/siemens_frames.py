@@ -17,13 +17,14 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import say
 
 from . import codes
 from .arcs import AXES
 from .codes import INCH, Grammar
+from .findings import shift_finding
 from .lines import Lines
 from .plane_calls import SIEMENS, Tilt, about, beyond, one_by_one
 from .planes import tilts_of
@@ -70,7 +71,7 @@ def framed(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -> tuple[
         value, does = np.nan_to_num(told[row]), int(kind[row])
         reason = beyond(value.tolist()) or (say("it shifts a rotary axis") if rotary[row] else "")
         if reason:
-            findings.append(_refused(NAMES.get(does, "TRANS"), reason, row))
+            findings.append(shift_finding(NAMES.get(does, "TRANS"), reason, row))
         step = _step(does, value, float(scale[row]), int(normal[row]), float(in_plane[row]))
         own = own.on(step) if does in (SHIFTS_ON, ROTATED_ON) else step
         tilts[row] = _tilt(swivel, own, float(scale[row]))
@@ -117,13 +118,3 @@ def _with_tilts(words: Words, own: Bools, tilts: dict[int, Tilt]) -> Words:
         start=start,
         tilts=(*words.tilts, *tilts.values()),
     )
-
-
-def _refused(name: str, reason: str, row: int) -> Finding:
-    text = say(
-        "{name}: this shift of the zero is not interpreted, and the coordinates after it are taken as they were before: "
-        "{reason}. Post without it.",
-        name=name,
-        reason=reason,
-    )
-    return Finding(Severity.ERROR, codes.SHIFT[1], text, line=row)

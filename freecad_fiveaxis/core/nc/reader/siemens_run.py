@@ -72,7 +72,7 @@ def with_calls(rows: list[bytes], called: list[bytes], search: tuple[str, ...]) 
     return whole
 
 
-def said_again(whole: Whole) -> tuple[list[str], list[bool]]:
+def to_o_words(whole: Whole) -> tuple[list[str], list[bool]]:
     """The rows, in capitals, as O-words, and which are no more than blocks as they stand.
 
     Raises Unread for what is not known."""
