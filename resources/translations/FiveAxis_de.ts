@@ -5836,6 +5836,10 @@
         <translation>{blocks} nahe am Pol (das Werkzeug fast entlang der Achse {letter}), wo {letter} weit drehen muss, um das Werkzeug ein wenig zu neigen. Am schlimmsten ist NC-Zeile {line}: {turns}, um das Werkzeug um {lean} zu neigen. Die Achse ist vielleicht zu langsam für den programmierten Vorschub, das Werkzeug verweilt, und Marken oder eine Abweichung vom Weg können zu sehen sein.</translation>
     </message>
     <message>
+        <source>{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than the tool leans: most in NC line {line}, where {turns} to lean the tool by {lean}. Each holds the tolerance by proof, and no rotary axis comes to its maximum rate there.</source>
+        <translation>{blocks} nahe am Pol (das Werkzeug fast längs der {letter}-Achse); dort dreht {letter} mehr, als das Werkzeug sich neigt: am meisten in NC-Zeile {line}: {turns}, um das Werkzeug um {lean} zu neigen. Jeder hält die Toleranz nachweislich ein, und keine Rundachse erreicht dort ihre höchste Drehzahl.</translation>
+    </message>
+    <message>
         <source>{blocks} so near to the tolerance of {tolerance} that the proof does not reach: the deviation is within it, its proven upper bound is not (worst, NC line {line}: bound {bound}).</source>
         <translation>{blocks} so nahe an der Toleranz von {tolerance}, dass der Nachweis nicht reicht: die Abweichung liegt darin, ihre bewiesene obere Schranke nicht (am schlimmsten NC-Zeile {line}: Schranke {bound}).</translation>
     </message>

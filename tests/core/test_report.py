@@ -8,11 +8,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from report_examples import TABLE2, TRUNNION, by_hand, dome, empty, figures_of, table2
+from report_examples import TABLE2, TRUNNION, by_hand, dome, empty, figures_of, program_of, sampled, table2
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.motion.program.guided import Guided
 from freecad_fiveaxis.core.report import as_json, as_text, markers
 from freecad_fiveaxis.core.report.figures import axis_rates, summary
+from freecad_fiveaxis.core.report.judgement import judge
 from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.text import duration, facts, number, path_verdict
 
@@ -104,6 +107,32 @@ def test_table_2_is_an_error_and_a_warning_with_their_numbers():
     assert (near.code, near.severity, near.unit) == ("singular-block", Severity.WARNING, "deg")
     assert near.value == pytest.approx(TABLE2[0, 3] - TABLE2[1, 3])
     assert near.place == over.place == tuple(table2().deviation.place[1])
+
+
+def near_pole(turn: float, feed: float, **more):
+    """What is said of one block of 2 mm of tip travel near the pole in which C turns by ``turn`` deg, tolerance 1 mm."""
+    kinematics = chain(TRUNNION, Setup())
+    words = np.array([[0.0, 0.0, 0.0, 0.0, 0.0], [2.0, 0.0, 0.0, turn, 0.0]])
+    program = dataclasses.replace(program_of(kinematics, words, feed=feed), **more)
+    deviation, singularity = sampled(kinematics, program.words)
+    assert singularity.singular[1]
+    return judge(kinematics, program, deviation, singularity, 1.0)
+
+
+def test_blocks_near_the_pole_that_hold_the_tolerance_at_their_feed_are_a_note():
+    (one,) = near_pole(2.0, 500.0)
+    assert (one.code, one.severity, one.block, one.value) == ("singular-block", Severity.NOTE, 1, 2.0)
+    assert "C turns 2 deg" in one.text and "by proof" in one.text
+
+
+def test_blocks_near_the_pole_are_a_warning_where_an_axis_is_held_back_or_nobody_knows():
+    over = near_pole(120.0, 500.0)
+    held, rate = near_pole(2.0, 50_000.0), np.rad2deg(chain(TRUNNION, Setup()).rate[3])
+    unknown, guided = near_pole(2.0, 500.0, seconds=np.zeros(2)), Guided(np.array([False, True]), np.zeros((2, 3)))
+    hidden = near_pole(2.0, 500.0, guided=guided)
+    assert 2.0 / rate > 2.0 / 50_000.0, "the axis is slower than the feed here"
+    for found in (over, held, unknown, hidden):
+        assert [one.severity for one in found if one.code == "singular-block"] == [Severity.WARNING]
 
 
 def test_findings_explain_themselves_in_plain_words():

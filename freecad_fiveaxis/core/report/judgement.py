@@ -6,7 +6,8 @@ are several blocks, one for each of the worst.
 
 deviation-over-tolerance   ERROR: the tip leaves the commanded segment by more than the tolerance.
 bound-over-tolerance       WARNING: it was not seen to, but the proven bound does not exclude it.
-singular-block             WARNING: near the pole, where the first rotary axis turns far to move the tool a little.
+singular-block             WARNING: near the pole, where the first rotary axis turns far to move the tool a little. NOTE where every such
+                           block holds the tolerance by proof and takes its time from its feed, so that nothing dwells.
 """
 
 from __future__ import annotations
@@ -25,11 +26,13 @@ from freecad_fiveaxis.core.motion.deviation import Deviation
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.motion.singularity import Singularity
 
-from .figures import WORST, inner_words, travel, worst_first
+from .figures import WORST, axis_rates, inner_words, travel, worst_first
 
 OVER, UNPROVEN, SINGULAR = "deviation-over-tolerance", "bound-over-tolerance", "singular-block"
 ROUND_UP = 1.0 + 1e-4
 """A bound must not become less by being told with five digits."""
+UNHURRIED = 0.95
+"""Share of its maximum rate up to which a rotary axis follows the feed: one that is held back runs at all of it."""
 
 _SPLIT = say(
     "Shorter blocks help: half the length leaves about a quarter of the deviation; {linearize} makes as many as are needed.",
@@ -62,7 +65,7 @@ def judge(
     return (
         *_over_tolerance(kinematics, program, deviation, singularity, tolerance, feeds[over], surface),
         *_unproven(program, deviation, tolerance, feeds[unproven]),
-        *_near_pole(program, deviation, singularity, feeds[singularity.singular[feeds]]),
+        *_near_pole(kinematics, program, deviation, singularity, feeds[singularity.singular[feeds]], tolerance),
     )
 
 
@@ -160,11 +163,14 @@ def _unproven(program: Program, deviation: Deviation, tolerance: float, rows: In
     return _findings(kind, program, deviation, rows, whole, single)
 
 
-def _near_pole(program: Program, deviation: Deviation, singularity: Singularity, rows: Ints) -> list[Finding]:
+def _near_pole(
+    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, rows: Ints, tolerance: float
+) -> list[Finding]:
     turned = np.abs(travel(program)[:, 3:]).max(axis=1, initial=0.0)
-
-    def lean(row: int) -> Angle:
-        return Angle(math.degrees(singularity.axis_travel[row]), ".3g")
+    if not len(rows):
+        return []
+    if _is_harmless(kinematics, program, deviation, rows, tolerance):
+        return _note_harmless(program, deviation, singularity, turned, rows)
 
     def whole(row: int) -> Sentence:
         lead = say(
@@ -175,7 +181,7 @@ def _near_pole(program: Program, deviation: Deviation, singularity: Singularity,
             letter=program.letters[3],
             line=program.line[row],
             turns=_turns(program, row),
-            lean=lean(row),
+            lean=_lean(singularity, row),
         )
         return joined((lead, _AWAY))
 
@@ -184,11 +190,41 @@ def _near_pole(program: Program, deviation: Deviation, singularity: Singularity,
             "NC line {line}: {turns} to lean the tool by {lean}. Keep the tool off the pole.",
             line=program.line[row],
             turns=_turns(program, row),
-            lean=lean(row),
+            lean=_lean(singularity, row),
         )
 
     kind = _Kind(Severity.WARNING, SINGULAR, turned, None, "deg")
     return _findings(kind, program, deviation, rows, whole, single)
+
+
+def _is_harmless(kinematics: Chain, program: Program, deviation: Deviation, rows: Ints, tolerance: float) -> bool:
+    """Whether each of the feed blocks ``rows`` is proven to hold ``tolerance`` mm and runs below the rates of the rotary axes. Not
+    where the controller guides the tip, for how it turns there is not known, nor where the machine states no rate."""
+    if program.guided is not None or not np.isfinite(kinematics.rate[3:]).all():
+        return False
+    rates = axis_rates(program)[rows, 3:]
+    within = (deviation.bound[rows] <= tolerance).all() and (program.seconds[rows] > 0.0).all()
+    return bool(within and (rates <= UNHURRIED * np.rad2deg(kinematics.rate[3:])).all())
+
+
+def _note_harmless(program: Program, deviation: Deviation, singularity: Singularity, turned: Floats, rows: Ints) -> list[Finding]:
+    """One note about the feed blocks ``rows``, at the one that turns farthest."""
+    row = int(worst_first(rows, turned)[0])
+    text = say(
+        "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than the tool leans: most in "
+        "NC line {line}, where {turns} to lean the tool by {lean}. Each holds the tolerance by proof, and no rotary axis "
+        "comes to its maximum rate there.",
+        blocks=plural(len(rows), "1 feed block lies", "{count} feed blocks lie"),
+        letter=program.letters[3],
+        line=program.line[row],
+        turns=_turns(program, row),
+        lean=_lean(singularity, row),
+    )
+    return [_finding(_Kind(Severity.NOTE, SINGULAR, turned, None, "deg"), program, deviation, row, text)]
+
+
+def _lean(singularity: Singularity, row: int) -> Angle:
+    return Angle(math.degrees(singularity.axis_travel[row]), ".3g")
 
 
 def _near(near: int, rows: int, program: Program) -> str:
