@@ -62,7 +62,7 @@ KINDS = {
     "length": "App::PropertyLength", "angle": "App::PropertyAngle", "feed": "App::PropertySpeed",
     "choice": "App::PropertyEnumeration", "text": "App::PropertyString", "vector": "App::PropertyVector",
     "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance", "counts": "App::PropertyVector",
-    "number": "App::PropertyFloat", "count": "App::PropertyInteger", "path": "App::PropertyFile",
+    "number": "App::PropertyFloat", "speed": "App::PropertyFloat", "count": "App::PropertyInteger", "path": "App::PropertyFile",
     "stack": "App::PropertyString", "height": "App::PropertyString",
     "place": "App::PropertyString",
 }  # fmt: skip

@@ -3940,6 +3940,10 @@
         <translation>Die Form von {label} ist ungültig, ihr Netz hätte Risse: reparieren (Part: Geometrie prüfen zeigt, wo) oder einen anderen Volumenkörper wählen.</translation>
     </message>
     <message>
+        <source>The spindle stays off, as asked: this program is for a dry run.</source>
+        <translation>Die Spindel bleibt aus, wie verlangt: dieses Programm ist für einen Lauf ohne Schnitt.</translation>
+    </message>
+    <message>
         <source>The spindle stays off: give {spindle}.</source>
         <translation>Die Spindel bleibt aus: {spindle} angeben.</translation>
     </message>

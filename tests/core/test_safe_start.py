@@ -253,6 +253,14 @@ def test_a_spindle_that_stays_off_is_said(tmp_path):
     assert not [one for one in posted(tmp_path, spindle=8000.0).findings if one.code == "spindle-off"]
 
 
+@pytest.mark.parametrize("given", ["off", 0.0])
+def test_a_spindle_that_is_asked_to_stay_off_is_a_note(tmp_path, given):
+    made = posted(tmp_path, spindle=given)
+    found = [one for one in made.findings if one.code == "spindle-off"]
+    assert [(one.severity, one.text.startswith("The spindle stays off, as asked")) for one in found] == [(Severity.NOTE, True)]
+    assert b"M5" in made.nc and b"M3" not in made.nc
+
+
 def test_a_plane_beyond_the_travel_is_lowered_to_it_and_said(tmp_path):
     made = posted(tmp_path, SafeStart(), tool_length=20.0, origin="0,0,450")
     found = [one for one in made.findings if one.code == "safe-start-beyond-limit"]

@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.tool.body import seen_from
 from .context import JobContext
 from .made import Posted
 from .options import driven_to_surface, kept_off, nc_title, post_options, tip_to_driven
-from .safe_start import start_findings, start_plane
+from .safe_start import find_spindle_off, start_findings, start_plane
 
 
 def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath:
@@ -44,4 +44,5 @@ def posted(context: JobContext, path: CLPath, joints: JointPath, found: tuple[Fi
     height, said = start_plane(context, program)
     nc = write_nc(program, dialect, nc_title(settings, machine), post_options(settings), context.progress, height)
     findings = found + block_findings(joints.findings, program) + program.findings + said + start_findings(context, program)
+    findings += find_spindle_off(settings)
     return Posted(settings, machine, kinematics, dialect, program, findings, path, joints, nc)

@@ -86,6 +86,11 @@ def _count(given: Any, name: str) -> float:
     return value
 
 
+def _speed(given: Any, name: str) -> float:
+    """A spindle speed; 0 for ``off``."""
+    return 0.0 if given == "off" else quantity.parse(given, quantity.NUMBERS, name)
+
+
 def _counts(given: Any, name: str) -> Vector:
     x, y, z = quantity.parse_triple(given, quantity.NUMBERS, name)
     return _count(x, name), _count(y, name), _count(z, name)
@@ -120,6 +125,7 @@ READERS: dict[str, Any] = {
     "cutter": lambda given, name: given if isinstance(given, Cutter) else parse_cutter(given),
     "stack": quantity.parse_stack,
     "number": lambda given, name: quantity.parse(given, quantity.NUMBERS, name),
+    "speed": _speed,
     "count": _count,
     "counts": _counts,
     "text": read_text,

@@ -199,7 +199,7 @@ def post_options(settings: Settings) -> PostOptions:
     tool = None if head.tool is None else int(head.tool)
     named, length = cutter_name(settings.cutter.cutter), settings.machine.tool_length
     named += CENTRE if settings.machine.control_point == "centre" else ""
-    return PostOptions(tool, head.spindle, head.coolant == "on", head.work_offset, blend=head.blend, cutter=named, length=length)
+    return PostOptions(tool, head.spindle or 0.0, head.coolant == "on", head.work_offset, blend=head.blend, cutter=named, length=length)
 
 
 def cl_head(settings: Settings) -> ClHead:
@@ -223,7 +223,7 @@ def with_head(settings: Settings, said: ClHead) -> Settings:
     """
     given = settings.head
     head = replace(
-        given, tool=said.tool if given.tool is None else given.tool, spindle=given.spindle or said.speed,
+        given, tool=said.tool if given.tool is None else given.tool, spindle=said.speed or None if given.spindle is None else given.spindle,
         coolant="on" if said.coolant else given.coolant,
     )  # fmt: skip
     return with_cutter(replace(settings, head=head), said.cutter)

@@ -20,6 +20,9 @@ from freecad_fiveaxis.core.nc.start import UPRIGHT, by_reference, with_start
 
 from .context import Box, JobContext
 from .options import kept_off, tip_to_driven
+from .settings import Settings
+
+SPINDLE_OFF = "spindle-off"
 
 
 def started(dialect: Dialect, machine: Machine) -> Dialect:
@@ -40,9 +43,9 @@ def start_plane(context: JobContext, program: Program) -> tuple[float, tuple[Fin
 
 
 def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]:
-    """What there is to say of spindle, start and end."""
+    """What there is to say of start and end."""
     settings, machine, dialect = context.settings, context.machine, context.dialect
-    found = _spindle_off() if settings.head.spindle == 0.0 else ()
+    found: tuple[Finding, ...] = ()
     if dialect.guide is not None and by_reference(dialect, machine.safe_start):
         text = say(
             "Under {split} the program begins and ends at the reference point of Z, because before it no tool "
@@ -55,14 +58,14 @@ def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]
     return found + _through_part(context.kinematics, program, context.box)
 
 
-def _spindle_off() -> tuple[Finding, ...]:
-    return (
-        Finding(
-            Severity.WARNING,
-            "spindle-off",
-            say("The spindle stays off: give {spindle}.", spindle=Option("spindle", given="S")),
-        ),
-    )
+def find_spindle_off(settings: Settings) -> tuple[Finding, ...]:
+    """Warn of a program that leaves the spindle off because no speed is given; a note where that is asked for."""
+    speed = settings.head.spindle
+    if speed is None:
+        text, severity = say("The spindle stays off: give {spindle}.", spindle=Option("spindle", given="S")), Severity.WARNING
+    else:
+        text, severity = say("The spindle stays off, as asked: this program is for a dry run."), Severity.NOTE
+    return () if speed else (Finding(severity, SPINDLE_OFF, text),)
 
 
 def _through_part(kinematics: Chain, program: Program, box: Box) -> tuple[Finding, ...]:

@@ -150,7 +150,10 @@ class HeadSettings:
         least=1,
         most=99_999,
     )
-    spindle: float = option(0.0, "number", "spindle speed, 1/min; 0 leaves the spindle off", (MILL, POST), least=0, most=999_999)
+    spindle: float | None = option(
+        None, "speed", "spindle speed, 1/min; off (or 0) for a dry run [the spindle stays off, with a warning]", (MILL, POST),
+        least=0, most=999_999,
+    )  # fmt: skip
     coolant: Literal["on", "off"] = option("off", "choice", "coolant during the program", (MILL, POST), choices=("on", "off"))
     work_offset: str = option(
         "G54", "text", "work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300", (MILL, POST, PROVE)
