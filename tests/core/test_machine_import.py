@@ -168,7 +168,7 @@ def test_included_files_and_other_orders_of_joints_are_read(write, tmp_path) -> 
     ("swap", "words"),
     [
         ({"KINEMATICS = xyzac-trt-kins sparm=identityfirst\n": ""}, ["[KINS] KINEMATICS is missing", "xyzac-trt-kins", "mill.ini"]),
-        ({"KINEMATICS = xyzac-trt-kins": "KINEMATICS = trivkins"}, ["trivkins", "known are", "line 6"]),
+        ({"KINEMATICS = xyzac-trt-kins": "KINEMATICS = genhexkins"}, ["genhexkins", "known are", "line 6"]),
         ({"LINEAR_UNITS = mm\n": ""}, ["[TRAJ] LINEAR_UNITS is missing"]), ({"LINEAR_UNITS = mm": "LINEAR_UNITS = ell"}, ["'ell'", "mm"]),
         ({"ANGULAR_UNITS = deg\n": ""}, ["[TRAJ] ANGULAR_UNITS is missing"]),
         ({"MAX_LIMIT = 50\n": ""}, ["[JOINT_3] MAX_LIMIT is missing", "axis A", "[AXIS_A]"]),

@@ -18,17 +18,23 @@ from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.sentences import Template, say
 
 from .ini_file import IniFile, Value, number, text_lines
+from .panel import panel_values
 
 FILES = ("HALFILE", "POSTGUI_HALFILE")
 TRUE = {"1": 1.0, "TRUE": 1.0, "0": 0.0, "FALSE": 0.0}
 FROM_INI = re.compile(r"\[(\w+)\]\(?(\w+)\)?|\$::(\w+)\((\w+)\)")
 ARROWS = {"<=", "=>", "<=>"}
+MOST_SUMS = 64
+"""Adders of one kind; no configuration has as many."""
 
 
 class HalValues:
     """What all HAL files of a configuration say about pins."""
 
     def __init__(self, ini: IniFile) -> None:
+        self.loaded: list[Value] = []
+        """What ``loadrt`` loads: module and options."""
+        self.panel = panel_values(ini)
         self.set: dict[str, Value] = {}
         self.signals: dict[str, Value] = {}
         self.signal_of: dict[str, str] = {}
@@ -39,7 +45,7 @@ class HalValues:
     def value(self, pin: str) -> float | None:
         """The number that a pin has from the start, None where nothing sets it. Raises MachineError where that is not known."""
         signal = self.signal_of.get(pin)
-        given = self.set.get(pin) if signal is None else self.signals.get(signal)
+        given = self._given(pin, signal)
         if given is None and signal is not None and self.sources[signal] - {pin}:
             others = ", ".join(sorted(self.sources[signal] - {pin}))
             text = Template(
@@ -49,6 +55,51 @@ class HalValues:
         if given is None:
             return None
         return TRUE[given.text.upper()] if given.text.upper() in TRUE else number(given, pin)
+
+    def _given(self, pin: str, signal: str | None) -> Value | None:
+        """What is said of the signal, else of the pin itself (a hand-written setp for the import), else by a panel."""
+        of_signal = None if signal is None else self.signals.get(signal)
+        return of_signal or self.set.get(pin) or self._panel_of(pin)
+
+    def _panel_of(self, pin: str) -> Value | None:
+        """What a slider that a signal joins with the pin starts with."""
+        sources = self.sources.get(self.signal_of.get(pin, ""), set())
+        return next((self.panel[source] for source in sorted(sources) if source in self.panel), None)
+
+    def on_panel(self, pin: str) -> float | None:
+        """The number that a pin has from a slider of the screen, None where it has another or none."""
+        found = self._panel_of(pin)
+        return self.value(pin) if found is not None and self._given(pin, self.signal_of.get(pin)) is found else None
+
+    def beside(self, pin: str, other: str) -> tuple[float | None, bool]:
+        """The number of a pin without what ``other`` adds to it, and whether it adds to it: alone, or by a sum2.
+
+        Raises MachineError where the number is not known."""
+        if self.joined(pin, other):
+            return 0.0, True
+        name = self._sum_into(pin)
+        if name is None:
+            return self.value(pin), False
+        gains = {f"{name}.in{i}": self._or(f"{name}.gain{i}", 1.0) for i in (0, 1)}
+        rest = [place for place in gains if gains[place] != 1.0 or not self.joined(place, other)]
+        return self._or(f"{name}.offset", 0.0) + sum(gains[place] * self._or(place, 0.0) for place in rest), len(rest) == 1
+
+    def _or(self, pin: str, default: float) -> float:
+        return default if (given := self.value(pin)) is None else given
+
+    def _sum_into(self, pin: str) -> str | None:
+        """The sum2 whose output feeds a pin."""
+        sources = self.sources.get(self.signal_of.get(pin, ""), set())
+        return next((name for name in self._sums() if f"{name}.out" in sources), None)
+
+    def _sums(self) -> Iterator[str]:
+        for module, *options in (value.text.split() for value in self.loaded):
+            given = dict(option.split("=", 1) for option in options if "=" in option)
+            if module == "sum2" and "names" in given:
+                yield from given["names"].strip('"').split(",")
+            elif module == "sum2":
+                count = given.get("count", "1")
+                yield from (f"sum2.{i}" for i in range(min(int(count), MOST_SUMS) if count.isdigit() else 1))
 
     def joined(self, pin: str, other: str) -> bool:
         """Whether one signal joins both pins."""
@@ -63,6 +114,8 @@ class HalValues:
         if len(words) >= 3 and words[1] == "=":
             words = ["setp", words[0], words[2]]
         match words:
+            case ["loadrt", _, *_]:
+                self.loaded.append(Value(" ".join(words[1:]), where))
             case ["setp", pin, value, *_]:
                 self.set[pin] = Value(value, where)
             case ["sets", signal, value, *_]:

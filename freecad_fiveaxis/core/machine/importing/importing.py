@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A machine from a file of another program, with what that file leaves open.
 
-LinuxCNC   an ini file (``.ini``) with trt kinematics, and the HAL files that it names.
+LinuxCNC   an ini file (``.ini``) with kinematics of :mod:`.registry`, and the HAL files that it names.
 FreeCAD    a file of the Machine editor (``.fcm``). It is this program's own format already; what it lacks is told.
 """
 
@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 
-from .trt import machine_of_ini
+from .linuxcnc import machine_of_ini
 
 UPRIGHT = {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]}
 DEFAULTS = {
