@@ -57,9 +57,9 @@ class HalValues:
         return TRUE[given.text.upper()] if given.text.upper() in TRUE else number(given, pin)
 
     def _given(self, pin: str, signal: str | None) -> Value | None:
-        """What is said of the signal, else of the pin itself (a hand-written setp for the import), else by a panel."""
+        """What the slider that drives the signal starts with, else what ``sets`` says of it, else ``setp`` of the pin itself."""
         of_signal = None if signal is None else self.signals.get(signal)
-        return of_signal or self.set.get(pin) or self._panel_of(pin)
+        return self._panel_of(pin) or of_signal or self.set.get(pin)
 
     def _panel_of(self, pin: str) -> Value | None:
         """What a slider that a signal joins with the pin starts with."""
@@ -68,8 +68,7 @@ class HalValues:
 
     def on_panel(self, pin: str) -> float | None:
         """The number that a pin has from a slider of the screen, None where it has another or none."""
-        found = self._panel_of(pin)
-        return self.value(pin) if found is not None and self._given(pin, self.signal_of.get(pin)) is found else None
+        return None if self._panel_of(pin) is None else self.value(pin)
 
     def beside(self, pin: str, other: str) -> tuple[float | None, bool]:
         """The number of a pin without what ``other`` adds to it, and whether it adds to it: alone, or by a sum2.
