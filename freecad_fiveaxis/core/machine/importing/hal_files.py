@@ -24,8 +24,6 @@ FILES = ("HALFILE", "POSTGUI_HALFILE")
 TRUE = {"1": 1.0, "TRUE": 1.0, "0": 0.0, "FALSE": 0.0}
 FROM_INI = re.compile(r"\[(\w+)\]\(?(\w+)\)?|\$::(\w+)\((\w+)\)")
 ARROWS = {"<=", "=>", "<=>"}
-MOST_SUMS = 64
-"""Adders of one kind; no configuration has as many."""
 
 
 class HalValues:
@@ -67,11 +65,11 @@ class HalValues:
         return next((self.panel[source] for source in sorted(sources) if source in self.panel), None)
 
     def on_panel(self, pin: str) -> float | None:
-        """The number that a pin has from a slider of the screen, None where it has another or none."""
+        """Give the number that a pin has from a slider of the screen, None where it has another or none."""
         return None if self._panel_of(pin) is None else self.value(pin)
 
     def beside(self, pin: str, other: str) -> tuple[float | None, bool]:
-        """The number of a pin without what ``other`` adds to it, and whether it adds to it: alone, or by a sum2.
+        """Give the number of a pin without what ``other`` adds to it, and whether it adds to it: alone, or by a sum2.
 
         Raises MachineError where the number is not known."""
         if self.joined(pin, other):
@@ -98,7 +96,7 @@ class HalValues:
                 yield from given["names"].strip('"').split(",")
             elif module == "sum2":
                 count = given.get("count", "1")
-                yield from (f"sum2.{i}" for i in range(min(int(count), MOST_SUMS) if count.isdigit() else 1))
+                yield from (f"sum2.{i}" for i in range(int(count) if re.fullmatch("[0-9]{1,2}", count) else 1))
 
     def joined(self, pin: str, other: str) -> bool:
         """Whether one signal joins both pins."""

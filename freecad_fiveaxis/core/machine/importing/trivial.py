@@ -51,7 +51,7 @@ def _remarks(given: Given) -> tuple[Finding, ...]:
         return ()
     text = say(
         "trivkins does not say where {letter} stands. Taken: it turns the table about the line through the machine's zero along "
-        "{along}, with the sign of ISO 841. Correct them in the machine file, and prove the signs before cutting.",
+        "{along}, with the sign of ISO 841. Correct what is otherwise in the machine file; prove the signs before cutting.",
         letter=rotary[0],
         along="X" if rotary[0] == "A" else "Y",
     )
