@@ -5892,6 +5892,10 @@
         <translation>{change} {rate}, {turned}, {blocks}</translation>
     </message>
     <message>
+        <source>{count} HAL files cannot be read; {module} takes no value from them. The first: {error}</source>
+        <translation>{count} HAL-Dateien lassen sich nicht lesen; {module} nimmt keinen Wert daraus. Die erste: {error}</translation>
+    </message>
+    <message>
         <source>{count} arcs do not pass through the points before and after them (worst line {line}: off by {off}, radius {radius}); the path goes straight there. Has the CAM system left out a move, or are the units mixed?</source>
         <translation>{count} Kreisbögen gehen nicht durch die Punkte vor und nach ihnen (am schlimmsten Zeile {line}: {off} daneben, Radius {radius}); der Weg ist dort gerade. Hat das CAM-System eine Bewegung ausgelassen, oder sind die Einheiten gemischt?</translation>
     </message>

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from freecad_fiveaxis.core import cli
-from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.base.errors import FileError, MachineError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.machine import load_machine, save_machine
 from freecad_fiveaxis.core.machine.importing import import_machine
@@ -296,6 +296,14 @@ def test_the_module_that_hal_loads_counts_where_the_ini_file_names_none(tmp_path
     assert "trivkins" in imported.machine.description
     both = write(tmp_path, "trivkins coordinates=xyz", "XYZ", "loadrt [KINS]KINEMATICS\n")
     assert import_machine(both).machine.axes == imported.machine.axes
+
+
+def test_a_hal_file_that_is_missing_matters_only_where_the_module_has_pins(tmp_path) -> None:
+    gone = "[HAL]\nHALFILE = core_sim.hal\n"
+    imported = import_machine(write(tmp_path, "trivkins coordinates=xyz", "XYZ", "", more=gone))
+    assert [found.code for found in imported.findings] == ["hal-file-not-read"] and "core_sim.hal" in imported.findings[0].text
+    with pytest.raises(FileError, match=r"core_sim\.hal"):
+        import_machine(write(tmp_path, "maxkins", "XYZABCUVW", hal_of("maxkins", CASES["maxkins"][1]), more=gone))
 
 
 def test_two_modules_are_refused_with_both_names(tmp_path) -> None:

@@ -14,7 +14,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.base.errors import FileError, MachineError
 from freecad_fiveaxis.core.base.sentences import Template, say
 
 from .ini_file import IniFile, Value, number, text_lines
@@ -37,7 +37,9 @@ class HalValues:
         self.signals: dict[str, Value] = {}
         self.signal_of: dict[str, str] = {}
         self.sources: dict[str, set[str]] = {}
-        for text, where in _statements(ini):
+        self.unread: list[FileError] = []
+        """HAL files that cannot be read: they matter where the module has pins."""
+        for text, where in _statements(ini, self.unread):
             self._take(_substituted(text, where, ini).split(), where)
 
     def value(self, pin: str) -> float | None:
@@ -127,12 +129,15 @@ class HalValues:
         self.signal_of.update(dict.fromkeys(pins, signal))
 
 
-def _statements(ini: IniFile) -> Iterator[tuple[str, str]]:
+def _statements(ini: IniFile, unread: list[FileError]) -> Iterator[tuple[str, str]]:
     for key in FILES:
         for value in ini.every("HAL", key):
             name = value.text.split()[0] if value.text else ""
             if name and not name.startswith("LIB:"):
-                yield from _of_file(ini.path.parent / _at_home(name, value.where), ini, value.where)
+                try:
+                    yield from _of_file(ini.path.parent / _at_home(name, value.where), ini, value.where)
+                except FileError as error:
+                    unread.append(error)
     for value in ini.every("HAL", "HALCMD"):
         yield value.text, value.where
 

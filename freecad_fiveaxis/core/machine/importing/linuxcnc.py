@@ -15,7 +15,7 @@ from pathlib import Path
 
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import Number, say
 from freecad_fiveaxis.core.machine import Axis, Machine
 
 from .hal_files import HalValues
@@ -40,11 +40,13 @@ def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
     line = _kinematics_line(ini, hal)
     kind, order = _kinematics(line)
     length, angle = _unit(ini, "LINEAR_UNITS", LENGTHS), _unit(ini, "ANGULAR_UNITS", ANGLES)
+    if hal.unread and kind.pins:
+        raise hal.unread[0]
     pins = pin_values(hal, kind, length)
     given = Given(kind.prefix or kind.name, _present(ini, order), pins.values, line.where, pins.follows_tool)
     turns = tuple(_lifted(turn, pins) for turn in kind.turns(given))
     axes = tuple(_axis(ini, axis, order.index(axis.letter), length, angle) for axis in _work_to_tool(turns))
-    findings = (*pins.findings, *kind.remarks(given), *_held(kind, given, turns))
+    findings = (*pins.findings, *kind.remarks(given), *_held(kind, given, turns), *_unread(hal, kind))
     description = f"LinuxCNC's {kind.name}, imported from {path.name}"
     return Machine(_name(ini), axes, description=description, controller="linuxcnc"), findings
 
@@ -112,6 +114,18 @@ def _work_to_tool(turns: tuple[Turn, ...]) -> tuple[Turn, ...]:
     """All axes: the table's, the linear ones, the head's."""
     table, head = ([turn for turn in turns if turn.side == side] for side in ("table", "head"))
     return (*table, *LINEAR, *head)
+
+
+def _unread(hal: HalValues, kind: Kinematics) -> list[Finding]:
+    if not hal.unread:
+        return []
+    text = say(
+        "{count} HAL files cannot be read; {module} takes no value from them. The first: {error}",
+        count=Number(len(hal.unread)),
+        module=kind.name,
+        error=hal.unread[0],
+    )
+    return [Finding(Severity.NOTE, "hal-file-not-read", text)]
 
 
 def _held(kind: Kinematics, given: Given, turns: tuple[Turn, ...]) -> list[Finding]:
