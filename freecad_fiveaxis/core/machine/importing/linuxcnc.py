@@ -39,9 +39,9 @@ def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
     hal = HalValues(ini)
     line = _kinematics_line(ini, hal)
     kind, order = _kinematics(line)
-    length, angle = _unit(ini, "LINEAR_UNITS", LENGTHS), _unit(ini, "ANGULAR_UNITS", ANGLES)
     if hal.unread and kind.pins:
         raise hal.unread[0]
+    length, angle = _unit(ini, "LINEAR_UNITS", LENGTHS), _unit(ini, "ANGULAR_UNITS", ANGLES)
     pins = pin_values(hal, kind, length)
     given = Given(kind.prefix or kind.name, _present(ini, order), pins.values, line.where, pins.follows_tool)
     turns = tuple(_lifted(turn, pins) for turn in kind.turns(given))
