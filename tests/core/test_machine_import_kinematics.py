@@ -230,6 +230,20 @@ def test_a_pivot_that_is_the_sum_of_a_length_and_the_tool_is_that_length(hal, pi
     assert imported.machine.rotary[1].point == (0.0, 0.0, pivot) and imported.findings == ()
 
 
+def test_a_slider_in_the_sum_is_named_and_a_tool_length_that_counts_twice_is_refused(tmp_path) -> None:
+    (tmp_path / "p.xml").write_text('<spinbox><halpin>"reach"</halpin><initval>90</initval></spinbox>')
+    panel, hal = (
+        "[DISPLAY]\nPYVCP = p.xml\n",
+        "loadrt sum2 names=s\nnet p s.out => 5axiskins.pivot-length\nnet t motion.tooloffset.z s.in1",
+    )
+    slider = write(tmp_path, "5axiskins", "XYZBCW", hal + "\nnet g pyvcp.reach => s.in0\n", traj="XYZBC", more=panel)
+    imported = import_machine(slider)
+    assert imported.machine.rotary[1].point == (0.0, 0.0, 90.0)
+    assert [found.code for found in imported.findings] == ["offset-from-panel"] and "s.in0 90" in imported.findings[0].text
+    with pytest.raises(MachineError, match=r"motion\.tooloffset\.z"):
+        import_machine(write(tmp_path, "5axiskins", "XYZBCW", hal + " s.in0\n", traj="XYZBC"))
+
+
 def test_a_sum_of_what_nobody_says_is_refused_with_the_pin_to_set(tmp_path) -> None:
     hal = "loadrt sum2 names=s\nnet p s.out => 5axiskins.pivot-length\nnet t motion.tooloffset.z s.in1\nnet g s.in0 gui.len\n"
     with pytest.raises(MachineError, match=r"s\.in0 comes from signal g \(gui\.len\).*write setp s\.in0 VALUE"):

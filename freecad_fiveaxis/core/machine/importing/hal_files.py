@@ -33,6 +33,8 @@ class HalValues:
         self.loaded: list[Value] = []
         """What ``loadrt`` loads: module and options."""
         self.panel = panel_values(ini)
+        self.from_panel: dict[str, float] = {}
+        """The pins whose value was asked for and is what a slider of the screen starts with."""
         self.set: dict[str, Value] = {}
         self.signals: dict[str, Value] = {}
         self.signal_of: dict[str, str] = {}
@@ -54,7 +56,10 @@ class HalValues:
             raise MachineError(text.say(pin=pin, signal=signal, others=others), pin)
         if given is None:
             return None
-        return TRUE[given.text.upper()] if given.text.upper() in TRUE else number(given, pin)
+        found = TRUE[given.text.upper()] if given.text.upper() in TRUE else number(given, pin)
+        if self._panel_of(pin) is not None:
+            self.from_panel[pin] = found
+        return found
 
     def _given(self, pin: str, signal: str | None) -> Value | None:
         """What the slider that drives the signal starts with, else what ``sets`` says of it, else ``setp`` of the pin itself."""
@@ -66,10 +71,6 @@ class HalValues:
         sources = self.sources.get(self.signal_of.get(pin, ""), set())
         return next((self.panel[source] for source in sorted(sources) if source in self.panel), None)
 
-    def on_panel(self, pin: str) -> float | None:
-        """Give the number that a pin has from a slider of the screen, None where it has another or none."""
-        return None if self._panel_of(pin) is None else self.value(pin)
-
     def beside(self, pin: str, other: str) -> tuple[float | None, bool]:
         """Give the number of a pin without what ``other`` adds to it, and whether it adds to it: alone, or by a sum2.
 
@@ -80,8 +81,9 @@ class HalValues:
         if name is None:
             return self.value(pin), False
         gains = {f"{name}.in{i}": self._or(f"{name}.gain{i}", 1.0) for i in (0, 1)}
-        rest = [place for place in gains if gains[place] != 1.0 or not self.joined(place, other)]
-        return self._or(f"{name}.offset", 0.0) + sum(gains[place] * self._or(place, 0.0) for place in rest), len(rest) == 1
+        added = next((place for place in gains if gains[place] == 1.0 and self.joined(place, other)), None)
+        rest = sum(gains[place] * self._or(place, 0.0) for place in gains if place != added)
+        return self._or(f"{name}.offset", 0.0) + rest, added is not None
 
     def _or(self, pin: str, default: float) -> float:
         return default if (given := self.value(pin)) is None else given

@@ -94,7 +94,7 @@ def _constant(kind: Kinematics, constant: float) -> list[Finding]:
 
 
 def _by_panel(hal: HalValues, kind: Kinematics) -> list[Finding]:
-    taken = [f"{pin.name} {number:g}" for pin in kind.pins if (number := hal.on_panel(kind.pin(pin.name))) is not None]
+    taken = [f"{pin.removeprefix(kind.pin(''))} {value:g}" for pin, value in hal.from_panel.items()]
     if not taken:
         return []
     text = say(
