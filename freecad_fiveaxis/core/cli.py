@@ -178,7 +178,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_import(commands: Any) -> None:
-    text = "make a machine file from a LinuxCNC configuration (trt kinematics) or a file of FreeCAD's Machine editor"
+    text = "make a machine file from a LinuxCNC configuration or a file of FreeCAD's Machine editor"
     parser = commands.add_parser("import-machine", help=text, description=text)
     parser.add_argument("source", metavar="CONFIG.ini|MACHINE.fcm")
     parser.add_argument(

@@ -1715,8 +1715,8 @@
         <translation>LinuxCNC-Konfigurationen und Maschinendateien (*.ini *.fcm)</translation>
     </message>
     <message>
-        <source>LinuxCNC's .ini with trt kinematics, or a .fcm of FreeCAD's Machine editor</source>
-        <translation>Eine .ini von LinuxCNC mit trt-Kinematik, oder eine .fcm von FreeCADs Maschineneditor</translation>
+        <source>LinuxCNC's .ini, or a .fcm of FreeCAD's Machine editor</source>
+        <translation>LinuxCNCs .ini oder eine .fcm des Maschineneditors von FreeCAD</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -3416,6 +3416,10 @@
         <translation>Zwischen den Zustellungen bleibt das Werkzeug hier {back} vor der erreichten Tiefe; an dieser Steuerung sagt das ein Parameter. Kein anderer Ort hängt davon ab.</translation>
     </message>
     <message>
+        <source>C alone is parallel to the tool and never tilts it; leave C out for a machine of three axes</source>
+        <translation>C allein ist parallel zum Werkzeug und neigt es nie; für eine dreiachsige Maschine C weglassen</translation>
+    </message>
+    <message>
         <source>CHECK</source>
         <translation>PRÜFEN</translation>
     </message>
@@ -3592,8 +3596,8 @@
         <translation>NICHT SICHER</translation>
     </message>
     <message>
-        <source>No HAL file sets {lacking} of {module}; they are 0, as LinuxCNC has them then. Is that so?</source>
-        <translation>Keine HAL-Datei setzt {lacking} von {module}; sie sind 0, wie bei LinuxCNC dann üblich. Stimmt das?</translation>
+        <source>No HAL file sets {lacking} of {module}; LinuxCNC has the values in brackets then. Is that so?</source>
+        <translation>Keine HAL-Datei setzt {lacking} von {module}; bei LinuxCNC gelten dann die Werte in Klammern. Stimmt das?</translation>
     </message>
     <message>
         <source>No cutter is given; the CL file's is taken: {cutter}.</source>
@@ -3724,6 +3728,10 @@
         <translation>Kürzere Sätze helfen: halbe Länge lässt etwa ein Viertel der Abweichung; {linearize} macht so viele, wie nötig sind.</translation>
     </message>
     <message>
+        <source>Sliders of the screen set pins of {module}; taken is what they start with: {taken}. Is that so on your machine?</source>
+        <translation>Schieberegler des Bildschirms setzen Pins von {module}; genommen sind ihre Anfangswerte: {taken}. Ist das an Ihrer Maschine so?</translation>
+    </message>
+    <message>
         <source>Spindle off and locked; no cutter that can hurt: a pointed rod of the tool's length.</source>
         <translation>Spindel aus und gesperrt; kein Fräser, der verletzen kann: ein spitzer Stab von der Länge des Werkzeugs.</translation>
     </message>
@@ -3810,6 +3818,10 @@
     <message>
         <source>The file ends in control characters; they are passed over.</source>
         <translation>Die Datei endet mit Steuerzeichen; sie werden übergangen.</translation>
+    </message>
+    <message>
+        <source>The file is of an older layout, which does not say what carries what; taken: X and Y move the table, Z the head. Limits are those beside each axis.</source>
+        <translation>Die Datei hat eine ältere Form, die nicht sagt, was was trägt; angenommen: X und Y bewegen den Tisch, Z den Kopf. Grenzen sind die, die bei jeder Achse stehen.</translation>
     </message>
     <message>
         <source>The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.</source>
@@ -4920,6 +4932,14 @@
         <translation>die größte Geschwindigkeit {max_rate} ist nicht über 0; angeben, was der Antrieb erreicht</translation>
     </message>
     <message>
+        <source>maxkins shows wrong positions where B and C are both off zero: its forward formula does not fit the one that moves the joints. The machine is that of the latter; home it with B or C at 0.</source>
+        <translation>maxkins zeigt falsche Positionen, wo B und C beide nicht null sind: Seine Vorwärtsformel passt nicht zu der, welche die Gelenke bewegt. Die Maschine ist die der letzteren; referenzieren Sie mit B oder C auf 0.</translation>
+    </message>
+    <message>
+        <source>maxkins turns the tool length with the head only where it is a W offset of the tool table; enter it there.</source>
+        <translation>maxkins dreht die Werkzeuglänge nur dann mit dem Kopf, wenn sie in der Werkzeugtabelle als Versatz in W steht; tragen Sie sie dort ein.</translation>
+    </message>
+    <message>
         <source>more than scallops stays uncut on {value}</source>
         <translation>mehr als Kuppen bleibt auf {value} stehen</translation>
     </message>
@@ -5068,6 +5088,10 @@
         <translation>gehört zu keinem Wort</translation>
     </message>
     <message>
+        <source>nothing says where {letters} stand and which carries which; describe the machine by hand (docs/adding.md)</source>
+        <translation>nichts sagt, wo {letters} stehen und welche welche trägt; beschreiben Sie die Maschine von Hand (docs/adding.md)</translation>
+    </message>
+    <message>
         <source>on every pass</source>
         <translation>auf jeder Zeile</translation>
     </message>
@@ -5118,6 +5142,10 @@
     <message>
         <source>passes so close would be {length} long, more than any job can want; give a larger stepover or scallop, or check the units of the part</source>
         <translation>so dichte Bahnen wären {length} lang, mehr als ein Auftrag wollen kann; einen größeren Bahnabstand oder eine größere Rauhöhe angeben, oder die Einheit des Teils prüfen</translation>
+    </message>
+    <message>
+        <source>pivot-length is a constant {pivot}, so LinuxCNC takes the same tool length for every tool; add motion.tooloffset.z to it by a sum2, or measure tools from the tip of that one.</source>
+        <translation>pivot-length ist fest {pivot}, LinuxCNC rechnet also bei jedem Werkzeug mit derselben Länge; addieren Sie motion.tooloffset.z mit einem sum2, oder messen Sie Werkzeuge von der Spitze dieses einen aus.</translation>
     </message>
     <message>
         <source>plane normal {given} has no direction; give I,J,K across the planes, as 0,0,1</source>
@@ -5402,6 +5430,10 @@
     <message>
         <source>the key is missing; add "{key}"</source>
         <translation>der Schlüssel fehlt; „{key}“ ergänzen</translation>
+    </message>
+    <message>
+        <source>the keys {lacking} are missing; add them (role: one of {roles}; parent: the axis that carries this one, or null)</source>
+        <translation>die Schlüssel {lacking} fehlen; fügen Sie sie hinzu (role: eines von {roles}; parent: die Achse, die diese trägt, oder null)</translation>
     </message>
     <message>
         <source>the linear axes X, Y, Z lie in one plane; correct their directions</source>
@@ -5716,12 +5748,12 @@
         <translation>die Werkzeugnummer ist {tool}; 1 bis 99999 angeben</translation>
     </message>
     <message>
-        <source>tool-offset is a constant {given}; it is in the trunnion's height. Join it to motion.tooloffset.z.</source>
-        <translation>tool-offset ist fest {given}; es steckt in der Höhe der Wiege. Mit motion.tooloffset.z verbinden.</translation>
-    </message>
-    <message>
         <source>triangle corners</source>
         <translation>Dreiecksecken</translation>
+    </message>
+    <message>
+        <source>trivkins does not say where {letter} stands. Taken: it turns the table about the line through the machine's zero along {along}, with the sign of ISO 841. Correct what is otherwise in the machine file; prove the signs before cutting.</source>
+        <translation>trivkins sagt nicht, wo {letter} steht. Angenommen: Sie dreht den Tisch um die Gerade durch den Maschinennullpunkt entlang {along}, mit dem Vorzeichen von ISO 841. Berichtigen Sie in der Maschinendatei, was anders ist; prüfen Sie die Vorzeichen vor dem Fräsen.</translation>
     </message>
     <message>
         <source>turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only</source>
@@ -5796,6 +5828,10 @@
         <translation>mit {letter}{first} {other}{second} können die Linearachsen die Werkzeugspitze nicht setzen; ist es ein Programm dieser Maschine?</translation>
     </message>
     <message>
+        <source>without {letters} there is no milling machine; name X, Y and Z</source>
+        <translation>ohne {letters} gibt es keine Fräsmaschine; nennen Sie X, Y und Z</translation>
+    </message>
+    <message>
         <source>word {word} of row {row} is {value}; words are numbers up to {farthest_word} mm or degrees: correct it, or the unit of the file</source>
         <translation>Wort {word} der Zeile {row} ist {value}; Wörter sind Zahlen bis {farthest_word} mm oder Grad: berichtigen, oder die Einheit der Datei</translation>
     </message>
@@ -5862,6 +5898,10 @@
     <message>
         <source>{change} {rate}, {turned}, {blocks}</source>
         <translation>{change} {rate}, {turned}, {blocks}</translation>
+    </message>
+    <message>
+        <source>{count} HAL files cannot be read; {module} takes no value from them. The first: {error}</source>
+        <translation>{count} HAL-Dateien lassen sich nicht lesen; {module} nimmt keinen Wert daraus. Die erste: {error}</translation>
     </message>
     <message>
         <source>{count} arcs do not pass through the points before and after them (worst line {line}: off by {off}, radius {radius}); the path goes straight there. Has the CAM system left out a move, or are the units mixed?</source>
@@ -6380,6 +6420,10 @@
         <translation>{missing} fehlt vor {rest}</translation>
     </message>
     <message>
+        <source>{module} moves {letters} too, which a machine file cannot hold; the machine is right only while that stands at 0.</source>
+        <translation>{module} bewegt auch {letters}, was eine Maschinendatei nicht fassen kann; die Maschine stimmt nur, solange das auf 0 steht.</translation>
+    </message>
+    <message>
         <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
         <translation>{name} = {value} ist nur auf {certainty} sicher; Zeilen mit größeren Drehungen angeben.</translation>
     </message>
@@ -6676,6 +6720,10 @@
         <translation>{pin} kommt vom Signal {signal} ({others}), dessen Wert keine HAL-Datei nennt; für den Import setp {pin} WERT schreiben</translation>
     </message>
     <message>
+        <source>{pin} is a constant {given}; the rotary axes are that much higher for it. Join it to motion.tooloffset.z.</source>
+        <translation>{pin} ist fest {given}; die Drehachsen liegen dafür um so viel höher. Verbinden Sie ihn mit motion.tooloffset.z.</translation>
+    </message>
+    <message>
         <source>{place}: word {letter} stands twice; a line takes one of each</source>
         <translation>{place}: das Wort {letter} steht zweimal; eine Zeile nimmt von jedem eines</translation>
     </message>
@@ -6912,6 +6960,10 @@
         <translation>{what} {value} braucht {remedy}</translation>
     </message>
     <message>
+        <source>{where} loads {loaded}, but [KINS] KINEMATICS is {named}; make them agree</source>
+        <translation>{where} lädt {loaded}, aber [KINS] KINEMATICS ist {named}; bringen Sie beide in Einklang</translation>
+    </message>
+    <message>
         <source>{where}: [TRAJ] {key} is {text}; known are {known}</source>
         <translation>{where}: [TRAJ] {key} ist {text}; bekannt sind {known}</translation>
     </message>
@@ -6930,6 +6982,14 @@
     <message>
         <source>{where}: more than {most} files are included, some again and again; leave out {name}</source>
         <translation>{where}: Mehr als {most} Dateien werden eingebunden, manche immer wieder; {name} weglassen</translation>
+    </message>
+    <message>
+        <source>{where}: nut-angle is {angle} degrees, so the head never tilts the tool; write setp {pin} with your head's angle</source>
+        <translation>{where}: nut-angle ist {angle} Grad, der Kopf neigt das Werkzeug also nie; schreiben Sie setp {pin} mit dem Winkel Ihres Kopfs</translation>
+    </message>
+    <message>
+        <source>{where}: trivkins has the axes {letters}; {problem}</source>
+        <translation>{where}: trivkins hat die Achsen {letters}; {problem}</translation>
     </message>
     <message>
         <source>{where}: {name} and others include one another in a circle; remove one</source>

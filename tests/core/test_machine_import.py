@@ -168,7 +168,7 @@ def test_included_files_and_other_orders_of_joints_are_read(write, tmp_path) -> 
     ("swap", "words"),
     [
         ({"KINEMATICS = xyzac-trt-kins sparm=identityfirst\n": ""}, ["[KINS] KINEMATICS is missing", "xyzac-trt-kins", "mill.ini"]),
-        ({"KINEMATICS = xyzac-trt-kins": "KINEMATICS = trivkins"}, ["trivkins", "known are", "line 6"]),
+        ({"KINEMATICS = xyzac-trt-kins": "KINEMATICS = genhexkins"}, ["genhexkins", "known are", "line 6"]),
         ({"LINEAR_UNITS = mm\n": ""}, ["[TRAJ] LINEAR_UNITS is missing"]), ({"LINEAR_UNITS = mm": "LINEAR_UNITS = ell"}, ["'ell'", "mm"]),
         ({"ANGULAR_UNITS = deg\n": ""}, ["[TRAJ] ANGULAR_UNITS is missing"]),
         ({"MAX_LIMIT = 50\n": ""}, ["[JOINT_3] MAX_LIMIT is missing", "axis A", "[AXIS_A]"]),
@@ -316,3 +316,52 @@ def test_no_spoilt_configuration_gives_a_traceback(spots, ini, write, tmp_path) 
         import_machine(str(path))
     except FiveAxisError as error:
         assert "\n" not in str(error)
+
+
+def older_file(*rotary: str) -> dict:
+    """A file as FreeCAD's templates were before the Machine editor's release: limits beside the axis, no roles, direction first."""
+    vectors = {"X": [1.0, 0, 0], "Y": [0, 1.0, 0], "Z": [0, 0, 1.0], "A": [1.0, 0, 0]}
+    axes = {
+        letter: {
+            "joint": [vectors[letter], [0, 0, 0]],
+            "min": 0,
+            "max": 320,
+            "max_velocity": 9000,
+            "sequence": 0,
+            "type": "linear",
+        }
+        for letter in "XYZ"
+    }
+    turning = {"joint": [[0, 0, 0], vectors["A"]], "min": -90, "max": 90, "max_velocity": 3600, "type": "angular"}
+    axes |= dict.fromkeys(rotary, turning)
+    return {
+        "machine": {"axes": axes, "name": "old mill", "units": "metric", "spindles": []}, "postprocessor": {"file_name": "grbl"}, "version": 1,
+    }  # fmt: skip
+
+
+def test_a_template_of_freecads_from_before_the_release_is_a_machine_and_what_is_taken_is_told(tmp_path) -> None:
+    (tmp_path / "m.fcm").write_text(json.dumps(older_file()))
+    imported = import_machine(str(tmp_path / "m.fcm"))
+    axes = {axis.letter: axis for axis in imported.machine.fitted}
+    assert {letter: axis.side for letter, axis in axes.items()} == {"X": "table", "Y": "table", "Z": "head"}
+    assert (axes["Y"].direction, axes["Y"].low, axes["Y"].high) == ((0.0, 1.0, 0.0), 0.0, 320.0)
+    assert any("older layout" in found.text for found in imported.findings)
+    assert load_machine(tmp_path / "m.fcm") == replace(imported.machine, controller="")
+
+
+@pytest.mark.parametrize(
+    ("spoil", "words"),
+    [
+        (lambda axes: None, ["X.role, X.parent, Y.role, Y.parent, Z.role, Z.parent, A.role, A.parent are missing", "table_rotary"]),
+        (lambda axes: axes["X"].pop("max"), ["X.limits", "missing"]), (lambda axes: axes.update(A=3), ["machine.axes: ", "X.role", "missing"]),
+        (lambda axes: [axis.update(role="head_linear", parent=None) for axis in axes.values()], ["machine.axes.A.role", "contradicts"]),
+        (lambda axes: [axis.update(role="head_linear", parent=None) for axis in axes.values()] and axes["A"].pop("role"), ["machine.axes.A.role", "missing"]),
+    ],
+)  # fmt: skip
+def test_an_older_file_with_a_rotary_axis_says_what_is_missing(spoil, words, tmp_path) -> None:
+    data = older_file("A")
+    spoil(data["machine"]["axes"])
+    (tmp_path / "m.fcm").write_text(json.dumps(data))
+    with pytest.raises(MachineError) as caught:
+        import_machine(str(tmp_path / "m.fcm"))
+    assert all(word in str(caught.value) for word in words) and "\n" not in str(caught.value)

@@ -7,10 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.importing import import_machine
 
-SAMPLES = Path("/usr/share/doc/linuxcnc/examples/sample-configs/sim/axis/vismach/5axis/table-rotary-tilting")
+FIVE_AXIS = Path("/usr/share/doc/linuxcnc/examples/sample-configs/sim/axis/vismach/5axis")
+SAMPLES = FIVE_AXIS / "table-rotary-tilting"
 pytestmark = [pytest.mark.linuxcnc, pytest.mark.skipif(not SAMPLES.is_dir(), reason="LinuxCNC's samples are not installed")]
 
 
@@ -27,3 +29,29 @@ def test_linuxcncs_own_simulation_is_the_shipped_machine_but_for_its_size(kind: 
             theirs.point,
         )
         assert not ours.rotary or (ours.low, ours.high) == (theirs.low, theirs.high)
+
+
+@pytest.mark.parametrize(
+    ("name", "axes", "codes"),
+    [
+        (
+            "table-dual-rotary/xyzab-tdr.ini",
+            {"A": ("table", (1.0, 0.0, 0.0), (-50.0, -50.0, -110.0)), "B": ("table", (0.0, 1.0, 0.0), (-50.0, -50.0, -100.0))},
+            ["offset-from-panel"],
+        ),
+        (
+            "max5/max5kins.ini",
+            {"C": ("table", (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)), "B": ("head", (0.0, -1.0, 0.0), (0.0, 0.0, 0.0))},
+            ["forward-differs", "tool-length-in-w"],
+        ),
+    ],
+)
+def test_other_simulations_give_their_lines_and_what_is_to_be_said(name, axes, codes) -> None:
+    imported = import_machine(str(FIVE_AXIS / name))
+    assert {axis.letter: (axis.side, axis.direction, axis.point) for axis in imported.machine.rotary} == axes
+    assert [found.code for found in imported.findings] == codes
+
+
+def test_the_bridge_mill_needs_the_length_that_its_picture_alone_knows() -> None:
+    with pytest.raises(MachineError, match=r"write setp pivotsum\.in0 VALUE"):
+        import_machine(str(FIVE_AXIS / "bridgemill" / "5axis.ini"))

@@ -11,6 +11,7 @@ fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and
           where it is missing), ``safe_start`` (an object: ``retract`` and, for a retract to a machine coordinate, ``Z``),
           ``table`` (height of its face, machine frame) and ``no_motion`` (a list of functions that move nothing,
           :mod:`.no_motion`). FreeCAD drops it when it saves; each has a default.
+older     files from before the editor's release have keys of their own (:mod:`.older_layout`).
 
 What the program does not use (tool heads, output, post-processor, base frame) is not read. Every key that it uses must be
 there and make sense: a guess about a machine is worse than a question.
@@ -35,6 +36,7 @@ from freecad_fiveaxis.core.base.rapids import RAPIDS
 from freecad_fiveaxis.core.base.sentences import say
 
 from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector, finite_vector
+from .older_layout import as_today
 from .safe_start import BY_MACHINE, RETRACTS, SafeStart
 
 SUFFIX = ".fcm"
@@ -45,6 +47,8 @@ INCH = 25.4
 UNITS = {"metric": 1.0, "imperial": INCH}
 KINDS = {"linear": False, "rotary": True, "angular": True}  # "angular" is how older files spell it
 ROLES = ("table_linear", "table_rotary", "head_linear", "head_rotary")
+KEYS = ("type", "role", "parent", "joint", "limits", "max_velocity")
+"""What every axis must have."""
 
 VECTOR = re.compile(r"\[\s*\n([^\[\]{}\"]*)\n\s*\]")
 """A list of numbers that json has spread over lines; a line break never stands inside a string."""
@@ -212,11 +216,24 @@ def _machine(data: Any) -> Machine:
     name = _text(machine, "machine.", "name").strip()
     if not name:
         raise _fail("machine.name", say("the name is empty; give the machine one"), name)
-    axes = _object(machine, "machine.", "axes")
+    axes = as_today(_object(machine, "machine.", "axes"))
+    _check_whole(axes)
     found = {letter: _axis(letter, axes, unit) for letter in axes}
     order = _work_to_tool(found, {letter: _parent(letter, axes) for letter in axes})
     description = _text(machine, "machine.", "description") if "description" in machine else ""
     return Machine(name, tuple(found[letter] for letter in order), description=description, **_extra(data, unit))
+
+
+def _check_whole(axes: _Object) -> None:
+    """One line for all keys that the axes lack, where they are several; a single one is named where it is read."""
+    lacking = [f"{letter}.{key}" for letter, axis in axes.items() if isinstance(axis, dict) for key in KEYS if key not in axis]
+    if len(lacking) > 1:
+        problem = say(
+            "the keys {lacking} are missing; add them (role: one of {roles}; parent: the axis that carries this one, or null)",
+            lacking=", ".join(lacking),
+            roles=", ".join(ROLES),
+        )
+        raise _fail("machine.axes", problem, lacking)
 
 
 def _extra(data: _Object, unit: float) -> dict[str, Any]:

@@ -29,7 +29,7 @@ class ImportPanel(WorkPanel):
         kinds = translate("FiveAxis", "LinuxCNC configurations and machine files (*.ini *.fcm)")
         self.source = FileField(
             "source", translate("FiveAxis", "Choose the file to import"), ";;".join([kinds, all_files()]),
-            translate("FiveAxis", "LinuxCNC's .ini with trt kinematics, or a .fcm of FreeCAD's Machine editor"),
+            translate("FiveAxis", "LinuxCNC's .ini, or a .fcm of FreeCAD's Machine editor"),
             translate("FiveAxis", "Choose the file to import."),
         )  # fmt: skip
         self.target = new_machine()

@@ -14,10 +14,11 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.base.errors import FileError, MachineError
 from freecad_fiveaxis.core.base.sentences import Template, say
 
 from .ini_file import IniFile, Value, number, text_lines
+from .panel import panel_values
 
 FILES = ("HALFILE", "POSTGUI_HALFILE")
 TRUE = {"1": 1.0, "TRUE": 1.0, "0": 0.0, "FALSE": 0.0}
@@ -29,17 +30,24 @@ class HalValues:
     """What all HAL files of a configuration say about pins."""
 
     def __init__(self, ini: IniFile) -> None:
+        self.loaded: list[Value] = []
+        """What ``loadrt`` loads: module and options."""
+        self.panel = panel_values(ini)
+        self.from_panel: dict[str, float] = {}
+        """The pins whose value was asked for and is what a slider of the screen starts with."""
         self.set: dict[str, Value] = {}
         self.signals: dict[str, Value] = {}
         self.signal_of: dict[str, str] = {}
         self.sources: dict[str, set[str]] = {}
-        for text, where in _statements(ini):
+        self.unread: list[FileError] = []
+        """HAL files that cannot be read: they matter where the module has pins."""
+        for text, where in _statements(ini, self.unread):
             self._take(_substituted(text, where, ini).split(), where)
 
     def value(self, pin: str) -> float | None:
         """The number that a pin has from the start, None where nothing sets it. Raises MachineError where that is not known."""
         signal = self.signal_of.get(pin)
-        given = self.set.get(pin) if signal is None else self.signals.get(signal)
+        given = self._given(pin, signal)
         if given is None and signal is not None and self.sources[signal] - {pin}:
             others = ", ".join(sorted(self.sources[signal] - {pin}))
             text = Template(
@@ -48,7 +56,51 @@ class HalValues:
             raise MachineError(text.say(pin=pin, signal=signal, others=others), pin)
         if given is None:
             return None
-        return TRUE[given.text.upper()] if given.text.upper() in TRUE else number(given, pin)
+        found = TRUE[given.text.upper()] if given.text.upper() in TRUE else number(given, pin)
+        if self._panel_of(pin) is not None:
+            self.from_panel[pin] = found
+        return found
+
+    def _given(self, pin: str, signal: str | None) -> Value | None:
+        """What the slider that drives the signal starts with, else what ``sets`` says of it, else ``setp`` of the pin itself."""
+        of_signal = None if signal is None else self.signals.get(signal)
+        return self._panel_of(pin) or of_signal or self.set.get(pin)
+
+    def _panel_of(self, pin: str) -> Value | None:
+        """What a slider that a signal joins with the pin starts with."""
+        sources = self.sources.get(self.signal_of.get(pin, ""), set())
+        return next((self.panel[source] for source in sorted(sources) if source in self.panel), None)
+
+    def beside(self, pin: str, other: str) -> tuple[float | None, bool]:
+        """Give the number of a pin without what ``other`` adds to it, and whether it adds to it: alone, or by a sum2.
+
+        Raises MachineError where the number is not known."""
+        if self.joined(pin, other):
+            return 0.0, True
+        name = self._sum_into(pin)
+        if name is None:
+            return self.value(pin), False
+        gains = {f"{name}.in{i}": self._or(f"{name}.gain{i}", 1.0) for i in (0, 1)}
+        added = next((place for place in gains if gains[place] == 1.0 and self.joined(place, other)), None)
+        rest = sum(gains[place] * self._or(place, 0.0) for place in gains if place != added)
+        return self._or(f"{name}.offset", 0.0) + rest, added is not None
+
+    def _or(self, pin: str, default: float) -> float:
+        return default if (given := self.value(pin)) is None else given
+
+    def _sum_into(self, pin: str) -> str | None:
+        """The sum2 whose output feeds a pin."""
+        sources = self.sources.get(self.signal_of.get(pin, ""), set())
+        return next((name for name in self._sums() if f"{name}.out" in sources), None)
+
+    def _sums(self) -> Iterator[str]:
+        for module, *options in (value.text.split() for value in self.loaded):
+            given = dict(option.split("=", 1) for option in options if "=" in option)
+            if module == "sum2" and "names" in given:
+                yield from given["names"].strip('"').split(",")
+            elif module == "sum2":
+                count = given.get("count", "1")
+                yield from (f"sum2.{i}" for i in range(int(count) if re.fullmatch("[0-9]{1,2}", count) else 1))
 
     def joined(self, pin: str, other: str) -> bool:
         """Whether one signal joins both pins."""
@@ -63,6 +115,8 @@ class HalValues:
         if len(words) >= 3 and words[1] == "=":
             words = ["setp", words[0], words[2]]
         match words:
+            case ["loadrt", _, *_]:
+                self.loaded.append(Value(" ".join(words[1:]), where))
             case ["setp", pin, value, *_]:
                 self.set[pin] = Value(value, where)
             case ["sets", signal, value, *_]:
@@ -77,12 +131,15 @@ class HalValues:
         self.signal_of.update(dict.fromkeys(pins, signal))
 
 
-def _statements(ini: IniFile) -> Iterator[tuple[str, str]]:
+def _statements(ini: IniFile, unread: list[FileError]) -> Iterator[tuple[str, str]]:
     for key in FILES:
         for value in ini.every("HAL", key):
             name = value.text.split()[0] if value.text else ""
             if name and not name.startswith("LIB:"):
-                yield from _of_file(ini.path.parent / _at_home(name, value.where), ini, value.where)
+                try:
+                    yield from _of_file(ini.path.parent / _at_home(name, value.where), ini, value.where)
+                except FileError as error:
+                    unread.append(error)
     for value in ini.every("HAL", "HALCMD"):
         yield value.text, value.where
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A machine from a file of another program, with what that file leaves open.
 
-LinuxCNC   an ini file (``.ini``) with trt kinematics, and the HAL files that it names.
+LinuxCNC   an ini file (``.ini``) with kinematics of :mod:`.registry`, and the HAL files that it names.
 FreeCAD    a file of the Machine editor (``.fcm``). It is this program's own format already; what it lacks is told.
 """
 
@@ -19,8 +19,9 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.machine.older_layout import is_older
 
-from .trt import machine_of_ini
+from .linuxcnc import machine_of_ini
 
 UPRIGHT = {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]}
 DEFAULTS = {
@@ -63,6 +64,12 @@ def _of_freecad(path: str) -> tuple[Machine, tuple[Finding, ...]]:
     if lacking := [f"{key} {value}" for key, value in DEFAULTS.items() if key not in extra]:
         text = say(
             "FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.", lacking=", ".join(lacking)
+        )
+        found.append(Finding(Severity.NOTE, "machine-default", text))
+    if is_older(data["machine"]["axes"]):
+        text = say(
+            "The file is of an older layout, which does not say what carries what; taken: X and Y move the table, Z the head. "
+            "Limits are those beside each axis."
         )
         found.append(Finding(Severity.NOTE, "machine-default", text))
     if not extra:
