@@ -55,7 +55,9 @@ def read_arcs(statements: Statements, tip: Floats, scale: Floats, holes: Ints) -
     length = np.linalg.norm(vector, axis=1)
     good = length > 0.0
     normal = vector[good] / length[good, None]
-    return Arcs(row[good], centre[good], normal, radius[good], statements.statement[at[good]]), statements.statement[
+    start = np.linalg.norm(np.cross(normal, tip[row[good] - 1] - centre[good]), axis=1)
+    radius = np.where(np.isnan(radius[good]), start, radius[good])
+    return Arcs(row[good], centre[good], normal, radius, statements.statement[at[good]]), statements.statement[
         np.concatenate([lost, at[~good]])
     ]
 

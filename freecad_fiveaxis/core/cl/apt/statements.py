@@ -39,6 +39,8 @@ class Kind(IntEnum):
     AXIS = auto()
     MULTAX = auto()
     FRAME = auto()
+    CUTCOM = auto()
+    LEAVING = auto()
     CIRCLE = auto()
     TANGENT = auto()
     CYCLE = auto()
@@ -215,7 +217,14 @@ def _tangent(rest: str) -> Meaning:
 def _cycle(rest: str) -> Meaning:
     if rest in ("OFF", "NOMORE"):
         return Meaning(Kind.NOTHING)
+    if rest in words.LEAVING:
+        return Meaning(Kind.LEAVING, words.LEAVING[rest])
     return Meaning(Kind.UNKNOWN if cycle_of(rest) is None else Kind.CYCLE)
+
+
+def _compensation(rest: str) -> Meaning:
+    side = rest.partition(",")[0]
+    return Meaning(Kind.NOTHING if side == "OFF" else Kind.CUTCOM if side in ("LEFT", "RIGHT") else Kind.UNKNOWN)
 
 
 READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
@@ -236,6 +245,8 @@ READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
     "RAPID": lambda rest: Meaning(Kind.RAPID),
     "MULTAX": lambda rest: Meaning(Kind.MULTAX, float(rest != "OFF")),
     "MSYS": lambda rest: Meaning(Kind.FRAME),
+    "CSYS": lambda rest: Meaning(Kind.FRAME),
+    "CUTCOM": _compensation,
 }
 
 
