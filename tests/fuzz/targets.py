@@ -80,6 +80,9 @@ CL = (
     b"CYCLE/OFF\nEND-OF-PATH\n",
     b"$$ CATIA\nUNITS / MM\nMULTAX\nTLAXIS/ 0.0, 0.0, 1.0\nFEDRAT/ 1000.0,MMPM\nGOTO  /   1.0,   2.0,   3.0, 0.000000, 0.000000, 1.000000           00010000\n"
     b"INDIRV/ 1.0, 0.0, 0.0\nTLON,GOFWD/ (CIRCLE/   2.0,   3.0,   3.0,$\n   1.0),ON,2,INTOF,(LINE/   2.0,   3.0,   3.0,   3.0,   3.0,  3.0)\nGODLTA/1,0,0\nFINI\n",
+    b"UNIT/MM\nCUTTER/6.,0,3.,0,0,0,57.\nLOAD/TOOL,3\nTRNTYP/WORLD,0,0,0\nCSYS/1.,0,0,0,0,1.,0,0,0,0,1.,0\nRAPID/\nGOTO/10.,0,25.\nFEDRAT/300.,MMPM\nCUTCOM/LEFT\n"
+    b"CIRCLE/0,0,25.,0,0,1.\nGOTO/0,10.,20.\nCIRCLE/0,0,0,0,0,-1,10.,0.06,0.5,8.,0.,TIMES,2\nGOTO/10.,0,0\nCYCLE/INIT\n"
+    b"CYCLE/DEEP2,FEDTO,9.,1STPECK,5.,SUBPECK,2.,MMPM,90.,RAPTO,3.,RTRCTO,25.\nGOTO/5.,5.,0\nCYCLE/OFF\nGOHOME/0,0,50.\nFINI\n",
 )  # fmt: skip
 JOBS = tuple(
     json.dumps(one).encode()

@@ -3,8 +3,8 @@
 
 Creo   ``CYCLE/ DRILL, DEPTH, d, MMPM, f, CLEAR, c``; ``CYCLE/ DEEP`` and ``BRKCHP`` with ``STEP, s``.
 NX     ``CYCLE/DRILL, RAPTO, c, FEDTO, -d, RTRCTO, r | AUTO, MMPM, f``; ``CYCLE/DRILL,DEEP`` and ``DRILL,BRKCHP`` with ``STEP``.
-CAMWorks  ``CYCLE/DRILL, FEDTO, d, MMPM, f, RAPTO, c, RTRCTO, r, DWELL, t``: FEDTO, said first, counts downwards; ``CYCLE/DEEP`` with
-       ``INCR, s``; ``CYCLE/DEEP2`` with ``1STPECK, s, SUBPECK, s2``. ``CYCLE/INIT`` or ``/CLEAR`` before it: where holes are left.
+CAMWorks  ``CYCLE/DRILL, FEDTO, d, MMPM, f, RAPTO, c, RTRCTO, r, DWELL, t``: FEDTO, said first, counts downwards; ``CYCLE/DEEP``
+       with ``INCR, s``; ``CYCLE/DEEP2`` with ``1STPECK, s, SUBPECK, s2``. Before it ``CYCLE/INIT`` or ``/CLEAR``: where to leave.
 point  each GOTO while the cycle is on is the top of a hole; lengths are counted from there along the tool axis.
 clear  height of the rapid before the hole.       out   height after it: clear where nothing is said; AUTO: where the tool stood
        before the cycle.

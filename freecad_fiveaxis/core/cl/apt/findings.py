@@ -72,8 +72,12 @@ def _not_interpreted(name: str, lines: Ints) -> Finding:
 
 
 def _frames(source: Source, statements: Statements) -> Iterator[Finding]:
-    """Points are counted from MSYS (NX) or CSYS (CAMWorks): one for the whole file is the work zero, a second one means another zero."""
+    """Points are counted from MSYS: one for the whole file is the work zero, a second one means another zero. So it is with CSYS,
+    but where TRNTYP/WORLD says that all points are counted from one."""
     at = statements.of(Kind.FRAME)
+    planes = np.array([text.startswith("CSYS/") for text in statements.texts] or [False])[statements.which]
+    if planes.any() and not any(text.startswith("TRNTYP/WORLD") for text in statements.texts):
+        at = np.flatnonzero(planes)
     other = at[statements.which[at] != statements.which[at[0]]] if len(at) else at
     if len(other):
         line = int(source.line[statements.statement[other[0]]])

@@ -45,8 +45,13 @@ def read_holes(source: Source, statements: Statements, rate: Floats, scale: Floa
     """The holes, and what is to be said of them. ``rate`` (n,) mm/min: what FEDRAT says at each row; ``scale`` (s,) mm of the
     unit at each statement. Raises ProgramError for a feed per turn of no spindle."""
     cycle = [cycle_of(text[len("CYCLE/") :]) if text.startswith("CYCLE/") else None for text in statements.texts]
-    named = [text.startswith("CYCLE") for text in statements.texts]
-    named = np.array([name and one.kind is not Kind.LEAVING for name, one in zip(named, statements.meanings, strict=True)] or [False])
+    named = np.array(
+        [
+            text.startswith("CYCLE") and meaning.kind is not Kind.LEAVING
+            for text, meaning in zip(statements.texts, statements.meanings, strict=True)
+        ]
+        or [False]
+    )
     events = np.flatnonzero(named[statements.which])
     at = np.append(-1, events)[np.searchsorted(statements.row[events], np.arange(len(rate)), side="right")]
     drills = np.array([one is not None for one in cycle] or [False])
