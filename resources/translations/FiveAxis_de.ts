@@ -3364,6 +3364,10 @@
         <translation>AND neben OR ohne eigene Zeile</translation>
     </message>
     <message>
+        <source>All rotary words lie within {most}, and read as radians the tip goes {radians} instead of {degrees}: they seem to be radians, where controllers take degrees. Have the post write degrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All {count} facets looked inward and were turned outward; check the export if only some of them should.</source>
         <translation>Alle {count} Facetten zeigten nach innen und wurden nach außen gewendet; den Export prüfen, wenn es nur für einige gelten sollte.</translation>
     </message>
@@ -3378,6 +3382,10 @@
     <message>
         <source>An arc runs back against the straight moves beside it (line {line}): does the CAM system mean its circles the other way round? Have curves written as points.</source>
         <translation>Ein Kreisbogen läuft den geraden Bewegungen neben ihm entgegen (Zeile {line}): Meint das CAM-System seine Kreise andersherum? Kurven als Punkte ausgeben lassen.</translation>
+    </message>
+    <message>
+        <source>An arc turns back where a straight move meets it (line {line}), as in a corner beside an island; {on} others of the file run on as read.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.</source>
@@ -3426,6 +3434,14 @@
     <message>
         <source>CL file: {finding}</source>
         <translation>CL-Datei: {finding}</translation>
+    </message>
+    <message>
+        <source>CUTCOM asks for cutter compensation once (line {line}); the program has none: {taken}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CUTCOM asks for cutter compensation {count} times (first line {line}); the program has none: {taken}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the machine file or by {rapids}.</source>
@@ -3566,10 +3582,6 @@
     <message>
         <source>M70 to M73 keep and restore modes</source>
         <translation>M70 bis M73 merken und stellen Zustände wieder her</translation>
-    </message>
-    <message>
-        <source>MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system.</source>
-        <translation>MSYS wechselt innerhalb der Datei das Koordinatensystem; ihre Punkte werden in einem genommen. Für jedes System eine eigene Datei ausgeben.</translation>
     </message>
     <message>
         <source>More or less room than {gap}: tool length, work offset or {mark} are wrong. Do not go on.</source>
@@ -3904,8 +3916,16 @@
         <translation>Das Programm zählt {name} von {value} (auf {certainty} genau), nicht vom Nullpunkt des CL-Wegs. Eine Maschinendatei kann das nicht festhalten: {what} oder den Postprozessor berichtigen.</translation>
     </message>
     <message>
+        <source>The program goes over {size} where {name} goes over {other}, {times} times: one of them is read in inches and means mm, or the other way round. Give {option} where the file does not say its unit, else set right what it says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The program has rotary words {letters}, {name} has {own}.</source>
         <translation>Das Programm hat die Rundachsen {letters}, {name} hat {own}.</translation>
+    </message>
+    <message>
+        <source>The program says inches, and by that {letter} goes over {goes}, where the machine has {has}: its numbers seem to be mm ({mm}). Set right what the program says of its unit.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The program says {units_said}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. Give {option}, mm or inch.</source>
@@ -3974,6 +3994,10 @@
     <message>
         <source>The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use less lead or tilt, clamp the part in another position, or take another machine.</source>
         <translation>Die Werkzeugachse liegt auf {length} der Zeilen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitenwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>The tool axis of the CL path turns by {asked}, the rotary words by {turned} in all: no degrees, but radians would do. Have the post write degrees.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The tool axis was tilted in {count} rows, most by {angle} at {place}, so that the tool stays out of the part.</source>
@@ -5296,6 +5320,10 @@
         <translation>die CL-Datei nennt kein Werkzeug; {option} weglassen</translation>
     </message>
     <message>
+        <source>the CL path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the arcs need {count} chords, more than {most}; is it a program in inches read as mm?</source>
         <translation>die Kreisbögen brauchen {count} Sehnen, mehr als {most}; ist es ein Programm in Zoll, das als mm gelesen wird?</translation>
     </message>
@@ -5376,6 +5404,10 @@
         <translation>die Datei ist leer; das Werkstück neu exportieren</translation>
     </message>
     <message>
+        <source>the file says that its points are the part's contour. Have the tool's path written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the file {kind}; export the machine from FreeCAD again</source>
         <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
     </message>
@@ -5428,12 +5460,20 @@
         <translation>der Name ist leer; der Maschine einen geben</translation>
     </message>
     <message>
+        <source>the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the part: whether the tool enters it was not looked at</source>
         <translation>das Teil: ob das Werkzeug hineinfährt, wurde nicht geprüft</translation>
     </message>
     <message>
         <source>the planes cut the facets {segments} times, more than {most}; {remedy}</source>
         <translation>die Ebenen schneiden die Facetten {segments} Mal, mehr als {most}; {remedy}</translation>
+    </message>
+    <message>
+        <source>the points are taken as the tool's own path, as CL files mean them.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the program has no block that moves; there is nothing to play</source>
@@ -5870,6 +5910,10 @@
     <message>
         <source>{count} arcs run back against the straight moves beside them (first line {line}): does the CAM system mean its circles the other way round? Have curves written as points.</source>
         <translation>{count} Kreisbögen laufen den geraden Bewegungen neben ihnen entgegen (zuerst Zeile {line}): Meint das CAM-System seine Kreise andersherum? Kurven als Punkte ausgeben lassen.</translation>
+    </message>
+    <message>
+        <source>{count} arcs turn back where straight moves meet them (first line {line}), as in corners beside islands; {on} others of the file run on as read.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{count} block near the pole</source>
@@ -6676,6 +6720,10 @@
         <translation>{place}: {letter}{value} liegt jenseits von {farthest}; fehlt ein Dezimalpunkt?</translation>
     </message>
     <message>
+        <source>{reason}. {cause}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{rest} is not known here</source>
         <translation>{rest} ist hier nicht bekannt</translation>
     </message>
@@ -6938,6 +6986,10 @@
     <message>
         <source>{words} further words ({count} statements) are not interpreted; is this a CL file?</source>
         <translation>{words} weitere Wörter ({count} Anweisungen) werden nicht ausgewertet; ist das eine CL-Datei?</translation>
+    </message>
+    <message>
+        <source>{word} changes the coordinate system within the file; its points are taken in one. Write one file for each system.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{word} has no condition in brackets</source>
