@@ -68,7 +68,9 @@ FOREIGN = {
                    b"5 CYCL DEF 208 BORE ~\n Q200=2 ~\n Q201=-9 ~\n Q206=150 ~\n Q334=5 ~\n Q203=1 ~\n Q204=30 ~\n Q335=16 ~\n Q351=1\n6 L X+5 Y+6 FMAX M99\n"
                    b"7 CYCL DEF 1.0 PECKING\n8 CYCL DEF 1.1 SET UP -2\n9 CYCL DEF 1.2 DEPTH -9\n10 CYCL DEF 1.3 PECKG -5\n11 CYCL DEF 1.5 F80\n12 CYCL CALL\n"
                    b"13 CYCL DEF 207 TAP ~\n Q200=2 ~\n Q201=-9 ~\n Q203=1 ~\n Q239=1\n14 CYCL CALL\n15 CYCL DEF 241 LIP ~\n Q200=2 ~\n Q201=-9 ~\n Q203=1 ~\n Q206=9\n"
-                   b"16 CYCL CALL\n17 END PGM D MM\n",),
+                   b"16 CYCL CALL\n17 END PGM D MM\n",
+                   b"0 BEGIN PGM E MM\n1 L X+30 Y+20 Z+20 A+0 C+0 R0 FMAX\n2 CC X+20 Y+20\n3 CP IPA+1080 IZ-9 DR+ F100\n4 LP PR+5 IPA-30\n5 CC IX+1 IY-2\n"
+                   b"6 CP PA+90 DR-\n7 END PGM E MM\n",),
 }  # fmt: skip
 """Programs as other systems write them, by controller; some of it is refused by name."""
 

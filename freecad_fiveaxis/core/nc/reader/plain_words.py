@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
+from .heidenhain_polar import without_polar
 from .noted import Notes
 from .of_machine import NO_MACHINE, OfMachine
 from .plane_calls import Tilt
@@ -76,6 +77,7 @@ def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain
         else:
             cause = not_run(run)
             refused = [cause]
+    text = without_polar(text)
     return replace(_told(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
 
 
