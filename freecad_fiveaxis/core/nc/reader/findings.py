@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.motion.program.wrapping import CIRCLE
 
 from . import codes
 from .codes import Grammar
+from .corners import LETTER
 from .lines import Lines, tenfold
 from .positions import ABSOLUTE, Moves
 from .words import Words
@@ -167,7 +168,7 @@ def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> lis
     vectors = guided and np.isin(lines.code, codes.VECTORS_ON).any()
     for value, first, count in zip(*np.unique(words.letter, return_index=True, return_counts=True), strict=True):
         letter, line = chr(value), int(words.line[first])
-        if letter in letters or letter in codes.WORDS_IGNORED or letter.islower():
+        if letter in letters or letter in codes.WORDS_IGNORED or letter.islower() or letter == LETTER:
             continue
         if letter in codes.AXES:
             text = say(

@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.controllers.dialect import Dialect, feed_distance
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Guided, Program, rapid_minutes
 
-from . import codes
+from . import codes, corners
 from .arcs import Arcs, Chords, chorded
 from .canned_cycles import written_out
 from .causes import fold
@@ -119,6 +119,8 @@ def read_nc(
     at, told_moves = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
     chords, bad = _chords(lines, told_moves, mode[at], grammar)
+    chords, sharp = _corners(lines, told_moves, mode[at], grammar, chords)
+    bad += sharp
     findings += (
         *code_findings(words, grammar, at),
         *word_findings(words, lines, kinematics.letters, bool(on.any())),
@@ -287,6 +289,19 @@ def _chords(lines: Lines, told: Moves, mode: Ints, grammar: Grammar) -> tuple[Ch
         told_as["R"][line] * inch, centre, lines.column(codes.TURNS)[line] if codes.TURNS in lines.letters else None,
     )  # fmt: skip
     return chorded(arcs, told.before, told.said, told.at)
+
+
+def _corners(
+    lines: Lines, told: Moves, mode: Ints, grammar: Grammar, chords: Chords | None
+) -> tuple[Chords | None, list[Finding]]:
+    """The chords with those of rounded and chamfered corners."""
+    if corners.LETTER not in lines.letters:
+        return chords, []
+    at = told.at
+    size = np.nan_to_num(lines.column(corners.LETTER)[at]) * np.where(lines.inch(grammar)[at], INCH, 1.0)
+    straight = (mode != codes.RAPID) & (mode != codes.ARC)
+    found = corners.Corners(size, lines.mode(codes.PLANES, 0)[at], straight)
+    return corners.with_corners(found, told.before, told.said, chords, at)
 
 
 def _last_told(column: Floats) -> Floats:
