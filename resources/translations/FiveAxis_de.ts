@@ -5960,6 +5960,10 @@
         <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
     </message>
     <message>
+        <source>{count} corners (,R ,C, RND=, CHR=) are left sharp, first NC line {line}: they stand between other moves than two straight ones in the working plane, or these are too short. Post their arcs and lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{count} corners lie on a side of another facet, the first at {at}; that facet was divided there.</source>
         <translation>{count} Ecken liegen auf der Seite einer anderen Facette, die erste bei {at}; diese Facette wurde dort geteilt.</translation>
     </message>
@@ -6416,6 +6420,10 @@
         <translation>{missing} fehlt vor {rest}</translation>
     </message>
     <message>
+        <source>{names} (with their first lines) stand in {count} lines: {said}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
         <translation>{name} = {value} ist nur auf {certainty} sicher; Zeilen mit größeren Drehungen angeben.</translation>
     </message>
@@ -6518,10 +6526,6 @@
     <message>
         <source>{name} stands in {count} lines: {said}.</source>
         <translation>{name} steht in {count} Zeilen: {said}.</translation>
-    </message>
-    <message>
-        <source>{name} stands in {count} lines: {text}.</source>
-        <translation>{name} steht in {count} Zeilen: {text}.</translation>
     </message>
     <message>
         <source>{name} was never set</source>

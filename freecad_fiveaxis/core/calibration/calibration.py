@@ -75,7 +75,7 @@ def _with_cause(refused: ProgramError, units: tuple[Finding, ...]) -> ProgramErr
     """The same refusal and, where a file seems to be in another unit, that this is why."""
     if not units:
         return refused
-    return ProgramError(say("{reason}. {cause}", reason=str(refused), cause=units[0].text), refused.value)
+    return ProgramError(say("{reason}. {cause}", reason=refused.args[0], cause=units[0].text), refused.value)
 
 
 def recover_machine(settings: Settings, progress: Progress = silent) -> Recovered:

@@ -19,6 +19,7 @@ from . import codes
 from .codes import Grammar
 from .corners import LETTER
 from .lines import Lines, tenfold
+from .noted import kind_findings
 from .positions import ABSOLUTE, Moves
 from .words import Words
 
@@ -126,19 +127,11 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
         if letter == "G":
             keep &= ~(np.isin(number, codes.SIDES) & np.isin(words.line[at], _without_radius(words)))
         at, number = at[keep], number[keep]
+        met: dict[codes.Kind, dict[str, tuple[int, int]]] = {}
         for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
             line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
             if value in table:
-                severity, kind, text = table[int(value)]
-                found.append(
-                    Finding(
-                        severity,
-                        kind,
-                        say("{name} stands in {count} lines: {text}.", name=name, count=count, text=text),
-                        float(count),
-                        line=line,
-                    )
-                )
+                met.setdefault(table[int(value)], {})[name] = line, int(count)
             elif letter == "G" and int(value) not in grammar.harmless:
                 text = say(
                     "{name} is not known and not interpreted ({count} lines); what it does is missing here.",
@@ -146,6 +139,7 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
                     count=count,
                 )
                 found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
+        found += [one for kind, named in met.items() for one in kind_findings(kind, named)]
     return found
 
 

@@ -65,7 +65,8 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
             text, source = run.text, run.source
         else:
             refused = [not_run(run)]
-    return _told(text, siemens.plain(text, notes), notes, source, refused, first=True)
+    made = _told(text, siemens.plain(text, notes), notes, source, refused, first=True)
+    return replace(made, cause=refused[0] if refused else None)
 
 
 def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:

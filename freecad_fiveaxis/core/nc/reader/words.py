@@ -146,7 +146,8 @@ def read_words(
     words = _words_of(*made)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
-    return replace(words, findings=tuple(findings), tilts=tilts, drills=drills, cause=plain.cause)
+    cause = plain.cause or next((found for found in findings if found.code == codes.MACRO[1] and language == "iso"), None)
+    return replace(words, findings=tuple(findings), tilts=tilts, drills=drills, cause=cause)
 
 
 def _words_of(text: bytes, source: Ints | None) -> Words:
