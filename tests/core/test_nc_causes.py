@@ -73,3 +73,12 @@ def test_a_program_of_siemens_or_iso_that_is_not_run_has_one_error_for_it() -> N
     assert errors(siemens)[0] == "macro-not-interpreted" and "call-not-interpreted" not in errors(siemens)
     iso = read("G90 G21\nG0 X0 Y0 Z9 A0 C0\nG1 X[#NOBODY] F100\nM98 P77\nX5\nM30\n", "haas")
     assert errors(iso) == ["macro-not-interpreted"]
+
+
+def test_first_lines_are_those_of_the_file_where_a_program_is_written_out() -> None:
+    text = "G90 G710\nG0 X0 Y0 Z9 A0 C0\nR1=0\nAGAIN:\nX=R1\nR1=R1+1\nIF R1<5 GOTOB AGAIN\nMIRROR X0\nSCALE X2\nX9\nM30\n"
+    (found,) = [one for one in read(text, "siemens840d").findings if one.code == "offset-not-interpreted"]
+    assert found.line == 8 and "MIRROR (8), SCALE (9)" in found.text
+    iso = read("G90\nG0 X0 Y0 Z9 A0 C0\n#1=0\nWHILE[#1LT5]DO1\n#1=#1+1\nG1 X#1 F9\nEND1\nG16\nG51 X2\nX3\nM30\n", "fanuc")
+    (found,) = [one for one in iso.findings if one.code == "offset-not-interpreted"]
+    assert found.line == 8 and "G16 (8), G51 (9)" in found.text

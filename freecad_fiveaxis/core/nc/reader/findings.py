@@ -114,10 +114,11 @@ def read_as_finding(language: str, controller: str) -> Finding:
     return Finding(Severity.NOTE, "read-as", text)
 
 
-def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
+def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Finding], list[Finding]]:
     """The codes that are not interpreted, each with its first line and its count; ``at`` (m,): the lines of the blocks. A retract
-    to a machine position before the first of them, or after the last, is how a program should begin and end."""
-    found, ends = [], (int(at[0]), int(at[-1]))
+    to a machine position before the first of them, or after the last, is how a program should begin and end. The second of both
+    have the lines of the file already."""
+    found, made, ends = [], list[Finding](), (int(at[0]), int(at[-1]))
     for letter, table in (("G", grammar.codes), ("M", grammar.m_codes)):
         at = np.flatnonzero(words.letter == ord(letter))
         number = _numbers(words.value[at], letter)
@@ -131,7 +132,7 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
         for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
             line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
             if value in table:
-                met.setdefault(table[int(value)], {})[name] = line, int(count)
+                met.setdefault(table[int(value)], {})[name] = int(words.in_file(words.line[at[first : first + 1]])[0]), int(count)
             elif letter == "G" and int(value) not in grammar.harmless:
                 text = say(
                     "{name} is not known and not interpreted ({count} lines); what it does is missing here.",
@@ -139,8 +140,8 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
                     count=count,
                 )
                 found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
-        found += [one for kind, named in met.items() for one in kind_findings(kind, named)]
-    return found
+        made += [one for kind, named in met.items() for one in kind_findings(kind, named)]
+    return found, made
 
 
 def _without_radius(words: Words) -> Ints:

@@ -118,11 +118,12 @@ def read_nc(
         meaning = planes.of_blocks(at, on[at], meant)
     at, told_moves = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
+    unknown, of_codes = code_findings(words, grammar, at)
     chords, bad = _chords(lines, told_moves, mode[at], grammar)
     chords, sharp = _corners(lines, told_moves, mode[at], grammar, chords)
     bad += sharp
     findings += (
-        *code_findings(words, grammar, at),
+        *unknown,
         *word_findings(words, lines, kinematics.letters, bool(on.any())),
         *more,
         *bad,
@@ -137,7 +138,7 @@ def read_nc(
             *vector_findings(planes, told_moves),
             *off_normal(planes, told_moves, chords, tool_axes(kinematics, program.words)),
         )
-    findings = fold(before + in_file(words, findings + guide_findings(program, told_moves)), cause)
+    findings = fold((*before, *in_file(words, findings + guide_findings(program, told_moves)), *of_codes), cause)
     return replace(program, line=words.in_file(program.line), findings=findings, wrap=wrap)
 
 

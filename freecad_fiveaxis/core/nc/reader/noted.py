@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import say
 
 from .codes import DRILL, PLANE, UNKNOWN, Kind
@@ -40,12 +41,14 @@ class Notes:
         """``name`` stands at offset ``at`` of the text, whose lines end in LF."""
         self.met.setdefault((kind, name[:40]), []).append(at)
 
-    def findings(self, text: bytes) -> list[Finding]:
-        """One finding for each kind; of what is not known, one for each name, the first :data:`MOST`."""
+    def findings(self, text: bytes, source: Ints | None = None) -> list[Finding]:
+        """One finding for each kind; of what is not known, one for each name, the first :data:`MOST`.
+        ``source``: the lines of the file that those of the text are, where it was written out."""
         ends = np.flatnonzero(np.frombuffer(text, np.uint8) == ord("\n")) if self.met else np.empty(0)
         of_kind: dict[Kind, dict[str, tuple[int, int]]] = {}
         for (kind, name), places in self.met.items():
             line = int(np.searchsorted(ends, min(places))) + 1
+            line = line if source is None else int(source[line])
             of_kind.setdefault(kind, {})[name] = line, len(places)
         return [found for kind, named in of_kind.items() for found in kind_findings(kind, named)]
 

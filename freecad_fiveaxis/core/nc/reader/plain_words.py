@@ -91,7 +91,7 @@ def _told(text: bytes, read: bytes, notes: Notes, source: Ints | None, refused: 
     """``first``: what was refused is said before what was met."""
     if (notes.tilts or notes.drills) and (found := BEHIND_A_CALL.search(read)):
         _refuse_digits(text, read.count(b"\n", 0, found.start()), source)
-    met = [moved(found, source) for found in notes.findings(text)]
+    met = notes.findings(text, source)
     return Plain(read, source, (*refused, *met) if first else (*met, *refused), tuple(notes.tilts), tuple(notes.drills))
 
 
