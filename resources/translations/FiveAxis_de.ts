@@ -3365,7 +3365,7 @@
     </message>
     <message>
         <source>All rotary words lie within {most}, and read as radians the tip goes {radians} instead of {degrees}: they seem to be radians, where controllers take degrees. Have the post write degrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Drehworte liegen innerhalb von {most}, und als Bogenmaß gelesen legt die Spitze {radians} zurück statt {degrees}: Sie scheinen Bogenmaß zu sein, Steuerungen nehmen Grad. Den Postprozessor Grad schreiben lassen.</translation>
     </message>
     <message>
         <source>All {count} facets looked inward and were turned outward; check the export if only some of them should.</source>
@@ -3385,7 +3385,7 @@
     </message>
     <message>
         <source>An arc turns back where a straight move meets it (line {line}), as in a corner beside an island; {on} others of the file run on as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bogen kehrt um, wo eine Gerade an ihn stößt (Zeile {line}), wie in einer Ecke neben einer Insel; {on} andere der Datei laufen weiter wie gelesen.</translation>
     </message>
     <message>
         <source>Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.</source>
@@ -3437,11 +3437,11 @@
     </message>
     <message>
         <source>CUTCOM asks for cutter compensation once (line {line}); the program has none: {taken}</source>
-        <translation type="unfinished"></translation>
+        <translation>CUTCOM verlangt einmal Radiuskorrektur (Zeile {line}); das Programm hat keine: {taken}</translation>
     </message>
     <message>
         <source>CUTCOM asks for cutter compensation {count} times (first line {line}); the program has none: {taken}</source>
-        <translation type="unfinished"></translation>
+        <translation>CUTCOM verlangt {count}-mal Radiuskorrektur (zuerst Zeile {line}); das Programm hat keine: {taken}</translation>
     </message>
     <message>
         <source>Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the machine file or by {rapids}.</source>
@@ -3917,7 +3917,7 @@
     </message>
     <message>
         <source>The program goes over {size} where {name} goes over {other}, {times} times: one of them is read in inches and means mm, or the other way round. Give {option} where the file does not say its unit, else set right what it says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm reicht über {size}, {name} über {other}, {times}-fach: Eines von beiden wird in Zoll gelesen und meint mm, oder umgekehrt. {option} angeben, wo die Datei ihre Einheit nicht nennt, sonst richtigstellen, was sie nennt.</translation>
     </message>
     <message>
         <source>The program has rotary words {letters}, {name} has {own}.</source>
@@ -3925,7 +3925,7 @@
     </message>
     <message>
         <source>The program says inches, and by that {letter} goes over {goes}, where the machine has {has}: its numbers seem to be mm ({mm}). Set right what the program says of its unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm nennt Zoll, und danach geht {letter} über {goes}, wo die Maschine {has} hat: Seine Zahlen scheinen mm zu sein ({mm}). Richtigstellen, was das Programm zu seiner Einheit sagt.</translation>
     </message>
     <message>
         <source>The program says {units_said}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. Give {option}, mm or inch.</source>
@@ -3997,7 +3997,7 @@
     </message>
     <message>
         <source>The tool axis of the CL path turns by {asked}, the rotary words by {turned} in all: no degrees, but radians would do. Have the post write degrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Werkzeugachse des CL-Wegs dreht sich um {asked}, die Drehworte zusammen um {turned}: Grad sind es nicht, Bogenmaß würde reichen. Den Postprozessor Grad schreiben lassen.</translation>
     </message>
     <message>
         <source>The tool axis was tilted in {count} rows, most by {angle} at {place}, so that the tool stays out of the part.</source>
@@ -5321,7 +5321,7 @@
     </message>
     <message>
         <source>the CL path</source>
-        <translation type="unfinished"></translation>
+        <translation>der CL-Weg</translation>
     </message>
     <message>
         <source>the arcs need {count} chords, more than {most}; is it a program in inches read as mm?</source>
@@ -5405,7 +5405,7 @@
     </message>
     <message>
         <source>the file says that its points are the part's contour. Have the tool's path written.</source>
-        <translation type="unfinished"></translation>
+        <translation>laut Datei sind ihre Punkte die Kontur des Teils. Den Weg des Werkzeugs ausgeben lassen.</translation>
     </message>
     <message>
         <source>the file {kind}; export the machine from FreeCAD again</source>
@@ -5461,7 +5461,7 @@
     </message>
     <message>
         <source>the part</source>
-        <translation type="unfinished"></translation>
+        <translation>das Teil</translation>
     </message>
     <message>
         <source>the part: whether the tool enters it was not looked at</source>
@@ -5473,7 +5473,7 @@
     </message>
     <message>
         <source>the points are taken as the tool's own path, as CL files mean them.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Punkte gelten als Weg des Werkzeugs selbst, wie CL-Dateien sie meinen.</translation>
     </message>
     <message>
         <source>the program has no block that moves; there is nothing to play</source>
@@ -5913,7 +5913,7 @@
     </message>
     <message>
         <source>{count} arcs turn back where straight moves meet them (first line {line}), as in corners beside islands; {on} others of the file run on as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Bögen kehren um, wo Geraden an sie stoßen (zuerst Zeile {line}), wie in Ecken neben Inseln; {on} andere der Datei laufen weiter wie gelesen.</translation>
     </message>
     <message>
         <source>{count} block near the pole</source>
@@ -5961,7 +5961,7 @@
     </message>
     <message>
         <source>{count} corners (,R ,C, RND=, CHR=) are left sharp, first NC line {line}: they stand between other moves than two straight ones in the working plane, or these are too short. Post their arcs and lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Ecken (,R ,C, RND=, CHR=) bleiben scharf, zuerst NC-Zeile {line}: Sie stehen zwischen anderen Bewegungen als zwei Geraden in der Arbeitsebene, oder diese sind zu kurz. Ihre Bögen und Geraden ausgeben.</translation>
     </message>
     <message>
         <source>{count} corners lie on a side of another facet, the first at {at}; that facet was divided there.</source>
@@ -6421,7 +6421,7 @@
     </message>
     <message>
         <source>{names} (with their first lines) stand in {count} lines: {said}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{names} (mit ihrer ersten Zeile) stehen in {count} Zeilen: {said}.</translation>
     </message>
     <message>
         <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
@@ -6725,7 +6725,7 @@
     </message>
     <message>
         <source>{reason}. {cause}</source>
-        <translation type="unfinished"></translation>
+        <translation>{reason}. {cause}</translation>
     </message>
     <message>
         <source>{rest} is not known here</source>
@@ -6993,7 +6993,7 @@
     </message>
     <message>
         <source>{word} changes the coordinate system within the file; its points are taken in one. Write one file for each system.</source>
-        <translation type="unfinished"></translation>
+        <translation>{word} wechselt das Koordinatensystem innerhalb der Datei; ihre Punkte werden in einem genommen. Für jedes System eine Datei schreiben.</translation>
     </message>
     <message>
         <source>{word} has no condition in brackets</source>
