@@ -3364,6 +3364,10 @@
         <translation>AND neben OR ohne eigene Zeile</translation>
     </message>
     <message>
+        <source>All rotary words lie within {most}, and read as radians the tip goes {radians} instead of {degrees}: they seem to be radians, where controllers take degrees. Have the post write degrees.</source>
+        <translation>Alle Drehworte liegen innerhalb von {most}, und als Bogenmaß gelesen legt die Spitze {radians} zurück statt {degrees}: Sie scheinen Bogenmaß zu sein, Steuerungen nehmen Grad. Den Postprozessor Grad schreiben lassen.</translation>
+    </message>
+    <message>
         <source>All {count} facets looked inward and were turned outward; check the export if only some of them should.</source>
         <translation>Alle {count} Facetten zeigten nach innen und wurden nach außen gewendet; den Export prüfen, wenn es nur für einige gelten sollte.</translation>
     </message>
@@ -3378,6 +3382,10 @@
     <message>
         <source>An arc runs back against the straight moves beside it (line {line}): does the CAM system mean its circles the other way round? Have curves written as points.</source>
         <translation>Ein Kreisbogen läuft den geraden Bewegungen neben ihm entgegen (Zeile {line}): Meint das CAM-System seine Kreise andersherum? Kurven als Punkte ausgeben lassen.</translation>
+    </message>
+    <message>
+        <source>An arc turns back where a straight move meets it (line {line}), as in a corner beside an island; {on} others of the file run on as read.</source>
+        <translation>Ein Bogen kehrt um, wo eine Gerade an ihn stößt (Zeile {line}), wie in einer Ecke neben einer Insel; {on} andere der Datei laufen weiter wie gelesen.</translation>
     </message>
     <message>
         <source>Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.</source>
@@ -3430,6 +3438,14 @@
     <message>
         <source>CL file: {finding}</source>
         <translation>CL-Datei: {finding}</translation>
+    </message>
+    <message>
+        <source>CUTCOM asks for cutter compensation once (line {line}); the program has none: {taken}</source>
+        <translation>CUTCOM verlangt einmal Radiuskorrektur (Zeile {line}); das Programm hat keine: {taken}</translation>
+    </message>
+    <message>
+        <source>CUTCOM asks for cutter compensation {count} times (first line {line}); the program has none: {taken}</source>
+        <translation>CUTCOM verlangt {count}-mal Radiuskorrektur (zuerst Zeile {line}); das Programm hat keine: {taken}</translation>
     </message>
     <message>
         <source>Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the machine file or by {rapids}.</source>
@@ -3570,10 +3586,6 @@
     <message>
         <source>M70 to M73 keep and restore modes</source>
         <translation>M70 bis M73 merken und stellen Zustände wieder her</translation>
-    </message>
-    <message>
-        <source>MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system.</source>
-        <translation>MSYS wechselt innerhalb der Datei das Koordinatensystem; ihre Punkte werden in einem genommen. Für jedes System eine eigene Datei ausgeben.</translation>
     </message>
     <message>
         <source>More or less room than {gap}: tool length, work offset or {mark} are wrong. Do not go on.</source>
@@ -3916,8 +3928,16 @@
         <translation>Das Programm zählt {name} von {value} (auf {certainty} genau), nicht vom Nullpunkt des CL-Wegs. Eine Maschinendatei kann das nicht festhalten: {what} oder den Postprozessor berichtigen.</translation>
     </message>
     <message>
+        <source>The program goes over {size} where {name} goes over {other}, {times} times: one of them is read in inches and means mm, or the other way round. Give {option} where the file does not say its unit, else set right what it says.</source>
+        <translation>Das Programm reicht über {size}, {name} über {other}, {times}-fach: Eines von beiden wird in Zoll gelesen und meint mm, oder umgekehrt. {option} angeben, wo die Datei ihre Einheit nicht nennt, sonst richtigstellen, was sie nennt.</translation>
+    </message>
+    <message>
         <source>The program has rotary words {letters}, {name} has {own}.</source>
         <translation>Das Programm hat die Rundachsen {letters}, {name} hat {own}.</translation>
+    </message>
+    <message>
+        <source>The program says inches, and by that {letter} goes over {goes}, where the machine has {has}: its numbers seem to be mm ({mm}). Set right what the program says of its unit.</source>
+        <translation>Das Programm nennt Zoll, und danach geht {letter} über {goes}, wo die Maschine {has} hat: Seine Zahlen scheinen mm zu sein ({mm}). Richtigstellen, was das Programm zu seiner Einheit sagt.</translation>
     </message>
     <message>
         <source>The program says {units_said}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. Give {option}, mm or inch.</source>
@@ -3990,6 +4010,10 @@
     <message>
         <source>The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use less lead or tilt, clamp the part in another position, or take another machine.</source>
         <translation>Die Werkzeugachse liegt auf {length} der Zeilen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitenwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>The tool axis of the CL path turns by {asked}, the rotary words by {turned} in all: no degrees, but radians would do. Have the post write degrees.</source>
+        <translation>Die Werkzeugachse des CL-Wegs dreht sich um {asked}, die Drehworte zusammen um {turned}: Grad sind es nicht, Bogenmaß würde reichen. Den Postprozessor Grad schreiben lassen.</translation>
     </message>
     <message>
         <source>The tool axis was tilted in {count} rows, most by {angle} at {place}, so that the tool stays out of the part.</source>
@@ -5328,6 +5352,10 @@
         <translation>die CL-Datei nennt kein Werkzeug; {option} weglassen</translation>
     </message>
     <message>
+        <source>the CL path</source>
+        <translation>der CL-Weg</translation>
+    </message>
+    <message>
         <source>the arcs need {count} chords, more than {most}; is it a program in inches read as mm?</source>
         <translation>die Kreisbögen brauchen {count} Sehnen, mehr als {most}; ist es ein Programm in Zoll, das als mm gelesen wird?</translation>
     </message>
@@ -5408,6 +5436,10 @@
         <translation>die Datei ist leer; das Werkstück neu exportieren</translation>
     </message>
     <message>
+        <source>the file says that its points are the part's contour. Have the tool's path written.</source>
+        <translation>laut Datei sind ihre Punkte die Kontur des Teils. Den Weg des Werkzeugs ausgeben lassen.</translation>
+    </message>
+    <message>
         <source>the file {kind}; export the machine from FreeCAD again</source>
         <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
     </message>
@@ -5464,12 +5496,20 @@
         <translation>der Name ist leer; der Maschine einen geben</translation>
     </message>
     <message>
+        <source>the part</source>
+        <translation>das Teil</translation>
+    </message>
+    <message>
         <source>the part: whether the tool enters it was not looked at</source>
         <translation>das Teil: ob das Werkzeug hineinfährt, wurde nicht geprüft</translation>
     </message>
     <message>
         <source>the planes cut the facets {segments} times, more than {most}; {remedy}</source>
         <translation>die Ebenen schneiden die Facetten {segments} Mal, mehr als {most}; {remedy}</translation>
+    </message>
+    <message>
+        <source>the points are taken as the tool's own path, as CL files mean them.</source>
+        <translation>die Punkte gelten als Weg des Werkzeugs selbst, wie CL-Dateien sie meinen.</translation>
     </message>
     <message>
         <source>the program has no block that moves; there is nothing to play</source>
@@ -5920,6 +5960,10 @@
         <translation>{count} Kreisbögen laufen den geraden Bewegungen neben ihnen entgegen (zuerst Zeile {line}): Meint das CAM-System seine Kreise andersherum? Kurven als Punkte ausgeben lassen.</translation>
     </message>
     <message>
+        <source>{count} arcs turn back where straight moves meet them (first line {line}), as in corners beside islands; {on} others of the file run on as read.</source>
+        <translation>{count} Bögen kehren um, wo Geraden an sie stoßen (zuerst Zeile {line}), wie in Ecken neben Inseln; {on} andere der Datei laufen weiter wie gelesen.</translation>
+    </message>
+    <message>
         <source>{count} block near the pole</source>
         <translation>{count} NC-Satz nahe am Pol</translation>
     </message>
@@ -5962,6 +6006,10 @@
     <message>
         <source>{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the control takes the shorter way there (wrap_strategy modulo), and so do the words here. Divide blocks, or set wrap_strategy to unwound.</source>
         <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
+    </message>
+    <message>
+        <source>{count} corners (,R ,C, RND=, CHR=) are left sharp, first NC line {line}: they stand between other moves than two straight ones in the working plane, or these are too short. Post their arcs and lines.</source>
+        <translation>{count} Ecken (,R ,C, RND=, CHR=) bleiben scharf, zuerst NC-Zeile {line}: Sie stehen zwischen anderen Bewegungen als zwei Geraden in der Arbeitsebene, oder diese sind zu kurz. Ihre Bögen und Geraden ausgeben.</translation>
     </message>
     <message>
         <source>{count} corners lie on a side of another facet, the first at {at}; that facet was divided there.</source>
@@ -6420,8 +6468,13 @@
         <translation>{missing} fehlt vor {rest}</translation>
     </message>
     <message>
+<<<<<<< HEAD
         <source>{module} moves {letters} too, which a machine file cannot hold; the machine is right only while that stands at 0.</source>
         <translation>{module} bewegt auch {letters}, was eine Maschinendatei nicht fassen kann; die Maschine stimmt nur, solange das auf 0 steht.</translation>
+=======
+        <source>{names} (with their first lines) stand in {count} lines: {said}.</source>
+        <translation>{names} (mit ihrer ersten Zeile) stehen in {count} Zeilen: {said}.</translation>
+>>>>>>> klartext
     </message>
     <message>
         <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
@@ -6526,10 +6579,6 @@
     <message>
         <source>{name} stands in {count} lines: {said}.</source>
         <translation>{name} steht in {count} Zeilen: {said}.</translation>
-    </message>
-    <message>
-        <source>{name} stands in {count} lines: {text}.</source>
-        <translation>{name} steht in {count} Zeilen: {text}.</translation>
     </message>
     <message>
         <source>{name} was never set</source>
@@ -6730,6 +6779,10 @@
     <message>
         <source>{place}: {letter}{value} is beyond {farthest}; is a decimal point missing?</source>
         <translation>{place}: {letter}{value} liegt jenseits von {farthest}; fehlt ein Dezimalpunkt?</translation>
+    </message>
+    <message>
+        <source>{reason}. {cause}</source>
+        <translation>{reason}. {cause}</translation>
     </message>
     <message>
         <source>{rest} is not known here</source>
@@ -7006,6 +7059,10 @@
     <message>
         <source>{words} further words ({count} statements) are not interpreted; is this a CL file?</source>
         <translation>{words} weitere Wörter ({count} Anweisungen) werden nicht ausgewertet; ist das eine CL-Datei?</translation>
+    </message>
+    <message>
+        <source>{word} changes the coordinate system within the file; its points are taken in one. Write one file for each system.</source>
+        <translation>{word} wechselt das Koordinatensystem innerhalb der Datei; ihre Punkte werden in einem genommen. Für jedes System eine Datei schreiben.</translation>
     </message>
     <message>
         <source>{word} has no condition in brackets</source>

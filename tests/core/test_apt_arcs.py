@@ -139,12 +139,6 @@ def test_ends_that_are_too_near_to_tell_are_told() -> None:
     assert "the short way" in found.text
 
 
-def test_nx_helices_of_several_turns_are_not_passed_over() -> None:
-    text = QUARTERS["nx"].replace("8.0000,0.0000\n", "8.0000,0.0000,TIMES,3\n")
-    (found,) = read_apt("FEDRAT/100\nGOTO/10,0,5\n" + text).findings
-    assert (found.code, found.severity, found.line) == ("statement-not-interpreted", Severity.ERROR, 3)
-
-
 def test_the_jobs_tolerance_sets_the_sagitta() -> None:
     settings = build_settings("post", "path.apt", {"machine": "linuxcnc_xyzac_trt", "tolerance": "0.05"})
     assert cl_reading(settings).chord == pytest.approx(0.01)

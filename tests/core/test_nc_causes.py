@@ -48,3 +48,37 @@ def test_polar_circles_are_one_finding_whatever_their_numbers() -> None:
     program = read(HEAD + text + "L X+1\n", "heidenhain")
     found = [one for one in program.findings if one.code == "arc-not-interpreted"]
     assert len(found) == 1 and found[0].value == 5
+
+
+def test_names_of_one_reason_are_one_finding_with_their_first_lines() -> None:
+    iso = read("G90\nG0 X0 Y0 Z9 A0 C0\nG16\nG1 X1 F100\nG51 X2\nG16\nX3\nM30\n", "haas")
+    (found,) = [one for one in iso.findings if one.code == "offset-not-interpreted"]
+    assert (found.value, found.line) == (3.0, 3) and "G16 (3), G51 (5)" in found.text
+    siemens = read("G90 G710\nG0 X0 Y0 Z9 A0 C0\nMIRROR X0\nSCALE X2\nAMIRROR X0\nMIRROR Y0\nG1 X1 F100\nM30\n", "siemens840d")
+    (found,) = [one for one in siemens.findings if one.code == "offset-not-interpreted"]
+    assert (found.value, found.line) == (4.0, 3)
+    assert "MIRROR (3), SCALE (4), AMIRROR (5)" in found.text
+
+
+def test_what_is_not_known_keeps_a_finding_each() -> None:
+    program = read("G90 G710\nG0 X0 Y0 Z9 A0 C0\nX1 FOOBAR=2\nX2 BARFOO=3\nM30\n", "siemens840d")
+    assert [one.code for one in program.findings].count("unknown-code") == 2
+
+
+def test_a_program_of_siemens_or_iso_that_is_not_run_has_one_error_for_it() -> None:
+    siemens = read(
+        "G90 G710\nG0 X0 Y0 Z9 A0 C0\nIF NOBODY>2 GOTOF ENDE\nMYSUB2(1)\nMCALL CYCLE81(5,0,1,-3)\nX5\nENDE:\nG1 X1\nM30\n",
+        "siemens840d",
+    )
+    assert errors(siemens)[0] == "macro-not-interpreted" and "call-not-interpreted" not in errors(siemens)
+    iso = read("G90 G21\nG0 X0 Y0 Z9 A0 C0\nG1 X[#NOBODY] F100\nM98 P77\nX5\nM30\n", "haas")
+    assert errors(iso) == ["macro-not-interpreted"]
+
+
+def test_first_lines_are_those_of_the_file_where_a_program_is_written_out() -> None:
+    text = "G90 G710\nG0 X0 Y0 Z9 A0 C0\nR1=0\nAGAIN:\nX=R1\nR1=R1+1\nIF R1<5 GOTOB AGAIN\nMIRROR X0\nSCALE X2\nX9\nM30\n"
+    (found,) = [one for one in read(text, "siemens840d").findings if one.code == "offset-not-interpreted"]
+    assert found.line == 8 and "MIRROR (8), SCALE (9)" in found.text
+    iso = read("G90\nG0 X0 Y0 Z9 A0 C0\n#1=0\nWHILE[#1LT5]DO1\n#1=#1+1\nG1 X#1 F9\nEND1\nG16\nG51 X2\nX3\nM30\n", "fanuc")
+    (found,) = [one for one in iso.findings if one.code == "offset-not-interpreted"]
+    assert found.line == 8 and "G16 (8), G51 (9)" in found.text

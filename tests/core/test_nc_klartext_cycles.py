@@ -125,7 +125,8 @@ def test_one_datum_of_the_table_is_a_note_and_several_are_a_warning() -> None:
     one = klartext("CYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+1\nCYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+2\n")
     assert [(found.code, found.severity, found.line) for found in one.findings] == [("datum-of-table", Severity.NOTE, 6)]
     two = klartext("CYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+1\nCYCL DEF 247 DATUM SETTING ~\nQ339=+4\nL X+2\n")
-    assert [found.code for found in two.findings if found.severity is Severity.WARNING] == ["work-offset-change"] * 2
+    (found,) = [one for one in two.findings if one.severity is Severity.WARNING]
+    assert (found.code, found.value) == ("work-offset-change", 2.0) and "Q339=3 (6), CYCL DEF 247 Q339=4 (9)" in found.text
 
 
 @pytest.mark.parametrize(

@@ -55,9 +55,9 @@ FOREIGN = {
               b"G1 X5. A10. C20.\nG49\nG91 G28 Z0.\nM98 P2000\nM30\nO2000\nG90 G1 Y5.\nM99\n%\n",
               b"============\nInformation listing created by : me\nNode name : a\n============\n%\nOFinal ToolPath\n: G17\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\n"
               b"G1 X5. F100.\nM30\n%\n\x03",
-              b"O1 (A)\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\nG05 P10000\nG1 X5. F100.\nG05 P0\nM30\n"),
+              b"O1 (A)\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\nG05 P10000\nG1 X5. F100.\nG05 P0\nX15. ,R2.\nY9. ,C1.5\nX0\nM30\n"),
     "siemens840d": (b"; PART\nG710 G90 G17\nR1=5 R2=R1+1\nTRAORI\nG0 X0 Y0 Z0 A=0 C=0\nG1 X=R1 Y=R2 A=DC(10) F100\nG1 X=IC(1) A3=0 B3=0.1 C3=0.99\nTRAFOOF\n"
-                    b"CYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\nG2 X3 Y3 I1 J1\nM30\n",),
+                    b"CYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\nG1 X20 RND=2\nY9 CHR=1\nX3\nG2 X3 Y3 I1 J1\nM30\n",),
     "heidenhain": (b"0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+20 A+0 C+0 FMAX\n2 M128\n3 L X+1 Y-2.5 A+3 R0 F100\n4 CC X+0 Y+0\n5 C X+2 Y+0 DR+\n6 LN X+1 Y+1 Z+1 "
                    b"TX+0.1 TY+0 TZ+0.99\n7 M129\n8 Q1 = 5\n9 L IX+1 FMAX M140 MB MAX\n10 END PGM A MM\n",
                    b"0 BEGIN PGM B MM\n1 CALL LBL 1\n2 L X+0 Y+0 Z+90 A+0 C+0 R0 FMAX\n3 PLANE SPATIAL SPA90 SPB0 SPC180 STAY SEQ- TABLE ROT\n"
@@ -68,7 +68,9 @@ FOREIGN = {
                    b"5 CYCL DEF 208 BORE ~\n Q200=2 ~\n Q201=-9 ~\n Q206=150 ~\n Q334=5 ~\n Q203=1 ~\n Q204=30 ~\n Q335=16 ~\n Q351=1\n6 L X+5 Y+6 FMAX M99\n"
                    b"7 CYCL DEF 1.0 PECKING\n8 CYCL DEF 1.1 SET UP -2\n9 CYCL DEF 1.2 DEPTH -9\n10 CYCL DEF 1.3 PECKG -5\n11 CYCL DEF 1.5 F80\n12 CYCL CALL\n"
                    b"13 CYCL DEF 207 TAP ~\n Q200=2 ~\n Q201=-9 ~\n Q203=1 ~\n Q239=1\n14 CYCL CALL\n15 CYCL DEF 241 LIP ~\n Q200=2 ~\n Q201=-9 ~\n Q203=1 ~\n Q206=9\n"
-                   b"16 CYCL CALL\n17 END PGM D MM\n",),
+                   b"16 CYCL CALL\n17 END PGM D MM\n",
+                   b"0 BEGIN PGM E MM\n1 L X+30 Y+20 Z+20 A+0 C+0 R0 FMAX\n2 CC X+20 Y+20\n3 CP IPA+1080 IZ-9 DR+ F100\n4 LP PR+5 IPA-30\n5 CC IX+1 IY-2\n"
+                   b"6 CP PA+90 DR-\n7 END PGM E MM\n",),
 }  # fmt: skip
 """Programs as other systems write them, by controller; some of it is refused by name."""
 
@@ -80,6 +82,9 @@ CL = (
     b"CYCLE/OFF\nEND-OF-PATH\n",
     b"$$ CATIA\nUNITS / MM\nMULTAX\nTLAXIS/ 0.0, 0.0, 1.0\nFEDRAT/ 1000.0,MMPM\nGOTO  /   1.0,   2.0,   3.0, 0.000000, 0.000000, 1.000000           00010000\n"
     b"INDIRV/ 1.0, 0.0, 0.0\nTLON,GOFWD/ (CIRCLE/   2.0,   3.0,   3.0,$\n   1.0),ON,2,INTOF,(LINE/   2.0,   3.0,   3.0,   3.0,   3.0,  3.0)\nGODLTA/1,0,0\nFINI\n",
+    b"UNIT/MM\nCUTTER/6.,0,3.,0,0,0,57.\nLOAD/TOOL,3\nTRNTYP/WORLD,0,0,0\nCSYS/1.,0,0,0,0,1.,0,0,0,0,1.,0\nRAPID/\nGOTO/10.,0,25.\nFEDRAT/300.,MMPM\nCUTCOM/LEFT\n"
+    b"CIRCLE/0,0,25.,0,0,1.\nGOTO/0,10.,20.\nCIRCLE/0,0,0,0,0,-1,10.,0.06,0.5,8.,0.,TIMES,2\nGOTO/10.,0,0\nCYCLE/INIT\n"
+    b"CYCLE/DEEP2,FEDTO,9.,1STPECK,5.,SUBPECK,2.,MMPM,90.,RAPTO,3.,RTRCTO,25.\nGOTO/5.,5.,0\nCYCLE/OFF\nGOHOME/0,0,50.\nFINI\n",
 )  # fmt: skip
 JOBS = tuple(
     json.dumps(one).encode()

@@ -24,6 +24,7 @@ from .against_part import AgainstPart, against_part
 from .limits import Limits, check_limits
 from .rates import Rates, commanded_rates, feed_findings, rate_findings
 from .tool_in_part import is_ball, tool_in_part
+from .units import units_against
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,8 @@ def audit_program(
     rates, limits = commanded_rates(kinematics, program, progress), check_limits(kinematics, program)
     found = (*limits.findings, *rate_findings(kinematics, program, rates), *feed_findings(kinematics, program, rates))
     path = part = None
+    if against is not None:
+        found += units_against(kinematics, program, against)
     if isinstance(against, CLPath):
         above = options.above if program.guided is None else 0.0
         path = against_path(kinematics, program, deviation, against, options.tolerance, options.axis_tolerance, progress, above)

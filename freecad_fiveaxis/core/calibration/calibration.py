@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from freecad_fiveaxis.core.audit.units import units_of_steps
 from freecad_fiveaxis.core.base.errors import FileError, ProgramError, SettingsError
 from freecad_fiveaxis.core.base.files import check_readable, read_bytes, write_all
 from freecad_fiveaxis.core.base.findings import Finding
@@ -70,6 +71,13 @@ def run(settings: Settings, progress: Progress = silent) -> Work:
     return (recover_machine if settings.task == RECOVER else prove)(settings, progress)
 
 
+def _with_cause(refused: ProgramError, units: tuple[Finding, ...]) -> ProgramError:
+    """The same refusal and, where a file seems to be in another unit, that this is why."""
+    if not units:
+        return refused
+    return ProgramError(say("{reason}. {cause}", reason=refused.args[0], cause=units[0].text), refused.value)
+
+
 def recover_machine(settings: Settings, progress: Progress = silent) -> Recovered:
     """The machine that a post had in mind. Raises FiveAxisError where the files cannot be used."""
     output = settings.recover.machine_file
@@ -92,8 +100,12 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     assumed = Assumed(settings.reading.units, settings.reading.decimal, start.no_motion if start else (), search)
     program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress, assumed)
     _refuse_guided(program)
-    found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)
-    told = recovery_findings(found, settings.recover.certainty)
+    units = units_of_steps(program, path)
+    try:
+        found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)
+    except ProgramError as refused:
+        raise _with_cause(refused, units) from refused
+    told = units + recovery_findings(found, settings.recover.certainty)
     machine = replace(found.machine, controller=dialect.name, description=_description(settings, found))
     found = replace(found, machine=machine, findings=path.findings + read_as + program.findings + told)
     return Recovered(settings, found, found.findings)

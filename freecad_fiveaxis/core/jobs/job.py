@@ -14,6 +14,7 @@ from pathlib import Path
 
 from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
 from freecad_fiveaxis.core.audit.spindle import spindle_findings
+from freecad_fiveaxis.core.audit.units import unit_findings
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -98,7 +99,7 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
     )
     program = read_nc(text, kinematics, dialect, progress, assumed)
     settings, named = _with_named_cutter(settings, text)
-    found += named + spindle_findings(text, program)
+    found += named + spindle_findings(text, program) + unit_findings(text, kinematics, program)
     return Made(settings, machine, kinematics, dialect, program, found + program.findings)
 
 

@@ -48,16 +48,18 @@ def read_arcs(statements: Statements, tip: Floats, scale: Floats, holes: Ints) -
     last = np.append(row[1:] != row[:-1], True)[: len(row)]
     whole = last & (row > 0) & (row < len(tip)) & ~np.isin(row, holes)
     lost, at, row = at[~whole], at[whole], row[whole]
-    number = np.array([statements.meanings[which].more for which in statements.which[at]]).reshape(-1, 7)
+    number = np.array([statements.meanings[which].more for which in statements.which[at]]).reshape(-1, 8)
     centre, vector, radius = number[:, :3] * scale[row, None], number[:, 3:6], number[:, 6] * scale[row]
     tangent = np.isin(at, statements.of(Kind.TANGENT))
     vector = np.where(tangent[:, None], np.cross(tip[row - 1] - centre, vector), vector)
     length = np.linalg.norm(vector, axis=1)
     good = length > 0.0
     normal = vector[good] / length[good, None]
-    return Arcs(row[good], centre[good], normal, radius[good], statements.statement[at[good]]), statements.statement[
-        np.concatenate([lost, at[~good]])
-    ]
+    start = np.linalg.norm(np.cross(normal, tip[row[good] - 1] - centre[good]), axis=1)
+    radius = np.where(np.isnan(radius[good]), start, radius[good])
+    turns, said_by = number[good, 7], statements.statement[at[good]]
+    arcs = Arcs(row[good], centre[good], normal, radius, said_by, turns)
+    return arcs, statements.statement[np.concatenate([lost, at[~good]])]
 
 
 def fitting(arcs: Arcs, spans: ArcSpans) -> Bools:
@@ -95,9 +97,9 @@ def arc_findings(
             line=line,
         )
         yield Finding(Severity.ERROR, "arc-does-not-fit", text, float(len(lost)), line=line)
-    back = runs_back(arcs, spans, tip, straight) & ~bad
+    back, on = (which & ~bad for which in runs_back(arcs, spans, tip, straight))
     if back.any():
-        yield _runs_back(source, arcs, back)
+        yield _runs_back(source, arcs, back) if back.sum() >= on.sum() else _cusps(source, arcs, back, int(on.sum()))
     either = ambiguous(arcs, spans) & ~bad & ~back
     if either.any():
         yield _ambiguous(source, arcs, spans, either)
@@ -132,10 +134,26 @@ def _runs_back(source: Source, arcs: Arcs, back: Bools) -> Finding:
     return Finding(Severity.ERROR, "arc-runs-back", text, float(back.sum()), line=line)
 
 
+def _cusps(source: Source, arcs: Arcs, back: Bools, on: int) -> Finding:
+    """A pocket's corner beside an island ends in a cusp; which way round circles are meant shows by the others of the file."""
+    line = int(source.line[arcs.statement[back.argmax()]])
+    text = plural(
+        int(back.sum()),
+        "An arc turns back where a straight move meets it (line {line}), as in a corner beside an island; {on} others of the "
+        "file run on as read.",
+        "{count} arcs turn back where straight moves meet them (first line {line}), as in corners beside islands; {on} others of "
+        "the file run on as read.",
+        line=line,
+        on=on,
+    )
+    return Finding(Severity.NOTE, "arc-runs-back", text, float(back.sum()), line=line)
+
+
 def _ambiguous(source: Source, arcs: Arcs, spans: ArcSpans, either: Bools) -> Finding:
     first = int(either.argmax())
     line = int(source.line[arcs.statement[first]])
-    taken = say("a whole turn") if spans.sweep[first] > np.pi else say("the short way")
+    last = spans.sweep[first] - 2.0 * np.pi * arcs.turns[first]
+    taken = say("a whole turn") if last > np.pi else say("the short way")
     text = plural(
         int(either.sum()),
         "The ends of an arc are as near as the printed digits allow (line {line}): it may be a whole turn or next to nothing; "

@@ -33,26 +33,28 @@ AGAINST = -0.9
 @dataclass(frozen=True, eq=False)
 class Arcs:
     """``row`` (a,) where each ends, ascending; ``centre`` (a, 3) mm; ``normal`` (a, 3) unit, ``radius`` (a,) mm as said;
-    ``statement`` (a,) its number."""
+    ``statement`` (a,) its number; ``turns`` (a,) whole ones beyond the way to its end."""
 
     row: Ints
     centre: Floats
     normal: Floats
     radius: Floats
     statement: Ints
+    turns: Floats
 
     def __post_init__(self) -> None:
-        freeze(self, None, row="i", centre="f3", normal="f3", radius="f", statement="i")
+        freeze(self, None, row="i", centre="f3", normal="f3", radius="f", statement="i", turns="f")
 
     def take(self, which: Ints | Bools) -> Arcs:
         """Some of them."""
-        return Arcs(self.row[which], self.centre[which], self.normal[which], self.radius[which], self.statement[which])
+        names = ("row", "centre", "normal", "radius", "statement", "turns")
+        return Arcs(*(getattr(self, name)[which] for name in names))
 
 
 @dataclass(frozen=True, eq=False)
 class ArcSpans:
     """How each arc runs: ``start``, ``end`` (a, 3) mm from the axis of the circle, in its plane; ``height`` (a, 2) mm of both
-    over the centre; ``sweep`` (a,) rad, above 0, at most a whole turn."""
+    over the centre; ``sweep`` (a,) rad, above 0: at most a whole turn, and the further ones."""
 
     start: Floats
     end: Floats
@@ -68,7 +70,7 @@ def arc_spans(arcs: Arcs, tip: Floats) -> ArcSpans:
     sine = (np.cross(start, end) * arcs.normal).sum(axis=1)
     sweep = np.mod(np.arctan2(sine, (start * end).sum(axis=1)), 2.0 * np.pi)
     same = np.linalg.norm(end - start, axis=1) <= COINCIDENT_MM
-    return ArcSpans(start, end, height, np.where(same | (sweep <= 0.0), 2.0 * np.pi, sweep))
+    return ArcSpans(start, end, height, np.where(same | (sweep <= 0.0), 2.0 * np.pi, sweep) + 2.0 * np.pi * arcs.turns)
 
 
 def misfit(arcs: Arcs, spans: ArcSpans) -> Floats:
@@ -85,9 +87,10 @@ def ambiguous(arcs: Arcs, spans: ArcSpans) -> Bools:
     return near
 
 
-def runs_back(arcs: Arcs, spans: ArcSpans, tip: Floats, straight: Bools) -> Bools:
+def runs_back(arcs: Arcs, spans: ArcSpans, tip: Floats, straight: Bools) -> tuple[Bools, Bools]:
     """Which arcs (a,) set out against the straight move before them, and arrive against the one after; ``straight`` (n,) the
-    rows that straight feed moves end at. One of both is enough where the other is no straight feed move."""
+    rows that straight feed moves end at. One of both is enough where the other is no straight feed move.
+    And which do not."""
     against, along = np.zeros(len(arcs.row), np.bool_), np.zeros(len(arcs.row), np.bool_)
     for place, row in ((spans.start, arcs.row - 1), (spans.end, arcs.row + 1)):
         there = (row > 0) & (row < len(tip))
@@ -99,7 +102,7 @@ def runs_back(arcs: Arcs, spans: ArcSpans, tip: Floats, straight: Bools) -> Bool
         told = there & straight[at] & (length > NEAR)
         against |= told & (cosine < AGAINST)
         along |= told & (cosine >= AGAINST)
-    return against & ~along
+    return against & ~along, along
 
 
 def chord_counts(arcs: Arcs, spans: ArcSpans, sagitta: float) -> Ints:

@@ -3,6 +3,8 @@
 
 Creo   ``CYCLE/ DRILL, DEPTH, d, MMPM, f, CLEAR, c``; ``CYCLE/ DEEP`` and ``BRKCHP`` with ``STEP, s``.
 NX     ``CYCLE/DRILL, RAPTO, c, FEDTO, -d, RTRCTO, r | AUTO, MMPM, f``; ``CYCLE/DRILL,DEEP`` and ``DRILL,BRKCHP`` with ``STEP``.
+CAMWorks  ``CYCLE/DRILL, FEDTO, d, MMPM, f, RAPTO, c, RTRCTO, r, DWELL, t``: FEDTO, said first, counts downwards; ``CYCLE/DEEP``
+       with ``INCR, s``; ``CYCLE/DEEP2`` with ``1STPECK, s, SUBPECK, s2``. Before it ``CYCLE/INIT`` or ``/CLEAR``: where to leave.
 point  each GOTO while the cycle is on is the top of a hole; lengths are counted from there along the tool axis.
 clear  height of the rapid before the hole.       out   height after it: clear where nothing is said; AUTO: where the tool stood
        before the cycle.
@@ -15,7 +17,7 @@ interpreted: a hole drilled wrongly spoils the part.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from . import vocabulary as words
 
@@ -23,13 +25,13 @@ GAP = 0.5
 """mm above the last bottom: so far DEEP goes back at rapid, and so far BRKCHP lifts; as controllers do (G83, G73)."""
 MOST_PECKS = 10_000
 """Of one hole: more are a slip of the pen."""
-CHIPS = ("DEEP", "BRKCHP")
+CHIPS = ("DEEP", "DEEP2", "BRKCHP")
 KINDS = ("DRILL", *CHIPS, "BORE", "REAM", "FACE", "CSINK")
 OF_DRILL = (*CHIPS, "CSINK")
 """Kinds that NX says behind DRILL."""
 FED_OUT = ("BORE", "REAM")
 """Kinds that leave the hole at feed (G85)."""
-HEIGHTS = {
+WORDS = {
     "RAPTO": "clear",
     "CLEAR": "clear",
     "FEDTO": "bottom",
@@ -37,6 +39,10 @@ HEIGHTS = {
     "RTRCTO": "out",
     "RETURN": "out",
     "DWELL": "dwell",
+    "STEP": "step",
+    "INCR": "step",
+    "1STPECK": "step",
+    "SUBPECK": "later",
 }
 FEEDS = {**{word: (unit, False) for word, unit in words.FEED_UNITS.items()}}
 FEEDS |= {word: (math.nan if unit is None else unit, True) for word, unit in words.PER_TURN.items()}
@@ -70,13 +76,13 @@ def cycle_of(rest: str) -> Cycle | None:
     if stated is None or len(stated.get("clear", ())) != 1:
         return None
     depth = _depth(stated)
-    clear, steps, out = stated["clear"][0], stated.get("step", ()), stated.get("out", ())
+    clear, steps, out = stated["clear"][0], stated.get("step", ()) + stated.get("later", ()), stated.get("out", ())
     if depth is None or not (clear >= 0.0 and clear + depth > 0.0) or any(step <= 0.0 for step in steps):
         return None
     if steps and depth / steps[-1] > MOST_PECKS:
         return None
     feed, unit, turn = stated.get("feed", (math.nan, math.nan, 0.0))
-    chips = kinds[-1] if kinds[-1] in CHIPS else ""
+    chips = kinds[-1].rstrip("2") if kinds[-1] in CHIPS else ""
     if steps and not chips:
         return None
     return Cycle(
@@ -99,7 +105,7 @@ def _stated(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
     k = 0
     while k < len(parts):
         word, numbers = parts[k], _numbers(parts[k + 1 :])
-        name = "feed" if word in FEEDS else "step" if word == "STEP" else HEIGHTS.get(word, "")
+        name = _name(word, k, numbers)
         k += 1 + len(numbers)
         if word == "RTRCTO" and parts[k : k + 1] == ["AUTO"] and not numbers:
             numbers, k = [math.nan], k + 1
@@ -110,6 +116,13 @@ def _stated(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
         stated[name] = (numbers[0], *FEEDS[word]) if name == "feed" else tuple(numbers)
     good = stated.get("feed", (1.0,))[0] > 0.0
     return stated if good else None
+
+
+def _name(word: str, k: int, numbers: list[float]) -> str:
+    """What the word, part k behind the kind, says; FEDTO counts upwards, but where it stands first and is above 0 downwards."""
+    if word == "FEDTO" and k == 0 and numbers and numbers[0] > 0.0:
+        return "depth"
+    return "feed" if word in FEEDS else WORDS.get(word, "")
 
 
 def _numbers(parts: list[str]) -> list[float]:
@@ -154,3 +167,10 @@ def way(cycle: Cycle, scale: float) -> list[tuple[float, bool]]:
         made.append((bottom, True))
         last = bottom
     return [*made, (clear, True)] if cycle.fed_out and cycle.out is not None else made
+
+
+def left_at(cycle: Cycle, how: float) -> Cycle:
+    """The cycle with what ``how`` (of ``LEAVING``, 0: nothing) says of where its holes are left."""
+    if how == words.LEAVING["CLEAR"]:
+        return replace(cycle, out=None)
+    return replace(cycle, out=math.nan) if how == words.LEAVING["INIT"] and cycle.out is None else cycle

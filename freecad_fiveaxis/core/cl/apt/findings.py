@@ -29,7 +29,7 @@ def find_poor_spots(
 ) -> tuple[Finding, ...]:  # fmt: skip
     """The findings of a CL file; ``length`` (n,) of the axes as printed, ``speed`` (n,) mm/min of its moves, ``fed``
     (n,) which of them need one."""
-    found = [*_passed_over(source, statements), *_frames(source, statements)]
+    found = [*_passed_over(source, statements), *_frames(source, statements), *_compensation(source, statements)]
     return (*found, *_rows(source, statements, moves, length, speed, fed))
 
 
@@ -72,15 +72,39 @@ def _not_interpreted(name: str, lines: Ints) -> Finding:
 
 
 def _frames(source: Source, statements: Statements) -> Iterator[Finding]:
-    """Points are counted from MSYS: one for the whole file is the work zero, a second one means another zero."""
+    """Points are counted from MSYS: one for the whole file is the work zero, a second one means another zero. So it is with CSYS,
+    but where TRNTYP/WORLD says that all points are counted from one."""
     at = statements.of(Kind.FRAME)
+    planes = np.array([text.startswith("CSYS/") for text in statements.texts] or [False])[statements.which]
+    if planes.any() and not any(text.startswith("TRNTYP/WORLD") for text in statements.texts):
+        at = np.flatnonzero(planes)
     other = at[statements.which[at] != statements.which[at[0]]] if len(at) else at
     if len(other):
         line = int(source.line[statements.statement[other[0]]])
         text = say(
-            "MSYS changes the coordinate system within the file; its points are taken in one. Write one file for each system."
+            "{word} changes the coordinate system within the file; its points are taken in one. Write one file for each system.",
+            word=name_of(statements.texts[statements.which[other[0]]]),
         )
         yield Finding(Severity.ERROR, "several-coordinate-systems", text, float(len(other)), line=line)
+
+
+def _compensation(source: Source, statements: Statements) -> Iterator[Finding]:
+    """CL files say the tool's own path, whatever the controller is to add to it (ISO 4343); Creo says where they do not."""
+    at = statements.of(Kind.CUTCOM)
+    if not len(at):
+        return
+    line = int(source.line[statements.statement[at[0]]])
+    contour = b"OUTPUT_ON_PROFILE" in source.plain
+    text = plural(
+        len(at),
+        "CUTCOM asks for cutter compensation once (line {line}); the program has none: {taken}",
+        "CUTCOM asks for cutter compensation {count} times (first line {line}); the program has none: {taken}",
+        line=line,
+        taken=say("the file says that its points are the part's contour. Have the tool's path written.")
+        if contour
+        else say("the points are taken as the tool's own path, as CL files mean them."),
+    )
+    yield Finding(Severity.ERROR if contour else Severity.WARNING, "cutter-compensation", text, float(len(at)), line=line)
 
 
 def units_findings(source: Source, statements: Statements, units: str) -> tuple[Finding, ...]:

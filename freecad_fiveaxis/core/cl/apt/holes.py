@@ -18,11 +18,11 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import plural, say
 from freecad_fiveaxis.core.cl.cl_path import Motion
 
-from .cycles import Cycle, cycle_of, way
-from .feeds import per_minute
+from .cycles import Cycle, cycle_of, left_at, way
+from .feeds import held, per_minute
 from .rows import Put, Rows
 from .source import Source
-from .statements import Statements
+from .statements import Kind, Statements
 
 SAME_AXIS = 1e-6
 """rad, in sine, between axes that are one."""
@@ -45,7 +45,13 @@ def read_holes(source: Source, statements: Statements, rate: Floats, scale: Floa
     """The holes, and what is to be said of them. ``rate`` (n,) mm/min: what FEDRAT says at each row; ``scale`` (s,) mm of the
     unit at each statement. Raises ProgramError for a feed per turn of no spindle."""
     cycle = [cycle_of(text[len("CYCLE/") :]) if text.startswith("CYCLE/") else None for text in statements.texts]
-    named = np.array([text.startswith("CYCLE") for text in statements.texts] or [False])
+    named = np.array(
+        [
+            text.startswith("CYCLE") and meaning.kind is not Kind.LEAVING
+            for text, meaning in zip(statements.texts, statements.meanings, strict=True)
+        ]
+        or [False]
+    )
     events = np.flatnonzero(named[statements.which])
     at = np.append(-1, events)[np.searchsorted(statements.row[events], np.arange(len(rate)), side="right")]
     drills = np.array([one is not None for one in cycle] or [False])
@@ -53,8 +59,10 @@ def read_holes(source: Source, statements: Statements, rate: Floats, scale: Floa
     plain = source.move_rows(b"GOTO/")
     row = np.flatnonzero(on & plain)
     at = at[row]
-    pairs, group = np.unique(np.stack([statements.which[at], scale[at]]), axis=1, return_inverse=True)
-    cycles = [(one, float(mm)) for which, mm in pairs.T if (one := cycle[int(which)]) is not None]
+    leaving = statements.of(Kind.LEAVING)
+    leaves = held(statements.row[leaving], statements.value(leaving), 0.0, row)
+    pairs, group = np.unique(np.stack([statements.which[at], scale[at], leaves]), axis=1, return_inverse=True)
+    cycles = [(left_at(one, how), float(mm)) for which, mm, how in pairs.T if (one := cycle[int(which)]) is not None]
     group = group.reshape(-1)
     holes = Holes(row, group, cycles, _feeds(statements, at, group, cycles, rate[row], scale, source))
     return holes, tuple(_findings(source, statements, events, cycle, np.flatnonzero(on & ~plain)))

@@ -28,6 +28,8 @@ SOFT = b"\x01"
 COMMENT = re.compile(rb"\$\$->(?:[^\n]*\$[ \t]*\n)*[^\n]*|\$\$[^\n]*")
 CONTINUED = re.compile(rb"\$[^\n]*\n")
 FREE_LINE = re.compile(rb"(?m)^[ \t]*(?:" + "|".join(FREE_TEXT).encode() + rb")[^\n]*\$[^\n]*")
+HOME = re.compile(rb"(?m)^GOHOME/(?=(?:[-+.0-9E\x01]+,){2}(?:(?:[-+.0-9E\x01]+,){3})?[-+.0-9E\x01]+$)")
+"""NX's rapid to the place that it names: read as FROM, which is one too."""
 WIDE = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}
 """What files of two-byte characters begin with."""
 
@@ -41,7 +43,7 @@ class Source:
         joined = COMMENT.sub(_lines_only, joined) if b"$$" in joined else joined
         joined = FREE_LINE.sub(_without_dollar, joined) if b"$" in joined else joined
         joined = CONTINUED.sub(SOFT, joined) if b"$" in joined else joined
-        self.text = catia_arcs_apart(joined.translate(None, b" \t\v\f$")) + b"\n"
+        self.text = HOME.sub(b"FROM/", catia_arcs_apart(joined.translate(None, b" \t\v\f$"))) + b"\n"
         self.code: NDArray[Any] = np.frombuffer(self.text, np.uint8)
         ends = np.flatnonzero(self.code == ord("\n"))
         self.line: Ints = np.arange(1, len(ends) + 1)

@@ -39,6 +39,8 @@ class Kind(IntEnum):
     AXIS = auto()
     MULTAX = auto()
     FRAME = auto()
+    CUTCOM = auto()
+    LEAVING = auto()
     CIRCLE = auto()
     TANGENT = auto()
     CYCLE = auto()
@@ -200,6 +202,15 @@ def _axis(rest: str) -> Meaning:
     return Meaning(Kind.UNKNOWN)
 
 
+def _work_plane(rest: str) -> Meaning:
+    """CAMWorks: the rows of a matrix; its third column is the axis of the moves that follow, whose points it leaves alone."""
+    parts = rest.split(",")
+    if len(parts) != 12 or not all(words.NUMBER.fullmatch(part) for part in parts):
+        return Meaning(Kind.UNKNOWN)
+    i, j, k = (float(parts[at]) for at in (2, 6, 10))
+    return Meaning(Kind.AXIS, more=(i, j, k)) if 0.0 < np.linalg.norm([i, j, k]) < np.inf else Meaning(Kind.UNKNOWN)
+
+
 def _circle(rest: str) -> Meaning:
     numbers = circle_numbers(rest)
     return Meaning(Kind.UNKNOWN) if numbers is None else Meaning(Kind.CIRCLE, more=numbers)
@@ -209,13 +220,20 @@ def _tangent(rest: str) -> Meaning:
     """What ``catia_arcs_apart`` has made."""
     numbers = words.numbers_of(rest)
     good = len(numbers) == 7 and float(np.abs(numbers).max()) <= words.LARGEST and numbers[6] > 0.0
-    return Meaning(Kind.TANGENT, more=tuple(numbers)) if good else Meaning(Kind.UNKNOWN)
+    return Meaning(Kind.TANGENT, more=(*numbers, 0.0)) if good else Meaning(Kind.UNKNOWN)
 
 
 def _cycle(rest: str) -> Meaning:
     if rest in ("OFF", "NOMORE"):
         return Meaning(Kind.NOTHING)
+    if rest in words.LEAVING:
+        return Meaning(Kind.LEAVING, words.LEAVING[rest])
     return Meaning(Kind.UNKNOWN if cycle_of(rest) is None else Kind.CYCLE)
+
+
+def _compensation(rest: str) -> Meaning:
+    side = rest.partition(",")[0]
+    return Meaning(Kind.NOTHING if side == "OFF" else Kind.CUTCOM if side in ("LEFT", "RIGHT") else Kind.UNKNOWN)
 
 
 READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
@@ -236,6 +254,8 @@ READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
     "RAPID": lambda rest: Meaning(Kind.RAPID),
     "MULTAX": lambda rest: Meaning(Kind.MULTAX, float(rest != "OFF")),
     "MSYS": lambda rest: Meaning(Kind.FRAME),
+    "CSYS": _work_plane,
+    "CUTCOM": _compensation,
 }
 
 

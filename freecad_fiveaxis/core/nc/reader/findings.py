@@ -17,7 +17,9 @@ from freecad_fiveaxis.core.motion.program.wrapping import CIRCLE
 
 from . import codes
 from .codes import Grammar
+from .corners import LETTER
 from .lines import Lines, tenfold
+from .noted import kind_findings
 from .positions import ABSOLUTE, Moves
 from .words import Words
 
@@ -112,10 +114,11 @@ def read_as_finding(language: str, controller: str) -> Finding:
     return Finding(Severity.NOTE, "read-as", text)
 
 
-def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
+def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Finding], list[Finding]]:
     """The codes that are not interpreted, each with its first line and its count; ``at`` (m,): the lines of the blocks. A retract
-    to a machine position before the first of them, or after the last, is how a program should begin and end."""
-    found, ends = [], (int(at[0]), int(at[-1]))
+    to a machine position before the first of them, or after the last, is how a program should begin and end. The second of both
+    have the lines of the file already."""
+    found, made, ends = [], list[Finding](), (int(at[0]), int(at[-1]))
     for letter, table in (("G", grammar.codes), ("M", grammar.m_codes)):
         at = np.flatnonzero(words.letter == ord(letter))
         number = _numbers(words.value[at], letter)
@@ -125,19 +128,11 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
         if letter == "G":
             keep &= ~(np.isin(number, codes.SIDES) & np.isin(words.line[at], _without_radius(words)))
         at, number = at[keep], number[keep]
+        met: dict[codes.Kind, dict[str, tuple[int, int]]] = {}
         for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
             line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
             if value in table:
-                severity, kind, text = table[int(value)]
-                found.append(
-                    Finding(
-                        severity,
-                        kind,
-                        say("{name} stands in {count} lines: {text}.", name=name, count=count, text=text),
-                        float(count),
-                        line=line,
-                    )
-                )
+                met.setdefault(table[int(value)], {})[name] = int(words.in_file(words.line[at[first : first + 1]])[0]), int(count)
             elif letter == "G" and int(value) not in grammar.harmless:
                 text = say(
                     "{name} is not known and not interpreted ({count} lines); what it does is missing here.",
@@ -145,7 +140,8 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> list[Finding]:
                     count=count,
                 )
                 found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
-    return found
+        made += [one for kind, named in met.items() for one in kind_findings(kind, named)]
+    return found, made
 
 
 def _without_radius(words: Words) -> Ints:
@@ -167,7 +163,7 @@ def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> lis
     vectors = guided and np.isin(lines.code, codes.VECTORS_ON).any()
     for value, first, count in zip(*np.unique(words.letter, return_index=True, return_counts=True), strict=True):
         letter, line = chr(value), int(words.line[first])
-        if letter in letters or letter in codes.WORDS_IGNORED or letter.islower():
+        if letter in letters or letter in codes.WORDS_IGNORED or letter.islower() or letter == LETTER:
             continue
         if letter in codes.AXES:
             text = say(

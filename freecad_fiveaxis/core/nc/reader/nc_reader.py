@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.controllers.dialect import Dialect, feed_distance
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Guided, Program, rapid_minutes
 
-from . import codes
+from . import codes, corners
 from .arcs import Arcs, Chords, chorded
 from .canned_cycles import written_out
 from .causes import fold
@@ -118,9 +118,12 @@ def read_nc(
         meaning = planes.of_blocks(at, on[at], meant)
     at, told_moves = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
+    unknown, of_codes = code_findings(words, grammar, at)
     chords, bad = _chords(lines, told_moves, mode[at], grammar)
+    chords, sharp = _corners(lines, told_moves, mode[at], grammar, chords)
+    bad += sharp
     findings += (
-        *code_findings(words, grammar, at),
+        *unknown,
         *word_findings(words, lines, kinematics.letters, bool(on.any())),
         *more,
         *bad,
@@ -135,7 +138,7 @@ def read_nc(
             *vector_findings(planes, told_moves),
             *off_normal(planes, told_moves, chords, tool_axes(kinematics, program.words)),
         )
-    findings = fold(before + in_file(words, findings + guide_findings(program, told_moves)), cause)
+    findings = fold((*before, *in_file(words, findings + guide_findings(program, told_moves)), *of_codes), cause)
     return replace(program, line=words.in_file(program.line), findings=findings, wrap=wrap)
 
 
@@ -287,6 +290,19 @@ def _chords(lines: Lines, told: Moves, mode: Ints, grammar: Grammar) -> tuple[Ch
         told_as["R"][line] * inch, centre, lines.column(codes.TURNS)[line] if codes.TURNS in lines.letters else None,
     )  # fmt: skip
     return chorded(arcs, told.before, told.said, told.at)
+
+
+def _corners(
+    lines: Lines, told: Moves, mode: Ints, grammar: Grammar, chords: Chords | None
+) -> tuple[Chords | None, list[Finding]]:
+    """The chords with those of rounded and chamfered corners."""
+    if corners.LETTER not in lines.letters:
+        return chords, []
+    at = told.at
+    size = np.nan_to_num(lines.column(corners.LETTER)[at]) * np.where(lines.inch(grammar)[at], INCH, 1.0)
+    straight = (mode != codes.RAPID) & (mode != codes.ARC)
+    found = corners.Corners(size, lines.mode(codes.PLANES, 0)[at], straight)
+    return corners.with_corners(found, told.before, told.said, chords, at)
 
 
 def _last_told(column: Floats) -> Floats:

@@ -3,14 +3,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import say
 
-from .codes import DRILL, PLANE, Kind
+from .codes import DRILL, PLANE, UNKNOWN, Kind
 from .plane_calls import Tilt
 from .siemens_cycles import Drill
 
@@ -39,25 +41,33 @@ class Notes:
         """``name`` stands at offset ``at`` of the text, whose lines end in LF."""
         self.met.setdefault((kind, name[:40]), []).append(at)
 
-    def findings(self, text: bytes) -> list[Finding]:
-        """One finding for each kind and name; the first :data:`MOST` names of each kind."""
+    def findings(self, text: bytes, source: Ints | None = None) -> list[Finding]:
+        """One finding for each kind; of what is not known, one for each name, the first :data:`MOST`.
+        ``source``: the lines of the file that those of the text are, where it was written out."""
         ends = np.flatnonzero(np.frombuffer(text, np.uint8) == ord("\n")) if self.met else np.empty(0)
-        found, told = [], dict[Kind, int]()
+        of_kind: dict[Kind, dict[str, tuple[int, int]]] = {}
         for (kind, name), places in self.met.items():
-            told[kind] = told.get(kind, 0) + 1
-            if told[kind] <= MOST:
-                severity, code, said = kind
-                line = int(np.searchsorted(ends, min(places))) + 1
-                found.append(
-                    Finding(
-                        severity,
-                        code,
-                        say("{name} stands in {count} lines: {said}.", name=name, count=len(places), said=said),
-                        float(len(places)),
-                        line=line,
-                    )
-                )
-        return found
+            line = int(np.searchsorted(ends, min(places))) + 1
+            line = line if source is None else int(source[line])
+            of_kind.setdefault(kind, {})[name] = line, len(places)
+        return [found for kind, named in of_kind.items() for found in kind_findings(kind, named)]
+
+
+def kind_findings(kind: Kind, named: Mapping[str, tuple[int, int]]) -> list[Finding]:
+    """What is said of one kind: ``named`` the first line and the count of each name."""
+    severity, code, said = kind
+    apart = code == UNKNOWN[1] or len(named) == 1
+    found = []
+    if not apart:
+        first, count = min(line for line, _ in named.values()), sum(count for _, count in named.values())
+        shown = ", ".join(f"{name} ({line})" for name, (line, _) in [*named.items()][:MOST])
+        more = " ..." if len(named) > MOST else ""
+        text = say("{names} (with their first lines) stand in {count} lines: {said}.", names=shown + more, count=count, said=said)
+        return [Finding(severity, code, text, float(count), line=first)]
+    for name, (line, count) in [*named.items()][:MOST]:
+        text = say("{name} stands in {count} lines: {said}.", name=name, count=count, said=said)
+        found.append(Finding(severity, code, text, float(count), line=line))
+    return found
 
 
 MOST = 20

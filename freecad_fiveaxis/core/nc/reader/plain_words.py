@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
+from .heidenhain_polar import without_polar
 from .noted import Notes
 from .of_machine import NO_MACHINE, OfMachine
 from .plane_calls import Tilt
@@ -64,7 +65,8 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
             text, source = run.text, run.source
         else:
             refused = [not_run(run)]
-    return _told(text, siemens.plain(text, notes), notes, source, refused, first=True)
+    made = _told(text, siemens.plain(text, notes), notes, source, refused, first=True)
+    return replace(made, cause=refused[0] if refused else None)
 
 
 def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
@@ -76,6 +78,7 @@ def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain
         else:
             cause = not_run(run)
             refused = [cause]
+    text = without_polar(text)
     return replace(_told(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
 
 
@@ -88,7 +91,7 @@ def _told(text: bytes, read: bytes, notes: Notes, source: Ints | None, refused: 
     """``first``: what was refused is said before what was met."""
     if (notes.tilts or notes.drills) and (found := BEHIND_A_CALL.search(read)):
         _refuse_digits(text, read.count(b"\n", 0, found.start()), source)
-    met = [moved(found, source) for found in notes.findings(text)]
+    met = notes.findings(text, source)
     return Plain(read, source, (*refused, *met) if first else (*met, *refused), tuple(notes.tilts), tuple(notes.drills))
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 
-from . import codes, siemens_cycles
+from . import codes, corners, siemens_cycles
 from .noted import Notes
 from .plane_calls import cycle800
 from .siemens_cycles import Drill, drill_of
@@ -72,7 +72,7 @@ WAYS = {b"AC": str, b"IC": codes.STEP_OF, b"DC": codes.SHORTER_OF, b"ACP": codes
 
 def plain(text: bytes, notes: Notes) -> bytes:
     """The text, in capitals and without comments, as ISO words with the private letters; every line stays where it is."""
-    text = shifts(without_strings(text))
+    text = corners.marked(shifts(without_strings(text)), siemens=True)
     text = ALONE.sub(lambda found: _alone(found, notes), text)
     if b"=" in text:
         text = _addresses(text, notes)

@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Template, say
 
-from . import codes, interpreter
+from . import codes, corners, interpreter
 from .heidenhain import with_unit
 from .no_motion import pass_over
 from .of_machine import NO_MACHINE, OfMachine
@@ -64,10 +64,10 @@ FANUC = ("fanuc", "haas")
 """Whose variables and jumps are Fanuc's; all others' are LinuxCNC's."""
 TAPE = b"\t\v\f\x11\x12\x13\x14\x1a"
 """Control characters that old files hold between the words: tabs, reader control, end of file."""
-TEXT = bytes({*range(32, 256), *TAPE, *b"\n\r"})
-LEGAL = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-. \n"
+TEXT = bytes({*range(32, 256), *TAPE, *b"\n\r"} - {127})
+LEGAL = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-. \n\x7f"
 CLEAN = bytes.maketrans(bytes(range(97, 123)) + TAPE, bytes(range(65, 91)) + b" " * len(TAPE))
-LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + bytes(range(97, 123)) + b"\n", b" " * 53)
+LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + bytes(range(97, 123)) + b"\n\x7f", b" " * 54)
 SKIPPED = Template("{count} lines begin with a slash (block skip); they are read as if the switch were off.")
 MACROS = Template(
     "{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without "
@@ -146,7 +146,8 @@ def read_words(
     words = _words_of(*made)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
-    return replace(words, findings=tuple(findings), tilts=tilts, drills=drills, cause=plain.cause)
+    cause = plain.cause or next((found for found in findings if found.code == codes.MACRO[1] and language == "iso"), None)
+    return replace(words, findings=tuple(findings), tilts=tilts, drills=drills, cause=cause)
 
 
 def _words_of(text: bytes, source: Ints | None) -> Words:
@@ -198,6 +199,8 @@ def _blanked(text: bytes, language: str, progress: Progress, of_machine: OfMachi
         plain = plain_words(text, language, progress, of_machine)
         text = plain.text
         findings += plain.findings
+    if language == "iso":
+        text = corners.marked(text)
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
     if b"/" in text:
