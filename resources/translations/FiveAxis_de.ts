@@ -6468,13 +6468,12 @@
         <translation>{missing} fehlt vor {rest}</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>{module} moves {letters} too, which a machine file cannot hold; the machine is right only while that stands at 0.</source>
         <translation>{module} bewegt auch {letters}, was eine Maschinendatei nicht fassen kann; die Maschine stimmt nur, solange das auf 0 steht.</translation>
-=======
+    </message>
+    <message>
         <source>{names} (with their first lines) stand in {count} lines: {said}.</source>
         <translation>{names} (mit ihrer ersten Zeile) stehen in {count} Zeilen: {said}.</translation>
->>>>>>> klartext
     </message>
     <message>
         <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>

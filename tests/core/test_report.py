@@ -15,8 +15,8 @@ from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.motion.program.guided import Guided
 from freecad_fiveaxis.core.report import as_json, as_text, markers
 from freecad_fiveaxis.core.report.figures import axis_rates, summary
-from freecad_fiveaxis.core.report.judgement import judge
 from freecad_fiveaxis.core.report.json_text import plain
+from freecad_fiveaxis.core.report.judgement import judge
 from freecad_fiveaxis.core.report.text import duration, facts, number, path_verdict
 
 CALM = np.array([[0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [2, 0, 0, 0, 0.1], [2.5, 0, 0, 0, 0.2]], float)

@@ -199,7 +199,8 @@ def post_options(settings: Settings) -> PostOptions:
     tool = None if head.tool is None else int(head.tool)
     named, length = cutter_name(settings.cutter.cutter), settings.machine.tool_length
     named += CENTRE if settings.machine.control_point == "centre" else ""
-    return PostOptions(tool, head.spindle or 0.0, head.coolant == "on", head.work_offset, blend=head.blend, cutter=named, length=length)
+    speed, coolant = head.spindle or 0.0, head.coolant == "on"
+    return PostOptions(tool, speed, coolant, head.work_offset, blend=head.blend, cutter=named, length=length)
 
 
 def cl_head(settings: Settings) -> ClHead:
@@ -222,8 +223,9 @@ def with_head(settings: Settings, said: ClHead) -> Settings:
     Where the cutter's centre is driven, the cutter must be said with it: the machine has been set up by its corner.
     """
     given = settings.head
+    speed = (said.speed or None) if given.spindle is None else given.spindle
     head = replace(
-        given, tool=said.tool if given.tool is None else given.tool, spindle=said.speed or None if given.spindle is None else given.spindle,
+        given, tool=said.tool if given.tool is None else given.tool, spindle=speed,
         coolant="on" if said.coolant else given.coolant,
     )  # fmt: skip
     return with_cutter(replace(settings, head=head), said.cutter)

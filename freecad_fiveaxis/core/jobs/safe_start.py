@@ -44,7 +44,7 @@ def start_plane(context: JobContext, program: Program) -> tuple[float, tuple[Fin
 
 def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]:
     """What there is to say of start and end."""
-    settings, machine, dialect = context.settings, context.machine, context.dialect
+    machine, dialect = context.machine, context.dialect
     found: tuple[Finding, ...] = ()
     if dialect.guide is not None and by_reference(dialect, machine.safe_start):
         text = say(

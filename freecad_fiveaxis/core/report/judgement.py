@@ -6,8 +6,8 @@ are several blocks, one for each of the worst.
 
 deviation-over-tolerance   ERROR: the tip leaves the commanded segment by more than the tolerance.
 bound-over-tolerance       WARNING: it was not seen to, but the proven bound does not exclude it.
-singular-block             WARNING: near the pole, where the first rotary axis turns far to move the tool a little. NOTE where every such
-                           block holds the tolerance by proof and takes its time from its feed, so that nothing dwells.
+singular-block             WARNING: near the pole, where the first rotary axis turns far to move the tool a little.
+                           NOTE where every such block holds the tolerance by proof, and no rotary axis is slowed by its rate.
 """
 
 from __future__ import annotations
@@ -198,8 +198,8 @@ def _near_pole(
 
 
 def _is_harmless(kinematics: Chain, program: Program, deviation: Deviation, rows: Ints, tolerance: float) -> bool:
-    """Whether each of the feed blocks ``rows`` is proven to hold ``tolerance`` mm and runs below the rates of the rotary axes. Not
-    where the controller guides the tip, for how it turns there is not known, nor where the machine states no rate."""
+    """Whether each of the feed blocks ``rows`` is proven to hold ``tolerance`` mm and runs below the rates of the rotary axes.
+    Not where the controller guides the tip, for how it turns there is not known, nor where the machine states no rate."""
     if program.guided is not None or not np.isfinite(kinematics.rate[3:]).all():
         return False
     rates = axis_rates(program)[rows, 3:]
@@ -211,8 +211,8 @@ def _note_harmless(program: Program, deviation: Deviation, singularity: Singular
     """One note about the feed blocks ``rows``, at the one that turns farthest."""
     row = int(worst_first(rows, turned)[0])
     text = say(
-        "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than the tool leans: most in "
-        "NC line {line}, where {turns} to lean the tool by {lean}. Each holds the tolerance by proof, and no rotary axis "
+        "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than the tool leans: most "
+        "in NC line {line}, where {turns} to lean the tool by {lean}. Each holds the tolerance by proof, and no rotary axis "
         "comes to its maximum rate there.",
         blocks=plural(len(rows), "1 feed block lies", "{count} feed blocks lie"),
         letter=program.letters[3],
