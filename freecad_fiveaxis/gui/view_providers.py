@@ -164,6 +164,13 @@ class PathView(DrawnView):
         self.childless = False
         super().attach(vobj)
 
+    def setupContextMenu(self, vobj: Any, menu: Any) -> None:
+        """Entries that open the list of findings, and that show or hide parts of the path."""
+        from .shown_parts import add_entries
+
+        super().setupContextMenu(vobj, menu)
+        add_entries(menu, vobj.Object)
+
     def claimChildren(self) -> list[Any]:
         """The tessellation, markers, NC files and the maps stand below the path in the tree."""
         if not hasattr(self, "obj"):  # FreeCAD asks this before it attaches the view

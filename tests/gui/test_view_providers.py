@@ -173,7 +173,7 @@ def test_a_path_that_is_out_of_date_says_so_in_the_view(path, doc, pump, screens
 
     picture = path.ViewObject.Proxy.picture
     assert picture.checked == ""
-    picture.nodes.turn("strokes", False)
+    picture.nodes.turn("cuts", False)
     before = pixels(screenshot("current"), WARN, 12, view_box())
     path.Feed = "700 mm/min"
     until(lambda: picture.checked, 20000, "a change of a setting noticed")

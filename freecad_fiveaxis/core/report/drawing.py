@@ -55,10 +55,11 @@ class Drawing:
     """What a view shows of a program.
 
     ``stroke`` (2k, 3): start and end of every stroke in turn; ``block`` (k,) the worst of its blocks, ``deviation`` (k,) mm
-    and ``level`` (k,) of that, ``cut`` (k,) whether it cuts, ``coat`` (k,) the widest coat that it belongs to; ``apart`` (COATS,) mm
-    between the passes of each coat. ``rapid`` (2r, 3): strokes along the real way of the rapids. ``foot``, ``axis`` (a, 3): tip (or
-    contact) and unit axis of the tools drawn, which stand ``axis_length`` mm high. ``curve`` (w CURVE_POINTS, 3), ``chord``
-    (2w, 3) and ``spoke`` (2w, 3) of the worst blocks ``worst`` (w,). ``low``, ``high`` (3,) the box of the feed blocks.
+    and ``level`` (k,) of that, ``cut`` (k,) whether it cuts, ``coat`` (k,) the widest coat that it belongs to; ``apart``
+    (COATS,) mm between the passes of each coat. ``rapid`` (2r, 3): strokes along the real way of the rapids. ``foot``, ``axis``
+    (a, 3): tip (or contact) and unit axis of the tools drawn, which cut there and stand ``axis_length`` mm high. ``curve``
+    (w CURVE_POINTS, 3), ``chord`` (2w, 3) and ``spoke`` (2w, 3) of the worst blocks ``worst`` (w,). ``low``, ``high`` (3,) the
+    box of the feed blocks.
     """
 
     tolerance: float
@@ -128,7 +129,8 @@ def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
     tool = _apart(figures.tip, end[cut], low, length)
     return Drawing(
         tolerance=figures.tolerance, stroke=stroke, block=block, deviation=deviation, level=level, cut=cut,
-        coat=_coats(stroke, cut, level, diagonal), apart=distances(diagonal), rapid=_rapids(figures), foot=figures.drawn(tool), axis=figures.axis[tool],
+        coat=_coats(stroke, cut, level, diagonal), apart=distances(diagonal),
+        rapid=_rapids(figures), foot=figures.drawn(tool), axis=figures.axis[tool],
         axis_length=1.5 * length, worst=worst, curve=curve.reshape(-1, 3), chord=curve[:, [0, -1]].reshape(-1, 3), spoke=spoke,
         low=low, high=high, markers=markers(figures),
     )  # fmt: skip

@@ -57,9 +57,9 @@ class Figures:
     ``deviation`` is that of the driven point, ``surface`` that of the point that makes the surface, where it is another one.
     ``audit`` where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
     ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
-    1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how far from the part
-    what is drawn of a cut stands at most (``near_part``); ``rapids``: how
-    the controller drives them, one of :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`.
+    1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how
+    far from the part what is drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
+    :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`.
     """
 
     title: str

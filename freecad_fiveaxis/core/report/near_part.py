@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which places of a path lie at the part: where the tool cuts, and where it was lifted off what it should have cut.
 
-stand    how far from the part the driven point stands in a cut at most: a tool with a flat or a ring that leans touches beside it.
+stand    how far from the part the driven point stands in a cut at most: a flat or a ring that leans touches beside it.
 """
 
 from __future__ import annotations
