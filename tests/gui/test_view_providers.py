@@ -154,7 +154,8 @@ def test_every_part_can_be_switched_off(path, pump, until, screenshot, view_box)
         left, top, width, height = view_box()
         return QtGui.QImage(screenshot("part")).copy(left, top, width, height)
 
-    parts = {"ShowAxes": "axes", "ShowMarkers": "marks", "ShowCurves": "curves", "ShowRapids": "rapids", "ShowLegend": "legend",
+    path.ViewObject.ShowRapids = True
+    parts = {"ShowCuts": "cuts", "ShowLinks": "links", "ShowAxes": "axes", "ShowMarkers": "marks", "ShowCurves": "curves", "ShowRapids": "rapids", "ShowLegend": "legend",
              "ShowLabel": "label"}  # fmt: skip
     pump(300)
     for prop, part in parts.items():
