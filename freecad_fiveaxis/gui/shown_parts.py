@@ -49,7 +49,7 @@ def add_entries(menu: Any, path: Any) -> None:
         entry.setObjectName(part)
         entry.setCheckable(True)
         entry.setChecked(is_shown(path, part))
-        entry.triggered.connect(lambda on, part=part: show_part(path, part, on))
+        entry.triggered.connect(lambda *_, part=part, entry=entry: show_part(path, part, entry.isChecked()))
 
 
 class ShownParts(QtWidgets.QGroupBox):
@@ -68,7 +68,7 @@ class ShownParts(QtWidgets.QGroupBox):
         for at, (part, name) in enumerate(part_names().items()):
             box = QtWidgets.QCheckBox(name)
             box.setObjectName(part)
-            box.clicked.connect(lambda on, part=part: show_part(self.path, part, on))
+            box.clicked.connect(lambda *_, part=part, box=box: show_part(self.path, part, box.isChecked()))
             grid.addWidget(box, *divmod(at, self.COLUMNS))
             self.boxes[part] = box
         self.show_for(None)

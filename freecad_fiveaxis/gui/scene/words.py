@@ -197,7 +197,7 @@ def label_text(deviation: float, line: int, tolerance: float) -> str:
 
 
 def legend_of(
-    label: str, figures: Figures, look: Any, warning: str, kinds: Sequence[str] = (), shown: Sequence[str] = MOVES
+    label: str, figures: Figures, look: Any, warning: str, kinds: Sequence[str] = (), shown: Sequence[str] = MOVES[:2]
 ) -> Any:
     """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its markers; which of MOVES are
     ``shown``."""
