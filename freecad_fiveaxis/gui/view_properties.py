@@ -48,6 +48,7 @@ PATH: tuple[Row, ...] = (
     *COLOURS,
     ("App::PropertyColor", "ColourAxes", AXIS_COLOUR, QT_TRANSLATE_NOOP("App::Property", "Colour of the tool axes")),
 )  # fmt: skip
+PATH_SWITCHES = tuple(row[1] for row in PATH if row[1].startswith("Show"))
 MARKERS: tuple[Row, ...] = (*MARKS, *COLOURS)
 
 

@@ -84,7 +84,9 @@ class NCOutputView(View):
 
 
 class DrawnView(View):
-    """A view with nodes of ours. They are made when it is first drawn."""
+    """A view with nodes of ours. They are made when it is first drawn. ``SWITCHES``: properties that only show and hide."""
+
+    SWITCHES: tuple[str, ...] = ()
 
     def attach(self, vobj: Any) -> None:
         """An empty place in the scene, which is filled when the window is idle."""
@@ -119,7 +121,8 @@ class DrawnView(View):
     def onChanged(self, vobj: Any, prop: str) -> None:
         """A property of the view has changed."""
         if hasattr(self, "root") and prop in ("Visibility", *(row[1] for row in self.ROWS)):
-            self.restyle()
+            if prop not in self.SWITCHES:
+                self.restyle()
             redraw.soon(self)
 
     def restyle(self) -> None:
@@ -156,7 +159,7 @@ class DrawnView(View):
 class PathView(DrawnView):
     """A toolpath or an audit: the path coloured by deviation, with legend, tool axes, markers and the worst blocks' curves."""
 
-    ROWS = view_properties.PATH
+    ROWS, SWITCHES = view_properties.PATH, view_properties.PATH_SWITCHES
 
     def attach(self, vobj: Any) -> None:
         """Nothing drawn yet."""

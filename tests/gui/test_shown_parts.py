@@ -39,7 +39,7 @@ def drawn(path):
 
 def shows(path, part):
     """Whether the nodes of a part are drawn."""
-    return drawn(path).nodes.switches[SWITCHED[part]].whichChild.getValue() != -1
+    return path.ViewObject.Proxy.picture.nodes.switches[SWITCHED[part]].whichChild.getValue() != -1
 
 
 def strokes(node):
