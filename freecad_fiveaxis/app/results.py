@@ -106,7 +106,9 @@ def _last(obj: Any, progress: Progress | None) -> Last:
 def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> Last:
     """The whole work of the core; nothing of FreeCAD's is touched."""
     result = job.prove(proxy.made(task, progress), progress)
-    return Last(fingerprint, result, job.figures(result))
+    figures = job.figures(result)
+    _ = figures.at_part  # found here, where it does not hold up the window that draws it
+    return Last(fingerprint, result, figures)
 
 
 def execute(obj: Any) -> None:

@@ -20,7 +20,10 @@ from .view_properties import rgb
 from .view_providers import markers_of
 from .waiting import waiting
 
-SWITCHES = {"axes": "ShowAxes", "curves": "ShowCurves", "rapids": "ShowRapids", "legend": "ShowLegend"}
+SWITCHES = {
+    "cuts": "ShowCuts", "links": "ShowLinks", "rapids": "ShowRapids", "axes": "ShowAxes", "curves": "ShowCurves",
+    "legend": "ShowLegend",
+}  # fmt: skip
 
 
 class Picture:
@@ -99,9 +102,13 @@ class Picture:
             legend = words.empty_legend(self.obj.Label, warning) if warning else None
         else:
             kinds = [mark.kind for mark in self.drawing.markers] if self.drawing is not None else []
-            legend = words.legend_of(self.obj.Label, self.figures, self._look(), warning, kinds)
+            legend = words.legend_of(self.obj.Label, self.figures, self._look(), warning, kinds, self._shown())
         self.nodes.legend.show(legend)
         self.nodes.labels.show(self._labels())
+
+    def _shown(self) -> list[str]:
+        """The kinds of moves that are shown, for the legend."""
+        return [name for name in words.MOVES if getattr(self.vobj, SWITCHES[name])]
 
     def _labels(self) -> list[Label]:
         """What stands at the markers, the most important first."""

@@ -29,12 +29,16 @@ MARKS: tuple[Row, ...] = (
      QT_TRANSLATE_NOOP("App::Property", "Size of the markers in pixels")),
 )  # fmt: skip
 PATH: tuple[Row, ...] = (
+    ("App::PropertyBool", "ShowCuts", True,
+     QT_TRANSLATE_NOOP("App::Property", "Show what cuts, in the colours of its deviation")),
+    ("App::PropertyBool", "ShowLinks", True,
+     QT_TRANSLATE_NOOP("App::Property", "Show the ways between passes at feed, and where the tool is lifted off the part")),
     ("App::PropertyBool", "ShowAxes", True, QT_TRANSLATE_NOOP("App::Property", "Show the tool axis here and there on the path")),
     ("App::PropertyBool", "ShowMarkers", True,
      QT_TRANSLATE_NOOP("App::Property", "Show blocks over the tolerance and near the pole")),
     ("App::PropertyBool", "ShowCurves", True,
      QT_TRANSLATE_NOOP("App::Property", "Show the real curve of the worst blocks beside the commanded line")),
-    ("App::PropertyBool", "ShowRapids", True, QT_TRANSLATE_NOOP("App::Property", "Show the rapids")),
+    ("App::PropertyBool", "ShowRapids", False, QT_TRANSLATE_NOOP("App::Property", "Show the rapids")),
     ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours mean")),
     *MARKS,
     ("App::PropertyFloatConstraint", "LineWidth", (2.0, 1.0, 10.0, 0.5),
@@ -44,6 +48,7 @@ PATH: tuple[Row, ...] = (
     *COLOURS,
     ("App::PropertyColor", "ColourAxes", AXIS_COLOUR, QT_TRANSLATE_NOOP("App::Property", "Colour of the tool axes")),
 )  # fmt: skip
+PATH_SWITCHES = tuple(row[1] for row in PATH if row[1].startswith("Show"))
 MARKERS: tuple[Row, ...] = (*MARKS, *COLOURS)
 
 

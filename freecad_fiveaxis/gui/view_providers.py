@@ -84,7 +84,9 @@ class NCOutputView(View):
 
 
 class DrawnView(View):
-    """A view with nodes of ours. They are made when it is first drawn."""
+    """A view with nodes of ours. They are made when it is first drawn. ``SWITCHES``: properties that only show and hide."""
+
+    SWITCHES: tuple[str, ...] = ()
 
     def attach(self, vobj: Any) -> None:
         """An empty place in the scene, which is filled when the window is idle."""
@@ -119,7 +121,8 @@ class DrawnView(View):
     def onChanged(self, vobj: Any, prop: str) -> None:
         """A property of the view has changed."""
         if hasattr(self, "root") and prop in ("Visibility", *(row[1] for row in self.ROWS)):
-            self.restyle()
+            if prop not in self.SWITCHES:
+                self.restyle()
             redraw.soon(self)
 
     def restyle(self) -> None:
@@ -156,13 +159,20 @@ class DrawnView(View):
 class PathView(DrawnView):
     """A toolpath or an audit: the path coloured by deviation, with legend, tool axes, markers and the worst blocks' curves."""
 
-    ROWS = view_properties.PATH
+    ROWS, SWITCHES = view_properties.PATH, view_properties.PATH_SWITCHES
 
     def attach(self, vobj: Any) -> None:
         """Nothing drawn yet."""
         self.picture: Any = None
         self.childless = False
         super().attach(vobj)
+
+    def setupContextMenu(self, vobj: Any, menu: Any) -> None:
+        """Entries that open the list of findings, and that show or hide parts of the path."""
+        from .shown_parts import add_entries
+
+        super().setupContextMenu(vobj, menu)
+        add_entries(menu, vobj.Object)
 
     def claimChildren(self) -> list[Any]:
         """The tessellation, markers, NC files and the maps stand below the path in the tree."""

@@ -804,12 +804,20 @@
         <translation>Kurven zeigen</translation>
     </message>
     <message>
+        <source>Show Cuts</source>
+        <translation>Schnitte zeigen</translation>
+    </message>
+    <message>
         <source>Show Label</source>
         <translation>Beschriftung zeigen</translation>
     </message>
     <message>
         <source>Show Legend</source>
         <translation>Legende zeigen</translation>
+    </message>
+    <message>
+        <source>Show Links</source>
+        <translation>Verbindungen zeigen</translation>
     </message>
     <message>
         <source>Show Markers</source>
@@ -850,6 +858,14 @@
     <message>
         <source>Show the values where most is left and where the cut is deepest</source>
         <translation>Die Werte zeigen, wo am meisten stehen bleibt und wo am tiefsten gefräst wird</translation>
+    </message>
+    <message>
+        <source>Show the ways between passes at feed, and where the tool is lifted off the part</source>
+        <translation>Die Wege zwischen den Zeilen im Vorschub zeigen, und wo das Werkzeug vom Werkstück abgehoben ist</translation>
+    </message>
+    <message>
+        <source>Show what cuts, in the colours of its deviation</source>
+        <translation>Zeigen, was schneidet, in den Farben seiner Abweichung</translation>
     </message>
     <message>
         <source>Show what the colours mean</source>
@@ -1435,6 +1451,10 @@
         <translation>Zu tief gefräst</translation>
     </message>
     <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
         <source>Cutter</source>
         <translation>Fräser</translation>
     </message>
@@ -1753,6 +1773,10 @@
     <message>
         <source>Mark</source>
         <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Markierungen</translation>
     </message>
     <message>
         <source>Mesh angle</source>
@@ -2095,6 +2119,10 @@
         <translation>Ordner zeigen</translation>
     </message>
     <message>
+        <source>Shown in the view</source>
+        <translation>In der Ansicht</translation>
+    </message>
+    <message>
         <source>Singular blocks</source>
         <translation>Singuläre NC-Sätze</translation>
     </message>
@@ -2399,6 +2427,10 @@
         <translation>Toleranz</translation>
     </message>
     <message>
+        <source>Tool axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
         <source>Tool axis</source>
         <translation>Werkzeugachse</translation>
     </message>
@@ -2691,6 +2723,10 @@
         <translation>zu tief gefräst: {count} Stellen</translation>
     </message>
     <message>
+        <source>cut, coloured by its deviation</source>
+        <translation>Schnitt, nach Abweichung gefärbt</translation>
+    </message>
+    <message>
         <source>cutter {depth} in the part between passes</source>
         <translation>Fräser zwischen Bahnen {depth} im Werkstück</translation>
     </message>
@@ -2801,6 +2837,10 @@
     <message>
         <source>link</source>
         <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>link between passes, or lifted: at feed</source>
+        <translation>Verbindung oder abgehoben, im Vorschub</translation>
     </message>
     <message>
         <source>linking the passes</source>
@@ -2937,6 +2977,10 @@
     <message>
         <source>rapid</source>
         <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>rapid, dashed</source>
+        <translation>Eilgang, gestrichelt</translation>
     </message>
     <message>
         <source>reading the CL file</source>

@@ -10,6 +10,7 @@ from freecad_fiveaxis.core.collision import RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.report import draw
 from freecad_fiveaxis.core.report.drawing import STROKES, _paired, _stroke_ends
+from freecad_fiveaxis.core.report.thinning import COATS
 from freecad_fiveaxis.gui.scene import marks, nodes, path_nodes, words
 
 
@@ -39,9 +40,14 @@ def long_path(count):
     return _paired(points[start - 1], points[end]), level
 
 
+def _all_cut(level):
+    """All strokes cut, and are drawn at any size."""
+    return {"cut": np.ones(len(level), bool), "coat": np.full(len(level), COATS)}
+
+
 def picture_of_long(figures, look, pairs, level):
     """The whole picture of these strokes: with the axes, curves and legend of the figures, and 1000 marks."""
-    drawing = replace(draw(figures), stroke=pairs, level=level, block=np.arange(len(level)), deviation=level)
+    drawing = replace(draw(figures), stroke=pairs, level=level, block=np.arange(len(level)), deviation=level, **_all_cut(level))
     picture = path_nodes.PathNodes()
     picture.show(drawing, look)
     places = np.resize(pairs, (1000, 3))

@@ -125,14 +125,14 @@ def test_the_path_is_seen_in_its_colours(dome, scene, screenshot, view_box, unti
 
     until(lambda: count(screenshot("scene-path"), loud) > 1000, 30000, "a loud colour")
     until(lambda: count(screenshot("scene-path"), used - loud) > 1000, 30000, "a calm colour")
-    picture.turn("strokes", False)
+    picture.turn("cuts", False)
     until(lambda: count(screenshot("scene-no-path"), loud) == 0, 30000, "no loud colour")
 
 
 def test_markers_stand_where_the_core_says_and_can_be_told_apart(dome, scene, screenshot, pixels, view_box, until):
     picture = path_nodes.PathNodes()
     picture.show(draw(dome), LOOK)
-    for part in ("strokes", "axes", "curves", "rapids"):
+    for part in ("cuts", "links", "axes", "curves", "rapids"):
         picture.turn(part, False)
     scene(picture.root)
     for colour, what in ((BAD, "marks over the tolerance"), (SINGULAR, "marks of singular blocks")):
@@ -144,7 +144,7 @@ def test_the_curve_of_table_2_is_seen_to_overshoot_its_chord(table2, scene, scre
     picture = path_nodes.PathNodes()
     drawing = draw(table2)
     picture.show(drawing, LOOK)
-    for part in ("strokes", "marks", "rapids", "axes"):
+    for part in ("cuts", "links", "marks", "rapids", "axes"):
         picture.turn(part, False)
     scene(picture.root)
     until(lambda: pixels(screenshot("scene-table2"), _pixels(BAD), 2, view_box()) > 1000, 30000, "the curve")
@@ -166,7 +166,7 @@ def test_the_legend_is_no_part_of_the_scenes_box(dome, scene, screenshot, pixels
     view.fitAll()
     assert view.getCameraNode().height.getValue() == pytest.approx(height, rel=1e-3)
     until(lambda: pixels(screenshot("scene-legend"), overlay.WARN, 40, view_box()) > 30, 30000, "the warning")
-    picture.turn("strokes", False)
+    picture.turn("cuts", False)
     picture.turn("legend", False)
     until(lambda: pixels(screenshot("scene-no-legend"), overlay.WARN, 40, view_box()) < 10, 30000, "no warning")
 

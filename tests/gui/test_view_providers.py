@@ -154,7 +154,8 @@ def test_every_part_can_be_switched_off(path, pump, until, screenshot, view_box)
         left, top, width, height = view_box()
         return QtGui.QImage(screenshot("part")).copy(left, top, width, height)
 
-    parts = {"ShowAxes": "axes", "ShowMarkers": "marks", "ShowCurves": "curves", "ShowRapids": "rapids", "ShowLegend": "legend",
+    path.ViewObject.ShowRapids = True
+    parts = {"ShowCuts": "cuts", "ShowLinks": "links", "ShowAxes": "axes", "ShowMarkers": "marks", "ShowCurves": "curves", "ShowRapids": "rapids", "ShowLegend": "legend",
              "ShowLabel": "label"}  # fmt: skip
     pump(300)
     for prop, part in parts.items():
@@ -173,7 +174,7 @@ def test_a_path_that_is_out_of_date_says_so_in_the_view(path, doc, pump, screens
 
     picture = path.ViewObject.Proxy.picture
     assert picture.checked == ""
-    picture.nodes.turn("strokes", False)
+    picture.nodes.turn("cuts", False)
     before = pixels(screenshot("current"), WARN, 12, view_box())
     path.Feed = "700 mm/min"
     until(lambda: picture.checked, 20000, "a change of a setting noticed")

@@ -36,6 +36,7 @@ from freecad_fiveaxis.core.nc.reader import Assumed, dialect_of_text, read_nc
 from freecad_fiveaxis.core.passes import find_pass_strategy
 from freecad_fiveaxis.core.report import Figures, judge
 from freecad_fiveaxis.core.report.contacts import Contacts, contacts_of
+from freecad_fiveaxis.core.report.near_part import stand_of
 
 from .collision_avoidance import (
     allowed,
@@ -59,6 +60,7 @@ from .options import (
     post_options,
     rapids_of,
     search_folders,
+    tip_to_driven,
     title_of,
     tool_body,
     with_cutter,
@@ -224,9 +226,18 @@ def _contacts(made: Milled) -> Contacts | None:
     return contacts_of(offset.centre, offset.normal, made.axis, offset.face, made.mesh, cutter.corner, above)
 
 
+def _stand(made: Milled, contacts: Contacts | None) -> float:
+    """How far from the part what is drawn of a cut may stand, mm; with ``contacts`` it is drawn where the ball touches."""
+    cutter, offset = made.settings.cutter.cutter, made.offset
+    if contacts is not None:
+        return 0.0
+    return tip_to_driven(made.settings) + stand_of(cutter.ring, cutter.corner, offset.normal, made.axis)
+
+
 def figures(result: Result) -> Figures:
     """What the report is made from."""
     made = result.made
+    contacts = _contacts(made) if isinstance(made, Milled) else None
     return Figures(
         title=title_of(made.settings), kind=made.settings.task, machine=made.machine, kinematics=made.kinematics,
         program=made.program, deviation=result.deviation, singularity=result.singularity,
@@ -235,6 +246,6 @@ def figures(result: Result) -> Figures:
         allowed=allowed(made.settings, made.mesh, made.keep) if result.left and isinstance(made, Milled) else 0.0,
         mesh=made.mesh if isinstance(made, Milled) else None,
         unfinished=unfinished_share(result.findings, made.mesh, made.keep) if isinstance(made, Milled) else 0.0,
-        contacts=_contacts(made) if isinstance(made, Milled) else None,
+        contacts=contacts, stand=_stand(made, contacts) if isinstance(made, Milled) else 0.0,
         rapids=rapids_of(made.settings, made.machine, made.dialect),
     )  # fmt: skip

@@ -3,6 +3,9 @@
 
 stroke  a straight line of the picture: the chord of a feed block, or of several neighbouring ones where a program has more
         than STROKES; it has the deviation of the worst of its blocks. Of a ball that leans it joins the contacts: what is cut.
+cut     a stroke that cuts: of a cut or a fill whose ends lie at the part. Where the tool was lifted off the part, and on links,
+        it cuts nothing. Of a foreign program without its part every feed block may cut.
+coat    ``thinning``: fewer passes, for a small picture. What is over the tolerance is in every coat.
 level   the deviation on a logarithmic scale about the tolerance: 0.5 is the tolerance, 0 a hundredth of it, 1 a hundred
         times it; what lies beyond is at the end of the scale.
 curve   the way that the judged point, the tip or a ball's centre, really takes in a block, beside its own chord; spoke: from
@@ -21,7 +24,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
-from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.collision import GOUGES
 from freecad_fiveaxis.core.machine import fitted_columns
@@ -31,6 +34,7 @@ from .figures import Figures
 from .judgement import OVER, SINGULAR, UNPROVEN
 from .markers import Marker, markers
 from .playback import segment_foot
+from .thinning import COATS, coats, distances
 
 STROKES = 600_000
 """Beyond this many a view without a graphics card no longer follows the mouse."""
@@ -51,9 +55,11 @@ class Drawing:
     """What a view shows of a program.
 
     ``stroke`` (2k, 3): start and end of every stroke in turn; ``block`` (k,) the worst of its blocks, ``deviation`` (k,) mm
-    and ``level`` (k,) of that. ``rapid`` (2r, 3): strokes along the real way of the rapids. ``foot``, ``axis`` (a, 3): tip (or
-    contact) and unit axis of the tools drawn, which stand ``axis_length`` mm high. ``curve`` (w CURVE_POINTS, 3), ``chord``
-    (2w, 3) and ``spoke`` (2w, 3) of the worst blocks ``worst`` (w,). ``low``, ``high`` (3,) the box of the feed blocks.
+    and ``level`` (k,) of that, ``cut`` (k,) whether it cuts, ``coat`` (k,) the widest coat that it belongs to; ``apart``
+    (COATS,) mm between the passes of each coat. ``rapid`` (2r, 3): strokes along the real way of the rapids. ``foot``, ``axis``
+    (a, 3): tip (or contact) and unit axis of the tools drawn, which cut there and stand ``axis_length`` mm high. ``curve``
+    (w CURVE_POINTS, 3), ``chord`` (2w, 3) and ``spoke`` (2w, 3) of the worst blocks ``worst`` (w,). ``low``, ``high`` (3,) the
+    box of the feed blocks.
     """
 
     tolerance: float
@@ -61,6 +67,9 @@ class Drawing:
     block: Ints
     deviation: Floats
     level: Floats
+    cut: Bools
+    coat: Ints
+    apart: Floats
     rapid: Floats
     foot: Floats
     axis: Floats
@@ -75,8 +84,9 @@ class Drawing:
 
     def __post_init__(self) -> None:
         k, w = len(self.block), len(self.worst)
-        freeze(self, k, block="i", deviation="f", level="f")
+        freeze(self, k, block="i", deviation="f", level="f", cut="b", coat="i")
         freeze(self, 2 * k, stroke="f3")
+        freeze(self, None, apart="f")
         freeze(self, None, rapid="f3")
         freeze(self, None, foot="f3", axis="f3")
         freeze(self, w, worst="i")
@@ -111,13 +121,16 @@ def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
     deviation = figures.judged.segment[block]
     low, high = _box(figures.tip[figures.feeds])
     length = float((high - low).max()) / AXES_ACROSS
-    tool = _apart(figures.tip, figures.feeds, low, length)
     worst = figures.worst[figures.judged.segment[figures.worst] > 0.0]
     curve, spoke = _curves(figures, worst)
     stroke = _paired(figures.drawn(start - 1), figures.drawn(end))
+    level, cut = level_of(deviation, figures.tolerance), _cutting(figures, start, end)
+    diagonal = float(np.linalg.norm(high - low))
+    tool = _apart(figures.tip, end[cut], low, length)
     return Drawing(
-        tolerance=figures.tolerance, stroke=stroke, block=block, deviation=deviation,
-        level=level_of(deviation, figures.tolerance), rapid=_rapids(figures), foot=figures.drawn(tool), axis=figures.axis[tool],
+        tolerance=figures.tolerance, stroke=stroke, block=block, deviation=deviation, level=level, cut=cut,
+        coat=_coats(stroke, cut, level, diagonal), apart=distances(diagonal),
+        rapid=_rapids(figures), foot=figures.drawn(tool), axis=figures.axis[tool],
         axis_length=1.5 * length, worst=worst, curve=curve.reshape(-1, 3), chord=curve[:, [0, -1]].reshape(-1, 3), spoke=spoke,
         low=low, high=high, markers=markers(figures),
     )  # fmt: skip
@@ -209,6 +222,19 @@ def _stroke_ends(feeds: Ints, motion: np.ndarray, most: int) -> tuple[Ints, Ints
         new[:] = True
     first = np.flatnonzero(new)
     return feeds[first], feeds[np.append(first[1:], len(feeds)) - 1]
+
+
+def _cutting(figures: Figures, start: Ints, end: Ints) -> Bools:
+    """Which strokes, of blocks ``start`` to ``end`` (k,), cut."""
+    return np.asarray((figures.program.motion[end] != Motion.LINK) & figures.at_part[start - 1] & figures.at_part[end])
+
+
+def _coats(stroke: Floats, cut: Bools, level: Floats, diagonal: float) -> Ints:
+    """The widest coat (k,) of each stroke; links are in all."""
+    widest = np.full(len(cut), COATS)
+    widest[cut] = coats(stroke[0::2][cut], stroke[1::2][cut], diagonal)
+    widest[level > 0.5] = COATS
+    return widest
 
 
 def _worst_between(values: Floats, start: Ints, end: Ints) -> Ints:

@@ -41,6 +41,7 @@ from freecad_fiveaxis.core.motion.singularity import Singularity
 from .audited import audit_rows, audited, worst_of
 from .block_table import letter_order
 from .contacts import Contacts
+from .near_part import near_part
 from .part_facts import part_numbers
 
 WORST = 10
@@ -56,8 +57,9 @@ class Figures:
     ``deviation`` is that of the driven point, ``surface`` that of the point that makes the surface, where it is another one.
     ``audit`` where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
     ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
-    1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part; ``rapids``: how
-    the controller drives them, one of :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`.
+    1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how
+    far from the part what is drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
+    :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`.
     """
 
     title: str
@@ -78,6 +80,7 @@ class Figures:
     unfinished: float = 0.0
     surface: Deviation | None = None
     contacts: Contacts | None = None
+    stand: float = 0.0
     rapids: str = ""
 
     @property
@@ -110,6 +113,14 @@ class Figures:
     def drawn(self, rows: Ints) -> Floats:
         """Where the blocks (k,) are drawn to end (k, 3) mm: a ball that leans at its contact, all else at the tip."""
         return self.tip[rows] if self.contacts is None else self.contacts.touched(self.tip[rows], self.axis[rows])
+
+    @cached_property
+    def at_part(self) -> Bools:
+        """At which blocks' ends (m,) the tool stands at the part; at all of them where no part is known."""
+        rows = np.arange(len(self.program.words))
+        if self.mesh is None or not len(rows):
+            return np.ones(len(rows), bool)
+        return near_part(self.mesh, self.drawn(rows), self.stand)
 
     @cached_property
     def _poses(self) -> tuple[Floats, Floats]:

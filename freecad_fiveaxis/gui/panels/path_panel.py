@@ -19,6 +19,7 @@ from freecad_fiveaxis.gui import keys
 from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import ask, status, warn
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, later, translate
+from freecad_fiveaxis.gui.shown_parts import ShownParts
 from freecad_fiveaxis.gui.undo import OpenStep
 from freecad_fiveaxis.gui.waiting import waiting
 
@@ -46,13 +47,15 @@ class PathPanel:
         self.step, self.calculated = OpenStep(doc, title), None
         self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
         self.calculate_button.setObjectName("calculate")
-        self.summary = self.SUMMARY()
+        self.summary, self.shown_parts = self.SUMMARY(), ShownParts()
         self.form = self._widget(title)
         self.calculate_button.clicked.connect(lambda *_: self.calculate())
         form.edited.connect(self._edited)
 
     def _widget(self, title: str) -> Any:
-        return PanelWidget(title, (self.calculate_button, self.summary, self.options.error), self.options.widget)
+        return PanelWidget(
+            title, (self.calculate_button, self.summary, self.shown_parts, self.options.error), self.options.widget
+        )
 
     def fill(self, values: Mapping[str, Any]) -> None:
         """Show these values; an object that is there shows its last result."""
@@ -118,6 +121,7 @@ class PathPanel:
             self.summary.forget()
         else:
             self.summary.show_result(self.obj)
+        self.shown_parts.show_for(self.obj)
 
     def getStandardButtons(self) -> int:
         """FreeCAD asks which buttons the panel has."""

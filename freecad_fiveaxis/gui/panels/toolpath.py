@@ -77,7 +77,7 @@ class ToolpathPanel(PathPanel):
         return True
 
     def _widget(self, title: str) -> Any:
-        head = (self.calculate_button, self.summary, self.scale_offer, self.options.error)
+        head = (self.calculate_button, self.summary, self.shown_parts, self.scale_offer, self.options.error)
         return PanelWidget(title, head, self.options.widget)
 
     def _edited(self) -> None:

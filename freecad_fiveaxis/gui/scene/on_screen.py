@@ -214,7 +214,7 @@ class Labels(_Overlay):
         """The boxes of the labels that have room."""
         if not len(self.places):
             return layout.NONE
-        anchor = layout.projected(self.places, _clip_from_place(action.getState()), size)
+        anchor = layout.projected(self.places, clip_from_place(action.getState()), size)
         taken = np.concatenate([taken, later])
         self.boxes, self.slots = layout.label_places(anchor, self.sizes, size, taken, self.slots)
         seen = self.slots >= 0
@@ -236,7 +236,7 @@ class Labels(_Overlay):
             self.lines.numVertices.setValues(0, len(anchor), np.full(len(anchor), 2, np.int32))
 
 
-def _clip_from_place(state: Any) -> np.ndarray:
+def clip_from_place(state: Any) -> np.ndarray:
     """From places of the scene, as they stand where the traversal is, to the view's cube (4, 4); Coin multiplies rows."""
     model = np.array(coin.SoModelMatrixElement.get(state).getValue())
     return np.asarray(model @ np.array(coin.SoViewVolumeElement.get(state).getMatrix().getValue()))

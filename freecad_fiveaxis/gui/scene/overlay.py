@@ -19,7 +19,7 @@ PAPER, INK, WARN = (22, 26, 32, 205), (245, 245, 245), (255, 205, 70)
 """Red, green, blue, 0 to 255 (and alpha): dark paper that shows on any background."""
 FONT, SMALL, PAD, BAR = 13, 12, 10, 18
 """Pixels: text, smaller text, border, width of the colour bar."""
-BAR_HEIGHT = 190
+BAR_HEIGHT = 152
 WARNING_WIDTH = 44
 """Letters in a line of a warning: wider ones would cover the part."""
 STRIPE = 5

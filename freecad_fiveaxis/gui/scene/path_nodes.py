@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The nodes of a drawn path: strokes coloured by deviation, rapids, tool axes, the worst blocks' real curves, label, legend."""
+"""The nodes of a drawn path: cuts coloured by deviation, links, rapids, tool axes, the worst blocks' curves, label, legend."""
 
 from __future__ import annotations
 
@@ -13,14 +13,20 @@ from freecad_fiveaxis.core.report import Drawing
 from freecad_fiveaxis.core.report.drawing import CURVE_POINTS
 
 from . import colours, nodes
+from .cut_nodes import CutNodes
 from .marks import NOTHING, Marks, largest_colour
 from .on_screen import Labels, LegendBox
+from .zoom import Zoom
 
-PARTS = ("strokes", "rapids", "axes", "curves", "marks", "legend", "label")
+PARTS = ("cuts", "links", "rapids", "axes", "curves", "marks", "legend", "label")
 """What can be switched on and off by itself, in the order in which it is drawn."""
-RAPID_COLOUR, AXIS_COLOUR = (0.55, 0.57, 0.6), (0.68, 0.86, 1.0)
+LINK_COLOUR, RAPID_COLOUR, AXIS_COLOUR = (0.60, 0.53, 0.83), (0.55, 0.57, 0.6), (0.68, 0.86, 1.0)
+FAINT = 0.5
+"""The transparency of rapids."""
 CHORD_COLOUR, FOOT_SHADE = (1.0, 1.0, 1.0), 0.2
 DASHES = 0x0F0F
+SHORTEST = 16.0
+"""Pixels: tool axes that stand nearer together than two thirds of this are a fur over the part, and are left out."""
 BEFORE_ALL = 0.999
 """The worst blocks' curves are seen through the part: where they lie below its surface they matter most."""
 
@@ -43,18 +49,21 @@ class PathNodes:
 
     def __init__(self) -> None:
         self.root, self.origin = coin.SoSeparator(), coin.SoTranslation()
-        self.marks, self.labels, self.legend = Marks(), Labels(), LegendBox()
+        self.cuts, self.marks, self.labels, self.legend = CutNodes(), Marks(), Labels(), LegendBox()
         self.groups = {name: coin.SoSeparator() for name in PARTS}
         self.switches = {name: nodes.switch(group) for name, group in self.groups.items()}
-        for name, own in (("marks", self.marks), ("label", self.labels), ("legend", self.legend)):
+        self.zoom, self.sticks, self.stick = Zoom(self), nodes.switch(coin.SoSeparator()), 0.0
+        self.sticks.enableNotify(False)  # it is turned within a frame, and must not ask for the next one
+        for name, own in (("cuts", self.cuts), ("marks", self.marks), ("label", self.labels), ("legend", self.legend)):
             self.groups[name].addChild(own.root)
-        for node in (self.origin, nodes.flat(), *self.switches.values()):
+        for node in (self.origin, nodes.flat(), self.zoom.root, *self.switches.values()):
             self.root.addChild(node)
 
     def clear(self) -> None:
         """Show nothing."""
-        for name in ("strokes", "rapids", "axes", "curves"):
+        for name in ("links", "rapids", "axes", "curves"):
             self.groups[name].removeAllChildren()
+        self.cuts.clear()
         self.marks.show(np.zeros((0, 3)), (), None, (0, 0, 0), (0, 0, 0), 1.0)
         self.labels.show(())
         self.legend.show(None)
@@ -63,24 +72,26 @@ class PathNodes:
         """Switch one of PARTS."""
         nodes.turn(self.switches[name], on)
 
+    def zoom_to(self, pixels_per_mm: float) -> None:
+        """Draw as many passes and tool axes as there is room for; called within a frame."""
+        self.cuts.choose(pixels_per_mm)
+        nodes.turn(self.sticks, self.stick * pixels_per_mm >= SHORTEST)
+
     def move_to(self, origin: tuple[float, float, float]) -> None:
         """The work zero in the document, mm."""
         self.origin.translation.setValue(*origin)
 
     def show(self, drawing: Drawing, look: Look) -> None:
         """Draw all but the label and the legend, which carry words."""
-        rgba = np.repeat(colours.packed(drawing.level, look.good, look.bad), 2)
-        self._fill(
-            "strokes",
-            nodes.unpickable(),
-            nodes.nearer(0.001),
-            nodes.style(look.line_width),
-            nodes.lines(drawing.stroke, colours=rgba),
-        )
-        self._fill(
-            "rapids", nodes.unpickable(), nodes.colour(RAPID_COLOUR), nodes.style(1.0, pattern=DASHES), nodes.lines(drawing.rapid)
-        )
-        self._fill("axes", nodes.unpickable(), nodes.style(1.0), _sticks(drawing, look))
+        self.cuts.show(drawing, look.good, look.bad, look.line_width)
+        links = nodes.lines(drawing.stroke[np.repeat(~drawing.cut, 2)])
+        self._fill("links", nodes.unpickable(), nodes.nearer(0.0005), nodes.colour(LINK_COLOUR), nodes.style(1.0), links)
+        faint, dashed = nodes.colour(RAPID_COLOUR, FAINT), nodes.style(1.0, pattern=DASHES)
+        self._fill("rapids", nodes.unpickable(), faint, dashed, nodes.lines(drawing.rapid))
+        self.zoom.middle, self.stick = 0.5 * (drawing.low + drawing.high), drawing.axis_length
+        self.sticks.removeAllChildren()
+        self.sticks.addChild(nodes.separate(_sticks(drawing, look)))
+        self._fill("axes", nodes.unpickable(), nodes.style(1.0), self.sticks)
         self._fill("curves", nodes.unpickable(), nodes.nearer(BEFORE_ALL), *_curves(drawing, look))
         self.show_marks(drawing, look)
 

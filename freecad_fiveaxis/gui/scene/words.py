@@ -23,6 +23,9 @@ LARGEST, OVER, SINGULAR, UNPROVEN = "largest-deviation", "deviation-over-toleran
 SIDE = "side-not-machined"
 """Each side has a marker and a label of its own."""
 
+MOVES = ("cuts", "links", "rapids")
+"""The kinds of moves of a path, as they are drawn (path_nodes.PARTS)."""
+
 Told = tuple[str, str, str]
 
 
@@ -193,8 +196,11 @@ def label_text(deviation: float, line: int, tolerance: float) -> str:
     return text.format(deviation=length_text(deviation), line=line, tolerance=length_text(tolerance))
 
 
-def legend_of(label: str, figures: Figures, look: Any, warning: str, kinds: Sequence[str] = ()) -> Any:
-    """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its markers."""
+def legend_of(
+    label: str, figures: Figures, look: Any, warning: str, kinds: Sequence[str] = (), shown: Sequence[str] = MOVES[:2]
+) -> Any:
+    """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its markers; which of MOVES are
+    ``shown``."""
     from freecad_fiveaxis.core.report import judged_largest, scale_values, summary
 
     from .colours import ramp
@@ -206,6 +212,7 @@ def legend_of(label: str, figures: Figures, look: Any, warning: str, kinds: Sequ
     marks = [(level, length_text(value)) for level, value in scale_values(figures.tolerance)]
     marks = [(marks[0][0], "≤ " + marks[0][1]), *marks[1:-1], (marks[-1][0], "≥ " + marks[-1][1])]
     keys = [
+        *_moves(look, shown),
         (look.bad, translate("FiveAxis", "over the tolerance: {count} blocks").format(count=said["over_tolerance"])),
         (look.singular, translate("FiveAxis", "near the pole: {count} blocks").format(count=said["singular_blocks"])),
         ((1.0, 1.0, 1.0), beside if figures.surface is None else centre_beside),
@@ -224,6 +231,18 @@ def legend_of(label: str, figures: Figures, look: Any, warning: str, kinds: Sequ
         notes.append(translate("FiveAxis", "not proven between their ends"))
     halves = (translate("FiveAxis", "within tolerance"), translate("FiveAxis", "over tolerance"))
     return Legend(label, ramp(look.good, look.bad), marks, halves, keys, notes, warning)
+
+
+def _moves(look: Any, shown: Sequence[str]) -> list[tuple[Any, str]]:
+    """The kinds of moves in the legend: colour and text."""
+    from .path_nodes import LINK_COLOUR, RAPID_COLOUR
+
+    texts = {
+        "cuts": (look.good, translate("FiveAxis", "cut, coloured by its deviation")),
+        "links": (LINK_COLOUR, translate("FiveAxis", "link between passes, or lifted: at feed")),
+        "rapids": (RAPID_COLOUR, translate("FiveAxis", "rapid, dashed")),
+    }
+    return [texts[name] for name in MOVES if name in shown]
 
 
 def empty_legend(label: str, warning: str) -> Any:

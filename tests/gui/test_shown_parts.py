@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What of a path is shown: what cuts is told from links and rapids, fewer passes where the part is small, and the switches."""
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import Part
+import pytest
+from PySide import QtGui
+
+try:
+    from PySide import QtWidgets
+except ImportError:  # FreeCAD 0.20 keeps them here
+    QtWidgets = QtGui
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.gui import attach, shown_parts
+
+SWITCHED = {"ShowCuts": "cuts", "ShowLinks": "links", "ShowRapids": "rapids", "ShowAxes": "axes", "ShowMarkers": "marks"}
+
+
+@pytest.fixture
+def path(doc, until):
+    """A toolpath over a low dome."""
+    attach.register()
+    base = doc.addObject("Part::Feature", "Dome")
+    base.Shape = Part.makeSphere(60, FreeCAD.Vector(0, 0, -60)).common(Part.makeBox(40, 24, 20, FreeCAD.Vector(-20, -12, -16)))
+    doc.recompute()
+    made = app.create_toolpath(doc, base, passes="planes", machine="trunnion_ac", cutter="ball:10", stepover=1.0)
+    until(lambda: drawn(made), 30000, "the path drawn")
+    return made
+
+
+def drawn(path):
+    """The picture of a path, once it is drawn."""
+    picture = path.ViewObject.Proxy.picture
+    return picture if picture is not None and picture.drawing is not None and picture.styled else None
+
+
+def shows(path, part):
+    """Whether the nodes of a part are drawn."""
+    return path.ViewObject.Proxy.picture.nodes.switches[SWITCHED[part]].whichChild.getValue() != -1
+
+
+def strokes(node):
+    """How many lines a node would draw."""
+    from pivy import coin
+
+    action = coin.SoGetPrimitiveCountAction()
+    action.apply(node)
+    return action.getLineCount()
+
+
+def test_rapids_are_off_at_first_and_all_else_is_on(path):
+    assert {part: shows(path, part) for part in SWITCHED} == {part: part != "ShowRapids" for part in SWITCHED}
+    assert set(SWITCHED) == set(shown_parts.part_names())
+
+
+@pytest.mark.parametrize("part", SWITCHED)
+def test_each_part_has_a_switch_in_the_panel_and_in_the_menu(part, path, doc, field, click, until):
+    from freecad_fiveaxis.gui.panels import toolpath
+
+    toolpath.edit(path)
+    before = shows(path, part)
+    assert field(part).isChecked() == before
+    click(field(part))
+    until(lambda: shows(path, part) != before, 20000, f"{part} switched in the panel")
+    menu = QtWidgets.QMenu()
+    path.ViewObject.Proxy.setupContextMenu(path.ViewObject, menu)
+    entry = menu.findChild(QtWidgets.QMenu, "shown_parts").actions()[list(SWITCHED).index(part)]
+    assert entry.isCheckable() and entry.isChecked() != before
+    entry.trigger()
+    until(lambda: shows(path, part) == before, 20000, f"{part} switched in the menu")
+
+
+def test_the_switch_of_the_markers_is_that_of_the_markers_object_where_there_is_one(path, until):
+    markers = app.annotate(path)
+    assert shown_parts.is_shown(path, "ShowMarkers")
+    shown_parts.show_part(path, "ShowMarkers", False)
+    assert not markers.ViewObject.Visibility and not shown_parts.is_shown(path, "ShowMarkers")
+    markers.Document.removeObject(markers.Name)
+    assert shown_parts.is_shown(path, "ShowMarkers") and path.ViewObject.ShowMarkers
+
+
+def test_a_new_path_has_no_switches_until_it_is_there(doc, field):
+    from freecad_fiveaxis.gui.panels import toolpath
+
+    base = doc.addObject("Part::Box", "Box")
+    doc.recompute()
+    panel = toolpath.create(base)
+    assert not panel.shown_parts.isVisibleTo(panel.form)
+    assert panel.calculate() and field("ShowRapids").isChecked() is False
+    panel.reject()
+
+
+def test_only_what_cuts_at_the_part_is_coloured_and_strong(path):
+    picture = drawn(path)
+    drawing, nodes = picture.drawing, picture.nodes
+    assert 0 < drawing.cut.sum() < len(drawing.cut)
+    assert strokes(nodes.groups["links"]) == (~drawing.cut).sum()
+    assert sum(strokes(band) for band in nodes.cuts.bands) == drawing.cut.sum()
+    assert nodes.cuts.style.lineWidth.getValue() == path.ViewObject.LineWidth == 2.0
+
+
+@pytest.mark.parametrize("camera", ["Orthographic", "Perspective"])
+def test_fewer_passes_are_drawn_where_the_part_is_small(camera, path, doc, pump, until, screenshot):
+    """And all of them where the camera is near."""
+    view, nodes = FreeCADGui.getDocument(doc.Name).ActiveView, drawn(path).nodes
+    view.setCameraType(camera)
+    view.viewTop()
+    view.fitAll()
+    eye, middle = view.getCameraNode(), FreeCAD.Vector(*(0.5 * (drawn(path).drawing.low + drawn(path).drawing.high)).tolist())
+    middle += path.WorkZero
+    away = FreeCAD.Vector(*eye.position.getValue().getValue()) - middle
+    height = eye.height.getValue() if camera == "Orthographic" else None
+    left = {}
+    for times in (0.1, 1.0, 4.0, 16.0):
+        if height:
+            eye.height = times * height
+        else:
+            eye.position.setValue(*(middle + away * times))
+        nodes.cuts.coat = -1
+        until(lambda: view.redraw() or nodes.cuts.coat >= 0, 20000, "a frame")
+        pump(100)
+        shown = [
+            band for band, switch in zip(nodes.cuts.bands, nodes.cuts.switches, strict=True) if switch.whichChild.getValue() != -1
+        ]
+        left[times] = sum(strokes(band) for band in shown)
+    view.setCameraType("Orthographic")
+    assert left[0.1] == drawn(path).drawing.cut.sum()
+    assert (np.diff(list(left.values())) <= 0).all() and 0 < left[16.0] < 0.5 * left[0.1], left
+
+
+def test_the_legend_names_the_kinds_of_moves_that_are_shown(path):
+    from freecad_fiveaxis.gui.scene import words
+
+    picture = drawn(path)
+
+    def texts(shown):
+        legend = words.legend_of("Path", picture.figures, picture._look(), "", (), shown)
+        return [text.split(",")[0].split(" ")[0] for _, text in legend.keys]
+
+    assert picture._shown() == ["cuts", "links"]
+    assert texts(picture._shown())[:2] == ["cut", "link"] and "rapid" not in texts(picture._shown())
+    path.ViewObject.ShowRapids = True
+    assert texts(picture._shown())[:3] == ["cut", "link", "rapid"]
+
+
+def test_a_document_of_an_earlier_version_shows_what_it_showed(path, doc, until, tmp_path):
+    """Rapids were on, and there was no property for cuts and links."""
+    view, label = path.ViewObject, path.Label
+    view.ShowRapids = True
+    for name in ("ShowCuts", "ShowLinks"):
+        assert view.removeProperty(name)
+    doc.saveAs(str(tmp_path / "earlier.FCStd"))
+    FreeCAD.closeDocument(doc.Name)
+    again = FreeCAD.openDocument(str(tmp_path / "earlier.FCStd"))
+    try:
+        opened = again.getObjectsByLabel(label)[0]
+        until(lambda: drawn(opened), 30000, "the path drawn again")
+        assert opened.ViewObject.ShowRapids and opened.ViewObject.ShowCuts and opened.ViewObject.ShowLinks
+        assert all(shows(opened, part) for part in SWITCHED)
+    finally:
+        FreeCAD.closeDocument(again.Name)
