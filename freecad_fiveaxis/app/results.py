@@ -18,6 +18,8 @@ from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.made import Milled
+from freecad_fiveaxis.core.jobs.new_speed import change_speed, without_speed
 from freecad_fiveaxis.core.jobs.settings import Settings
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.report import Figures
@@ -42,7 +44,15 @@ class Task:
     @property
     def fingerprint(self) -> str:
         """A hexadecimal number that any change of the input changes; another name of it does not."""
-        settings = replace(self.settings, source="")
+        return self._hash(self.settings)
+
+    @property
+    def blocks_fingerprint(self) -> str:
+        """The same, whatever spindle speed and coolant are: of the program's blocks, without its head."""
+        return self._hash(without_speed(self.settings))
+
+    def _hash(self, settings: Settings) -> str:
+        settings = replace(settings, source="")
         said = repr((__version__, settings, _machine(self.settings), self.runs, *_contents(self.settings))).encode()
         data = self.data.digest() if isinstance(self.data, Facets) else hashlib.sha256(self.data).digest()
         return hashlib.sha256(data + said).hexdigest()
@@ -68,6 +78,7 @@ class Last:
     """What a proxy remembers of the last computation."""
 
     fingerprint: str
+    blocks_fingerprint: str
     result: job.Result
     figures: Figures
 
@@ -104,11 +115,15 @@ def _last(obj: Any, progress: Progress | None) -> Last:
 
 
 def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> Last:
-    """The whole work of the core; nothing of FreeCAD's is touched."""
-    result = job.prove(proxy.made(task, progress), progress)
+    """The whole work of the core, or a new head alone where no more has changed; nothing of FreeCAD's is touched."""
+    last, blocks = proxy.last, task.blocks_fingerprint
+    if last is not None and last.blocks_fingerprint == blocks and isinstance(last.result.made, Milled):
+        result = change_speed(last.result, task.settings, progress)
+    else:
+        result = job.prove(proxy.made(task, progress), progress)
     figures = job.figures(result)
     _ = figures.at_part  # found here, where it does not hold up the window that draws it
-    return Last(fingerprint, result, figures)
+    return Last(fingerprint, blocks, result, figures)
 
 
 def execute(obj: Any) -> None:

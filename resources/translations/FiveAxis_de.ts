@@ -1843,6 +1843,10 @@
         <translation>Nächster singulärer</translation>
     </message>
     <message>
+        <source>No spindle speed is given: the program leaves the spindle off, as for a dry run. Cancel, and type one.</source>
+        <translation>Keine Spindeldrehzahl angegeben: das Programm lässt die Spindel aus, wie für einen Lauf ohne Schnitt. Abbrechen und eine eingeben.</translation>
+    </message>
+    <message>
         <source>Normal of the planes I, J, K</source>
         <translation>Normale der Ebenen I, J, K</translation>
     </message>

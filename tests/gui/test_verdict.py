@@ -198,6 +198,21 @@ def test_a_spindle_speed_that_is_missing_is_asked_for_in_place(
     assert made.Spindle == 9000 and b"S9000" in file.read_bytes() and results.out_of_date(made) == ""
 
 
+@pytest.mark.parametrize("answer", ["Cancel", "Write anyway"])
+def test_a_program_that_leaves_the_spindle_off_is_written_only_when_told_to(
+    path, tmp_path, panel_button, modal, pump, answer, until
+):
+    made, file = path(), tmp_path / "part.ngc"
+    post.write(made).file.show_value(str(file))
+    pump(300)
+    told = modal(lambda dialog: next(one for one in dialog.buttons() if one.text().replace("&", "") == answer).click())
+    panel_button("OK", wait=800)
+    until(lambda: told.said, 20000, "a question")
+    assert "No spindle speed is given" in told.said[0] and "NOT SAFE" not in told.said[0]
+    until(lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"), 20000, "the panel open only after Cancel")
+    assert file.exists() == (answer == "Write anyway")
+
+
 def test_the_list_of_findings_begins_with_the_verdict(path, pump, until):
     made = path(**UNSAFE)
     opened = findings_panel.show(made)

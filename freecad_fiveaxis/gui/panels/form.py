@@ -19,7 +19,7 @@ from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from .abilities import LACKING, check_guide, reasons, unknown_choices
 from .choosers import CutterField, MachineField, SpacingField, controller_field, strategy_field
 from .depends import DEPENDS, idle_options
-from .fields import Field, SpindleField
+from .fields import Field
 from .files import any_file
 from .folding import FoldingGroup
 from .lines import error_line
@@ -102,7 +102,6 @@ class Form(QtCore.QObject):
             "tool_axis": lambda leaf: strategy_field(leaf.name, option_hint(leaf)),
             "passes": lambda leaf: strategy_field(leaf.name, option_hint(leaf)),
             "cutter": lambda leaf: CutterField(leaf.name, option_hint(leaf), doc),
-            "spindle": lambda leaf: SpindleField(leaf.name, option_hint(leaf)),
         }
         made = {}
         for name, leaf in self.leaves.items():

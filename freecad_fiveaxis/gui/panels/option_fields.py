@@ -8,7 +8,7 @@ from typing import Any
 
 from freecad_fiveaxis.app.labels import option_hint
 
-from .fields import ChoiceField, FeedField, Field, NumberField, QuantityField, TextField
+from .fields import ChoiceField, FeedField, Field, NumberField, QuantityField, SpindleField, TextField
 from .triple import TripleField
 
 STACK = "40x25,63x50"
@@ -26,6 +26,7 @@ def option_field(leaf: Any, choices: Sequence[tuple[Any, str]] = (), none_text: 
         return ChoiceField(leaf.name, choices, hint)
     makers: dict[str, Callable[[], Field]] = {
         "number": lambda: NumberField(leaf.name, hint, optional=optional),
+        "speed": lambda: SpindleField(leaf.name, hint),
         "count": lambda: NumberField(leaf.name, hint, whole=True, optional=optional),
         "text": lambda: TextField(leaf.name, hint),
         "place": lambda: TextField(leaf.name, hint),

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that writes a tool path: the NC file, a report where one is wished, a preview for CAM where one is wished.
 
-poor            errors and warnings of the result. A program with errors is written only when the user says so.
+poor            errors and warnings of the result. A program with errors, or without a spindle speed, is written only when the
+                user says so.
 proposed name   the folder of the preferences, else the document's, else the user's own; the path's label; the ending of the
                 controller's files.
 """
@@ -77,7 +78,7 @@ class PostPanel:
         )
         label.setWordWrap(True)
         label.setBuddy(self.spindle.editor)
-        return [label, self.spindle.editor, self.spindle.error]
+        return [label, self.spindle.editor, self.spindle.warning, self.spindle.error]
 
     def _show_poor(self) -> None:
         """Verdict, errors and warnings of the last computation; after opening a document the verdict only."""
@@ -157,13 +158,25 @@ class PostPanel:
             changes.compute(self.path)
 
     def _is_wanted(self, figures: Any) -> bool:
-        """Whether the program is written: asked where it has errors, which come first, then the warnings."""
+        """Whether the program is written: asked where it has errors, and where nothing starts the spindle."""
+        parts = [*self._errors_first(figures), *self._spindle_off()]
+        return not parts or ask("\n\n".join(parts), translate("FiveAxis", "Write anyway"))
+
+    def _spindle_off(self) -> list[str]:
+        """What to ask of a path that has no speed."""
+        text = translate(
+            "FiveAxis", "No spindle speed is given: the program leaves the spindle off, as for a dry run. Cancel, and type one."
+        )
+        return [] if self.path.Spindle else [text]
+
+    def _errors_first(self, figures: Any) -> list[str]:
+        """The verdict of a program that is not safe, its errors, then its warnings; nothing of another."""
         from freecad_fiveaxis.core.base.findings import Severity
         from freecad_fiveaxis.core.report import Light, summary, verdict
 
         whole = verdict(figures, summary(figures))
         if whole.light is not Light.RED:
-            return True
+            return []
         poor = _poor(figures)
         parts = [wording.told(whole.text)]
         for severity, title in (
@@ -172,7 +185,7 @@ class PostPanel:
             texts = [f"• {wording.told(one.text)}" for one in poor if one.severity is severity]
             more = [f"• {translate('FiveAxis', 'and {count} more').format(count=len(texts) - NAMED)}"] * (len(texts) > NAMED)
             parts += [title + "\n" + "\n".join(texts[:NAMED] + more)] * bool(texts)
-        return ask("\n\n".join(parts), translate("FiveAxis", "Write anyway"))
+        return parts
 
     def _nc_path(self) -> str:
         """The name of the NC file, whole. Raises FileError where there is none."""
