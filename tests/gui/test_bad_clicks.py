@@ -166,6 +166,7 @@ def test_a_file_that_is_there_is_replaced_only_when_asked(
     FreeCADGui.Selection.clearSelection()
     press("FiveAxis_PostProcess")
     type_into(field("nc_path"), str(there))
+    type_into(field("spindle"), "9000")
     no = modal("Cancel")
     panel_button("OK", 500)
     until(lambda: no.said, 20000, "a question")
@@ -185,6 +186,7 @@ def test_a_folder_that_cannot_be_written_is_said_in_the_panel(
     objects = len(doc.Objects)
     press("FiveAxis_PostProcess")
     type_into(field("nc_path"), str(tmp_path / "file" / "part.ngc"))
+    type_into(field("spindle"), "9000")
     panel_button("OK", 500)
     until(lambda: field("post_error").text(), 20000, "what is wrong")
     assert len(doc.Objects) == objects

@@ -140,6 +140,7 @@ def test_a_solid_made_by_clicks_gets_passes_markers_nc_and_play(window, dome, do
     press("FiveAxis_PostProcess")
     nc = tmp_path / "dome.ngc"
     type_into(field("nc_path"), str(nc))
+    type_into(field("spindle"), "9000")
     panel_button("OK", 500)
     panel_closed()
     assert nc.read_bytes() == results.nc_of(path) == command_line(path, tmp_path)

@@ -104,6 +104,7 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
     tree_row(path.Label)
     press("FiveAxis_PostProcess")
     until(lambda: field("nc_path").text() == str(tmp_path / "Toolpath.h"), 20000, "the file's name")
+    type_into(field("spindle"), "9000")
     panel_button("OK", 800)
     panel_closed()
     nc = (tmp_path / "Toolpath.h").read_bytes()

@@ -500,6 +500,8 @@ def path(panel, doc, panel_button, panel_closed):
     """A computed path."""
     panel_button("OK")
     panel_closed()
+    doc.Toolpath.Spindle = 9000
+    doc.recompute()
     return doc.Toolpath
 
 
