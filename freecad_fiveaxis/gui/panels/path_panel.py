@@ -121,6 +121,9 @@ class PathPanel:
             self.summary.forget()
         else:
             self.summary.show_result(self.obj)
+        self._show_parts()
+
+    def _show_parts(self) -> None:
         self.shown_parts.show_for(self.obj)
 
     def getStandardButtons(self) -> int:

@@ -83,6 +83,10 @@ class SetupPanel(PathPanel):
         self.page_button.clicked.connect(lambda *_: self.save())
         return widget
 
+    def _show_parts(self) -> None:
+        """A map is no path: it has no cuts, links and rapids to switch."""
+        self.shown_parts.show_for(None)
+
     def is_current(self) -> bool:
         """Whether the map is of its toolpath as it is."""
         return bool(self.obj.UpToDate)
