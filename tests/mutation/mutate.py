@@ -31,7 +31,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-LEFT_OUT = shutil.ignore_patterns(".git", ".venv", ".cache", "out", "build", "*.egg-info", "__pycache__", ".*_cache", ".hypothesis")
+LEFT_OUT = shutil.ignore_patterns(
+    ".git", ".venv", ".cache", "out", "build", "*.egg-info", "__pycache__", ".*_cache", ".hypothesis"
+)
 SAMPLE = 8
 LIMIT = 180.0
 """s of the clock that the tests of one mutant may take."""
@@ -174,7 +176,9 @@ def main(words: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("mutants: interrupted; the copy is removed, the work tree was never changed", file=sys.stderr)
         return 130
-    print(f"mutants: {len(mutants)} tried, {failed} of them not as they should be" + ("" if given.all else f" (seed {given.seed})"))
+    print(
+        f"mutants: {len(mutants)} tried, {failed} of them not as they should be" + ("" if given.all else f" (seed {given.seed})")
+    )
     return 1 if failed else 0
 
 
