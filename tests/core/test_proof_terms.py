@@ -170,10 +170,12 @@ def test_no_quartic_that_counts_as_proven_exceeds_its_bound():
 # ------------------------------------------------------------------------------------------------ search.py
 
 
-def exceeded(move, origin, along, low, high, half):
+def exceeded(move, origin, along, low, high, half, second=None, third=None):
     """The largest squared distance of a piece about u = 1/2 over the bound that the search has for it, less 1."""
     levers = close_levers(FRAME, move)
     ends = (np.array([low]), np.array([high]), bending(levers, 2), bending(levers, 3), levers.turn)
+    if second is not None:  # one's own bounds of the derivatives instead of those of the levers
+        ends = (*ends[:2], np.array([second]), np.array([third]), levers.turn)
     chords = Chords(move, columns(*origin), columns(*along), *ends)
     local = _local(FRAME, chords, _Pieces(np.array([0]), np.array([0.5]), np.array([half])))
     path = np.array(tip(FRAME, at(move, 0.5 + half * np.linspace(-1.0, 1.0, 401))))
@@ -198,6 +200,15 @@ def test_a_piece_far_from_its_chord_whose_path_has_a_cusp_keeps_its_bound():
     move = turning_point(-0.5 * speed, speed / turn, speed, turn)
     worst = exceeded(move, (-away, 0.0, 0.0), (0.0, 1.0, 0.0), -1e3, 1e3, 0.125)
     assert -1e-3 < worst <= 1e-12
+
+
+def test_the_third_order_rest_is_used_up_where_the_derivatives_are_as_large_as_they_may_be():
+    """The same cusp; at z = x + i y the second derivative is turn |2 speed + i turn z|, the third turn^2 |3 speed + i turn z|."""
+    speed, away, half = 20.0, 1e4, 0.125
+    move = turning_point(-0.5 * speed, speed, speed, 1.0)
+    second, third = np.hypot(speed, speed * half), np.hypot(2.0 * speed, speed * half)
+    worst = exceeded(move, (-away, 0.0, 0.0), (0.0, 1.0, 0.0), -1e3, 1e3, half, second, third)
+    assert -1e-6 < worst <= 1e-12
 
 
 def test_a_piece_whose_foot_stays_beyond_the_chord_is_bounded_by_the_distance_from_its_end():

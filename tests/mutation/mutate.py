@@ -17,6 +17,7 @@ Exit 0 if all that were tried are killed, 1 if not, or where the tests fail with
 from __future__ import annotations
 
 import argparse
+import contextlib
 import datetime
 import os
 import random
@@ -26,9 +27,10 @@ import subprocess
 import sys
 import tempfile
 import time
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
+
+import tomllib
 
 ROOT = Path(__file__).resolve().parents[2]
 LEFT_OUT = shutil.ignore_patterns(
@@ -92,10 +94,8 @@ def run_tests(folder: Path, tests: tuple[str, ...], limit: float) -> tuple[int, 
 
 def end_group(process: subprocess.Popen[bytes]) -> None:
     """End a process and what it has begun, also after Ctrl-C."""
-    try:
+    with contextlib.suppress(ProcessLookupError):
         os.killpg(process.pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass
     process.wait()
 
 
