@@ -12,7 +12,7 @@ TWO := -n 2 --dist worksteal
 # half of the tests each, in their order, so that what the tests of a file share is made once; who is done takes of the other's half
 
 .PHONY: help demo test test-all changed lint core oldest slow large interpreter linuxcnc freecad runner headless window window-short \
-    sitting test-matrix trixie forky chroots install bench bench-window clean
+    sitting test-matrix trixie forky chroots install bench bench-window mutants clean
 
 help:
 	@sed -n '2,7s/^# //p' Makefile
@@ -119,6 +119,10 @@ bench-window: # what a frame of the 3D view takes
 	@bash scripts/prepare test
 	@bash scripts/prepare freecad
 	bash tests/freecad/run window benchmarks/freecad/bench_scene.py
+
+mutants: # lines of the core changed one at a time in a copy: do the tests notice? N=20 of them, ALL=1, SEED=7, FILE=search.py
+	@bash scripts/prepare test
+	@$(PYTHON) tests/mutation/mutate.py $(if $(ALL),--all) $(if $(N),--count $(N)) $(if $(SEED),--seed $(SEED)) $(if $(FILE),--file $(FILE))
 
 clean:
 	rm -rf out build dist *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from five_kinds import interleaved, kinematics_of
 
+from freecad_fiveaxis.core.corrections.linearize.proof import judge_pieces
 from freecad_fiveaxis.core.motion.deviation import measure
-from freecad_fiveaxis.core.motion.deviation.bound import ROUNDINGS, Levers, bending, close_levers, end_levers
+from freecad_fiveaxis.core.motion.deviation.bound import ROUNDINGS, Levers, allowance, bending, close_levers, end_levers
 from freecad_fiveaxis.core.motion.deviation.quartic import bow, chord
 from freecad_fiveaxis.core.motion.deviation.search import Chords, _local, _Pieces
 from freecad_fiveaxis.core.motion.trajectory import Motion, at, axis_at, frames, inner, motion, tip
@@ -116,6 +119,25 @@ def test_every_distance_comes_through_fewer_roundings_than_are_allowed_for(kind)
     assert 2 * distance[0].count < ROUNDINGS and distance[0].count < 100
 
 
+def test_at_many_turns_a_tip_is_off_by_more_than_its_coordinates_roundings_and_within_the_allowance():
+    """A rounded angle moves the tip by its own rounding times the lever: against the same words in longer arithmetic."""
+    rng = np.random.default_rng(33)
+    words = rng.uniform(0.5, 1.0, (400, 5)) * (100.0, 100.0, 100.0, 1e6, 1e6)
+    move = motion(FRAME, words, words)
+    near, exact = (
+        np.array([np.broadcast_to(x, 400) for x in tip(FRAME, at(move_, move_.a * 0))]) for move_ in (move, longer(words))
+    )
+    off = np.linalg.norm((near - exact).astype(float), axis=0)
+    size = np.finfo(float).eps * sum(np.abs(p) for p in move.arm)
+    assert (off <= allowance(move)).all() and (off > ROUNDINGS * size).any()
+
+
+def longer(words):
+    """The motion that stands at words, its angles in radians not rounded to a float's digits."""
+    move, turn = motion(FRAME, words, words), np.longdouble(4.0) * np.arctan(np.longdouble(1.0)) / 180
+    return replace(move, a=words[:, 3].astype(np.longdouble) * turn, b=words[:, 4].astype(np.longdouble) * turn)
+
+
 # ------------------------------------------------------------------------------------------------ quartic.py
 
 
@@ -148,10 +170,12 @@ def test_no_quartic_that_counts_as_proven_exceeds_its_bound():
 # ------------------------------------------------------------------------------------------------ search.py
 
 
-def exceeded(move, origin, along, low, high, half):
+def exceeded(move, origin, along, low, high, half, second=None, third=None):
     """The largest squared distance of a piece about u = 1/2 over the bound that the search has for it, less 1."""
     levers = close_levers(FRAME, move)
     ends = (np.array([low]), np.array([high]), bending(levers, 2), bending(levers, 3), levers.turn)
+    if second is not None:  # one's own bounds of the derivatives instead of those of the levers
+        ends = (*ends[:2], np.array([second]), np.array([third]), levers.turn)
     chords = Chords(move, columns(*origin), columns(*along), *ends)
     local = _local(FRAME, chords, _Pieces(np.array([0]), np.array([0.5]), np.array([half])))
     path = np.array(tip(FRAME, at(move, 0.5 + half * np.linspace(-1.0, 1.0, 401))))
@@ -178,10 +202,59 @@ def test_a_piece_far_from_its_chord_whose_path_has_a_cusp_keeps_its_bound():
     assert -1e-3 < worst <= 1e-12
 
 
+def test_the_third_order_rest_is_used_up_where_the_derivatives_are_as_large_as_they_may_be():
+    """The same cusp; at z = x + i y the second derivative is turn |2 speed + i turn z|, the third turn^2 |3 speed + i turn z|."""
+    speed, away, half = 20.0, 1e4, 0.125
+    move = turning_point(-0.5 * speed, speed, speed, 1.0)
+    second, third = np.hypot(speed, speed * half), np.hypot(2.0 * speed, speed * half)
+    worst = exceeded(move, (-away, 0.0, 0.0), (0.0, 1.0, 0.0), -1e3, 1e3, half, second, third)
+    assert -1e-6 < worst <= 1e-12
+
+
+def test_a_piece_whose_foot_stays_beyond_the_chord_is_bounded_by_the_distance_from_its_end():
+    """The distance from the line and the way beyond the end, each at its largest, would be far too much: one falls as the other
+    rises about the chord's end."""
+    turn, radius = 1.0, 100.0
+    move = turning_point(radius, 0.0, 0.0, turn)
+    worst = exceeded(move, (0.0, 0.0, 0.0), (0.6, 0.8, 0.0), -50.0, 0.0, 0.125)
+    assert -0.005 < worst <= 1e-12
+
+
 def turning_point(x, y, speed, turn):
     """One block: a point at (x + speed u, y) mm about the first axis, which turns by ``turn`` rad and is at 0 in mid block."""
     arm, step = columns(0, 0, 0, x, y, 0, 0, 0, 0), columns(0, 0, 0, speed, 0, 0, 0, 0, 0)
     return Motion(arm, step, *columns(-0.5 * turn, turn, 0.0, 0.0))
+
+
+# ------------------------------------------------------------------------------------------------ linearize/proof.py
+
+
+def judged(words, off):
+    return judge_pieces(FRAME, words, np.ones(len(words) - 1, bool), np.array(off), np.full(len(words) - 1, np.inf))
+
+
+def test_a_piece_counts_the_worse_of_its_ends_whichever_it_is():
+    words = np.array([[0.0, 0.0, 0.0, 0.0, 0.0], [10.0, 0.0, 0.0, 0.0, 0.0], [20.0, 0.0, 0.0, 0.0, 0.0]])
+    assert judged(words, [0.5, 0.0, 0.25]).off.tolist() == [0.5, 0.25]
+
+
+def test_the_bound_of_a_piece_holds_in_longer_arithmetic_too():
+    """Tiny turns at long levers: the bow is found to a few roundings of the coordinates, and half of the bows are longer."""
+    rng = np.random.default_rng(34)
+    start = rng.uniform(-1.0, 1.0, (200, 5)) * (1e5, 1e5, 1e5, 180.0, 60.0)
+    end = start + rng.uniform(0.5, 1.0, (200, 5)) * (0.0, 0.0, 0.0, 1e-3, 1e-3)
+    most = judged(interleaved(start, end), np.zeros(400)).most[::2]
+    move, turn = longer(start), longer(end)
+    step = tuple(q.astype(np.longdouble) - p for p, q in zip(move.arm, turn.arm, strict=True))
+    move = replace(move, arm_step=step, a_step=turn.a - move.a, b_step=turn.b - move.b)
+    path = [
+        np.array([np.broadcast_to(x, 200) for x in tip(FRAME, at(move, np.longdouble(u)))]) for u in np.linspace(0.0, 1.0, 41)
+    ]
+    way = path[-1] - path[0]
+    way /= np.sqrt((way * way).sum(axis=0))
+    off = [place - path[0] - ((place - path[0]) * way).sum(axis=0) * way for place in path]
+    bow = np.max([np.sqrt((x * x).sum(axis=0)) for x in off], axis=0)
+    assert (bow <= most).all()
 
 
 # ------------------------------------------------------------------------------------------------ axis_swing.py
