@@ -124,6 +124,7 @@ class PathPanel:
         self._show_parts()
 
     def _show_parts(self) -> None:
+        """Show the switches of what the view draws of the path."""
         self.shown_parts.show_for(self.obj)
 
     def getStandardButtons(self) -> int:
