@@ -9,7 +9,7 @@ import pytest
 from PySide import QtGui
 
 try:
-    from PySide import QtWidgets
+    from PySide import QtCore, QtWidgets
 except ImportError:  # FreeCAD 0.20 keeps them here
     QtWidgets = QtGui
 
