@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.passes import turns_within_limits
 from freecad_fiveaxis.core.tool.body import CUTTER, Body
 
-HEIGHTS = (0.0, 1.0, 3.0, 10.0)
+HEIGHTS = (0.0, 1.0, 3.0, 10.0, 30.0, 100.0)
 """mm along the tool axes, the lowest first."""
 
 MARGIN = 0.5

@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.corrections.auto_axis import (
 from freecad_fiveaxis.core.corrections.axis_corrections import AXIS_CORRECTIONS
 from freecad_fiveaxis.core.corrections.facets_with_axis import AxisField, find_axis_field, select_facets
 from freecad_fiveaxis.core.corrections.free_turns import divide_blocked_turns
+from freecad_fiveaxis.core.corrections.order_with_axes import order_with_axes
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -160,6 +161,8 @@ def free_rows(
     if not len(free):
         text = say("no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder")
         raise ReachError(text, None)
+    if settings.links.order == "zigzag" and not (stand.lead or stand.tilt):  # these lean with the way of the feed
+        offset, axis = order_with_axes(offset, axis)
     return offset, axis, found
 
 

@@ -49,15 +49,20 @@ def order_pieces(contact: ContactPath) -> ContactPath:
         return contact
     first = np.flatnonzero(np.diff(contact.polyline, prepend=-1))
     last = np.append(first[1:], len(contact.point)) - 1
-    ends = np.stack([contact.point[first], contact.point[last]], axis=1)
+    tour = find_better_tour(np.stack([contact.point[first], contact.point[last]], axis=1))
+    return contact if tour is None else _arranged(contact, first, last, tour)
+
+
+def find_better_tour(ends: Floats) -> Tour | None:
+    """Find a tour of pieces with these ``ends`` (p, 2, d), start and end of each, that spares enough of the air to leave their
+    order for it; None where there is none."""
     tour = find_tour(ends)
-    if air(ends, tour) > WORTH * air(ends, Tour(np.arange(len(first)), np.zeros(len(first), bool))):
-        return contact
-    return _arranged(contact, first, last, tour)
+    now = Tour(np.arange(len(ends)), np.zeros(len(ends), bool))
+    return None if air(ends, tour) > WORTH * air(ends, now) else tour
 
 
 def air(ends: Floats, tour: Tour) -> float:
-    """The way between the pieces, mm; ``ends`` (p, 2, 3) mm: start and end of each piece."""
+    """The way between the pieces, mm; ``ends`` (p, 2, d) mm: start and end of each piece."""
     leaves, enters = _doors(ends, tour)
     return float(np.linalg.norm(enters[1:] - leaves[:-1], axis=1).sum())
 
@@ -75,7 +80,7 @@ def _doors(ends: Floats, tour: Tour) -> tuple[Floats, Floats]:
 
 def _nearest(ends: Floats) -> Tour:
     """The nearest neighbours' tour."""
-    count, places = len(ends), ends.reshape(-1, 3)
+    count, places = len(ends), ends.reshape(2 * len(ends), -1)
     near = cKDTree(places).query(places, k=min(NEAR, len(places)))[1].reshape(len(places), -1).tolist()
     open_, order = np.ones(count, bool), [0]
     open_[0], at = False, 1  # place 2i is the start of piece i, 2i + 1 its end
@@ -119,9 +124,15 @@ def _best_turn(leaves: Floats, enters: Floats, i: int) -> tuple[int, float]:
 
 def _arranged(contact: ContactPath, first: Ints, last: Ints, tour: Tour) -> ContactPath:
     """The rows of the polylines in the order of the tour."""
+    row, piece, _ = tour_rows(first, last, tour)
+    columns = {name: getattr(contact, name)[row] for name in ("point", "normal", "face", "coedge", "pass_")}
+    return replace(contact, segment=np.arange(len(row)) >> 1, polyline=piece, **columns)
+
+
+def tour_rows(first: Ints, last: Ints, tour: Tour) -> tuple[Ints, Ints, Bools]:
+    """Give the rows (n,) of the pieces, each from its ``first`` to its ``last`` (p,), as the tour takes them; to which place in
+    the tour each belongs (n,), and whether it is taken backwards (n,)."""
     size = (last - first + 1)[tour.piece]
     piece, within = run_ids(size), np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
     start, step = np.where(tour.back, last[tour.piece], first[tour.piece]), np.where(tour.back, -1, 1)
-    row = start[piece] + step[piece] * within
-    columns = {name: getattr(contact, name)[row] for name in ("point", "normal", "face", "coedge", "pass_")}
-    return replace(contact, segment=np.arange(len(row)) >> 1, polyline=piece, **columns)
+    return start[piece] + step[piece] * within, piece, tour.back[piece]
