@@ -4104,6 +4104,10 @@
         <translation>Der Werkzeugweg von {label} wurde gelöscht: die Karte eines anderen erstellen.</translation>
     </message>
     <message>
+        <source>The underside at Z {height} is not machined: the part stands on these {area} ({share} %). Give {max_axis_angle} to cut them as well.</source>
+        <translation>Die Unterseite bei Z {height} wird nicht bearbeitet: Darauf steht das Teil ({area}, {share} %). Mit {max_axis_angle} wird auch sie bearbeitet.</translation>
+    </message>
+    <message>
         <source>The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the spindle. Turn the part over to cut it.</source>
         <translation>Die Unterseite bei Z {height} ist nicht bearbeitet: {area} ({share} % des Werkstücks) zeigen von der Spindel weg. Das Werkstück wenden, um sie zu fräsen.</translation>
     </message>

@@ -163,6 +163,28 @@ def test_a_signal_during_the_work_leaves_nothing(name, code, dome, tmp_path):
     assert sorted(os.listdir(tmp_path)) == ["dome.stl", "mark"]
 
 
+DELETED = """
+import signal
+from freecad_fiveaxis.core.jobs import job
+class Last:
+    def __del__(self):
+        signal.raise_signal(signal.SIGINT)
+old = job.run
+def run(*given):
+    Last()
+    return old(*given)
+job.run = run
+"""
+
+
+@posix
+def test_a_signal_that_comes_where_python_ignores_exceptions_ends_the_work_before_anything_is_written(dome, tmp_path):
+    done = mill(dome, "10", DELETED)
+    _, error = done.communicate(timeout=300)
+    assert (done.returncode, error) == (130, b"stopped; nothing was written\n")
+    assert os.listdir(tmp_path) == ["dome.stl"]
+
+
 SLOW = """
 import os, time
 old = os.replace

@@ -35,7 +35,7 @@ def milled(mesh, **options):
 
 @cache
 def sphere_milled():
-    return milled(stemmed())
+    return milled(stemmed(), max_axis_angle=90)
 
 
 @pytest.fixture(params=[FEW, pytest.param(NODES, marks=pytest.mark.thorough)])

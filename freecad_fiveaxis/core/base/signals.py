@@ -70,9 +70,16 @@ def watch(last_words: Callable[[], None] = _nothing_written) -> None:
 
     ``last_words`` are said where a second signal comes before the first is told."""
     _watch.last_words = last_words
+    sys.unraisablehook = _keep_quiet_of_signals
     for number in ENDING:
         if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
             signal.signal(number, _watch.take)
+
+
+def _keep_quiet_of_signals(ignored: sys.UnraisableHookArgs) -> None:
+    """Show what Python had to ignore, but a signal, which is told of when the work ends (:func:`raise_received`)."""
+    if not isinstance(ignored.exc_value, Stopped):
+        sys.__unraisablehook__(ignored)
 
 
 def tell(last_words: Callable[[], None] = _nothing_written) -> None:
@@ -91,6 +98,12 @@ def unwatch() -> None:
 def received() -> Stopped | None:
     """The signal that came, also where other code has made another exception of it (as numpy does while it is loaded)."""
     return _watch.first
+
+
+def raise_received() -> None:
+    """Raise the signal that came but did not end the work: Python ignores exceptions in what runs when an object is deleted."""
+    if _watch.first is not None:
+        raise _watch.first
 
 
 @contextmanager

@@ -40,6 +40,8 @@ from freecad_fiveaxis.core.passes import (
     facets_within_limits,
     find_pass_strategy,
     flat_interval,
+    report_standing,
+    standing_facets,
     turns_within_limits,
 )
 
@@ -57,10 +59,17 @@ from .context import MillContext
 from .driving import posted
 from .fewer_axes import keeps_its_axis
 from .made import Milled
-from .options import axis_corrections, axis_options, kept_off, pass_options, reacher_of, travels
+from .options import (
+    AUTO,
+    axis_corrections,
+    axis_options,
+    kept_off,
+    largest_axis_angle,
+    pass_options,
+    reacher_of,
+    travels,
+)
 from .settings import Settings
-
-AUTO = "auto"
 
 
 def mill_context(
@@ -68,22 +77,25 @@ def mill_context(
     faces: Bools | None = None,
 ) -> tuple[MillContext, tuple[Finding, ...]]:  # fmt: skip
     """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all."""
+    most = largest_axis_angle(settings, machine, mesh)
+    settings, asked = replace(settings, passes=replace(settings.passes, max_axis_angle=most)), settings.passes.max_axis_angle
     if settings.tool_axis.tool_axis == AUTO:
-        faces = np.ones(len(mesh.face), np.bool_) if faces is None else faces
-        check_passes(settings, mesh, faces)
+        standing = standing_facets(mesh) & (faces is None and asked is None)
+        faces = ~standing if faces is None else faces
+        check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
         reacher = reacher_of(settings, machine, kinematics, mesh)
         field = find_axis_field(mesh, faces, reacher, progress)
-        keep, left_out = select_facets(field, mesh, faces, settings.passes.max_axis_angle)
+        keep, left_out = select_facets(field, mesh, faces, most)
+        left_out = (*report_standing(mesh, standing), *left_out)
         return MillContext(settings, machine, kinematics, dialect, mesh.box, progress, mesh, keep, field), left_out
     followed = None if keeps_its_axis(settings, machine) else kinematics
-    keep, left_out = facets_within_limits(mesh, followed, settings.passes.max_axis_angle, faces)
+    keep, left_out = facets_within_limits(mesh, followed, most, faces)
     return MillContext(settings, machine, kinematics, dialect, mesh.box, progress, mesh, keep), left_out
 
 
-def check_passes(settings: Settings, mesh: Mesh, faces: Bools) -> None:
-    """Refuse, before the long work of the axis field, passes that cannot be laid on those ``faces`` (f,) over which an axis may
-    lean at all. Raises SettingsError, FileError."""
-    keep = faces & facets_under_axes(mesh, settings.passes.max_axis_angle)
+def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
+    """Refuse, before the long work of the axis field, passes that cannot be laid on the facets ``keep`` (f,), over which an axis
+    may lean. Raises SettingsError, FileError."""
     if keep.any():
         strategy = find_pass_strategy(settings.passes.passes)
         strategy.check(find_region(settings, mesh, keep, silent), pass_options(settings))

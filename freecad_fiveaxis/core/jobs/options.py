@@ -7,6 +7,7 @@ driven    the point that the words of the program move: tip or hub.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -33,6 +34,7 @@ from .fewer_axes import refuse_what_needs_more_axes
 from .settings import MILL, Settings
 from .settings.groups import AS_MACHINE
 
+AUTO = "auto"
 DEFAULT_CONTROLLER = "linuxcnc"
 IN_TABLE = 0.1
 """mm by which a part may lie in its table: zeros are touched off no better."""
@@ -140,8 +142,17 @@ def reacher_of(settings: Settings, machine: Machine, kinematics: Chain, mesh: Me
     """Tool, machine with room to its limits, table, and how far the axis may lean: what axes are chosen for freely."""
     tool, cutter, tolerance = settings.gouge, settings.cutter.cutter, settings.proof.tolerance
     table = table_below(settings, machine, mesh)
-    within, most = with_room(kinematics), settings.passes.max_axis_angle
+    within, most = with_room(kinematics), largest_axis_angle(settings, machine, mesh)
     return Reacher(cutter, tool.shank, tool.holder, within, tolerance, table, most)
+
+
+def largest_axis_angle(settings: Settings, machine: Machine, mesh: Mesh) -> float:
+    """How far tool axes may lean from +Z, rad: as asked; else as far as the machine goes where they are chosen freely over a
+    table that is known, else (what is below is not known, or they follow the normals) no farther than level."""
+    asked, free = settings.passes.max_axis_angle, settings.tool_axis.tool_axis == AUTO
+    if asked is not None:
+        return asked
+    return math.pi if free and table_below(settings, machine, mesh) is not None else 0.5 * math.pi
 
 
 def table_below(settings: Settings, machine: Machine, mesh: Mesh) -> float | None:

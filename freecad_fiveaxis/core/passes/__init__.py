@@ -7,6 +7,7 @@ from .passes import ContactPath, direction, slice_field, slice_mesh
 from .scallop import CREASE, facet_curvature, flat_interval, turned_along
 from .sides import side_findings, untouched_sides
 from .spacing import prepare_planes
+from .standing import report_standing, standing_facets
 from .strategies import PASS_STRATEGIES, find_pass_strategy
 from .within_limits import axes_within_limits, facets_under_axes, facets_within_limits, least_up, turns_within_limits, with_room
 
@@ -31,9 +32,11 @@ __all__ = [
     "least_up",
     "pass_curvature",
     "prepare_planes",
+    "report_standing",
     "side_findings",
     "slice_field",
     "slice_mesh",
+    "standing_facets",
     "turned_along",
     "turns_within_limits",
     "untouched_sides",

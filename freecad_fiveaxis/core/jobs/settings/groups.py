@@ -62,8 +62,9 @@ class PassSettings:
     least_interval: float = option(
         0.05, "length", "planes never come closer than this (steep walls)", least=SMALLEST, most=LONGEST
     )
-    max_axis_angle: float = option(
-        math.pi / 2, "angle", "facets (auto: axes) that lean more from Z are left out; beyond 90 they look down",
+    max_axis_angle: float | None = option(
+        None, "angle", "facets (auto: axes) that lean more from Z are left out; beyond 90 they look down "
+        "[90; auto: as far as the machine goes, where its file says where the table is]",
         above=0, most=math.pi,
     )  # fmt: skip
 

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is cut from below where nothing is asked: all that the machine reaches, but for a face on which the part stands."""
+
+import math
+
+import numpy as np
+import pytest
+from gouge_examples import prism
+from mesh_shapes import box
+from plain import build_settings
+from underside_parts import PARTS
+
+from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.options import largest_axis_angle
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.passes import report_standing, standing_facets
+
+TRUNNION = load_machine("trunnion_ac")
+OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "scallop": 0.2}
+
+
+def block():
+    return from_triangles(box((0, 0, 0), (30, 20, 10)))
+
+
+def table_with_one_leg():
+    """A plate on a leg under its corner: it would fall over."""
+    return prism([(0, 0), (4, 0), (4, 10), (40, 10), (40, 14), (0, 14)])
+
+
+def settings(**options):
+    return build_settings("mill", "part", {**OPTIONS, "passes": "scallop", "tool_axis": "auto", **options})
+
+
+def lean(mesh, machine=TRUNNION, **options):
+    return math.degrees(largest_axis_angle(settings(**options), machine, mesh))
+
+
+def made(mesh, **options):
+    return job.make(settings(gouge="off", **options), mesh=mesh)
+
+
+def test_a_block_stands_on_its_underside_and_on_nothing_else():
+    mesh = block()
+    standing = standing_facets(mesh)
+    assert mesh.area[standing].sum() == pytest.approx(600.0)
+    assert (mesh.normal[standing] == [0.0, 0.0, -1.0]).all()
+    (one,) = report_standing(mesh, standing)
+    assert one.value == pytest.approx(600.0) and "--max-axis-angle" in str(one.text) and one.place[2] == 0.0
+
+
+@pytest.mark.parametrize("turn", [0.0, 45.0, 180.0])
+def test_what_would_fall_over_stands_on_nothing(turn):
+    angle = math.radians(turn)
+    turned = np.array([[math.cos(angle), -math.sin(angle), 0.0], [math.sin(angle), math.cos(angle), 0.0], [0.0, 0.0, 1.0]])
+    for mesh, stands in ((table_with_one_leg(), False), (block(), True)):
+        assert standing_facets(from_triangles((mesh.vertex @ turned.T)[mesh.face])).any() == stands
+
+
+def test_a_part_on_a_point_or_an_edge_stands_on_nothing():
+    tip = np.array([[0.0, 0.0, -10.0], [10.0, 0.0, 0.0], [-5.0, 8.0, 0.0], [-5.0, -8.0, 0.0]])
+    mesh = from_triangles(tip[[[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]]])
+    standing = standing_facets(mesh)
+    assert not standing.any() and report_standing(mesh, standing) == ()
+
+
+def test_axes_lean_as_far_as_the_machine_goes_only_over_a_table_that_is_known():
+    mesh = block()
+    assert lean(mesh) == pytest.approx(180.0)
+    assert lean(mesh, tool_axis="facet_mean") == pytest.approx(90.0)
+    assert lean(mesh, origin=(0.0, 0.0, -150.0)) == pytest.approx(90.0)  # the part lies in the table: who knows where that is
+    assert lean(mesh, max_axis_angle=70) == pytest.approx(70.0)
+    assert lean(mesh, max_axis_angle=180, tool_axis="facet_mean") == pytest.approx(180.0)
+
+
+def test_undersides_are_cut_where_nothing_is_asked_and_a_standing_face_where_it_is():
+    hanging = made(PARTS["mushroom"]())
+    assert (hanging.axis[:, 2] < -0.05).any()
+    level = made(PARTS["mushroom"](), max_axis_angle=90)
+    assert (level.axis[:, 2] > -1e-3).all()
+
+    mesh = block()
+    codes = [one.code for one in made(mesh).findings]
+    assert codes.count("facets-looking-down") == 1 and "facets-without-free-axis" not in codes
+    under = mesh.normal[:, 2] < -0.5
+    assert not made(mesh).keep[under].any() and made(mesh).keep[~under].all()
+    assert made(mesh, max_axis_angle=180).keep[under].all()
+    chosen = job.make(settings(gouge="off"), mesh=mesh, faces=under)
+    assert (chosen.keep == under).all()
+
+
+def test_a_block_that_stands_on_the_table_is_cut_from_above():
+    """Its face is 100 mm below the machine's origin: there the tool has no room below level."""
+    codes = [one.code for one in made(block(), origin=(0.0, 0.0, -100.0)).findings]
+    assert "retract-below-part" not in codes
+    assert (made(block(), origin=(0.0, 0.0, -100.0)).axis[:, 2] > -1e-3).all()
