@@ -3528,6 +3528,10 @@
         <translation>FreeCADs Datei sagt nicht alles; angenommen: {lacking}. Unter fiveaxis berichtigen.</translation>
     </message>
     <message>
+        <source>G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as LinuxCNC's trt modules and 5axiskins count them. If the machine's module counts otherwise, the path is another: look into its HAL file.</source>
+        <translation>G12.1 P0 gilt als Kinematik der Spitze (M428), G12.1 P1 als die der Achsen (M429), wie LinuxCNCs trt-Module und 5axiskins zählen. Zählt das Modul der Maschine anders, ist es ein anderer Weg: in ihrer HAL-Datei nachsehen.</translation>
+    </message>
+    <message>
         <source>G66 calls a program after each block</source>
         <translation>G66 ruft nach jedem Satz ein Programm auf</translation>
     </message>
@@ -5288,6 +5292,10 @@
         <translation>rotatorisch</translation>
     </message>
     <message>
+        <source>rotary axes turn before G255 has ended it</source>
+        <translation>Drehachsen drehen, bevor G255 sie beendet hat</translation>
+    </message>
+    <message>
         <source>rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words</source>
         <translation>Rundachswörter mit Drehsinn (ACP, ACN); auf dem kürzeren Weg genommen. Absolute Wörter ausgeben</translation>
     </message>
@@ -5622,6 +5630,10 @@
     <message>
         <source>the tip</source>
         <translation>die Spitze</translation>
+    </message>
+    <message>
+        <source>the tip is guided (G234) at the same time</source>
+        <translation>die Spitze wird zugleich geführt (G234)</translation>
     </message>
     <message>
         <source>the tip swinging {way}</source>
@@ -6140,6 +6152,10 @@
         <translation>{count} Zeilen enthalten Variablen, Ausdrücke oder Sprünge, die nicht ausgewertet werden; ihre Wörter fehlen hier. Ohne sie ausgeben. Die erste: {shown}.</translation>
     </message>
     <message>
+        <source>{count} lines select a kinematics that is not known here (the first: G12.1 P{number}); the words after them are taken as those of the axes. Post with G12.1 P0 and G13.1.</source>
+        <translation>{count} Zeilen wählen eine hier unbekannte Kinematik (die erste: G12.1 P{number}); die Wörter danach gelten als die der Achsen. Mit G12.1 P0 und G13.1 ausgeben.</translation>
+    </message>
+    <message>
         <source>{count} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright.</source>
         <translation>{count} Bewegungen nach MULTAX/OFF nennen keine Achse; das Werkzeug behält die letzte, die nicht senkrecht ist.</translation>
     </message>
@@ -6458,6 +6474,10 @@
     <message>
         <source>{letter} names no axis; use X Y Z and up to two of A B C</source>
         <translation>{letter} benennt keine Achse; X Y Z und bis zu zwei von A B C nehmen</translation>
+    </message>
+    <message>
+        <source>{letter} turns the head, and it is for tables alone</source>
+        <translation>{letter} dreht den Kopf, und sie ist nur für Tische</translation>
     </message>
     <message>
         <source>{letter} turns the other way: the post's positive {letter} is the negative one of {name}.{effect}</source>

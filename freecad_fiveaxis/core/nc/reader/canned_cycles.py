@@ -102,8 +102,9 @@ class _Table:
         moving = np.logical_or.reduce([(self.kind != 0).any(axis=1), ~np.isnan(self.r), *rotary])
         self.runs: Bools = moving & ~lines.any_of(grammar.no_move)
         self.told: Bools = self.runs | ~np.isnan(self.q)
-        tilted = np.isin(lines.code, codes.TILT).any()
-        self.anew = np.flatnonzero(lines.any_of((*codes.TILT, codes.LEVEL))) if tilted else np.empty(0, np.int64)
+        planes = (*codes.TILT, codes.LEVEL, *codes.DYNAMIC)
+        tilted = np.isin(lines.code, (*codes.TILT, codes.DYNAMIC[0])).any()
+        self.anew = np.flatnonzero(lines.any_of(planes)) if tilted else np.empty(0, np.int64)
         self.words = lines.words
 
     def line(self, row: int) -> int:

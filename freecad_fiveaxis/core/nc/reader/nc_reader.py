@@ -35,6 +35,7 @@ from .arcs import Arcs, Chords, chorded
 from .canned_cycles import written_out
 from .causes import fold
 from .codes import GRAMMARS, INCH, Grammar
+from .dynamic_offset import carried
 from .feeds import feeds
 from .findings import (
     code_findings,
@@ -49,6 +50,7 @@ from .findings import (
     wrap_findings,
 )
 from .heidenhain_cycles import diameters
+from .kinematics_switch import switch_findings, switched
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
 from .of_machine import OfMachine
 from .planes import Planes, planes_of
@@ -91,7 +93,9 @@ def read_nc(
     findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
     mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)
-    planes = planes_of(lines, grammar)
+    dynamic, said = carried(lines, axes, on, kinematics, grammar)
+    findings += (*said, *switch_findings(lines, grammar))
+    planes = planes_of(lines, grammar, dynamic)
     if planes is not None:
         mode, on = planes.modes(mode, on)
     at = _motion_lines(lines, grammar, axes, mode, on, planes)
@@ -189,9 +193,9 @@ def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
     if codes.SWITCH in lines.letters:
         switch = lines.column(codes.SWITCH)
         events += [(np.flatnonzero(switch == number), bool(number)) for number in (0, 1)]
-    on = _switched(events, lines.count)
+    on = _switched([*events, *switched(lines, grammar)], lines.count)
     if grammar.name == "iso":
-        both = ((codes.GUIDE_ON, True), (codes.GUIDE_OFF, False))
+        both = ((codes.GUIDE_ON, True), ((*codes.GUIDE_OFF, *codes.KINEMATICS[1:]), False))
         on |= _switched([(lines.code_line[np.isin(lines.code, chosen)], state) for chosen, state in both], lines.count)
     return on
 
