@@ -3284,8 +3284,8 @@
         <translation> (entlang der Achse, die geneigt ist)</translation>
     </message>
     <message>
-        <source> Beside it scallops up to {height} are left.</source>
-        <translation> Daneben bleiben Kuppen bis {height} stehen.</translation>
+        <source> Beside it up to {height} is left between the passes.</source>
+        <translation> Daneben bleibt zwischen den Bahnen bis {height} stehen.</translation>
     </message>
     <message>
         <source> On that machine the tip would be off by up to {miss}.</source>
@@ -3914,6 +3914,10 @@
     <message>
         <source>The least interval of {least} binds {count} times and leaves scallops up to {height} where {scallop} are asked: give a smaller least interval or turn the direction along the steep walls.</source>
         <translation>Der kleinste Abstand von {least} greift {count}-mal und lässt Kuppen bis {height} stehen, wo {scallop} verlangt sind: einen kleineren Abstand geben oder die Richtung entlang der steilen Wände drehen.</translation>
+    </message>
+    <message>
+        <source>The least interval of {least} binds {count} times: on steep walls the passes leave material between them, up to {height} high, where scallops of {scallop} are asked. Give a smaller least interval or turn the direction along the walls.</source>
+        <translation>Der kleinste Abstand von {least} greift {count}-mal: an steilen Wänden bleibt zwischen den Bahnen Material stehen, bis {height} hoch, wo Kuppen von {scallop} verlangt sind. Einen kleineren kleinsten Abstand angeben oder die Richtung längs der Wände drehen.</translation>
     </message>
     <message>
         <source>The lines after the end of the program in line {last} are not read.</source>
@@ -6656,6 +6660,10 @@
         <translation>{name}: {given} enthält ein Zeichen, das kein Name haben kann; einen anderen angeben</translation>
     </message>
     <message>
+        <source>{name} {given} is no speed; give a number, 1/min, or off</source>
+        <translation>{name} {given} ist keine Drehzahl; eine Zahl, 1/min, oder off angeben</translation>
+    </message>
+    <message>
         <source>{name} {given} is not a text</source>
         <translation>{name}: {given} ist kein Text</translation>
     </message>
@@ -6880,8 +6888,8 @@
         <translation>{segments} Teilstrecken von Bahnen</translation>
     </message>
     <message>
-        <source>{share} % of the surface that faces up stays unfinished</source>
-        <translation>{share} % der nach oben gerichteten Fläche bleiben unbearbeitet</translation>
+        <source>{share} % of the surface to be milled stays unfinished</source>
+        <translation>{share} % der zu fräsenden Fläche bleiben unbearbeitet</translation>
     </message>
     <message>
         <source>{shown} is {what}, no NC line; it is passed over. A control may refuse it: delete it.</source>

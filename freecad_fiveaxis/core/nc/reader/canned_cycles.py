@@ -10,7 +10,8 @@ kept      G90 and G91 within one cycle: Fanuc and Haas keep the heights that R a
 
 Sources: LinuxCNC 2.9, interp_cycles.cc (NIST RS274NGC 3, 3.5.16), moved as its ``rs274`` moves; Fanuc B-63324EN, 13.1; Haas mill
 operator's manual, canned cycles; R from the initial level and Z from R under G91, K repeats a series of holes: a description of
-G81 at zanotowane.pl/117/8692. That heights are kept is how such rows are written; no manual that says so was found. What differs between them is a row of :class:`Ways`.
+G81 at zanotowane.pl/117/8692. That heights are kept is how such rows are written; no manual that says so was found.
+What differs between them is a row of :class:`Ways`.
 """
 
 from __future__ import annotations
