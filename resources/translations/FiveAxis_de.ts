@@ -6072,8 +6072,8 @@
         <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
     </message>
     <message>
-        <source>{count} corners (,R ,C, RND=, CHR=) are left sharp, first NC line {line}: they stand between other moves than two straight ones in the working plane, or these are too short. Post their arcs and lines.</source>
-        <translation>{count} Ecken (,R ,C, RND=, CHR=) bleiben scharf, zuerst NC-Zeile {line}: Sie stehen zwischen anderen Bewegungen als zwei Geraden in der Arbeitsebene, oder diese sind zu kurz. Ihre Bögen und Geraden ausgeben.</translation>
+        <source>{count} corners (,R ,C, RND=, CHR=, CHF=) are left sharp, first NC line {line}: they stand between other moves than lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and lines.</source>
+        <translation>{count} Ecken (,R ,C, RND=, CHR=, CHF=) bleiben scharf, erste NC-Zeile {line}: sie stehen zwischen anderen Bewegungen als Geraden (bei Rundungen auch Bögen) in der Arbeitsebene, oder diese sind zu kurz. Ihre Bögen und Geraden ausgeben.</translation>
     </message>
     <message>
         <source>{count} corners lie on a side of another facet, the first at {at}; that facet was divided there.</source>
@@ -6150,6 +6150,10 @@
     <message>
         <source>{count} lines begin with a slash (block skip); they are read as if the switch were off.</source>
         <translation>{count} Zeilen beginnen mit einem Schrägstrich (Satz ausblenden); sie werden gelesen, als wäre der Schalter aus.</translation>
+    </message>
+    <message>
+        <source>{count} lines by their angle (,A, ANG=) are not worked out, first NC line {line}: it takes one coordinate of the end, or a next line with an angle and both. Post the places of their ends.</source>
+        <translation>{count} Geraden mit Winkel (,A, ANG=) sind nicht bestimmt, erste NC-Zeile {line}: es braucht eine Koordinate des Endes oder eine nächste Gerade mit Winkel und beiden. Die Orte ihrer Enden ausgeben.</translation>
     </message>
     <message>
         <source>{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without them. The first: {shown}.</source>

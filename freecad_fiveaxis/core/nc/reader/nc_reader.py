@@ -35,6 +35,7 @@ from .arcs import Arcs, Chords, chorded
 from .canned_cycles import written_out
 from .causes import fold
 from .codes import GRAMMARS, INCH, Grammar
+from .contour_angles import angled
 from .dynamic_offset import carried
 from .feeds import feeds
 from .findings import (
@@ -120,6 +121,7 @@ def read_nc(
         solved = turned(kinematics, meant, at, planes, wrap)
         meant, findings = solved.words, (*findings, *planes.findings, *solved.findings)
         meaning = planes.of_blocks(at, on[at], meant)
+    meant, bent = angled(lines, at, meant, mode[at], meaning)
     at, told_moves = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
     unknown, of_codes = code_findings(words, grammar, at)
@@ -128,6 +130,7 @@ def read_nc(
     bad += sharp
     findings += (
         *unknown,
+        *bent,
         *word_findings(words, lines, kinematics.letters, bool(on.any())),
         *more,
         *bad,
@@ -215,6 +218,8 @@ def _motion_lines(
     moving = np.logical_or.reduce([kind != 0 for _, kind in axes])
     if on.any():
         moving |= ~np.isnan(_told(lines, mode, on)).all(axis=1)
+    if codes.ANGLE in lines.letters:
+        moving |= ~np.isnan(lines.column(codes.ANGLE)) & ((mode == codes.RAPID) | (mode == codes.STRAIGHT))
     if (mode == codes.ARC).any():  # a full circle needs no word of an axis
         moving |= (mode == codes.ARC) & np.logical_or.reduce([~np.isnan(lines.column(letter)) for letter in "IJK"])
     moving &= ~lines.any_of(grammar.no_move) & (mode != codes.CYCLE)
@@ -303,9 +308,9 @@ def _corners(
     if corners.LETTER not in lines.letters:
         return chords, []
     at = told.at
-    size = np.nan_to_num(lines.column(corners.LETTER)[at]) * np.where(lines.inch(grammar)[at], INCH, 1.0)
-    straight = (mode != codes.RAPID) & (mode != codes.ARC)
-    found = corners.Corners(size, lines.mode(codes.PLANES, 0)[at], straight)
+    size, length = corners.sizes(np.nan_to_num(lines.column(corners.LETTER)[at]))
+    scale = np.where(lines.inch(grammar)[at], INCH, 1.0)
+    found = corners.Corners(size * scale, length, lines.mode(codes.PLANES, 0)[at], mode != codes.RAPID)
     return corners.with_corners(found, told.before, told.said, chords, at)
 
 
