@@ -5540,6 +5540,10 @@
         <translation>die Maschine ist so, wie {machine} sie beschreibt: Achsen, ihre Vorzeichen, Drehpunkte ({signs} zeigt es), und das Teil steht dort, wo das Programm es annimmt</translation>
     </message>
     <message>
+        <source>the machine's centres of rotation, about which it leads the axes, are not known</source>
+        <translation>die Drehzentren der Maschine, um die sie die Achsen führt, sind nicht bekannt</translation>
+    </message>
+    <message>
         <source>the mark</source>
         <translation>die Marke</translation>
     </message>

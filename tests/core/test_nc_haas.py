@@ -9,8 +9,10 @@ from scipy.spatial.transform import Rotation
 from test_nc_cycles import errors
 from test_nc_planes import MIXED, TRUNNION, poses, read
 
+from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.nc.reader import Assumed, read_nc
 
 ZERO = np.array([11.0, -7.0, 23.0])
 CENTRES = ((np.array([3.0, 4.0, 0.0]), "z"), (np.array([0.0, 5.0, -60.0]), "x"))
@@ -86,6 +88,16 @@ def test_what_the_manual_forbids_under_g254_is_an_error_with_its_reason(text: st
 
 def test_words_of_rotary_axes_that_stand_already_are_no_turn() -> None:
     assert not errors(haas(TURNED + "G254\nG00 X0. Y0. A30. C40.\nZ9.\nG255\n"))
+
+
+def test_where_the_centres_of_rotation_are_not_known_g254_and_planes_are_errors_with_that_reason() -> None:
+    """As for ``recover``, which looks for them."""
+    text = f"{HEAD}{TURNED}G254\nG00 X7. Y3.\nZ50.\nG255\nM30\n%\n"
+    for one, name in ((text, "G254"), (text.replace("G254", "G68.2 X0. Y0. Z0. I0. J30. K0.").replace("G255", "G69"), "G68.2")):
+        program = read_nc(one.encode(), TRUNNION, DIALECTS["haas"], assumed=Assumed(centres=False))
+        (found,) = [said for said, _ in reasons(program)]
+        assert found.startswith(name) and "centres of rotation" in found
+        np.testing.assert_allclose(program.words[-1, :3], [7, 3, 50], atol=1e-9)
 
 
 def test_a_head_that_turns_has_no_g254() -> None:

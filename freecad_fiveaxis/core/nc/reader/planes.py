@@ -150,7 +150,7 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
     state, now, frames = np.zeros(lines.count, np.int64), 0, list[bool]()
     before = np.nan_to_num(np.stack([lines.column(letter) for letter in codes.ORIGIN], axis=1))
     for row, tilt in tilts.items():
-        reason = _wrong(tilt, now)
+        reason = _wrong(tilt, now) or _without_centres(tilt, lines)
         if reason:
             findings.append(refused(tilt.name or NAMES[tilt.rule], reason, row))
         elif tilt.turn is not None:
@@ -187,6 +187,12 @@ def _wrong(tilt: Tilt, now: int) -> str:
     if tilt.turn is not None and now:
         return say("another plane is on; end it first")
     return say("no tilted plane is on") if tilt.move == TURN and not now else ""
+
+
+def _without_centres(tilt: Tilt, lines: Lines) -> str:
+    """Why nobody knows where the axes stand in a plane, for a machine that is still looked for."""
+    known = lines.assumed.centres or tilt.turn is None or tilt.frame  # frames turn the words of the axes themselves
+    return "" if known else say("the machine's centres of rotation, about which it leads the axes, are not known")
 
 
 def refused(name: str, reason: str, row: int) -> Finding:
