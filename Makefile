@@ -4,6 +4,7 @@
 # make test-all   every test: also what takes long to prove, every window, FreeCAD 1.0 and 1.1
 # make changed   the tests that reach what has changed since the last commit, nearest first, for a minute
 # make install   link this folder into the Mod folder of the FreeCAD that is here
+# make release   the branch (BRANCH=release) that FreeCAD's Addon Manager installs from: HEAD without tests, benchmarks and examples
 # make bench   speeds as ratios to peers; make bench-window   those of the 3D view, inside FreeCAD's window
 PYTHON := .venv/bin/python
 FIVEAXIS := $(PYTHON) -m freecad_fiveaxis
@@ -12,10 +13,10 @@ TWO := -n 2 --dist worksteal
 # half of the tests each, in their order, so that what the tests of a file share is made once; who is done takes of the other's half
 
 .PHONY: help demo test test-all changed lint core oldest slow large interpreter linuxcnc freecad runner headless window window-short \
-    sitting test-matrix trixie forky chroots install bench bench-window mutants clean
+    sitting test-matrix trixie forky chroots install release bench bench-window mutants clean
 
 help:
-	@sed -n '2,7s/^# //p' Makefile
+	@sed -n '2,8s/^# //p' Makefile
 
 demo:
 	@bash scripts/prepare demo
@@ -106,6 +107,9 @@ trixie forky: # the rings in FreeCAD once more, in a chroot of that Debian: trix
 chroots: # made ahead, while other rings run
 	bash scripts/freecad_chroot trixie bash -c true
 	bash scripts/freecad_chroot forky bash -c true
+
+release: # with git alone: the work tree stays as it is
+	@bash scripts/release $(BRANCH)
 
 install:
 	@bash scripts/install

@@ -3284,8 +3284,8 @@
         <translation> (entlang der Achse, die geneigt ist)</translation>
     </message>
     <message>
-        <source> Beside it scallops up to {height} are left.</source>
-        <translation> Daneben bleiben Kuppen bis {height} stehen.</translation>
+        <source> Beside it up to {height} is left between the passes.</source>
+        <translation> Daneben bleibt zwischen den Bahnen bis {height} stehen.</translation>
     </message>
     <message>
         <source> On that machine the tip would be off by up to {miss}.</source>
@@ -3526,6 +3526,10 @@
     <message>
         <source>FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.</source>
         <translation>FreeCADs Datei sagt nicht alles; angenommen: {lacking}. Unter fiveaxis berichtigen.</translation>
+    </message>
+    <message>
+        <source>G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as LinuxCNC's trt modules and 5axiskins count them. If the machine's module counts otherwise, the path is another: look into its HAL file.</source>
+        <translation>G12.1 P0 gilt als Kinematik der Spitze (M428), G12.1 P1 als die der Achsen (M429), wie LinuxCNCs trt-Module und 5axiskins zählen. Zählt das Modul der Maschine anders, ist es ein anderer Weg: in ihrer HAL-Datei nachsehen.</translation>
     </message>
     <message>
         <source>G66 calls a program after each block</source>
@@ -3910,6 +3914,10 @@
     <message>
         <source>The least interval of {least} binds {count} times and leaves scallops up to {height} where {scallop} are asked: give a smaller least interval or turn the direction along the steep walls.</source>
         <translation>Der kleinste Abstand von {least} greift {count}-mal und lässt Kuppen bis {height} stehen, wo {scallop} verlangt sind: einen kleineren Abstand geben oder die Richtung entlang der steilen Wände drehen.</translation>
+    </message>
+    <message>
+        <source>The least interval of {least} binds {count} times: on steep walls the passes leave material between them, up to {height} high, where scallops of {scallop} are asked. Give a smaller least interval or turn the direction along the walls.</source>
+        <translation>Der kleinste Abstand von {least} greift {count}-mal: an steilen Wänden bleibt zwischen den Bahnen Material stehen, bis {height} hoch, wo Kuppen von {scallop} verlangt sind. Einen kleineren kleinsten Abstand angeben oder die Richtung längs der Wände drehen.</translation>
     </message>
     <message>
         <source>The lines after the end of the program in line {last} are not read.</source>
@@ -5292,6 +5300,10 @@
         <translation>rotatorisch</translation>
     </message>
     <message>
+        <source>rotary axes turn before G255 has ended it</source>
+        <translation>Drehachsen drehen, bevor G255 sie beendet hat</translation>
+    </message>
+    <message>
         <source>rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words</source>
         <translation>Rundachswörter mit Drehsinn (ACP, ACN); auf dem kürzeren Weg genommen. Absolute Wörter ausgeben</translation>
     </message>
@@ -5532,6 +5544,10 @@
         <translation>die Maschine ist so, wie {machine} sie beschreibt: Achsen, ihre Vorzeichen, Drehpunkte ({signs} zeigt es), und das Teil steht dort, wo das Programm es annimmt</translation>
     </message>
     <message>
+        <source>the machine's centres of rotation, about which it leads the axes, are not known</source>
+        <translation>die Drehzentren der Maschine, um die sie die Achsen führt, sind nicht bekannt</translation>
+    </message>
+    <message>
         <source>the mark</source>
         <translation>die Marke</translation>
     </message>
@@ -5626,6 +5642,10 @@
     <message>
         <source>the tip</source>
         <translation>die Spitze</translation>
+    </message>
+    <message>
+        <source>the tip is guided (G234) at the same time</source>
+        <translation>die Spitze wird zugleich geführt (G234)</translation>
     </message>
     <message>
         <source>the tip swinging {way}</source>
@@ -6060,8 +6080,8 @@
         <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
     </message>
     <message>
-        <source>{count} corners (,R ,C, RND=, CHR=) are left sharp, first NC line {line}: they stand between other moves than two straight ones in the working plane, or these are too short. Post their arcs and lines.</source>
-        <translation>{count} Ecken (,R ,C, RND=, CHR=) bleiben scharf, zuerst NC-Zeile {line}: Sie stehen zwischen anderen Bewegungen als zwei Geraden in der Arbeitsebene, oder diese sind zu kurz. Ihre Bögen und Geraden ausgeben.</translation>
+        <source>{count} corners (,R ,C, RND=, CHR=, CHF=) are left sharp, first NC line {line}: they stand between other moves than lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and lines.</source>
+        <translation>{count} Ecken (,R ,C, RND=, CHR=, CHF=) bleiben scharf, erste NC-Zeile {line}: sie stehen zwischen anderen Bewegungen als Geraden (bei Rundungen auch Bögen) in der Arbeitsebene, oder diese sind zu kurz. Ihre Bögen und Geraden ausgeben.</translation>
     </message>
     <message>
         <source>{count} corners lie on a side of another facet, the first at {at}; that facet was divided there.</source>
@@ -6140,8 +6160,16 @@
         <translation>{count} Zeilen beginnen mit einem Schrägstrich (Satz ausblenden); sie werden gelesen, als wäre der Schalter aus.</translation>
     </message>
     <message>
+        <source>{count} lines by their angle (,A, ANG=) are not worked out, first NC line {line}: it takes one coordinate of the end, or a next line with an angle and both. Post the places of their ends.</source>
+        <translation>{count} Geraden mit Winkel (,A, ANG=) sind nicht bestimmt, erste NC-Zeile {line}: es braucht eine Koordinate des Endes oder eine nächste Gerade mit Winkel und beiden. Die Orte ihrer Enden ausgeben.</translation>
+    </message>
+    <message>
         <source>{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without them. The first: {shown}.</source>
         <translation>{count} Zeilen enthalten Variablen, Ausdrücke oder Sprünge, die nicht ausgewertet werden; ihre Wörter fehlen hier. Ohne sie ausgeben. Die erste: {shown}.</translation>
+    </message>
+    <message>
+        <source>{count} lines select a kinematics that is not known here (the first: G12.1 P{number}); the words after them are taken as those of the axes. Post with G12.1 P0 and G13.1.</source>
+        <translation>{count} Zeilen wählen eine hier unbekannte Kinematik (die erste: G12.1 P{number}); die Wörter danach gelten als die der Achsen. Mit G12.1 P0 und G13.1 ausgeben.</translation>
     </message>
     <message>
         <source>{count} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright.</source>
@@ -6464,6 +6492,10 @@
         <translation>{letter} benennt keine Achse; X Y Z und bis zu zwei von A B C nehmen</translation>
     </message>
     <message>
+        <source>{letter} turns the head, and it is for tables alone</source>
+        <translation>{letter} dreht den Kopf, und sie ist nur für Tische</translation>
+    </message>
+    <message>
         <source>{letter} turns the other way: the post's positive {letter} is the negative one of {name}.{effect}</source>
         <translation>{letter} dreht anders herum: das positive {letter} des Postprozessors ist das negative von {name}.{effect}</translation>
     </message>
@@ -6638,6 +6670,10 @@
     <message>
         <source>{name} {given} holds a character that no name can have; give another</source>
         <translation>{name}: {given} enthält ein Zeichen, das kein Name haben kann; einen anderen angeben</translation>
+    </message>
+    <message>
+        <source>{name} {given} is no speed; give a number, 1/min, or off</source>
+        <translation>{name} {given} ist keine Drehzahl; eine Zahl, 1/min, oder off angeben</translation>
     </message>
     <message>
         <source>{name} {given} is not a text</source>
@@ -6864,8 +6900,8 @@
         <translation>{segments} Teilstrecken von Bahnen</translation>
     </message>
     <message>
-        <source>{share} % of the surface that faces up stays unfinished</source>
-        <translation>{share} % der nach oben gerichteten Fläche bleiben unbearbeitet</translation>
+        <source>{share} % of the surface to be milled stays unfinished</source>
+        <translation>{share} % der zu fräsenden Fläche bleiben unbearbeitet</translation>
     </message>
     <message>
         <source>{shown} is {what}, no NC line; it is passed over. A control may refuse it: delete it.</source>

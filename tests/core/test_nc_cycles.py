@@ -187,3 +187,24 @@ def test_fine_boring_is_read_without_its_shift_and_said_so(controller: str) -> N
 def test_threads_of_linuxcnc_and_back_boring_are_named() -> None:
     assert errors(read(HEAD + "G76 P1 Z-3 I-1 J0.1 K0.5\nG80\nG0 X1\n"))
     assert errors(read(HEAD + "G87 X5 Y6 Z-3 R2 Q0.5\nG80\nG0 X1\n", "fanuc")) == ["cycle-not-interpreted"]
+
+
+ROW = [f"{one} {x} 0 {z}" for x in (10, 20, 30, 40) for one, z in (("r", 15), ("f", 5), ("r", 15))]
+
+
+@pytest.mark.parametrize(("controller", "letter"), [("fanuc", "K"), ("haas", "L")])
+def test_a_row_in_steps_takes_r_from_the_initial_level_and_z_from_r(controller: str, letter: str) -> None:
+    program = read(HEAD + f"G91 G99 G81 X10. R-5. Z-10. {letter}4\nG80\nG90 G0 X0.\n", controller)
+    assert path(program) == ["r 10 0 20", *ROW, "r 0 0 15"] and not errors(program)
+    again = read(HEAD + f"G90 G98 G81 X5. Y5. R2. Z-10. {letter}2\nG80\n", controller)
+    assert path(again) == ["r 5 5 20", "r 5 5 2", "f 5 5 -10", "r 5 5 20"] * 2
+
+
+@pytest.mark.parametrize(("controller", "letter"), [("fanuc", "K"), ("haas", "L")])
+def test_heights_told_before_the_way_of_counting_changes_stay_where_they_are(controller: str, letter: str) -> None:
+    hole = ["r {0} 5 2", "f {0} 5 -10", "r {0} 5 2"]
+    row = read(HEAD + f"G99 G81 X5. Y5. R2. Z-10.\nG91 X10. {letter}3\nG90 X3.\nG80\n", controller)
+    there = [move.format(x) for x in (5, 15, 25, 35, 3) for move in hole]
+    assert path(row) == ["r 5 5 20", *there] and not errors(row)
+    kept = read(HEAD + f"G91 G99 G81 R-18. Z-12. {letter}0\nG90 X5. Y5.\nG91 Z-2. X1.\nG80\n", controller)
+    assert path(kept) == ["r 5 5 20", *[move.format(5) for move in hole], "r 6 5 2", "f 6 5 0", "r 6 5 2"]

@@ -150,7 +150,7 @@ def test_axes_that_the_first_block_does_not_name_are_said_to_be_taken_as_zero() 
         (b"G10 L2 P1 X5", "offset-not-interpreted", ERROR),
         (b"G92 X0", "offset-not-interpreted", ERROR),
         (b"G68 X0 Y0 R30", "offset-not-interpreted", ERROR),
-        (b"G254", "offset-not-interpreted", ERROR),
+        (b"G253", "offset-not-interpreted", ERROR),
         (b"G53.1", "offset-not-interpreted", ERROR),
         (b"G41 D1", "compensation-not-interpreted", ERROR),
         (b"G28 Z0", "machine-position", WARNING),

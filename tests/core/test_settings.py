@@ -13,6 +13,12 @@ def mill(**options):
     return build_settings("mill", "part.stl", {"machine": "trunnion_ac", **options})
 
 
+@pytest.mark.parametrize("given", ["fast", "1000 rpm", "OFF?"])
+def test_a_spindle_that_is_no_speed_is_told_of_off(given):
+    with pytest.raises(SettingsError, match="is no speed; give a number, 1/min, or off"):
+        build_settings("mill", "part.stl", {"machine": "trunnion_ac", "output": "o.ngc", "spindle": given})
+
+
 def test_units_are_turned_once_at_the_border():
     settings = mill(scallop="0.001in", direction="30", cutter="ball:0.5in", origin="0,0,1in", feed="10ipm")
     assert settings.passes.scallop == pytest.approx(0.0254)

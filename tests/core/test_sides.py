@@ -124,7 +124,7 @@ def test_where_a_side_makes_the_least_interval_bind_the_side_is_told_instead():
     result = made(filleted(), stepover=None, scallop=0.01)
     codes = [one.code for one in result.findings]
     assert codes.count("side-not-machined") == 2 and "least-interval" not in codes
-    assert all("Beside it scallops up to 0.03" in one.text for one in sides(result))
+    assert all("Beside it up to 0.03" in one.text for one in sides(result))
 
 
 def test_the_underside_is_a_note_by_its_name():

@@ -265,6 +265,15 @@ def test_a_steep_wall_goes_on_at_the_least_interval_with_a_warning():
     assert str(len(np.flatnonzero(np.diff(offsets) < 0.1001))) in found[0].text
 
 
+def test_what_is_higher_than_the_cutters_radius_is_called_no_scallop():
+    mesh = box(draft=0.5)
+    _, found = place_planes(mesh, 0.0, 0.4, scallop=SCALLOP, least=0.1, keep=upward(mesh))
+    assert found[0].code == "least-interval" and found[0].value > 0.4
+    assert "leave material between them" in found[0].text and "scallops up to" not in found[0].text
+    _, low = place_planes(box(draft=0.5), 0.0, RADIUS, scallop=SCALLOP, least=0.1, keep=upward(mesh))
+    assert low[0].value < RADIUS and "leaves scallops up to" in low[0].text
+
+
 def test_a_smaller_least_interval_keeps_the_scallop_on_the_wall():
     mesh = box(draft=0.5)
     _, found = place_planes(mesh, 0.0, RADIUS, scallop=SCALLOP, least=0.005, keep=upward(mesh))

@@ -202,7 +202,7 @@ def test_the_share_that_stays_unfinished_comes_first(made):
     result = made(block, max_axis_angle=20)
     said, numbers = told(result), summary(job.figures(result))
     assert numbers["unfinished_share"] == pytest.approx(3200.0 / 4800.0)
-    assert said.text.startswith("CHECK: 67 % of the surface that faces up stays unfinished;")
+    assert said.text.startswith("CHECK: 67 % of the surface to be milled stays unfinished;")
 
 
 def block():

@@ -49,15 +49,20 @@ FOREIGN = {
     "linuxcnc": (
         b"G21 G90 G17 G94\nG0 X0 Y0 Z20 A0 C0\nF200\n#1=5\n#<depth>=-2.5\nG98 G81 X[#1*2] Y0 Z#<depth> R3\nX20\nG83 Y10 Z-8 R2 Q1.5\nG80\n"
         b"o100 while [#1 GT 0]\nG1 X#1 A[#1*2]\n#1=[#1-1]\no100 endwhile\nG2 X5 Y5 I2.5 J2.5\nG4 P0.5\nM66E0L0\n(msg, hello)\nM2\n",
+        b"G21 G90 G94 F500\nG0 X0 Y0 Z50 A0 C0\nG12.1 P0\nG43.5 H1\nG1 X1 I0 J0.5 K0.8\nG13.1\nG1 Z90\nG12.1 P2\nG1 X3\nM2\n",
         b"O10 SUB\nG1 X#1 F100\nO10 ENDSUB\nG90\nG0 X0 Y0 Z5 A0 C0\nO10 CALL [7]\nO20 IF [#5 EQ 0]\nG1 C10\nO20 ELSE\nG1 C20\nO20 ENDIF\nM2\n",
     ),
     "fanuc": (b"%\nO1234 (PART)\nG90 G21 G17 G94\nG0 X0. Y0. Z20. A0. C0.\n#100=3\nWHILE[#100GT0]DO1\nG1 X#100 F200.\n#100=#100-1\nEND1\nG43.4 H1\n"
               b"G1 X5. A10. C20.\nG49\nG91 G28 Z0.\nM98 P2000\nM30\nO2000\nG90 G1 Y5.\nM99\n%\n",
               b"============\nInformation listing created by : me\nNode name : a\n============\n%\nOFinal ToolPath\n: G17\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\n"
               b"G1 X5. F100.\nM30\n%\n\x03",
-              b"O1 (A)\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\nG05 P10000\nG1 X5. F100.\nG05 P0\nX15. ,R2.\nY9. ,C1.5\nX0\nM30\n"),
+              b"O1 (A)\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\nG05 P10000\nG1 X5. F100.\nG05 P0\nX15. ,R2.\nY9. ,C1.5\nX0 ,R1.\nG2 X3. Y2. R9.\nG1 X9. ,A30.\nM30\n",
+              b"O1 (ROWS)\nG90 G21 G94\nG0 X0. Y0. Z20. A0. C0.\nG99 G81 X5. Y5. R2. Z-10. F100.\nG91 X10. K3\nG90 X3.\nG91 G83 X1. R-5. Z-9. Q4. K2\n"
+              b"G90 G80\nM30\n"),
+    "haas": (b"%\nO10 (OURS)\nG00 G17 G40 G80 G90 G94 G21\nG53 G00 Z0.\nT3 M06\nS6000 M03\nG54\nM11\nG00 A30. C40.\nM10\nG254\nG00 X7. Y3.\nG43 Z50. H03\n"
+             b"G01 Z-1. F800.\nX9.\nG255\nG53 G00 Z0.\nG00 A0. C0.\nG93\nG234 H03 X0. Y0. Z60.\nG01 X5. A12. C25. F90.\nG94\nG49\nG53 G00 Z0.\nM30\n%\n",),
     "siemens840d": (b"; PART\nG710 G90 G17\nR1=5 R2=R1+1\nTRAORI\nG0 X0 Y0 Z0 A=0 C=0\nG1 X=R1 Y=R2 A=DC(10) F100\nG1 X=IC(1) A3=0 B3=0.1 C3=0.99\nTRAFOOF\n"
-                    b"CYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\nG1 X20 RND=2\nY9 CHR=1\nX3\nG2 X3 Y3 I1 J1\nM30\n",),
+                    b"CYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\nG1 X20 RND=2\nY9 CHR=1\nX3 RND=0.5\nG2 X3 Y3 I1 J1\nG1 X9 ANG=30 CHF=0.5\nANG=100\nX0 Y9 ANG=170\nM30\n",),
     "heidenhain": (b"0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+20 A+0 C+0 FMAX\n2 M128\n3 L X+1 Y-2.5 A+3 R0 F100\n4 CC X+0 Y+0\n5 C X+2 Y+0 DR+\n6 LN X+1 Y+1 Z+1 "
                    b"TX+0.1 TY+0 TZ+0.99\n7 M129\n8 Q1 = 5\n9 L IX+1 FMAX M140 MB MAX\n10 END PGM A MM\n",
                    b"0 BEGIN PGM B MM\n1 CALL LBL 1\n2 L X+0 Y+0 Z+90 A+0 C+0 R0 FMAX\n3 PLANE SPATIAL SPA90 SPB0 SPC180 STAY SEQ- TABLE ROT\n"

@@ -97,7 +97,7 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     dialect = dialect_for(settings.machine.controller, start)
     dialect, read_as = (dialect, ()) if settings.machine.controller else dialect_of_text(nc, dialect)
     search = search_folders(settings, settings.recover.program)
-    assumed = Assumed(settings.reading.units, settings.reading.decimal, start.no_motion if start else (), search)
+    assumed = Assumed(settings.reading.units, settings.reading.decimal, start.no_motion if start else (), search, False)
     program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress, assumed)
     _refuse_guided(program)
     units = units_of_steps(program, path)

@@ -87,8 +87,15 @@ def _count(given: Any, name: str) -> float:
 
 
 def _speed(given: Any, name: str) -> float:
-    """A spindle speed; 0 for ``off``."""
-    return 0.0 if given == "off" else quantity.parse(given, quantity.NUMBERS, name)
+    """A spindle speed; 0 for ``off``. Raises SettingsError that names that choice too."""
+    if given == "off":
+        return 0.0
+    try:
+        return quantity.parse(given, quantity.NUMBERS, name)
+    except SettingsError:
+        raise SettingsError(
+            say("{name} {given} is no speed; give a number, 1/min, or off", name=name, given=quantity.shown(given)), given
+        ) from None
 
 
 def _counts(given: Any, name: str) -> Vector:

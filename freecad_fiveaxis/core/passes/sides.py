@@ -177,7 +177,7 @@ def _finding(side: Side, mesh: Mesh, keep: Bools, angle: float, beside: list[Fin
     lost = say("{side} is not machined: {area}.", side=beginning(name), area=Area(side.area, ".4g"))
     text = joined((lost, _remedy(side, mesh, keep, angle, finer)))
     if beside and beside[0].value is not None:
-        text += say(" Beside it scallops up to {height} are left.", height=Length(beside[0].value, ".4g"))
+        text += say(" Beside it up to {height} is left between the passes.", height=Length(beside[0].value, ".4g"))
     return Finding(Severity.WARNING, "side-not-machined", text, side.area, 0.0, "mm2", place=(x, y, z))
 
 

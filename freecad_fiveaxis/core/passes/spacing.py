@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, say
+from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Template, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .pass_pair import Strip, scallop_between, smallest_interval
@@ -73,6 +73,15 @@ TINY_HEIGHT = 1e-9
 INSIDE = 1e-3
 """Share of the least interval by which a trial plane stays inside the part, where it surely cuts facets."""
 
+BOUND = Template(
+    "The least interval of {least} binds {count} times and leaves scallops up to {height} where {scallop}"
+    " are asked: give a smaller least interval or turn the direction along the steep walls."
+)
+BOUND_APART = Template(
+    "The least interval of {least} binds {count} times: on steep walls the passes leave material between them, up to {height} "
+    "high, where scallops of {scallop} are asked. Give a smaller least interval or turn the direction along the walls."
+)
+"""Higher than the cutter's radius: no scallop, for between two passes of a ball none is."""
 PERIOD = 0.25
 """Seconds between two reports of progress."""
 
@@ -315,9 +324,8 @@ class _March:
             return ()
         worst = max(self._bound, key=lambda step: step.height)
         x, y, z = (float(v) for v in worst.place)
-        text = say(
-            "The least interval of {least} binds {count} times and leaves scallops up to {height} where {scallop}"
-            " are asked: give a smaller least interval or turn the direction along the steep walls.",
+        said = BOUND_APART if worst.height > self._radius else BOUND
+        text = said.say(
             least=Length(self._least),
             count=len(self._bound),
             height=Length(worst.height, ".4g"),

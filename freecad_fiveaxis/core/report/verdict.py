@@ -167,7 +167,7 @@ def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
 def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     feeds = numbers["feed_blocks"]
     if figures.unfinished >= NOTABLE_SHARE:
-        yield say("{share} % of the surface that faces up stays unfinished", share=Number(100.0 * figures.unfinished, ".2g"))
+        yield say("{share} % of the surface to be milled stays unfinished", share=Number(100.0 * figures.unfinished, ".2g"))
     if not feeds:
         yield say("the program has no feed blocks, so nothing is proven")
     if not is_checked(figures):

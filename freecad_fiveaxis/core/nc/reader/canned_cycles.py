@@ -3,10 +3,15 @@
 
 R, Z, Q   height of the plane where the feed begins, bottom of the hole, one peck. G91: R from the initial level, Z from R.
 level     the initial one is where the axis stood before the first of several cycles; G98 goes back to it, G99 to R.
-L, K      how often: under G91 a row of holes. LinuxCNC, Haas: L. Fanuc: K.
+L, K      how often: under G91 a row of holes. LinuxCNC, Haas: L. Fanuc: K. 0: the words are kept, and nothing is drilled.
+kept      G90 and G91 within one cycle: Fanuc and Haas keep the heights that R and Z had when they were told, so that a row that
+          begins with one hole in absolute words (G81 X5. Z-10. R2., then G91 X10. K3) is drilled to one depth. LinuxCNC reads
+          the words anew.
 
 Sources: LinuxCNC 2.9, interp_cycles.cc (NIST RS274NGC 3, 3.5.16), moved as its ``rs274`` moves; Fanuc B-63324EN, 13.1; Haas mill
-operator's manual, canned cycles. What differs between them is a row of :class:`Ways`.
+operator's manual, canned cycles; R from the initial level and Z from R under G91, K repeats a series of holes: a description of
+G81 at zanotowane.pl/117/8692. That heights are kept is how such rows are written; no manual that says so was found.
+What differs between them is a row of :class:`Ways`.
 """
 
 from __future__ import annotations
@@ -102,8 +107,9 @@ class _Table:
         moving = np.logical_or.reduce([(self.kind != 0).any(axis=1), ~np.isnan(self.r), *rotary])
         self.runs: Bools = moving & ~lines.any_of(grammar.no_move)
         self.told: Bools = self.runs | ~np.isnan(self.q)
-        tilted = np.isin(lines.code, codes.TILT).any()
-        self.anew = np.flatnonzero(lines.any_of((*codes.TILT, codes.LEVEL))) if tilted else np.empty(0, np.int64)
+        planes = (*codes.TILT, codes.LEVEL, *codes.DYNAMIC)
+        tilted = np.isin(lines.code, (*codes.TILT, codes.DYNAMIC[0])).any()
+        self.anew = np.flatnonzero(lines.any_of(planes)) if tilted else np.empty(0, np.int64)
         self.words = lines.words
 
     def line(self, row: int) -> int:
@@ -151,15 +157,23 @@ class _Table:
     def _take(self, hole: Hole, code: int, row: int, axis: int) -> str | None:
         """The words of a line into ``hole``; the reason where they make none."""
         if code != hole.code and self.ways.rises:
-            hole.told_r = hole.told_z = hole.q = np.nan  # LinuxCNC wants R and Z again with another code
+            hole.told_r = hole.told_z = hole.r = hole.z = hole.q = np.nan  # LinuxCNC wants R and Z again with another code
         hole.code = code
-        below = hole.initial if self.steps[row] else 0.0
-        hole.told_r = hole.told_r if np.isnan(self.r[row]) else self.r[row]
-        hole.told_z = self.value[row, axis] if self.kind[row, axis] else hole.told_z
-        hole.r = hole.told_r + below
-        hole.z = hole.told_z + (hole.r if self.steps[row] else 0.0)
+        told_z = self.value[row, axis] if self.kind[row, axis] else np.nan
+        if self.ways.rises:
+            hole.told_r = hole.told_r if np.isnan(self.r[row]) else self.r[row]
+            hole.told_z = hole.told_z if np.isnan(told_z) else told_z
+            self._heights(hole, row, hole.told_r, hole.told_z)
+        else:
+            self._heights(hole, row, self.r[row], told_z)
         hole.q = self.q[row] if not np.isnan(self.q[row]) else hole.q
         return self._wrong(hole, row)
+
+    def _heights(self, hole: Hole, row: int, r: float, z: float) -> None:
+        """The heights that these words tell; those of words that are NaN stay."""
+        steps = self.steps[row]
+        hole.r = hole.r if np.isnan(r) else r + (hole.initial if steps else 0.0)
+        hole.z = hole.z if np.isnan(z) else z + (hole.r if steps else 0.0)
 
     def _wrong(self, hole: Hole, row: int) -> str | None:
         times = self.times[row]

@@ -33,6 +33,10 @@ INCH = 25.4
 DWELL = 40
 TILT, LEVEL = (682, 531), 690
 """G68.2 and G53.1: a tilted plane, and the axes turned to it; G69 ends it."""
+DYNAMIC = (2540, 2550)
+"""G254 and G255 of Haas: the dynamic work offset, on and off (:mod:`.dynamic_offset`)."""
+KINEMATICS = (121, 131)
+"""G12.1 and G13.1 of LinuxCNC: the switch of kinematics (:mod:`.kinematics_switch`)."""
 LOCAL = 520
 """G52: the zero of the local coordinate system."""
 DATUM = 540
@@ -45,7 +49,7 @@ VECTORS_ON = (435,)
 """I J K of straight blocks are the tool's direction."""
 HARMLESS = {
     *(MOTION.keys() - set(CYCLES) - set(SPLINES)), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51, 80, 90, 150, 400,
-    430, 440, 490, 431, 432, 500, 610, 611, 640, 690, 960, 970, 980, 990, 1870, *OFFSETS, *GUIDE_ON, *GUIDE_OFF, *TILT, 2550,
+    430, 440, 490, 431, 432, 500, 610, 611, 640, 690, 960, 970, 980, 990, 1870, *OFFSETS, *GUIDE_ON, *GUIDE_OFF, *TILT,
 }  # fmt: skip
 SIDES = (410, 411, 420, 421)
 """Cutter compensation; with D0 in the same line it moves nothing."""
@@ -65,7 +69,8 @@ CENTRE = "pqr"
 """An absolute arc centre, which stays until the next one (Heidenhain's CC)."""
 SWITCH = "t"
 """t1: the controller guides the tip; t0: no longer."""
-NORMAL = "n"
+ANGLE = "n"
+"""n30: the angle of a straight line in the working plane, deg (Siemens' ANG=, Fanuc's ,A)."""
 PLANE = "w"
 """w3: the fourth of the tilted planes of the program (Heidenhain's PLANE, Siemens' CYCLE800)."""
 DRILL = "d"
@@ -154,7 +159,7 @@ CODES: dict[int, Kind] = {
     **dict.fromkeys(SPLINES, SPLINE),
     **dict.fromkeys((650, 660, 661), CALL),
     **dict.fromkeys((280, 281, 300, 301, 530), HOME),
-    **dict.fromkeys((100, 160, 501, 510, 544, 680, 683, 684, 2530, 2540, 2680, 2690, 920, 921, 922, 923), SHIFT),
+    **dict.fromkeys((100, 160, 501, 510, 544, 680, 683, 684, 2530, 2680, 2690, 920, 921, 922, 923), SHIFT),
     **dict.fromkeys(SIDES, RADIUS),
     950: PER_TURN_KIND,
 }
@@ -183,8 +188,8 @@ class Grammar:
 
 
 ISO = Grammar(
-    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset({*HARMLESS, LOCAL}), CODES, {97: CALL, 98: CALL, 198: CALL},
-    guide_m={128: 1, 129: 0, 428: 1, 429: 0, 430: 0},
+    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset({*HARMLESS, LOCAL, *DYNAMIC, *KINEMATICS}), CODES,
+    {97: CALL, 98: CALL, 198: CALL}, guide_m={128: 1, 129: 0, 428: 1, 429: 0, 430: 0},
 )  # fmt: skip
 _SIEMENS_OWN = {
     700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0, 6450: 0, 500: 0,

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Corners between two straight lines, rounded or chamfered (Fanuc 30i, user's manual, optional chamfering and corner R; Siemens
-840D, Fundamentals, chamfer and rounding).
+"""Corners of a contour, rounded or chamfered (Fanuc 30i, user's manual, optional chamfering and corner R; Siemens SINUMERIK ONE,
+NC programming, 6FC5398-2EP40, chamfer, rounding: CHR is the width in the direction of motion, CHF the length of the chamfer).
 
-,R2  RND=2     an arc of that radius, tangent to both lines.
-,C2  CHR=2     a chamfer that leaves and meets the lines so far from the corner.
+,R2  RND=2     an arc of that radius, tangent to both pieces, which are lines or arcs (:mod:`.tangent`).
+,C2  CHR=2     a chamfer that leaves and meets two lines so far from the corner.
+     CHF=2     a chamfer of that length between two lines, as far from the corner on both.
 
-Both lines must lie in the working plane and be long enough, with what the corners at their other ends take of them. Any other
-corner is left sharp, with an error: its moves are missing.
+Both pieces must lie in the working plane and be long enough, with what the corners at their other ends take of them. Any other
+corner is left sharp, with an error: its moves are missing. So is a chamfer beside an arc: how far it goes there was not found.
 """
 
 from __future__ import annotations
@@ -21,31 +22,69 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
 from .arcs import ARC_TOLERANCE, AXES, Chords
+from .codes import ANGLE
+from .tangent import BACK, STRAIGHT, Piece, corner, rounding
 
 ISO = re.compile(rb", *([RC]) *(?=\+?[0-9.])")
 """As Fanuc, Haas and others write them."""
-SIEMENS = re.compile(rb"(?<![A-Z0-9_$])(RND|CHR) *= *(?=\+?[0-9.]+(?: |$))", re.MULTILINE)
+SIEMENS = re.compile(rb"(?<![A-Z0-9_$])(RND|CHR|CHF) *= *(\+?[0-9.]+)(?= |$)", re.MULTILINE)
+ISO_ANGLE = re.compile(rb", *A *(?=[-+]?[0-9.])")
+SIEMENS_ANGLE = re.compile(rb"(?<![A-Z0-9_$])ANG *= *(?=[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?: |$))", re.MULTILINE)
+"""Of a line (:mod:`.contour_angles`)."""
 LETTER = "\x7f"
-"""Private: the radius, above 0, or less the chamfer's legs. No text has this character."""
-STRAIGHT, BACK = 1e-6, 1e-3
-"""rad: lines that go on in one direction have no corner; one that comes straight back has none that can be rounded."""
+"""Private: the radius, above 0, or less the chamfer's legs, or less :data:`BY_LENGTH` and its own length. No text has it."""
+BY_LENGTH = 1_000_000
+"""No leg is as long as this, mm or inch."""
 
 
 @dataclass(frozen=True, eq=False)
 class Corners:
-    """``size`` (m,) of each move's end, mm: radius, or less the legs; 0 for none. ``plane`` (m,) 0 XY, 1 ZX, 2 YZ; ``line`` (m,)
-    whether it is a straight feed move."""
+    """``size`` (m,) of each move's end, mm: radius, or less the chamfer's size; 0 for none. ``length`` (m,): the size is the
+    chamfer's own length, not that of its legs. ``plane`` (m,) 0 XY, 1 ZX, 2 YZ; ``cut`` (m,) whether it is a feed move."""
 
     size: Floats
+    length: Bools
     plane: Ints
-    line: Bools
+    cut: Bools
+
+
+def sizes(value: Floats) -> tuple[Floats, Bools]:
+    """What the private words (m,), 0 for none, say: sizes in the program's unit, and which are lengths of chamfers."""
+    length = np.asarray(value <= -BY_LENGTH)
+    return np.where(length, value + BY_LENGTH, value), length
 
 
 def marked(text: bytes, siemens: bool = False) -> bytes:
-    """The text, in capitals, with the private word for each corner that has a plain number."""
+    """The text, in capitals, with the private words for each corner and angle that has a plain number."""
+    mark = b"ANG" if siemens else b","
+    if mark in text:
+        text = (SIEMENS_ANGLE if siemens else ISO_ANGLE).sub(lambda found: ANGLE.encode().ljust(len(found[0])), text)
     if siemens:
-        return SIEMENS.sub(lambda found: (b"\x7f" if found[1] == b"RND" else b"\x7f-").ljust(len(found[0])), text)
+        return SIEMENS.sub(_siemens, text)
     return ISO.sub(lambda found: (b"\x7f" if found[1] == b"R" else b"\x7f-").ljust(len(found[0])), text) if b"," in text else text
+
+
+def _siemens(found: re.Match[bytes]) -> bytes:
+    """The private word of RND=, CHR= or CHF=; as it stands where its number is none."""
+    try:
+        number = float(found[2])
+    except ValueError:
+        return found[0]
+    if found[1] == b"CHF":
+        return b"\x7f-%.6f" % (BY_LENGTH + number) if number < BY_LENGTH else found[0]
+    sign = b"\x7f" if found[1] == b"RND" else b"\x7f-"
+    return sign.ljust(found.start(2) - found.start()) + found[2].replace(b"+", b" ")
+
+
+@dataclass(eq=False)
+class _Made:
+    """By move: at its end, how many of its chords stay and the places (k, 5) after them; at its start, how many chords go, and mm
+    that are taken; the moves whose corner is lost."""
+
+    ends: dict[int, tuple[int, Floats]]
+    heads: dict[int, int]
+    taken: dict[int, float]
+    lost: list[int]
 
 
 def with_corners(
@@ -54,47 +93,96 @@ def with_corners(
     """The chords with those of the corners between the moves ``before``, ``said`` (m, 5); ``line`` (m,) of the file."""
     if chords is None:
         chords = Chords(np.arange(len(said)), np.ones(len(said), np.int64), before.copy(), said.copy())
-    put, lost = dict[int, Floats](), []
-    at = np.flatnonzero(corners.size != 0.0).tolist()
-    taken = np.zeros(len(said))
-    for move in at:
-        places = _corner(corners, before, said, move, float(taken[move]))
-        if places is None:
-            lost.append(move)
-        elif len(places):
-            put[move] = places
-            taken[move + 1] = float(np.linalg.norm(places[-1] - said[move]))
-    return _put(chords, put), _findings(lost, line)
+    contour, made = _Contour(corners, before, chords), _Made({}, {}, {}, [])
+    for move in np.flatnonzero(corners.size != 0.0).tolist():
+        if not _corner(contour, made, move):
+            made.lost.append(move)
+    return _put(chords, contour.first, made), _findings(made.lost, line)
 
 
-def _corner(corners: Corners, before: Floats, said: Floats, move: int, taken: float) -> Floats | None:
-    """The places (k, 5) from the corner's first to its last; none where the line goes on; None where there is no such corner.
-    ``taken`` mm of the move by the corner before it."""
-    if move + 1 >= len(said) or not (corners.line[move] and corners.line[move + 1]):
+class _Contour:
+    """The moves with their chords, by move."""
+
+    def __init__(self, corners: Corners, before: Floats, chords: Chords) -> None:
+        self.corners, self.before, self.chords = corners, before, chords
+        self.first = np.cumsum(chords.count) - chords.count
+
+    def places(self, move: int) -> Floats:
+        """Start, ends of the chords and end of a move (n + 1, 5)."""
+        rows = slice(int(self.first[move]), int(self.first[move] + self.chords.count[move]))
+        return np.concatenate([self.before[move][None], self.chords.said[rows]])
+
+    def piece(self, move: int, plane: int) -> Piece | None:
+        """A move as a line or an arc in the plane; None where it is neither, or does not feed."""
+        if move >= len(self.before) or not self.corners.cut[move]:
+            return None
+        places, axes = self.places(move), AXES[plane, :2]
+        others = np.setdiff1d(np.arange(5), axes)
+        if np.abs(places[:, others] - places[0, others]).max() > 0.0:
+            return None
+        return _line(places[:, axes]) if len(places) == 2 else _arc(places[:, axes])
+
+
+def _line(places: Floats) -> Piece | None:
+    length = float(np.hypot(*(places[1] - places[0])))
+    return Piece(places[0], places[1], None, 0.0, length) if length > 0.0 else None
+
+
+def _arc(places: Floats) -> Piece | None:
+    """The arc on which chords (n + 1, 2) end, by three of them; None where they lie on none."""
+    count = len(places) - 1
+    a, b, c = places[0], places[-(-count // 3)], places[-(-2 * count // 3)]
+    (ux, uy), (vx, vy) = b - a, c - a
+    cross = ux * vy - uy * vx
+    if abs(cross) < 1e-12:
         return None
-    u, v = AXES[corners.plane[move], :2]
-    others = [axis for axis in range(5) if axis not in (u, v)]
-    step = np.stack([before[move] - said[move], said[move + 1] - said[move]])
-    length = np.hypot(step[:, u], step[:, v])
-    if np.abs(step[:, others]).max() > 0.0 or not (length > 0.0).all():
+    u, v = ux * ux + uy * uy, vx * vx + vy * vy
+    centre = a + np.array([vy * u - uy * v, ux * v - vx * u]) / (2.0 * cross)
+    radii = np.hypot(*(places - centre).T)
+    if np.ptp(radii) > ARC_TOLERANCE:
         return None
-    way = step[:, [u, v]] / length[:, None]
+    chord = float(np.hypot(*(b - a)))
+    sweep = 2.0 * np.arcsin(min(chord / (2.0 * float(radii[0])), 1.0)) / (-(-count // 3)) * count
+    return Piece(a, places[-1], centre, 1.0 if cross > 0.0 else -1.0, float(radii[0]) * sweep)
+
+
+def _corner(contour: _Contour, made: _Made, move: int) -> bool:
+    """Make the corner at the end of a move; False where there is no such corner."""
+    plane, size = int(contour.corners.plane[move]), float(contour.corners.size[move])
+    one, two = contour.piece(move, plane), contour.piece(move + 1, plane)
+    if one is None or two is None or (contour.places(move)[-1] != contour.before[move + 1]).any():
+        return False  # the last: X Y Z mean something else from here on
+    turn, _ = corner(one, two)
+    if turn < STRAIGHT or turn > np.pi - BACK:
+        return turn < STRAIGHT
+    taken = made.taken.get(move, 0.0)
+    flat = _flat(one, two, size, bool(contour.corners.length[move]), taken)
+    if flat is None:
+        return False
+    places = np.repeat(contour.places(move)[-1:], len(flat), axis=0)
+    places[:, AXES[plane, :2]] = flat
+    stays = one.along(flat[0]) / one.length * contour.chords.count[move]
+    made.ends[move] = max(int(np.ceil(stays - 1e-6)) - 1, 0), places
+    made.taken[move + 1] = two.along(flat[-1])
+    gone = int(made.taken[move + 1] / two.length * contour.chords.count[move + 1] + 1e-6)
+    made.heads[move + 1] = min(gone, int(contour.chords.count[move + 1]) - 1)
+    return True
+
+
+def _flat(one: Piece, two: Piece, size: float, by_length: bool, taken: float) -> Floats | None:
+    """The places (k, 2) from the corner's first to its last; None where the pieces are too short, or not of that kind."""
+    if one.centre is not None or two.centre is not None:
+        arc = rounding(one, two, size, taken) if size > 0.0 else None
+        return None if arc is None else arc.places()
+    way = np.stack([(one.start - one.end) / one.length, (two.end - two.start) / two.length])
     angle = float(np.arccos(np.clip(way[0] @ way[1], -1.0, 1.0)))
-    if angle < BACK:
+    leg = size / np.tan(angle / 2.0) if size > 0.0 else -size / (2.0 * np.sin(angle / 2.0) if by_length else 1.0)
+    if leg > one.length - taken + ARC_TOLERANCE or leg > two.length + ARC_TOLERANCE:
         return None
-    if np.pi - angle < STRAIGHT:
-        return np.zeros((0, 5))
-    size = float(corners.size[move])
-    leg = -size if size < 0.0 else size / np.tan(angle / 2.0)
-    if leg > length[0] - taken + ARC_TOLERANCE or leg > length[1] + ARC_TOLERANCE:
-        return None
-    flat = said[move, [u, v]] + (leg * way if size < 0.0 else _arc(way, size, angle))
-    places = np.repeat(said[move][None], len(flat), axis=0)
-    places[:, [u, v]] = flat
-    return places
+    return one.end + (leg * way if size < 0.0 else _round(way, size, angle))
 
 
-def _arc(way: Floats, radius: float, angle: float) -> Floats:
+def _round(way: Floats, radius: float, angle: float) -> Floats:
     """Places (k, 2), counted from the corner, of the arc tangent to both lines; ``angle`` rad between them."""
     half = angle / 2.0
     middle = way.sum(axis=0) / np.linalg.norm(way.sum(axis=0))
@@ -106,27 +194,25 @@ def _arc(way: Floats, radius: float, angle: float) -> Floats:
     return np.asarray(centre + radius * (np.sin((1.0 - share) * sweep) * first + np.sin(share * sweep) * last) / np.sin(sweep))
 
 
-def _put(chords: Chords, put: dict[int, Floats]) -> Chords:
-    """The chords with the places put in at the ends of their moves, instead of the corner itself; the next move goes on there."""
-    if not put:
+def _put(chords: Chords, first: Ints, made: _Made) -> Chords:
+    """The chords with the corners' places at the ends of their moves; the next move goes on where they end."""
+    if not made.ends:
         return chords
-    rows, count = [], chords.count.copy()
-    first = np.cumsum(chords.count) - chords.count
-    said, row, done = [], [], 0
-    for move, places in put.items():
-        end = int(first[move] + chords.count[move]) - 1
-        said += [chords.said[done:end], places]
-        row += [chords.row[done:end], np.full(len(places), move)]
-        rows.append(move)
-        count[move] += len(places) - 1
-        done = end + 1
-    said.append(chords.said[done:])
-    row.append(chords.row[done:])
-    places, of = np.concatenate(said), np.concatenate(row)
+    none, count = np.zeros((0, 5)), chords.count.copy()
+    said, row, done = list[Floats](), list[Ints](), 0
+    for move in sorted({*made.ends, *made.heads}):
+        begin, whole = int(first[move]), int(chords.count[move])
+        stays, places = made.ends.get(move, (whole, none))
+        gone = made.heads.get(move, 0)
+        kept = chords.said[begin + gone : begin + max(stays, gone)]
+        said += [chords.said[done:begin], kept, places]
+        row += [chords.row[done:begin], np.full(len(kept) + len(places), move)]
+        count[move], done = len(kept) + len(places), begin + whole
+    places, of = np.concatenate([*said, chords.said[done:]]), np.concatenate([*row, chords.row[done:]])
     before = np.empty_like(places)
     starts = np.flatnonzero(np.diff(of, prepend=-1))
     before[1:] = places[:-1]
-    plain = starts[~np.isin(of[starts] - 1, rows)]
+    plain = starts[~np.isin(of[starts] - 1, list(made.ends))]
     before[plain] = chords.before[first[of[plain]]]
     return Chords(of, count, before, places)
 
@@ -135,8 +221,8 @@ def _findings(lost: list[int], line: Ints) -> list[Finding]:
     if not lost:
         return []
     text = say(
-        "{count} corners (,R ,C, RND=, CHR=) are left sharp, first NC line {line}: they stand between other moves than two "
-        "straight ones in the working plane, or these are too short. Post their arcs and lines.",
+        "{count} corners (,R ,C, RND=, CHR=, CHF=) are left sharp, first NC line {line}: they stand between other moves than "
+        "lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and lines.",
         count=len(lost),
         line=int(line[lost[0]]),
     )

@@ -6,8 +6,9 @@ dialect   LinuxCNC: AND, OR, XOR are logical and bind least; FIX and FUP go down
           with a name is an error. Fanuc, Haas: bitwise, AND binds as *, OR and XOR as +; FIX goes to zero, FUP from it; a
           variable that was never set is vacant, and a word with it is left out.
 
-ATAN[y]/[x]  LinuxCNC: from -180 to 180. Fanuc, Haas: from 0 to 360, as Fanuc's parameter 6004#0 (NAT) = 0 is said to have it,
-             with 1 as LinuxCNC's. Neither Fanuc's page nor Haas' was at hand.
+ATAN[y]/[x]  LinuxCNC: from -180 to 180. Fanuc: from 0 to 360 with parameter 6004#0 (NAT) = 0, its default: #1=ATAN[-1]/[-1] is
+             225.0, the example of Fanuc's manuals (custom macro, arithmetic and logic operation), read where others quote it;
+             with NAT = 1 as LinuxCNC's. Haas is taken to do as Fanuc does: its page was not at hand.
 
 Angles in degrees. Sources: LinuxCNC 2.9, G-code overview; Fanuc B-63324EN, 15.4 (custom macro); Haas mill operator's manual.
 """

@@ -25,12 +25,14 @@ class Assumed:
     """What is taken where the text does not say it. ``units``: ``mm``, ``inch``, or ``file`` where nobody has said it either (mm,
     with a finding); ``decimal``: a word without a point is in millimetres or inches and degrees (``calculator``), or counts the
     controller's least increment; ``no_motion``: functions of the machine that move nothing, as its file names them; ``search``:
-    folders with the programs that it calls."""
+    folders with the programs that it calls; ``centres``: the machine's centres of rotation are known, by which a control leads
+    the axes in a tilted plane and under G254."""
 
     units: str = "file"
     decimal: str = "calculator"
     no_motion: tuple[str, ...] = ()
     search: tuple[str, ...] = ()
+    centres: bool = True
 
 
 UNTOLD = Assumed()

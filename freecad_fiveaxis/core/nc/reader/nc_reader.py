@@ -35,6 +35,8 @@ from .arcs import Arcs, Chords, chorded
 from .canned_cycles import written_out
 from .causes import fold
 from .codes import GRAMMARS, INCH, Grammar
+from .contour_angles import angled
+from .dynamic_offset import carried
 from .feeds import feeds
 from .findings import (
     code_findings,
@@ -49,6 +51,7 @@ from .findings import (
     wrap_findings,
 )
 from .heidenhain_cycles import diameters
+from .kinematics_switch import switch_findings, switched
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
 from .of_machine import OfMachine
 from .planes import Planes, planes_of
@@ -91,7 +94,9 @@ def read_nc(
     findings = language_finding(language, told)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
     mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)
-    planes = planes_of(lines, grammar)
+    dynamic, said = carried(lines, axes, on, kinematics, grammar)
+    findings += (*said, *switch_findings(lines, grammar))
+    planes = planes_of(lines, grammar, dynamic)
     if planes is not None:
         mode, on = planes.modes(mode, on)
     at = _motion_lines(lines, grammar, axes, mode, on, planes)
@@ -116,6 +121,7 @@ def read_nc(
         solved = turned(kinematics, meant, at, planes, wrap)
         meant, findings = solved.words, (*findings, *planes.findings, *solved.findings)
         meaning = planes.of_blocks(at, on[at], meant)
+    meant, bent = angled(lines, at, meant, mode[at], meaning)
     at, told_moves = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
     unknown, of_codes = code_findings(words, grammar, at)
@@ -124,6 +130,7 @@ def read_nc(
     bad += sharp
     findings += (
         *unknown,
+        *bent,
         *word_findings(words, lines, kinematics.letters, bool(on.any())),
         *more,
         *bad,
@@ -189,9 +196,9 @@ def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
     if codes.SWITCH in lines.letters:
         switch = lines.column(codes.SWITCH)
         events += [(np.flatnonzero(switch == number), bool(number)) for number in (0, 1)]
-    on = _switched(events, lines.count)
+    on = _switched([*events, *switched(lines, grammar)], lines.count)
     if grammar.name == "iso":
-        both = ((codes.GUIDE_ON, True), (codes.GUIDE_OFF, False))
+        both = ((codes.GUIDE_ON, True), ((*codes.GUIDE_OFF, *codes.KINEMATICS[1:]), False))
         on |= _switched([(lines.code_line[np.isin(lines.code, chosen)], state) for chosen, state in both], lines.count)
     return on
 
@@ -211,6 +218,8 @@ def _motion_lines(
     moving = np.logical_or.reduce([kind != 0 for _, kind in axes])
     if on.any():
         moving |= ~np.isnan(_told(lines, mode, on)).all(axis=1)
+    if codes.ANGLE in lines.letters:
+        moving |= ~np.isnan(lines.column(codes.ANGLE)) & ((mode == codes.RAPID) | (mode == codes.STRAIGHT))
     if (mode == codes.ARC).any():  # a full circle needs no word of an axis
         moving |= (mode == codes.ARC) & np.logical_or.reduce([~np.isnan(lines.column(letter)) for letter in "IJK"])
     moving &= ~lines.any_of(grammar.no_move) & (mode != codes.CYCLE)
@@ -299,9 +308,9 @@ def _corners(
     if corners.LETTER not in lines.letters:
         return chords, []
     at = told.at
-    size = np.nan_to_num(lines.column(corners.LETTER)[at]) * np.where(lines.inch(grammar)[at], INCH, 1.0)
-    straight = (mode != codes.RAPID) & (mode != codes.ARC)
-    found = corners.Corners(size, lines.mode(codes.PLANES, 0)[at], straight)
+    size, length = corners.sizes(np.nan_to_num(lines.column(corners.LETTER)[at]))
+    scale = np.where(lines.inch(grammar)[at], INCH, 1.0)
+    found = corners.Corners(size * scale, length, lines.mode(codes.PLANES, 0)[at], mode != codes.RAPID)
     return corners.with_corners(found, told.before, told.said, chords, at)
 
 

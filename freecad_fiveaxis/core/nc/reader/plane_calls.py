@@ -30,8 +30,8 @@ from freecad_fiveaxis.core.base.sentences import say
 
 STAY, TURN, MOVE = "stay", "turn", "move"
 """Nobody turns the rotary axes; they turn and X Y Z stand; the tip keeps its place in the work."""
-FANUC, HEIDENHAIN, SIEMENS = "fanuc", "heidenhain", "siemens"
-"""Whose rule picks one of the two ways to stand."""
+FANUC, HEIDENHAIN, SIEMENS, HAAS = "fanuc", "heidenhain", "siemens", "haas"
+"""Whose rule picks one of the two ways to stand; Haas' picks none (:mod:`.dynamic_offset`)."""
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
 ENTRY = re.compile(rf"(SP[ABC]|EUL(?:PR|NU|ROT)|[BN][XYZ]) *({NUMBER})")
 REST = re.compile(rf"TURN|MOVE|STAY|SEQ *[-+]|(?:TABLE|COORD) *ROT|(ABST|DIST|MB) *({NUMBER}|MAX)|F *MAX|F *AUTO|F *{NUMBER}")

@@ -8,7 +8,9 @@ turning line   G53.1, PLANE ... TURN or MOVE, CYCLE800: a block of its own in wh
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
@@ -19,7 +21,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from . import codes, plane_calls
 from .codes import INCH, Grammar
 from .lines import Lines, last_of
-from .plane_calls import FANUC, MOVE, TURN, Tilt
+from .plane_calls import FANUC, HAAS, MOVE, TURN, Tilt
 
 NAMES = {FANUC: "G68.2", plane_calls.SIEMENS: "CYCLE800"}
 JOINTS, GUIDED, IN_PLANE = 0, 1, 2
@@ -91,9 +93,9 @@ class Planes:
         return np.asarray(self.turn[k].T @ (place - self.origin[k]))
 
 
-def planes_of(lines: Lines, grammar: Grammar) -> Planes | None:
-    """The tilted planes of a program; None where it has none."""
-    tilts = tilts_of(lines, grammar)
+def planes_of(lines: Lines, grammar: Grammar, dynamic: Mapping[int, Tilt] = MappingProxyType({})) -> Planes | None:
+    """The tilted planes of a program; None where it has none. ``dynamic``: those that :mod:`.dynamic_offset` knows better."""
+    tilts = dict(sorted({**tilts_of(lines, grammar), **dynamic}.items()))
     return _planes(tilts, lines, grammar) if tilts else None
 
 
@@ -112,10 +114,14 @@ def _by_words(lines: Lines) -> dict[int, Tilt]:
 
 
 def _by_codes(lines: Lines) -> dict[int, Tilt]:
-    if not np.isin(lines.code, codes.TILT).any():
-        return {}
-    columns = {letter: lines.column(letter) for letter in "XYZIJKPR"}
     tilts = dict[int, Tilt]()
+    if codes.DYNAMIC[0] in lines.code:
+        of_haas = np.isin(lines.code, codes.DYNAMIC)
+        for row, code in zip(lines.code_line[of_haas].tolist(), lines.code[of_haas].tolist(), strict=True):
+            tilts[row] = Tilt(HAAS, np.eye(3) if code == codes.DYNAMIC[0] else None)
+    if not np.isin(lines.code, codes.TILT).any():
+        return tilts
+    columns = {letter: lines.column(letter) for letter in "XYZIJKPR"}
     chosen = np.isin(lines.code, (*codes.TILT, codes.LEVEL))
     for row, code in zip(lines.code_line[chosen].tolist(), lines.code[chosen].tolist(), strict=True):
         if code == codes.TILT[0]:
@@ -144,7 +150,7 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
     state, now, frames = np.zeros(lines.count, np.int64), 0, list[bool]()
     before = np.nan_to_num(np.stack([lines.column(letter) for letter in codes.ORIGIN], axis=1))
     for row, tilt in tilts.items():
-        reason = _wrong(tilt, now)
+        reason = _wrong(tilt, now) or _without_centres(tilt, lines)
         if reason:
             findings.append(refused(tilt.name or NAMES[tilt.rule], reason, row))
         elif tilt.turn is not None:
@@ -181,6 +187,12 @@ def _wrong(tilt: Tilt, now: int) -> str:
     if tilt.turn is not None and now:
         return say("another plane is on; end it first")
     return say("no tilted plane is on") if tilt.move == TURN and not now else ""
+
+
+def _without_centres(tilt: Tilt, lines: Lines) -> str:
+    """Why nobody knows where the axes stand in a plane, for a machine that is still looked for."""
+    known = lines.assumed.centres or tilt.turn is None or tilt.frame  # frames turn the words of the axes themselves
+    return "" if known else say("the machine's centres of rotation, about which it leads the axes, are not known")
 
 
 def refused(name: str, reason: str, row: int) -> Finding:
