@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.report import Drawing, Figures, draw
 from . import findings_panel
 from .qt import translate
 from .scene import labels, words
-from .scene.on_screen import Label
+from .scene.on_screen import Label, LegendBox
 from .scene.path_nodes import Look, PathNodes
 from .view_properties import rgb
 from .view_providers import markers_of
@@ -38,6 +38,11 @@ class Picture:
         self.figures: Figures | None = None
         self.drawing: Drawing | None = None
         self.styled, self.checked, self.failed = False, None, ""
+
+    @property
+    def legend(self) -> LegendBox:
+        """The node of the legend."""
+        return self.nodes.legend
 
     def refresh(self) -> None:
         """Draw what is new."""

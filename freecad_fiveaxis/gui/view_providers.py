@@ -12,7 +12,7 @@ from typing import Any
 
 import FreeCAD
 
-from . import redraw, view_properties
+from . import foremost, redraw, view_properties
 from .qt import icon, translate
 
 MODE = "Path"
@@ -120,10 +120,19 @@ class DrawnView(View):
 
     def onChanged(self, vobj: Any, prop: str) -> None:
         """A property of the view has changed."""
-        if hasattr(self, "root") and prop in ("Visibility", *(row[1] for row in self.ROWS)):
-            if prop not in self.SWITCHES:
-                self.restyle()
-            redraw.soon(self)
+        if not hasattr(self, "root") or prop not in ("Visibility", *(row[1] for row in self.ROWS)):
+            return
+        if prop not in self.SWITCHES:
+            self.restyle()
+        if prop == "Visibility" and vobj.Visibility:
+            self.come_forward()
+        redraw.soon(self)
+
+    def come_forward(self) -> None:
+        """The object is shown: so is its legend, in place of the others'."""
+        legend = foremost.legend_of(self.obj)
+        if legend is not None:
+            legend.come_forward()
 
     def restyle(self) -> None:
         """What is drawn has to be drawn anew, in other colours or sizes."""
@@ -222,6 +231,7 @@ class PathView(DrawnView):
         if self.picture is None:
             self.picture = Picture(self.vobj)
             self.root.addChild(self.picture.nodes.root)
+            foremost.look()  # the object may be selected already
         self.picture.refresh()
 
     def restyle(self) -> None:
@@ -265,6 +275,7 @@ class PictureView(DrawnView):
         if self.picture is None:
             self.picture = self.make_picture()
             self.root.addChild(self.picture.root)
+            foremost.look()  # the object may be selected already
         self.picture.refresh()
 
     def make_picture(self) -> Any:
