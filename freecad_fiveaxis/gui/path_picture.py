@@ -108,7 +108,7 @@ class Picture:
         else:
             kinds = [mark.kind for mark in self.drawing.markers] if self.drawing is not None else []
             legend = words.legend_of(self.obj.Label, self.figures, self._look(), warning, kinds, self._shown())
-        self.nodes.legend.show(legend)
+        self.nodes.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
         self.nodes.labels.show(self._labels())
 
     def _shown(self) -> list[str]:

@@ -151,8 +151,16 @@ class DrawnView(View):
         return False
 
     def setupContextMenu(self, vobj: Any, menu: Any) -> None:
-        """An entry that opens the list of findings."""
+        """An entry that opens the list of findings, and one that folds the legend where there is one."""
         menu.addAction(translate("FiveAxis", "Show findings")).triggered.connect(lambda *_: self.show_findings())
+        self.add_fold(menu)
+
+    def add_fold(self, menu: Any) -> None:
+        """An entry that folds the legend, where there is one."""
+        from .shown_parts import FOLD, add_fold
+
+        if hasattr(self.vobj, FOLD):
+            add_fold(menu, self.vobj)
 
     def show_findings(self) -> None:
         """Open the list of findings."""
@@ -330,7 +338,8 @@ class SetupMapView(PictureView):
         return ""
 
     def setupContextMenu(self, vobj: Any, menu: Any) -> None:
-        """Nothing of its own."""
+        """An entry that folds the legend."""
+        self.add_fold(menu)
 
     def setEdit(self, vobj: Any, mode: int = 0) -> bool:
         """Open the panel."""
