@@ -121,9 +121,10 @@ def _view_of(obj: Any) -> Any:
 
 
 def _forget(gone: Any) -> None:
-    from . import findings_panel
+    from . import comparison_table, findings_panel
 
     findings_panel.forget(gone)
+    comparison_table.forget(gone)
 
 
 def _look_again(doc: Any, changed: Any = None, only_old: bool = False) -> None:

@@ -33,7 +33,7 @@ class Legend:
     """What the legend says. ``marks``: level (0 to 1) and text of the scale's marks; ``keys``: colour and text of the kinds of
     markers; ``halves``: texts of the calm and the loud half, the second empty where there is none; ``notes``: lines below;
     ``warning``: lines on top in a warning colour, empty for none; ``gist``: what the title says besides when it stands alone;
-    ``ink``: the colour of the title."""
+    ``ink``: of the title."""
 
     title: str
     ramp: np.ndarray
