@@ -3,7 +3,7 @@
 
 path    the whole picture of a path, to the bare lines of its strokes
 map     a map of what is left, to its bare facets
-labels  eight labels and two legends over a ball, to the ball alone
+labels  eight labels and two legends, one of them seen, over a ball, to the ball alone
 
 A frame is the processor's time of the whole process for it: Mesa draws on the processor where there is no graphics card.
 """

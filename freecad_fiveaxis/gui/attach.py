@@ -77,10 +77,10 @@ def register() -> None:
     """Start watching, and look at what is open already. A second call does nothing."""
     if _watching:
         return
-    from . import findings_panel, waiting
+    from . import findings_panel, foremost, waiting
 
     waiting.register()
-    _watching.extend((Observer(), findings_panel.register()))
+    _watching.extend((Observer(), findings_panel.register(), foremost.register()))
     FreeCAD.addDocumentObserver(_watching[0])
     for doc in FreeCAD.listDocuments().values():
         _watching[0].slotFinishRestoreDocument(doc)
@@ -121,9 +121,10 @@ def _view_of(obj: Any) -> Any:
 
 
 def _forget(gone: Any) -> None:
-    from . import findings_panel
+    from . import comparison_table, findings_panel
 
     findings_panel.forget(gone)
+    comparison_table.forget(gone)
 
 
 def _look_again(doc: Any, changed: Any = None, only_old: bool = False) -> None:

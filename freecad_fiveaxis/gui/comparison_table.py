@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of a comparison, a window below the view: one row a machine, cure and kind of control. A click on a head sorts it.
 
-The numbers are the core's; each cell keeps its own (mm, s, rad) under the text in the user's units, and is sorted by it.
+The numbers are the core's; each cell keeps its own (mm, s, rad) under the text in the user's units, and is sorted by it. The
+window closes with the document of its path. Nothing here imports numpy before there is a table.
 """
 
 from __future__ import annotations
 
 import math
 from typing import Any
-
-from freecad_fiveaxis.app import wording
-from freecad_fiveaxis.core.machine import fitted_columns
 
 from .qt import QtCore, QtWidgets, main_window, translate
 
@@ -39,7 +37,7 @@ class Table:
     """The window: a sentence, the table, and a button that saves it."""
 
     def __init__(self, dock: Any) -> None:
-        self.dock, self.comparison, self.label, self.document = dock, None, "", ""
+        self.dock, self.comparison, self.label, self.document = dock, None, "", None
         self.verdict, self.table = QtWidgets.QLabel(), QtWidgets.QTableWidget(0, len(heads()))
         self.save_button = QtWidgets.QPushButton(translate("FiveAxis", "Save…"))
         self.error = QtWidgets.QLabel()
@@ -66,10 +64,11 @@ class Table:
 
     def show_rows(self, path: Any, comparison: Any) -> None:
         """Fill the table."""
+        from freecad_fiveaxis.app import wording
         from freecad_fiveaxis.core.studies.compare import verdict
 
         self.comparison = comparison
-        self.label, self.document = path.Label, path.Document.FileName
+        self.label, self.document = path.Label, path.Document
         self.dock.setWindowTitle(translate("FiveAxis", "Machines on {label}").format(label=path.Label))
         self.verdict.setText(wording.told(verdict(comparison.rows, comparison.settings.proof.tolerance)))
         self.error.setText("")
@@ -85,13 +84,19 @@ class Table:
         self.table.resizeColumnsToContents()
         self.table.resizeRowsToContents()
 
+    def clear(self) -> None:
+        """Show nothing."""
+        self.comparison, self.label, self.document = None, "", None
+        self.table.setRowCount(0)
+        self.dock.hide()
+
     def save(self) -> None:
         """Ask for a file and write the table there; a file that is there is replaced only if the user says so."""
         from freecad_fiveaxis.app import comparing
 
         from .panels.setup import ask_file, write_asking
 
-        file = ask_file(self.dock, self.document, self.label + " " + translate("FiveAxis", "machines"))
+        file = ask_file(self.dock, self.document.FileName, self.label + " " + translate("FiveAxis", "machines"))
         if file:
             write_asking(file, lambda agreed: comparing.write(self.comparison, file, agreed), self.error.setText)
 
@@ -111,6 +116,13 @@ def show(path: Any, comparison: Any) -> Table:
     return shown
 
 
+def forget(gone: Any) -> None:
+    """A document is closed: the table of its path goes with it."""
+    shown = _docks.get("table")
+    if shown is not None and shown.document is not None and shown.document is gone:
+        shown.clear()
+
+
 def heads() -> list[str]:
     """The titles of the columns."""
     return [
@@ -123,6 +135,7 @@ def heads() -> list[str]:
 
 def cells(row: Any) -> list[Cell]:
     """The cells of one row of the core."""
+    from freecad_fiveaxis.app import wording
     from freecad_fiveaxis.app.labels import cure_label
 
     from .panels.summary import clock
@@ -155,5 +168,7 @@ LEAST_OVER = 5e-4
 
 def _turning(row: Any, column: int) -> Cell:
     """The peak rate of a rotary axis; a dash where the machine has none."""
+    from freecad_fiveaxis.core.machine import fitted_columns
+
     letter, rate = row.letters[column], row.peak_rate[column]
     return Cell(f"{letter} {math.degrees(rate):.0f}°/min", rate) if column in fitted_columns(row.letters) else Cell("–")

@@ -64,7 +64,7 @@ def guarded(slot: Callable[..., Any], failed: Any = None) -> Callable[..., Any]:
 def guards(cls: type) -> type:
     """Class decorator for an observer: all its methods that FreeCAD calls are guarded."""
     for name, method in list(vars(cls).items()):
-        if name.startswith(("slot", "addSelection")):
+        if name.startswith("slot") or name.endswith("Selection"):
             setattr(cls, name, guarded(method))
     return cls
 

@@ -73,7 +73,8 @@ class LeftPicture:
         """Labels and legend."""
         shown = self.heights if self.vobj.ShowLabel else None
         self.labels.show(self._extremes(shown) if shown is not None else ())
-        self.legend.show(self._legend() if self.vobj.ShowLegend and (self.heights is not None or self.warned) else None)
+        legend = self._legend() if self.vobj.ShowLegend and (self.heights is not None or self.warned) else None
+        self.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
 
     def _extremes(self, found: left.Heights) -> list[Label]:
         """The labels: where the cut is deepest, and where most is left, if that is more than may be."""
@@ -96,7 +97,7 @@ class LeftPicture:
             translate("FiveAxis", "Deepest below it: {depth}").format(depth=length_text(self.obj.LargestOvercut.Value)),
             uncut.format(area=area_text(self.obj.UncutArea.Value), whole=area_text(self.obj.MachinedArea.Value)),
         )
-        return overlay.Legend(self.obj.Label, scale_ramp(), marks, halves, (), notes, self.warned)
+        return overlay.Legend(self.obj.Label, scale_ramp(), marks, halves, (), notes, self.warned, notes[1])
 
 
 def _left_text(height: float) -> str:

@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.report import Drawing, Figures, draw
 from . import findings_panel
 from .qt import translate
 from .scene import labels, words
-from .scene.on_screen import Label
+from .scene.on_screen import Label, LegendBox
 from .scene.path_nodes import Look, PathNodes
 from .view_properties import rgb
 from .view_providers import markers_of
@@ -38,6 +38,11 @@ class Picture:
         self.figures: Figures | None = None
         self.drawing: Drawing | None = None
         self.styled, self.checked, self.failed = False, None, ""
+
+    @property
+    def legend(self) -> LegendBox:
+        """The node of the legend."""
+        return self.nodes.legend
 
     def refresh(self) -> None:
         """Draw what is new."""
@@ -103,7 +108,7 @@ class Picture:
         else:
             kinds = [mark.kind for mark in self.drawing.markers] if self.drawing is not None else []
             legend = words.legend_of(self.obj.Label, self.figures, self._look(), warning, kinds, self._shown())
-        self.nodes.legend.show(legend)
+        self.nodes.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
         self.nodes.labels.show(self._labels())
 
     def _shown(self) -> list[str]:

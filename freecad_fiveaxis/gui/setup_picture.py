@@ -42,7 +42,8 @@ class SetupPicture:
         )  # fmt: skip
         named = view.ShowLabel and setups.BEST in kinds
         self.labels.show([Label(places[kinds.index(setups.BEST)].tolist(), self._best(), nodes.WHITE)] if named else ())
-        self.legend.show(self._legend(scale, good, bad, len(rows)) if view.ShowLegend else None)
+        legend = self._legend(scale, good, bad, len(rows)) if view.ShowLegend else None
+        self.legend.show(legend.folded() if legend is not None and view.FoldLegend else legend)
 
     def _best(self) -> str:
         return translate("FiveAxis", "recommended: {deviation}").format(deviation=length_text(self.obj.DeviationAfter.Value))
@@ -66,5 +67,5 @@ class SetupPicture:
         old = translate("FiveAxis", "The tool path was changed since: double-click the map to try again")
         marks = [(level, length_text(value)) for level, value in scale.marks]
         return overlay.Legend(
-            self.obj.Label, colours.heat(bad), marks, ("", ""), keys, notes, "" if self.obj.UpToDate else old
+            self.obj.Label, colours.heat(bad), marks, ("", ""), keys, notes, "" if self.obj.UpToDate else old, self._best()
         )  # fmt: skip

@@ -12,6 +12,7 @@ from . import view_providers
 from .qt import QtWidgets, translate
 
 MARKERS = "ShowMarkers"
+FOLD = "FoldLegend"
 
 
 def part_names() -> dict[str, str]:
@@ -50,6 +51,15 @@ def add_entries(menu: Any, path: Any) -> None:
         entry.setCheckable(True)
         entry.setChecked(is_shown(path, part))
         entry.triggered.connect(lambda *_, part=part, entry=entry: show_part(path, part, entry.isChecked()))
+
+
+def add_fold(menu: Any, vobj: Any) -> None:
+    """Give a menu an entry that folds the legend of a view to one line, with a tick where it is."""
+    entry = menu.addAction(translate("FiveAxis", "Fold the legend"))
+    entry.setObjectName(FOLD)
+    entry.setCheckable(True)
+    entry.setChecked(bool(vobj.FoldLegend))
+    entry.triggered.connect(lambda *_: setattr(vobj, FOLD, entry.isChecked()))
 
 
 class ShownParts(QtWidgets.QGroupBox):

@@ -28,6 +28,10 @@ MARKS: tuple[Row, ...] = (
     ("App::PropertyFloatConstraint", "MarkerSize", (7.0, 3.0, 25.0, 1.0),
      QT_TRANSLATE_NOOP("App::Property", "Size of the markers in pixels")),
 )  # fmt: skip
+LEGEND: tuple[Row, ...] = (
+    ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours mean")),
+    ("App::PropertyBool", "FoldLegend", False, QT_TRANSLATE_NOOP("App::Property", "Leave one line of the legend")),
+)  # fmt: skip
 PATH: tuple[Row, ...] = (
     ("App::PropertyBool", "ShowCuts", True,
      QT_TRANSLATE_NOOP("App::Property", "Show what cuts, in the colours of its deviation")),
@@ -39,7 +43,7 @@ PATH: tuple[Row, ...] = (
     ("App::PropertyBool", "ShowCurves", True,
      QT_TRANSLATE_NOOP("App::Property", "Show the real curve of the worst blocks beside the commanded line")),
     ("App::PropertyBool", "ShowRapids", False, QT_TRANSLATE_NOOP("App::Property", "Show the rapids")),
-    ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours mean")),
+    *LEGEND,
     *MARKS,
     ("App::PropertyFloatConstraint", "LineWidth", (2.0, 1.0, 10.0, 0.5),
      QT_TRANSLATE_NOOP("App::Property", "Width of the path in pixels")),
@@ -48,13 +52,13 @@ PATH: tuple[Row, ...] = (
     *COLOURS,
     ("App::PropertyColor", "ColourAxes", AXIS_COLOUR, QT_TRANSLATE_NOOP("App::Property", "Colour of the tool axes")),
 )  # fmt: skip
-PATH_SWITCHES = tuple(row[1] for row in PATH if row[1].startswith("Show"))
+PATH_SWITCHES = tuple(row[1] for row in PATH if row[0] == "App::PropertyBool")
 MARKERS: tuple[Row, ...] = (*MARKS, *COLOURS)
 
 
 SETUPS: tuple[Row, ...] = (
     ("App::PropertyBool", "ShowLabel", True, QT_TRANSLATE_NOOP("App::Property", "Show the value at the recommended place")),
-    ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours mean")),
+    *LEGEND,
     ("App::PropertyBool", "ShowAllPlaces", False,
      QT_TRANSLATE_NOOP("App::Property", "Show the places at all heights, not only those at the recommended one")),
     ("App::PropertyFloatConstraint", "MarkerSize", (9.0, 3.0, 25.0, 1.0),
@@ -67,7 +71,7 @@ SETUPS: tuple[Row, ...] = (
 LEFT: tuple[Row, ...] = (
     ("App::PropertyBool", "ShowLabel", True,
      QT_TRANSLATE_NOOP("App::Property", "Show the values where most is left and where the cut is deepest")),
-    ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours mean")),
+    *LEGEND,
 )  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import FreeCAD
 
-from . import redraw, view_properties
+from . import foremost, redraw, view_properties
 from .qt import icon, translate
 
 MODE = "Path"
@@ -120,10 +120,19 @@ class DrawnView(View):
 
     def onChanged(self, vobj: Any, prop: str) -> None:
         """A property of the view has changed."""
-        if hasattr(self, "root") and prop in ("Visibility", *(row[1] for row in self.ROWS)):
-            if prop not in self.SWITCHES:
-                self.restyle()
-            redraw.soon(self)
+        if not hasattr(self, "root") or prop not in ("Visibility", *(row[1] for row in self.ROWS)):
+            return
+        if prop not in self.SWITCHES:
+            self.restyle()
+        if prop == "Visibility" and vobj.Visibility:
+            self.come_forward()
+        redraw.soon(self)
+
+    def come_forward(self) -> None:
+        """The object is shown: so is its legend, in place of the others'."""
+        legend = foremost.legend_of(self.obj)
+        if legend is not None:
+            legend.come_forward()
 
     def restyle(self) -> None:
         """What is drawn has to be drawn anew, in other colours or sizes."""
@@ -142,8 +151,16 @@ class DrawnView(View):
         return False
 
     def setupContextMenu(self, vobj: Any, menu: Any) -> None:
-        """An entry that opens the list of findings."""
+        """An entry that opens the list of findings, and one that folds the legend where there is one."""
         menu.addAction(translate("FiveAxis", "Show findings")).triggered.connect(lambda *_: self.show_findings())
+        self.add_fold(menu)
+
+    def add_fold(self, menu: Any) -> None:
+        """An entry that folds the legend, where there is one."""
+        from .shown_parts import FOLD, add_fold
+
+        if hasattr(self.vobj, FOLD):
+            add_fold(menu, self.vobj)
 
     def show_findings(self) -> None:
         """Open the list of findings."""
@@ -222,6 +239,7 @@ class PathView(DrawnView):
         if self.picture is None:
             self.picture = Picture(self.vobj)
             self.root.addChild(self.picture.nodes.root)
+            foremost.look()  # the object may be selected already
         self.picture.refresh()
 
     def restyle(self) -> None:
@@ -265,6 +283,7 @@ class PictureView(DrawnView):
         if self.picture is None:
             self.picture = self.make_picture()
             self.root.addChild(self.picture.root)
+            foremost.look()  # the object may be selected already
         self.picture.refresh()
 
     def make_picture(self) -> Any:
@@ -319,7 +338,8 @@ class SetupMapView(PictureView):
         return ""
 
     def setupContextMenu(self, vobj: Any, menu: Any) -> None:
-        """Nothing of its own."""
+        """An entry that folds the legend."""
+        self.add_fold(menu)
 
     def setEdit(self, vobj: Any, mode: int = 0) -> bool:
         """Open the panel."""

@@ -324,6 +324,10 @@
         <translation>Fingerabdruck</translation>
     </message>
     <message>
+        <source>Fold Legend</source>
+        <translation>Legende einklappen</translation>
+    </message>
+    <message>
         <source>From the spindle's gauge point to the tip; machines with a rotary head need it</source>
         <translation>Vom Bezugspunkt der Spindel bis zur Spitze; Maschinen mit Schwenkkopf brauchen sie</translation>
     </message>
@@ -490,6 +494,10 @@
     <message>
         <source>Least Interval</source>
         <translation>Kleinster Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Leave one line of the legend</source>
+        <translation>Von der Legende nur eine Zeile zeigen</translation>
     </message>
     <message>
         <source>Left</source>
@@ -1557,6 +1565,10 @@
     <message>
         <source>Fixed axis I, J, K</source>
         <translation>Feste Achse I, J, K</translation>
+    </message>
+    <message>
+        <source>Fold the legend</source>
+        <translation>Legende einklappen</translation>
     </message>
     <message>
         <source>Folder of called programs</source>

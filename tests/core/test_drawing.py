@@ -6,8 +6,8 @@ import pytest
 import report_examples as examples
 
 from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.report import draw, listed, markers, scale_values, spot, summary
-from freecad_fiveaxis.core.report.drawing import AXES_ACROSS, CURVE_POINTS, level_of
+from freecad_fiveaxis.core.report import draw, listed, markers, spot, summary
+from freecad_fiveaxis.core.report.drawing import AXES_ACROSS, CURVE_POINTS
 
 
 @pytest.fixture(scope="module")
@@ -45,15 +45,6 @@ def test_no_stroke_spans_a_rapid(dome):
         last = int(np.flatnonzero((dome.tip == end).all(axis=1))[-1])
         assert first < block <= last
         assert len(set(kinds[first + 1 : last + 1])) == 1 and kinds[last] != Motion.RAPID
-
-
-def test_the_scale_stands_about_the_tolerance():
-    assert level_of(np.array([0.0, 1e-4, 1e-3, 0.01, 0.1, 1.0, 50.0, np.nan]), 0.01) == pytest.approx(
-        [0, 0, 0.25, 0.5, 0.75, 1, 1, 1]
-    )
-    assert dict(scale_values(0.01)) == pytest.approx({0.0: 1e-4, 0.25: 1e-3, 0.5: 1e-2, 0.75: 0.1, 1.0: 1.0})
-    for level, value in scale_values(0.02):
-        assert level_of(np.array([value]), 0.02) == pytest.approx([level])
 
 
 def test_the_markers_are_those_of_the_core_and_name_their_block(dome, picture):

@@ -4,6 +4,7 @@
 import json
 import math
 
+import FreeCAD
 import FreeCADGui
 import pytest
 from conftest import QtCore, QtWidgets
@@ -135,6 +136,18 @@ def test_the_table_is_saved_where_the_user_says_and_replaces_nothing_unasked(pat
     shown.save()
     assert "endings" in shown.error.text() and not file.exists()
     shown.dock.close()
+
+
+def test_the_table_closes_with_its_document_and_with_no_other(path, doc, until):
+    from freecad_fiveaxis.gui import comparison_table
+
+    shown = comparison_table.show(path, comparing.compare(path, ["trunnion_ac"], ["none"]))
+    until(shown.dock.isVisible, 20000, "the table")
+    FreeCAD.closeDocument(FreeCAD.newDocument().Name)
+    assert shown.dock.isVisible() and shown.table.rowCount() == 2
+    FreeCAD.closeDocument(doc.Name)
+    until(lambda: not shown.dock.isVisible(), 20000, "no table of a document that is closed")
+    assert shown.table.rowCount() == 0
 
 
 def test_without_a_toolpath_the_command_is_disabled(doc, tool_button, until):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What of a path is shown: what cuts is told from links and rapids, fewer passes where the part is small, and the switches."""
 
+from dataclasses import replace
+
 import FreeCAD
 import FreeCADGui
 import numpy as np
@@ -147,11 +149,57 @@ def test_the_legend_names_the_kinds_of_moves_that_are_shown(path):
     assert texts(picture._shown())[:3] == ["cut", "link", "rapid"]
 
 
+def test_the_legend_ends_at_the_tolerance_or_at_the_largest_deviation(path):
+    from freecad_fiveaxis.gui.scene import words
+    from freecad_fiveaxis.gui.scene.units import length_text
+
+    picture = drawn(path)
+    largest = picture.figures.judged.segment[picture.figures.feeds].max()
+
+    def legend(tolerance):
+        return words.legend_of("Path", replace(picture.figures, tolerance=tolerance), picture._look(), "")
+
+    calm, both = legend(10.0 * largest), legend(0.1 * largest)
+    assert calm.marks[-1] == (1.0, length_text(10.0 * largest)) and calm.halves == ("within tolerance", "")
+    assert len(calm.ramp) == len(both.ramp) / 2 and (calm.ramp == both.ramp[: len(calm.ramp)]).all(), "no colour of what is over"
+    assert both.marks[-1] == (1.0, length_text(largest)) and both.halves[1] == "over tolerance"
+    assert [text for level, text in both.marks if level == 0.5] == [length_text(0.1 * largest)]
+
+
+def test_the_legend_folds_to_a_line_by_the_menu_and_unfolds(path, until, screenshot):
+    size, view = drawn(path).legend.size, path.ViewObject
+
+    def entry():
+        menu.clear()
+        view.Proxy.setupContextMenu(view, menu)
+        return next(one for one in menu.actions() if one.objectName() == "FoldLegend")
+
+    menu = QtWidgets.QMenu()
+    assert not entry().isChecked()
+    entry().trigger()
+    until(lambda: 0 < drawn(path).legend.size[1] < 50, 20000, "one line")
+    until(lambda: len(drawn(path).legend.box), 20000, "that line in the view")
+    screenshot("legend_folded")
+    assert view.FoldLegend and entry().isChecked() and drawn(path) is not None, "nothing else is drawn anew"
+    entry().trigger()
+    until(lambda: drawn(path).legend.size == size, 20000, "the whole legend")
+
+
+def test_a_folded_legend_still_warns():
+    from freecad_fiveaxis.gui.scene import overlay, words
+
+    folded = words.empty_legend("Path", "The path is out of date").folded()
+    assert folded.title == "Path: The path is out of date" and folded.ink == overlay.WARN
+    assert overlay.legend_picture(folded).height() < 50
+    long = words.empty_legend("Path", 40 * "words ").folded()
+    assert len(long.title) <= overlay.FOLDED_WIDTH + 1 and long.title.endswith("…")
+
+
 def test_a_document_of_an_earlier_version_shows_what_it_showed(path, doc, until, tmp_path):
     """Rapids were on, and there was no property for cuts and links."""
     view, label = path.ViewObject, path.Label
     view.ShowRapids = True
-    for name in ("ShowCuts", "ShowLinks"):
+    for name in ("ShowCuts", "ShowLinks", "FoldLegend"):
         assert view.removeProperty(name)
     doc.saveAs(str(tmp_path / "earlier.FCStd"))
     FreeCAD.closeDocument(doc.Name)

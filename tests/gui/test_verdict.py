@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The verdict on the screen: its colour and words, and what OK and Post-process ask before an unsafe path is kept or written."""
 
+from types import SimpleNamespace
+
 import FreeCADGui
 import pytest
 from conftest import picture
@@ -9,6 +11,7 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results
 from freecad_fiveaxis.gui import findings_panel, verdict_label
 from freecad_fiveaxis.gui.panels import audit, post, summary, toolpath, written
+from freecad_fiveaxis.gui.panels.panel_widget import PanelWidget
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
 COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
@@ -74,6 +77,28 @@ def test_the_summary_shows_the_light_in_its_colour_until_the_settings_change(pan
     until(lambda: label.text() == opened.obj.Verdict, 20000, "the new verdict")
     assert not label.text().startswith("NOT SAFE")
     until(lambda: coloured(screenshot("verdict_cured"), opened.obj.Light) > 2000, 30000, "the verdict in its colour")
+
+
+@pytest.mark.parametrize("width", [300, 420])
+def test_the_verdict_is_whole_in_a_panel_of_any_height_and_the_rest_scrolls(width, until):
+    """As whole as where nothing else stands about it."""
+    box, lone = summary.Summary(), verdict_label.VerdictLabel("lone")
+    told = SimpleNamespace(Light="red", Verdict="NOT SAFE: " + 8 * "the tip leaves its line in block 1234; ")
+    panel = PanelWidget("Panel", (QtWidgets.QPushButton("Calculate"), box), QtWidgets.QLabel("Form\n" * 40))
+    panel.show()
+    try:
+        box.verdict.show_verdict(told)
+        box.tell("<br>".join(f"Line {line}" for line in range(30)))
+        for height in (600, 300, 120):
+            panel.resize(width, height)
+            lone.show_verdict(told)
+            lone.setFixedWidth(box.verdict.width())
+            lone.adjustSize()
+            until(lambda: box.verdict.height() >= lone.heightForWidth(lone.width()) > 60, 5000, "the whole verdict")
+            until(lambda: box.area.verticalScrollBar().maximum() > 0, 5000, "the rest scrolling")
+    finally:
+        panel.close()
+        lone.close()
 
 
 @pytest.mark.parametrize("answer", ["Go back", "Keep anyway"])

@@ -3,12 +3,13 @@
 
 The numbers come from ``figures`` (which defines the words), the judgement from ``judgement``, the traffic light over everything
 from ``verdict``, what that rests on from ``scope``; ``text`` writes for the terminal, ``json_text`` for scripts, ``html_page`` a
-page with plots, ``block_table`` and ``rate_table`` the CSV, ``drawing`` the arrays of a view. ``part_facts`` tells what the
-program does to the part, ``left_picture`` draws it (``raster``).
+page with plots, ``block_table`` and ``rate_table`` the CSV, ``drawing`` the arrays of a view, ``deviation_scale`` what they are
+coloured by. ``part_facts`` tells what the program does to the part, ``left_picture`` draws it (``raster``).
 """
 
 from .block_table import blocks_csv
-from .drawing import Drawing, Row, Spot, draw, listed, scale_values, spot
+from .deviation_scale import scale_end, scale_marks
+from .drawing import Drawing, Row, Spot, draw, listed, spot
 from .figures import Figures, summary
 from .html_page import as_html
 from .json_text import as_json
@@ -38,7 +39,8 @@ __all__ = [
     "listed",
     "markers",
     "rates_csv",
-    "scale_values",
+    "scale_end",
+    "scale_marks",
     "scope",
     "spot",
     "summary",

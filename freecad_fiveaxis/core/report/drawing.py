@@ -6,8 +6,7 @@ stroke  a straight line of the picture: the chord of a feed block, or of several
 cut     a stroke that cuts: of a cut or a fill whose ends lie at the part. Where the tool was lifted off the part, and on links,
         it cuts nothing. Of a foreign program without its part every feed block may cut.
 coat    ``thinning``: fewer passes, for a small picture. What is over the tolerance is in every coat.
-level   the deviation on a logarithmic scale about the tolerance: 0.5 is the tolerance, 0 a hundredth of it, 1 a hundred
-        times it; what lies beyond is at the end of the scale.
+level   where the deviation stands on the scale of the path (``deviation_scale``): 0.5 is the tolerance.
 curve   the way that the judged point, the tip or a ball's centre, really takes in a block, beside its own chord; spoke: from
         the chord to the curve where they are farthest apart.
 spot    one block that is worth a look, in numbers.
@@ -30,6 +29,7 @@ from freecad_fiveaxis.core.collision import GOUGES
 from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.motion.trajectory import tip_at
 
+from .deviation_scale import level_of, scale_end
 from .figures import Figures
 from .judgement import OVER, SINGULAR, UNPROVEN
 from .markers import Marker, markers
@@ -46,8 +46,6 @@ AXES_ACROSS = 26
 """At most one tool axis is drawn in each cube of the part's longest side divided by this: more hide each other."""
 LARGEST = "largest-deviation"
 """The kind of the first marker."""
-DECADES = 2.0
-"""Powers of ten from the tolerance to either end of the scale."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +122,7 @@ def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
     worst = figures.worst[figures.judged.segment[figures.worst] > 0.0]
     curve, spoke = _curves(figures, worst)
     stroke = _paired(figures.drawn(start - 1), figures.drawn(end))
-    level, cut = level_of(deviation, figures.tolerance), _cutting(figures, start, end)
+    level, cut = level_of(deviation, figures.tolerance, scale_end(figures)), _cutting(figures, start, end)
     diagonal = float(np.linalg.norm(high - low))
     tool = _apart(figures.tip, end[cut], low, length)
     return Drawing(
@@ -134,19 +132,6 @@ def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
         axis_length=1.5 * length, worst=worst, curve=curve.reshape(-1, 3), chord=curve[:, [0, -1]].reshape(-1, 3), spoke=spoke,
         low=low, high=high, markers=markers(figures),
     )  # fmt: skip
-
-
-def level_of(deviation: Floats, tolerance: float) -> Floats:
-    """Where deviations (k,) mm stand on the scale, 0 to 1; NaN counts as the largest."""
-    share = np.nan_to_num(np.asarray(deviation, float) / tolerance, nan=np.inf)
-    with np.errstate(divide="ignore"):
-        return np.asarray(np.clip(0.5 + np.log10(share) / (2.0 * DECADES), 0.0, 1.0))
-
-
-def scale_values(tolerance: float) -> tuple[tuple[float, float], ...]:
-    """The marks of the scale: level and deviation, mm, lowest first."""
-    powers = range(-int(DECADES), int(DECADES) + 1)
-    return tuple((0.5 + power / (2.0 * DECADES), tolerance * 10.0**power) for power in powers)
 
 
 def spot(figures: Figures, block: int) -> Spot:

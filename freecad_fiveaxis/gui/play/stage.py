@@ -69,6 +69,8 @@ class Stage:
         _put(self.work, scene_from_work)
         _put(self.tool, scene_from_machine @ pose.machine_from_tool)
         _put(self.turn, _about(scene_from_work, self.zero))
+        if on_machine and self.sketch.whichChild.getValue() == coin.SO_SWITCH_NONE:
+            self.legend.come_forward(chosen=True)  # that the machine is a sketch must be seen whatever is selected
         nodes.turn(self.sketch, on_machine)
         if on_machine:
             self.machine.show(pose.machine_from_carried)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where legends and labels stand on the screen, so that none lies over another. Plain arrays, no view.
+"""Where the legend and the labels stand on the screen, so that none lies over another. Plain arrays, no view.
 
 box     left, bottom, right, top in pixels from the view's lower left corner; a row of (n, 4).
 anchor  the pixel of the place that a label speaks of; a line leads there from the label.
@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-EDGE, APART, CROSS = 12.0, 8.0, 96.0
-"""Pixels: from a legend to the view's edge, and between two legends; height of the view's own axis cross at the lower right."""
+EDGE = 12.0
+"""Pixels from the legend to the view's edge."""
 CLEAR, MARK = 3.0, 7.0
 """Pixels: between two labels, and half the side of a marker that no label covers."""
 MOST = 12
@@ -31,27 +31,9 @@ def overlap(box: np.ndarray, others: np.ndarray, apart: float = 0.0) -> np.ndarr
     return np.asarray(hits.all(axis=2).any(axis=1))
 
 
-def legend_place(size: tuple[int, int], view: tuple[int, int], taken: np.ndarray) -> tuple[float, float] | None:
-    """The lower left corner of a legend of ``size`` in a ``view`` (width and height), beside those ``taken`` (n, 4).
-
-    At the left edge from the top down, then at the right edge from the bottom up, then between: the part is in the middle.
-    None where there is room nowhere; the only legend of a view always has a place.
-    """
-    width, height = size
-    right, top = view[0] - EDGE - width, view[1] - EDGE - height
-    downwards = np.sort(np.append(taken[:, 1] - APART - height, top))[::-1]
-    upwards = np.sort(np.append(taken[:, 3] + APART, CROSS))
-    across = np.sort(taken[:, 2] + APART)
-    corner = np.array(
-        [(EDGE, y) for y in downwards] + [(right, y) for y in upwards] + [(x, y) for x in across for y in downwards]
-    )
-    box = np.concatenate([corner, corner + (width, height)], axis=1)
-    free = ~overlap(box, taken, APART - 1.0) & (box[:, 0] >= EDGE) & (box[:, 2] <= view[0] - EDGE)
-    free &= (box[:, 1] >= EDGE) & (box[:, 3] <= view[1] - EDGE)
-    if not free.any():
-        return None if len(taken) else (EDGE, float(top))
-    x, y = corner[free.argmax()].tolist()
-    return x, y
+def legend_place(size: tuple[int, int], view: tuple[int, int]) -> tuple[float, float]:
+    """The lower left corner of a legend of ``size`` in a ``view`` (width and height): in the upper left corner of that."""
+    return EDGE, float(view[1] - EDGE - size[1])
 
 
 def label_places(

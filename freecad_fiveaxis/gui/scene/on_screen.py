@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Legends and labels as nodes: they find their places anew in every frame, from what else is drawn in the same view.
 
-Whatever is hidden, deleted or in another document is not drawn, so it takes no room: legends close up and come back by
-themselves. A label stands beside its place with a line to it; where there is no room, the less important labels are left out.
-Legends come first: they ask only where other legends are, and labels go out of their way. A label could else push a legend to the
-other edge, under FreeCAD's panel, and keep it there.
+A view has one legend, that of the foremost of the objects which are drawn in it; the others' would bury the part. Whatever is
+hidden, deleted or in another document is not drawn, so it asks for nothing: the next one's legend comes by itself. It stands at
+the left, where no panel of FreeCAD 1.1 lies over the view, and labels go out of its way. A label stands beside its place with a
+line to it; where there is no room, the less important labels are left out.
 
 All of it is drawn over everything else, cannot be picked, and is not part of the scene's box.
 """
 
 from __future__ import annotations
 
+import itertools
 import weakref
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -37,26 +38,36 @@ class Label(NamedTuple):
     colour: nodes.Colour | None = None
 
 
+Rank = tuple[bool, int]
+"""Of a legend: whether its object is selected, and a number that is the higher the later it was shown or selected."""
+_numbers = itertools.count()
+
+
 class _View:
-    """The boxes (n, 4) pixels that stand in a view, by who drew them: in this frame, and in the one before. ``legends``: which of
-    these are no labels. ``ended``: what is drawn over everything else is being drawn, so all have their places."""
+    """The boxes (n, 4) pixels that stand in a view, by who drew them: in this frame, and in the one before. ``legends``: the
+    ranks of the legends that are drawn in it, of which the highest leads; ``led``: which one led in the frame before.
+    ``ended``: what is drawn over everything else is being drawn, so all have their places."""
 
     def __init__(self) -> None:
         self.boxes: dict[int, np.ndarray] = {}
         self.before: dict[int, np.ndarray] = {}
-        self.legends: set[int] = set()
+        self.legends: dict[int, Rank] = {}
+        self.led: int | None = None
         self.ended = False
 
     def begin(self) -> None:
         """Somebody asks for a place: after the end of a frame that is the beginning of the next one."""
         if self.ended:
-            self.before, self.boxes, self.ended = self.boxes, {}, False
+            self.led = max(self.legends, key=self.legends.__getitem__, default=None)
+            self.before, self.boxes, self.legends, self.ended = self.boxes, {}, {}, False
+
+    def leads(self, legend: int) -> bool:
+        """Whether no other legend of this frame has a higher rank; all have asked when ``ended``."""
+        return legend in self.legends and self.legends[legend] == max(self.legends.values())
 
     def taken(self, item: int) -> np.ndarray:
-        """What others have taken in this frame; for a legend what other legends have."""
-        others = self.boxes.keys() - {item}
-        asked = others & self.legends if item in self.legends else others
-        return np.concatenate([layout.NONE, *(boxes for other, boxes in self.boxes.items() if other in asked)])
+        """What others have taken in this frame."""
+        return np.concatenate([layout.NONE, *(boxes for other, boxes in self.boxes.items() if other != item)])
 
     def later(self, item: int) -> np.ndarray:
         """What stood in the frame before and may come again after the item."""
@@ -75,9 +86,7 @@ def _view_of(action: Any) -> _View:
 
 
 class _Overlay:
-    """Nodes that are placed in pixels when a frame begins; ``root`` goes into the scene. ``FIRST``: before all labels."""
-
-    FIRST = False
+    """Nodes that are placed in pixels when a frame begins; ``root`` goes into the scene."""
 
     def __init__(self) -> None:
         self.camera, self.shown = coin.SoOrthographicCamera(), _moved()
@@ -102,12 +111,14 @@ class _Overlay:
         self.camera.height, self.camera.aspectRatio = float(size[1]), size[0] / max(size[1], 1)
         view = _view_of(action)
         view.begin()
-        (view.legends.add if self.FIRST else view.legends.discard)(id(self))
-        view.boxes[id(self)] = self.arrange(action, size, view.taken(id(self)), view.later(id(self)))
+        view.boxes[id(self)] = self.arrange(action, size, view)
 
-    def arrange(self, action: Any, size: tuple[int, int], taken: np.ndarray, later: np.ndarray) -> np.ndarray:
+    def arrange(self, action: Any, size: tuple[int, int], view: _View) -> np.ndarray:
         """Move the nodes to their places; returns the boxes (n, 4) that they take in a view of ``size``."""
         raise NotImplementedError
+
+    def settle(self, view: _View) -> None:
+        """All others have asked for their places in this frame."""
 
 
 def _moved(*children: Any) -> Any:
@@ -124,7 +135,9 @@ def _place(overlay: Any, action: Any) -> None:
         return
     drawing = action if hasattr(action, "isRenderingDelayedPaths") else coin.cast(action, "SoGLRenderAction")
     if drawing.isRenderingDelayedPaths():
-        _view_of(drawing).ended = True
+        view = _view_of(drawing)
+        view.ended = True
+        found.settle(view)
     else:
         found.place(drawing)
 
@@ -138,16 +151,14 @@ def _aim(_data: Any, action: Any) -> None:
 
 
 class LegendBox(_Overlay):
-    """A legend, or none; beside those of other objects in the same view."""
-
-    FIRST = True
+    """A legend, or none; seen where it leads in its view. ``chosen``: its object is selected. ``box``: where it was seen last."""
 
     def __init__(self) -> None:
         super().__init__()
         self.size, self.corner = (0, 0), coin.SoTranslation()
         self.switch = nodes.switch(_moved())
         self.corner.enableNotify(False)
-        self.box = layout.NONE
+        self.chosen, self.number, self.asked, self.box = False, next(_numbers), layout.NONE, layout.NONE
 
     def show(self, legend: Legend | None) -> None:
         """Show a legend; None for none."""
@@ -160,17 +171,33 @@ class LegendBox(_Overlay):
             self.switch.enableNotify(False)
             self.shown.addChild(self.switch)
 
-    def arrange(self, action: Any, size: tuple[int, int], taken: np.ndarray, later: np.ndarray) -> np.ndarray:
-        """The legend's box; none where there is no room for it."""
-        before, corner = self.box, layout.legend_place(self.size, size, taken) if self.size[0] else None
-        nodes.turn(self.switch, corner is not None)
-        self.box = layout.NONE
-        if corner is not None:
+    def come_forward(self, chosen: bool | None = None) -> None:
+        """The object was shown, or selected (``chosen``): of those in its view, its legend is seen from now on."""
+        self.chosen, self.number = self.chosen if chosen is None else chosen, next(_numbers)
+        self.root.touch()
+
+    def step_back(self) -> None:
+        """The object is no longer selected."""
+        self.chosen = False
+        self.root.touch()
+
+    def arrange(self, action: Any, size: tuple[int, int], view: _View) -> np.ndarray:
+        """The legend's box, where it led in the frame before: only when all have asked it is known which one leads in this."""
+        self.asked = layout.NONE
+        if self.size[0]:
+            view.legends[id(self)] = self.chosen, self.number
+            corner = layout.legend_place(self.size, size)
             self.corner.translation.setValue(*corner, 0.0)
-            self.box = np.array([[*corner, corner[0] + self.size[0], corner[1] + self.size[1]]])
-        if not np.array_equal(self.box, before):  # labels know of it in the next frame, which nobody else may ask for
-            qt.later(self.root.touch)
-        return self.box
+            self.asked = np.array([[*corner, corner[0] + self.size[0], corner[1] + self.size[1]]])
+        return self.asked if view.led == id(self) else layout.NONE
+
+    def settle(self, view: _View) -> None:
+        """Be seen if this legend leads."""
+        leads = view.leads(id(self))
+        nodes.turn(self.switch, leads)
+        self.box = view.boxes[id(self)] = self.asked if leads else layout.NONE
+        if not np.array_equal(self.box, view.before.get(id(self), layout.NONE)):
+            qt.later(self.root.touch)  # labels know of it in the next frame, which nobody else may ask for
 
 
 class Labels(_Overlay):
@@ -210,12 +237,12 @@ class Labels(_Overlay):
         """Let the labels speak of other places (n, 3) mm."""
         self.places = np.asarray(places, float).reshape(-1, 3)
 
-    def arrange(self, action: Any, size: tuple[int, int], taken: np.ndarray, later: np.ndarray) -> np.ndarray:
+    def arrange(self, action: Any, size: tuple[int, int], view: _View) -> np.ndarray:
         """The boxes of the labels that have room."""
         if not len(self.places):
             return layout.NONE
         anchor = layout.projected(self.places, clip_from_place(action.getState()), size)
-        taken = np.concatenate([taken, later])
+        taken = np.concatenate([view.taken(id(self)), view.later(id(self))])
         self.boxes, self.slots = layout.label_places(anchor, self.sizes, size, taken, self.slots)
         seen = self.slots >= 0
         for switch, corner, box, on in zip(self.switches, self.corners, self.boxes.tolist(), seen.tolist(), strict=True):

@@ -22,6 +22,8 @@ FONT, SMALL, PAD, BAR = 13, 12, 10, 18
 BAR_HEIGHT = 152
 WARNING_WIDTH = 44
 """Letters in a line of a warning: wider ones would cover the part."""
+FOLDED_WIDTH = 72
+"""Letters in a legend of one line."""
 STRIPE = 5
 """Width of the bar at the side of a label."""
 
@@ -29,8 +31,9 @@ STRIPE = 5
 @dataclass(frozen=True)
 class Legend:
     """What the legend says. ``marks``: level (0 to 1) and text of the scale's marks; ``keys``: colour and text of the kinds of
-    markers; ``halves``: texts of the calm and the loud half; ``notes``: lines below; ``warning``: a line on top in a warning
-    colour, empty for none."""
+    markers; ``halves``: texts of the calm and the loud half, the second empty where there is none; ``notes``: lines below;
+    ``warning``: lines on top in a warning colour, empty for none; ``gist``: what the title says besides when it stands alone;
+    ``ink``: of the title."""
 
     title: str
     ramp: np.ndarray
@@ -39,6 +42,15 @@ class Legend:
     keys: Sequence[tuple[nodes.Colour, str]]
     notes: Sequence[str]
     warning: str = ""
+    gist: str = ""
+    ink: tuple[int, int, int] = INK
+
+    def folded(self) -> Legend:
+        """The same in one line, in the warning colour where there is a warning."""
+        said = f"{self.title}: {self.warning or self.gist}" if self.warning or self.gist else self.title
+        if len(said) > FOLDED_WIDTH:
+            said = said[:FOLDED_WIDTH].rstrip() + "…"
+        return Legend(said, np.zeros((0, 3)), (), ("", ""), (), (), ink=WARN if self.warning else INK)
 
 
 def image(picture: QtGui.QImage) -> Any:
@@ -98,14 +110,15 @@ def legend_picture(legend: Legend) -> QtGui.QImage:
     """From the top: warning, title, bar with marks, keys, notes."""
     line = FONT + 6
     bold, plain = _font(FONT, bold=True), _font(SMALL)
-    head = [(text, WARN) for text in textwrap.wrap(legend.warning, WARNING_WIDTH)] + [(legend.title, INK)]
+    head = [(text, WARN) for text in textwrap.wrap(legend.warning, WARNING_WIDTH)] + [(legend.title, legend.ink)]
     words = [_width(text, bold) for text, _ in head] + [_width(text, plain) for text in legend.notes]
     words += [BAR + 12 + _width(text, plain) for _, text in (*legend.marks, *legend.keys)]
     marks = max((_width(text, plain) for _, text in legend.marks), default=0)
     words += [BAR + 12 + marks + 14 + _width(text, plain) for text in legend.halves]
     below = line * (len(legend.keys) + len(legend.notes))
     bar = BAR_HEIGHT + PAD if len(legend.ramp) else 0
-    height = 2 * PAD + line * len(head) + PAD + bar + below
+    gap = PAD if bar or below else 0
+    height = 2 * PAD + line * len(head) + gap + bar + below
     picture = _paper(max(words) + 2 * PAD, height)
     painter = _painter(picture)
     painter.setPen(QtCore.Qt.NoPen)
@@ -136,7 +149,7 @@ def _paint_bar(painter: QtGui.QPainter, legend: Legend, top: int, marks: int) ->
         painter.drawLine(PAD + BAR, y, PAD + BAR + 6, y)
         painter.drawText(PAD + BAR + 12, y + SMALL // 2 - 1, text)
     left = PAD + BAR + 12 + marks + 14
-    for share, text in zip((0.75, 0.25), legend.halves, strict=True):
+    for share, text in zip((0.75, 0.25) if legend.halves[1] else (0.5, 0.5), legend.halves, strict=True):
         painter.drawText(left, top + round(share * BAR_HEIGHT) + SMALL // 2 - 1, text)
 
 

@@ -201,16 +201,13 @@ def legend_of(
 ) -> Any:
     """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its markers; which of MOVES are
     ``shown``."""
-    from freecad_fiveaxis.core.report import judged_largest, scale_values, summary
+    from freecad_fiveaxis.core.report import judged_largest, summary
 
-    from .colours import ramp
     from .overlay import Legend
 
     said = summary(figures)
     beside = translate("FiveAxis", "commanded line beside the real curve")
     centre_beside = translate("FiveAxis", "commanded and real way of the ball's centre")
-    marks = [(level, length_text(value)) for level, value in scale_values(figures.tolerance)]
-    marks = [(marks[0][0], "≤ " + marks[0][1]), *marks[1:-1], (marks[-1][0], "≥ " + marks[-1][1])]
     keys = [
         *_moves(look, shown),
         (look.bad, translate("FiveAxis", "over the tolerance: {count} blocks").format(count=said["over_tolerance"])),
@@ -220,7 +217,7 @@ def legend_of(
     ]
     tip = translate("FiveAxis", "Distance of the tip from the commanded line")
     ball = translate("FiveAxis", "Distance of the ball's centre from the commanded line")
-    notes = [tip if figures.surface is None else ball]
+    notes, largest = [tip if figures.surface is None else ball], ""
     if said["worst_line"] is not None:
         largest = label_text(judged_largest(said)[0], said["worst_line"], figures.tolerance)
         notes.append(translate("FiveAxis", "Largest: {largest}").format(largest=largest))
@@ -229,8 +226,24 @@ def legend_of(
     if said["guided_blocks"]:
         notes.append(translate("FiveAxis", "Tip guided (RTCP): {count} blocks,").format(count=said["guided_blocks"]))
         notes.append(translate("FiveAxis", "not proven between their ends"))
-    halves = (translate("FiveAxis", "within tolerance"), translate("FiveAxis", "over tolerance"))
-    return Legend(label, ramp(look.good, look.bad), marks, halves, keys, notes, warning)
+    return Legend(label, *_scale(figures, look), keys, notes, warning, largest)
+
+
+def _scale(figures: Figures, look: Any) -> tuple[Any, list[tuple[float, str]], tuple[str, str]]:
+    """The ramp of a legend, its marks, and what its halves are called. A path within the tolerance has the calm half only."""
+    from freecad_fiveaxis.core.report import scale_end, scale_marks
+
+    from .colours import SHADES, ramp
+
+    end, colours = scale_end(figures), ramp(look.good, look.bad)
+    marks = [(level, length_text(value)) for level, value in scale_marks(figures.tolerance, end)]
+    marks[0] = (marks[0][0], "≤ " + marks[0][1])
+    within = translate("FiveAxis", "within tolerance")
+    if end <= figures.tolerance:
+        return colours[: SHADES // 2], [(2.0 * level, text) for level, text in marks], (within, "")
+    if not (figures.judged.segment[figures.feeds] <= end).all():
+        marks[-1] = (marks[-1][0], "≥ " + marks[-1][1])
+    return colours, marks, (within, translate("FiveAxis", "over tolerance"))
 
 
 def _moves(look: Any, shown: Sequence[str]) -> list[tuple[Any, str]]:
