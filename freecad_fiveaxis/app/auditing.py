@@ -15,10 +15,14 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import AUDIT, build_settings, is_part
 
-from . import convert, results
+from . import compared, convert, results
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, drawn_tool, setting_properties
 from .schema import Proxy
 
+PART = Property(
+    "Part", "App::PropertyLinkGlobal", "Comparison",
+    QT_TRANSLATE_NOOP("App::Property", "The solid or mesh of the document that the program is compared with"),
+)  # fmt: skip
 NC_FILE = Property("NCFile", "App::PropertyFile", "Base", QT_TRANSLATE_NOOP("App::Property", "The NC file that is judged"), "")
 
 
@@ -28,20 +32,22 @@ class Audit(Proxy):
     last: results.Last | None
 
     def _begin(self) -> None:
-        self.last = None
+        self.last, self.seen = None, compared.Seen()
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The file, the settings of task ``audit``, shank, holder and work zero (for the drawing only) and the results."""
-        return (NC_FILE, *setting_properties(AUDIT), *drawn_tool(AUDIT), WORK_ZERO, *RESULTS)
+        """The file, the part of the document, the settings of task ``audit``, shank, holder and work zero (where all is drawn,
+        and where the part stands for the program) and the results."""
+        return (NC_FILE, PART, *setting_properties(AUDIT), *drawn_tool(AUDIT), WORK_ZERO, *RESULTS)
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
         if not obj.NCFile:
             raise FileError(say("{label} names no NC file: choose one in its property NCFile", label=obj.Label), "")
         check_readable(obj.NCFile)
-        settings = build_settings(AUDIT, obj.NCFile, audit_options(convert.options_of(obj, AUDIT)))
-        return results.Task(settings, read_bytes(obj.NCFile, "NC file"))
+        settings = build_settings(AUDIT, obj.NCFile, audit_options(convert.options_of(obj, AUDIT), obj.Part))
+        part = None if obj.Part is None else compared.Part(obj.Part, tuple(obj.WorkZero), self.seen)
+        return results.Task(settings, read_bytes(obj.NCFile, "NC file"), part=part)
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The file's program."""
@@ -52,8 +58,10 @@ class Audit(Proxy):
         results.execute(obj)
 
 
-def audit_options(options: Mapping[str, Any]) -> dict[str, Any]:
-    """What the core is asked: shank and holder are always drawn, but checked only against a part, where ``gouge`` is not off."""
+def audit_options(options: Mapping[str, Any], part: Any = None) -> dict[str, Any]:
+    """What the core is asked: shank and holder are always drawn, but checked only against a part, where ``gouge`` is not off.
+    A ``part`` of the document stands in place of a file to compare with."""
+    options = dict(options) if part is None else {**options, "against": f"{part.Label}.stl"}
     if not is_part(options.get("against") or ""):
         left_out = {"gouge", "shank", "holder"}
     else:

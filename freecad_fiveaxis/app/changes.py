@@ -42,10 +42,13 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
 
 
 def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
-    """The same for an Audit: its NC file and its settings. Raises FiveAxisError."""
-    options = {name: value for name, value in settings.items() if name != "work_zero"}
-    build_settings(AUDIT, nc_path, audit_options(options))
+    """The same for an Audit: its NC file and its settings; ``part`` stays unless it is given. Raises FiveAxisError."""
+    options = {name: value for name, value in settings.items() if name not in ("work_zero", "part")}
+    part = settings.get("part", obj.Part)
+    build_settings(AUDIT, nc_path, audit_options(options, part))
     obj.NCFile = os.path.abspath(nc_path)
+    if obj.Part is not part:
+        obj.Part = part
     _put(obj, AUDIT, options, settings.get("work_zero"))
     return compute(obj)
 

@@ -972,6 +972,10 @@
         <translation>Die Aufspannung, deren Maschine, Steuerung und Nullpunkt der Weg übernimmt; leer: eigene</translation>
     </message>
     <message>
+        <source>The solid or mesh of the document that the program is compared with</source>
+        <translation>Der Körper oder das Netz des Dokuments, mit dem das Programm verglichen wird</translation>
+    </message>
+    <message>
         <source>The solid, body, compound or mesh, and the faces of it that are milled</source>
         <translation>Der Volumenkörper, Körper, Verbund oder das Netz, und seine Flächen, die gefräst werden</translation>
     </message>
