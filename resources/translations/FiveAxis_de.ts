@@ -1415,6 +1415,10 @@
         <translation>Vergleichen mit</translation>
     </message>
     <message>
+        <source>Compare with a file</source>
+        <translation>Mit einer Datei vergleichen</translation>
+    </message>
+    <message>
         <source>Comparison</source>
         <translation>Vergleich</translation>
     </message>
@@ -1929,6 +1933,10 @@
     <message>
         <source>Over the tolerance</source>
         <translation>Über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Part in the document</source>
+        <translation>Teil im Dokument</translation>
     </message>
     <message>
         <source>Pass strategy</source>
@@ -2905,6 +2913,10 @@
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>none, or a file</source>
+        <translation>keines, oder eine Datei</translation>
     </message>
     <message>
         <source>none: own values</source>

@@ -138,6 +138,7 @@ def test_an_audit_is_compared_with_a_cl_path_or_a_part(dome, doc, press, field, 
     press("FiveAxis_Audit")
     type_into(field("nc_file"), files["a.ngc"])
     choose(field("machine"), "trunnion_ac")
+    choose(field("part"), "none, or a file")
     until(lambda: shown_of("axis_tolerance", "cutter_diameter") == set(), 10000, "neither field")
     type_into(field("against"), files["a.apt"])
     until(lambda: shown_of("axis_tolerance", "cutter_diameter") == {"axis_tolerance"}, 10000, "the field of a CL path")

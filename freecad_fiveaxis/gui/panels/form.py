@@ -249,7 +249,8 @@ class Form(QtCore.QObject):
         from freecad_fiveaxis.app.auditing import audit_options
         from freecad_fiveaxis.core.jobs.settings import build_settings
 
-        options = audit_options(options) if self.task == "audit" else options
+        part = self.extras["part"].value() if "part" in self.extras else None
+        options = audit_options(options, part) if self.task == "audit" else options
         build_settings(self.task, "part", self.given | dict(options))
 
     def _check_field(self, name: str, field: Field, options: Mapping[str, Any]) -> bool:
