@@ -1263,6 +1263,10 @@
         <translation>Übernommen: die größte Abweichung ist jetzt {deviation}.</translation>
     </message>
     <message>
+        <source>Applied: the largest deviation of the divided blocks is now {deviation}.</source>
+        <translation>Übernommen: Die größte Abweichung der geteilten Sätze ist jetzt {deviation}.</translation>
+    </message>
+    <message>
         <source>Apply to the tool path</source>
         <translation>Für den Werkzeugweg übernehmen</translation>
     </message>
@@ -1519,6 +1523,10 @@
         <translation>Ändern</translation>
     </message>
     <message>
+        <source>Edit setup {name}</source>
+        <translation>Aufspannung {name} bearbeiten</translation>
+    </message>
+    <message>
         <source>Edit the setup: all its paths follow</source>
         <translation>Die Aufspannung ändern: alle ihre Wege folgen</translation>
     </message>
@@ -1703,6 +1711,10 @@
         <translation>Größte Abweichung mit dem Werkstücknullpunkt dort</translation>
     </message>
     <message>
+        <source>Largest deviation, blocks not yet divided</source>
+        <translation>Größte Abweichung, Sätze noch nicht geteilt</translation>
+    </message>
+    <message>
         <source>Largest residual of the rows used: {length}</source>
         <translation>Größter Rest der benutzten Zeilen: {length}</translation>
     </message>
@@ -1845,6 +1857,10 @@
     <message>
         <source>Near the pole: {letter} turns far while the tool hardly leans.</source>
         <translation>Nahe am Pol: {letter} dreht weit, während sich das Werkzeug kaum neigt.</translation>
+    </message>
+    <message>
+        <source>New setup</source>
+        <translation>Neue Aufspannung</translation>
     </message>
     <message>
         <source>Next singular</source>
@@ -4162,6 +4178,10 @@
     <message>
         <source>The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not {letter} (if it is {other}, the two letters are exchanged).</source>
         <translation>{what} dreht {wrong}, {opposite}: {letter} hat das falsche Vorzeichen. Eine andere Achse dreht: es ist nicht {letter} (ist es {other}, sind die beiden Buchstaben vertauscht).</translation>
+    </message>
+    <message>
+        <source>These are deviations of blocks that are not yet divided: the program's own keep its tolerance.</source>
+        <translation>Das sind Abweichungen von Sätzen, die noch nicht geteilt sind: Die des Programms halten seine Toleranz ein.</translation>
     </message>
     <message>
         <source>Tilted planes: of the ways to stand the one that {control} takes by its manual is taken, at first {first} {second}; a setting of the machine may choose another. Compare with the control.</source>

@@ -110,8 +110,8 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
     nc = (tmp_path / "Toolpath.h").read_bytes()
     assert nc == results.nc_of(path) and b"FUNCTION TCPM" in nc
     press("FiveAxis_Audit")
-    until(lambda: field("controller").currentText() == "by the text itself", 20000, "the audit's panel")
-    type_into(field("nc_file"), str(tmp_path / "Toolpath.h"))
+    until(lambda: field("nc_file").text() == str(tmp_path / "Toolpath.h"), 20000, "the audit's panel, and the file proposed")
+    choose(field("controller"), "by the text itself")
     click(field("calculate"))
     until(lambda: "verified at their end points only" in field("summary").text(), 60000, "a summary of the audit")
     pump(300)
