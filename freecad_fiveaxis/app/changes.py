@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
 from freecad_fiveaxis.core.tool import cutter_text
 
 from . import convert, properties, toolpath
-from .auditing import audit_options
+from .auditing import audit_options, compare_with
 from .job_setup import follow
 from .properties import default_value, property_name
 from .results import result_of
@@ -47,8 +47,7 @@ def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
     part = settings.get("part", obj.Part)
     build_settings(AUDIT, nc_path, audit_options(options, part))
     obj.NCFile = os.path.abspath(nc_path)
-    if obj.Part is not part:
-        obj.Part = part
+    compare_with(obj, part)
     _put(obj, AUDIT, options, settings.get("work_zero"))
     return compute(obj)
 

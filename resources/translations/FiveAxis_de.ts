@@ -664,6 +664,10 @@
         <translation>Werkstück</translation>
     </message>
     <message>
+        <source>Part Label</source>
+        <translation>Name des Teils</translation>
+    </message>
+    <message>
         <source>Pass Strategy</source>
         <translation>Bahnstrategie</translation>
     </message>
@@ -958,6 +962,10 @@
     <message>
         <source>The map is of the toolpath as it is now; if it is not, try the setups again</source>
         <translation>Die Karte gehört zum Werkzeugweg, wie er jetzt ist; sonst die Aufspannungen neu erproben</translation>
+    </message>
+    <message>
+        <source>The name of the part that was chosen last: one that is deleted is missed</source>
+        <translation>Der Name des zuletzt gewählten Teils: eines, das gelöscht ist, wird vermisst</translation>
     </message>
     <message>
         <source>The place of the work zero in the document</source>
@@ -6774,6 +6782,10 @@
     <message>
         <source>{part} is no number</source>
         <translation>{part} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{part}, which {label} is compared with, was deleted: undo that, choose another part in its property Part, or none in its panel.</source>
+        <translation>{part}, womit {label} verglichen wird, wurde gelöscht: Machen Sie das rückgängig, wählen Sie ein anderes Teil in der Eigenschaft Part, oder keines im Fenster der Aufgabe.</translation>
     </message>
     <message>
         <source>{past} needs the part's passes: use it with {mill}; a CL file keeps its axes</source>

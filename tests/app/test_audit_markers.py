@@ -8,7 +8,7 @@ import pytest
 from conftest import PLAIN, UNCURED
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import markers, results
+from freecad_fiveaxis.app import changes, markers, results
 from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, MachineError, SettingsError
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
@@ -117,6 +117,18 @@ def test_a_part_that_changes_puts_the_audit_out_of_date_and_a_recompute_looks_ag
     made.WorkZero = (0, 0, 12)
     doc.recompute()
     assert not [text for text in made.Findings if "too deep into the part" in text]
+
+
+def test_a_part_that_is_deleted_is_missed_and_the_audit_does_not_pass_without_it(doc, ball, tmp_path):
+    program = tmp_path / "p.ngc"
+    program.write_text(INTO_THE_BALL)
+    made = app.audit(doc, program, "trunnion_ac", part=ball, cutter="ball:4:30")
+    doc.removeObject("Ball")
+    assert "Ball, which Audit is compared with, was deleted" in results.out_of_date(made)
+    doc.recompute()
+    assert "Invalid" in made.State and made.Blocks == 0 and "was deleted" in made.Findings[0]
+    changes.change_audit(made, str(program), {"machine": "trunnion_ac", "part": None})
+    assert made.State == ["Up-to-date"] and made.Blocks > 0 and results.out_of_date(made) == ""
 
 
 def test_what_is_no_part_of_the_document_is_refused_and_nothing_is_left(doc, table2):
