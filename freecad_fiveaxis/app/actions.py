@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base.quantity import ANGLES, LENGTHS, parse, parse_le
 from freecad_fiveaxis.core.base.sentences import Number, say
 from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
 
-from . import auditing, job_setup, markers, selection, tessellation, toolpath
+from . import auditing, compared, job_setup, markers, selection, tessellation, toolpath
 from .convert import stl_bytes
 from .long_work import take_back
 from .properties import drawn_tool, property_name
@@ -92,9 +92,9 @@ def annotate(path: Any) -> Any:
 def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.audit`."""
     settings = _with_holder(settings)
-    drawn = _EXTRA | {one.name.lower() for one in drawn_tool(AUDIT)}
+    drawn = _EXTRA | {"part"} | {one.name.lower() for one in drawn_tool(AUDIT)}
     options = {name: value for name, value in settings.items() if name not in drawn} | {"machine": machine}
-    build_settings(AUDIT, os.fspath(nc_path), auditing.audit_options(options))
+    build_settings(AUDIT, os.fspath(nc_path), auditing.audit_options(options, compared.checked(doc, settings.get("part"))))
     with _all_or_nothing(doc) as added:
         made = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings, drawn))
         added.append(made)
@@ -129,7 +129,7 @@ def _with_holder(settings: Mapping[str, Any]) -> dict[str, Any]:
 def _extra(settings: Mapping[str, Any], names: Collection[str]) -> dict[str, Any]:
     """The properties that are no settings of the core's task, mm."""
     given = {name: settings[name] for name in names if settings.get(name) is not None}
-    readers = {"work_zero": _place}
+    readers = {"work_zero": _place, "part": lambda part, _: part}
     return {property_name(name): readers.get(name, _stack)(value, name) for name, value in given.items()}
 
 

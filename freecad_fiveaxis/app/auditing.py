@@ -15,10 +15,20 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import AUDIT, build_settings, is_part
 
-from . import convert, results
-from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, drawn_tool, setting_properties
-from .schema import Proxy
+from . import compared, convert, results
+from .properties import HIDDEN, OUTPUT, QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, drawn_tool, setting_properties
+from .schema import Proxy, is_restored
+from .selection import SelectionError
 
+PART = Property(
+    "Part", "App::PropertyLinkGlobal", "Comparison",
+    QT_TRANSLATE_NOOP("App::Property", "The solid or mesh of the document that the program is compared with"),
+)  # fmt: skip
+PART_LABEL = Property(
+    "PartLabel", "App::PropertyString", "Comparison",
+    QT_TRANSLATE_NOOP("App::Property", "The name of the part that was chosen last: one that is deleted is missed"), "",
+    HIDDEN | OUTPUT,
+)  # fmt: skip
 NC_FILE = Property("NCFile", "App::PropertyFile", "Base", QT_TRANSLATE_NOOP("App::Property", "The NC file that is judged"), "")
 
 
@@ -28,32 +38,61 @@ class Audit(Proxy):
     last: results.Last | None
 
     def _begin(self) -> None:
-        self.last = None
+        self.last, self.seen = None, compared.Seen()
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The file, the settings of task ``audit``, shank, holder and work zero (for the drawing only) and the results."""
-        return (NC_FILE, *setting_properties(AUDIT), *drawn_tool(AUDIT), WORK_ZERO, *RESULTS)
+        """The file, the part of the document, the settings of task ``audit``, shank, holder and work zero (where all is drawn,
+        and where the part stands for the program) and the results."""
+        return (NC_FILE, PART, PART_LABEL, *setting_properties(AUDIT), *drawn_tool(AUDIT), WORK_ZERO, *RESULTS)
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
         if not obj.NCFile:
             raise FileError(say("{label} names no NC file: choose one in its property NCFile", label=obj.Label), "")
         check_readable(obj.NCFile)
-        settings = build_settings(AUDIT, obj.NCFile, audit_options(convert.options_of(obj, AUDIT)))
-        return results.Task(settings, read_bytes(obj.NCFile, "NC file"))
+        if obj.Part is None and obj.PartLabel:
+            raise part_is_gone(obj)
+        settings = build_settings(AUDIT, obj.NCFile, audit_options(convert.options_of(obj, AUDIT), obj.Part))
+        part = None if obj.Part is None else compared.Part(obj.Part, tuple(obj.WorkZero), self.seen)
+        return results.Task(settings, read_bytes(obj.NCFile, "NC file"), part=part)
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The file's program."""
         return job.make(task.settings, progress)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Another part is remembered by its name. That it is deleted looks here as if it was taken out of the property: only
+        :func:`compare_with` takes it out for good."""
+        super().onChanged(obj, name)
+        if self.whole and name == PART.name and obj.Part is not None and not is_restored(obj):
+            obj.PartLabel = obj.Part.Label
 
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         results.execute(obj)
 
 
-def audit_options(options: Mapping[str, Any]) -> dict[str, Any]:
-    """What the core is asked: shank and holder are always drawn, but checked only against a part, where ``gouge`` is not off."""
+def compare_with(obj: Any, part: Any) -> None:
+    """Have an Audit compared with a part of the document, or with none."""
+    if obj.Part is not part:
+        obj.Part = part
+    obj.PartLabel = "" if part is None else part.Label
+
+
+def part_is_gone(obj: Any) -> SelectionError:
+    """What to say of an Audit whose part was deleted: without it much of what was looked at would silently pass."""
+    text = say(
+        "{part}, which {label} is compared with, was deleted: undo that, choose another part in its property Part, or none "
+        "in its panel.", part=obj.PartLabel, label=obj.Label,
+    )  # fmt: skip
+    return SelectionError(text, obj.Label)
+
+
+def audit_options(options: Mapping[str, Any], part: Any = None) -> dict[str, Any]:
+    """What the core is asked: shank and holder are always drawn, but checked only against a part, where ``gouge`` is not off.
+    A ``part`` of the document stands in place of a file to compare with."""
+    options = dict(options) if part is None else {**options, "against": f"{part.Label}.stl"}
     if not is_part(options.get("against") or ""):
         left_out = {"gouge", "shank", "holder"}
     else:

@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
 from freecad_fiveaxis.core.tool import cutter_text
 
 from . import convert, properties, toolpath
-from .auditing import audit_options
+from .auditing import audit_options, compare_with
 from .job_setup import follow
 from .properties import default_value, property_name
 from .results import result_of
@@ -42,10 +42,12 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
 
 
 def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
-    """The same for an Audit: its NC file and its settings. Raises FiveAxisError."""
-    options = {name: value for name, value in settings.items() if name != "work_zero"}
-    build_settings(AUDIT, nc_path, audit_options(options))
+    """The same for an Audit: its NC file and its settings; ``part`` stays unless it is given. Raises FiveAxisError."""
+    options = {name: value for name, value in settings.items() if name not in ("work_zero", "part")}
+    part = settings.get("part", obj.Part)
+    build_settings(AUDIT, nc_path, audit_options(options, part))
     obj.NCFile = os.path.abspath(nc_path)
+    compare_with(obj, part)
     _put(obj, AUDIT, options, settings.get("work_zero"))
     return compute(obj)
 

@@ -79,7 +79,7 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
 def _cutter_option(obj: Any, task: str, leaf: Any) -> dict[str, Any]:
     """The cutter; that of an audit at its default only beside a part: otherwise nobody has said that it is the one that cuts."""
     given = cutter_of(obj)
-    unsaid = task == AUDIT and not obj.Against and parse_cutter(given) == leaf.default
+    unsaid = task == AUDIT and not obj.Against and obj.Part is None and parse_cutter(given) == leaf.default
     return {} if unsaid else {leaf.name: given}
 
 
@@ -161,13 +161,18 @@ def stl_bytes(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> bytes:
 
 def facets_of(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> Facets:
     """The mesh object's facets, relative to ``work_zero`` (mm, document). Raises SelectionError."""
-    place, zero, holder = obj.getLinkedObject().Placement, FreeCAD.Vector(*plain(tuple(work_zero))), holder_of(obj)
-    if zero.Length or not holder.isIdentity():
-        place = FreeCAD.Placement(-zero, FreeCAD.Rotation()).multiply(holder).multiply(place)
+    place, holder = obj.getLinkedObject().Placement, holder_of(obj)
+    place = moved_to_zero(place if holder.isIdentity() else holder.multiply(place), work_zero)
     facets = Facets(kernel_of(obj), tuple(place.Matrix.A))
     if not facets.count:
         raise empty(obj.Label)
     return facets
+
+
+def moved_to_zero(place: Any, work_zero: Sequence[float]) -> Any:
+    """A placement in the document, relative to ``work_zero`` (mm, document)."""
+    zero = FreeCAD.Vector(*plain(tuple(work_zero)))
+    return FreeCAD.Placement(-zero, FreeCAD.Rotation()).multiply(place) if zero.Length else place
 
 
 def mesh_and_mask(facets: Facets, runs: Sequence[int], progress: Progress = silent) -> tuple[Mesh, Bools | None]:

@@ -136,7 +136,7 @@ def _of_programs() -> dict[str, str]:
         "singularity": translate("FiveAxis", "Near the pole"),
         "max_axis_change": translate("FiveAxis", "Largest axis change"),
         "tolerance": translate("FiveAxis", "Tolerance"),
-        "against": translate("FiveAxis", "Compare with"),
+        "against": translate("FiveAxis", "Compare with a file"),
         "units": translate("FiveAxis", "Units"),
         "cl_tool": translate("FiveAxis", "Tool of the CL file"),
         "decimal": translate("FiveAxis", "Words without a decimal point"),
@@ -179,6 +179,7 @@ def _of_machines_and_places() -> dict[str, str]:
         "cutter_length": translate("FiveAxis", "Cutting length"),
         "nc_file": translate("FiveAxis", "NC file"),
         "nc_path": translate("FiveAxis", "NC file"),
+        "part": translate("FiveAxis", "Part in the document"),
     }
 
 

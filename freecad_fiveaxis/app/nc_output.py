@@ -89,7 +89,7 @@ def check_replaceable(doc: Any, nc_path: str | os.PathLike[str], overwrite: bool
 def is_ours(doc: Any, nc_path: str | os.PathLike[str]) -> bool:
     """Whether the file is empty, or still is what one of the document's NC outputs wrote. Raises FileError for no such file."""
     found = read_bytes(nc_path, "NC file")
-    return not found or any(_same_file(one.File, nc_path) and one.Written == _digest(found) for one in _outputs(doc))
+    return not found or any(_same_file(one.File, nc_path) and one.Written == _digest(found) for one in outputs_of(doc))
 
 
 def out_of_date(obj: Any) -> str:
@@ -119,7 +119,7 @@ def out_of_date(obj: Any) -> str:
 
 def _output(toolpath: Any, path: Path) -> Any:
     """The NC output of that toolpath and file; made where there is none."""
-    for obj in _outputs(toolpath.Document):
+    for obj in outputs_of(toolpath.Document):
         if obj.Path is toolpath and _same_file(obj.File, path):
             return obj
     obj = toolpath.Document.addObject("App::FeaturePython", "NCOutput")
@@ -128,7 +128,8 @@ def _output(toolpath: Any, path: Path) -> Any:
     return obj
 
 
-def _outputs(doc: Any) -> list[Any]:
+def outputs_of(doc: Any) -> list[Any]:
+    """The NC outputs of a document, in its order."""
     return [obj for obj in doc.Objects if isinstance(getattr(obj, "Proxy", None), NCOutput)]
 
 

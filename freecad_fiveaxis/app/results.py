@@ -25,9 +25,10 @@ from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.report import Figures
 
 from . import wording
-from .convert import clear_result, mark_users, put_result
+from .compared import Part
+from .convert import clear_result, mark_users, mesh_of, put_result
 from .facets import Facets
-from .long_work import run
+from .long_work import listening, run
 from .properties import shown_options
 from .selection import SelectionError
 
@@ -35,11 +36,12 @@ from .selection import SelectionError
 @dataclass(frozen=True)
 class Task:
     """What an object asks of the core: the ``settings``, and the ``data`` (a mesh's facets, or the NC file) with the chosen
-    facets' ``runs``."""
+    facets' ``runs``; ``part``: what an audit compares with, where that is in the document."""
 
     settings: Settings
     data: Any
     runs: tuple[int, ...] = ()
+    part: Part | None = None
 
     @property
     def fingerprint(self) -> str:
@@ -53,15 +55,19 @@ class Task:
 
     def _hash(self, settings: Settings) -> str:
         settings = replace(settings, source="")
-        said = repr((__version__, settings, _machine(self.settings), self.runs, *_contents(self.settings))).encode()
+        files = _contents(self.settings, ("against",) if self.part else ())
+        said = repr((__version__, settings, _machine(self.settings), self.runs, *files)).encode()
         data = self.data.digest() if isinstance(self.data, Facets) else hashlib.sha256(self.data).digest()
+        data += self.part.digest() if self.part else b""
         return hashlib.sha256(data + said).hexdigest()
 
 
-def _contents(settings: Settings) -> tuple[str, ...]:
-    """Checksums of the files that the settings name beside the source. Raises FileError for one that cannot be read."""
+def _contents(settings: Settings, unread: tuple[str, ...] = ()) -> tuple[str, ...]:
+    """Checksums of the files that the settings name beside the source, but for the options ``unread``, whose content is at hand.
+    Raises FileError for a file that cannot be read."""
     groups = {type(getattr(settings, top.name)): getattr(settings, top.name) for top in fields(Settings)}
     leaves = [(cls, leaf) for cls, leaf in shown_options(settings.task) if leaf.metadata["kind"] == "path"]
+    leaves = [(cls, leaf) for cls, leaf in leaves if leaf.name not in unread]
     named = [getattr(groups[cls], leaf.name) for cls, leaf in leaves if cls in groups]
     return tuple(hashlib.sha256(read_bytes(name, "file")).hexdigest() for name in named if name)
 
@@ -110,7 +116,9 @@ def _last(obj: Any, progress: Progress | None) -> Last:
     task = proxy.task(obj)
     fingerprint = task.fingerprint
     if proxy.last is None or proxy.last.fingerprint != fingerprint:
-        proxy.last = run(lambda told: _computed(proxy, task, fingerprint, told), progress, obj.Document)
+        with listening(progress) as told:
+            whole = replace(task, part=task.part.meshed(told)) if task.part else task
+            proxy.last = run(lambda told: _computed(proxy, whole, fingerprint, told), doc=obj.Document)
     return proxy.last
 
 
@@ -120,7 +128,8 @@ def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> L
     if last is not None and last.blocks_fingerprint == blocks and isinstance(last.result.made, Milled):
         result = change_speed(last.result, task.settings, progress)
     else:
-        result = job.prove(proxy.made(task, progress), progress)
+        part = None if task.part is None else mesh_of(task.part.stl, progress)
+        result = job.prove(proxy.made(task, progress), progress, part)
     figures = job.figures(result)
     _ = figures.at_part  # found here, where it does not hold up the window that draws it
     return Last(fingerprint, blocks, result, figures)
@@ -157,7 +166,7 @@ def out_of_date(obj: Any) -> str:
                 label=obj.Mesh.Label,
             )
         )
-    before = [one for one in (_base(obj), getattr(obj, "Mesh", None)) if one is not None]
+    before = [one for one in (_base(obj), getattr(obj, "Mesh", None), getattr(obj, "Part", None)) if one is not None]
     for one in (*before, obj):
         if "Invalid" in one.State:
             return wording.told(say("{label} could not be computed: {why}", label=one.Label, why=one.getStatusString()))

@@ -313,7 +313,7 @@ def _show(obj: Any, chart: Chart, fingerprint: str) -> None:
     values = {
         "Recommended": FreeCAD.Vector(*chart.origin[best]), "RecommendedTurn": math.degrees(chart.turn[best]),
         "DeviationBefore": _known(chart.max_deviation[0]), "DeviationAfter": _known(chart.max_deviation[best]),
-        "TimeBefore": _known(chart.time[0]), "TimeAfter": _known(chart.time[best]), "Verdict": wording.told(verdict(chart)),
+        "TimeBefore": _known(chart.time[0]), "TimeAfter": _known(chart.time[best]), "Verdict": _verdict(obj, chart),
         "Findings": [wording.told(finding.text) for finding in chart.findings],
         "Places": [FreeCAD.Vector(*chart.origin[row]) + shift for row, _ in marked],
         "Kinds": [kind for _, kind in marked], "Deviations": [_known(chart.max_deviation[row]) for row, _ in marked],
@@ -321,6 +321,17 @@ def _show(obj: Any, chart: Chart, fingerprint: str) -> None:
     }  # fmt: skip
     for name, value in values.items():
         setattr(obj, name, value)
+
+
+def divides_blocks(path: Any) -> bool:
+    """Whether the program of a toolpath has its blocks divided until they keep the tolerance; setups are tried without that."""
+    return path is not None and (path.Linearize == "on" or path.Singularity == "linearize")
+
+
+def _verdict(obj: Any, chart: Chart) -> str:
+    told = wording.told(verdict(chart))
+    more = say("These are deviations of blocks that are not yet divided: the program's own keep its tolerance.")
+    return f"{told} {wording.told(more)}" if divides_blocks(obj.Path) else told
 
 
 def _known(value: float) -> float:

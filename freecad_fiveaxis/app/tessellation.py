@@ -74,7 +74,7 @@ class Tessellation(Proxy):
         with listening() as progress:
             progress("tessellate", 0.0)
             check_open(doc)
-            mesh, runs = _meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress)
+            mesh, runs = meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress)
             progress("tessellate", 1.0)
         check_open(doc)
         obj.Mesh, obj.FacetRuns, obj.Facets, obj.MadeOf = mesh, runs, mesh.CountFacets, made_of(obj)
@@ -115,7 +115,8 @@ def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
     return base, tuple(name for name in names if name)
 
 
-def _meshed(base: Any, faces: Sequence[str], linear: float, angular: float, progress: Progress) -> tuple[Any, list[int]]:
+def meshed(base: Any, faces: Sequence[str], linear: float, angular: float, progress: Progress) -> tuple[Any, list[int]]:
+    """The mesh of a base, and the runs of its facets on the faces. ``linear`` mm, ``angular`` deg. Raises FiveAxisError."""
     if base is not None and selection.is_mesh(base):
         return _copied(base, faces), []
     if linear <= 0.0 or angular <= 0.0:

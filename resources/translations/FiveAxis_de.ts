@@ -672,6 +672,10 @@
         <translation>Werkstück</translation>
     </message>
     <message>
+        <source>Part Label</source>
+        <translation>Name des Teils</translation>
+    </message>
+    <message>
         <source>Pass Strategy</source>
         <translation>Bahnstrategie</translation>
     </message>
@@ -968,6 +972,10 @@
         <translation>Die Karte gehört zum Werkzeugweg, wie er jetzt ist; sonst die Aufspannungen neu erproben</translation>
     </message>
     <message>
+        <source>The name of the part that was chosen last: one that is deleted is missed</source>
+        <translation>Der Name des zuletzt gewählten Teils: eines, das gelöscht ist, wird vermisst</translation>
+    </message>
+    <message>
         <source>The place of the work zero in the document</source>
         <translation>Die Lage des Werkstücknullpunkts im Dokument</translation>
     </message>
@@ -978,6 +986,10 @@
     <message>
         <source>The setup whose machine, controller and work zero the path takes; empty: its own</source>
         <translation>Die Aufspannung, deren Maschine, Steuerung und Nullpunkt der Weg übernimmt; leer: eigene</translation>
+    </message>
+    <message>
+        <source>The solid or mesh of the document that the program is compared with</source>
+        <translation>Der Körper oder das Netz des Dokuments, mit dem das Programm verglichen wird</translation>
     </message>
     <message>
         <source>The solid, body, compound or mesh, and the faces of it that are milled</source>
@@ -1267,6 +1279,10 @@
         <translation>Übernommen: die größte Abweichung ist jetzt {deviation}.</translation>
     </message>
     <message>
+        <source>Applied: the largest deviation of the divided blocks is now {deviation}.</source>
+        <translation>Übernommen: Die größte Abweichung der geteilten Sätze ist jetzt {deviation}.</translation>
+    </message>
+    <message>
         <source>Apply to the tool path</source>
         <translation>Für den Werkzeugweg übernehmen</translation>
     </message>
@@ -1419,6 +1435,10 @@
         <translation>Vergleichen mit</translation>
     </message>
     <message>
+        <source>Compare with a file</source>
+        <translation>Mit einer Datei vergleichen</translation>
+    </message>
+    <message>
         <source>Comparison</source>
         <translation>Vergleich</translation>
     </message>
@@ -1517,6 +1537,10 @@
     <message>
         <source>Edit</source>
         <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Edit setup {name}</source>
+        <translation>Aufspannung {name} bearbeiten</translation>
     </message>
     <message>
         <source>Edit the setup: all its paths follow</source>
@@ -1707,6 +1731,10 @@
         <translation>Größte Abweichung mit dem Werkstücknullpunkt dort</translation>
     </message>
     <message>
+        <source>Largest deviation, blocks not yet divided</source>
+        <translation>Größte Abweichung, Sätze noch nicht geteilt</translation>
+    </message>
+    <message>
         <source>Largest residual of the rows used: {length}</source>
         <translation>Größter Rest der benutzten Zeilen: {length}</translation>
     </message>
@@ -1851,6 +1879,10 @@
         <translation>Nahe am Pol: {letter} dreht weit, während sich das Werkzeug kaum neigt.</translation>
     </message>
     <message>
+        <source>New setup</source>
+        <translation>Neue Aufspannung</translation>
+    </message>
+    <message>
         <source>Next singular</source>
         <translation>Nächster singulärer</translation>
     </message>
@@ -1937,6 +1969,10 @@
     <message>
         <source>Over the tolerance</source>
         <translation>Über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Part in the document</source>
+        <translation>Teil im Dokument</translation>
     </message>
     <message>
         <source>Pass strategy</source>
@@ -2913,6 +2949,10 @@
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>none, or a file</source>
+        <translation>keines, oder eine Datei</translation>
     </message>
     <message>
         <source>none: own values</source>
@@ -4170,6 +4210,10 @@
     <message>
         <source>The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not {letter} (if it is {other}, the two letters are exchanged).</source>
         <translation>{what} dreht {wrong}, {opposite}: {letter} hat das falsche Vorzeichen. Eine andere Achse dreht: es ist nicht {letter} (ist es {other}, sind die beiden Buchstaben vertauscht).</translation>
+    </message>
+    <message>
+        <source>These are deviations of blocks that are not yet divided: the program's own keep its tolerance.</source>
+        <translation>Das sind Abweichungen von Sätzen, die noch nicht geteilt sind: Die des Programms halten seine Toleranz ein.</translation>
     </message>
     <message>
         <source>Tilted planes: of the ways to stand the one that {control} takes by its manual is taken, at first {first} {second}; a setting of the machine may choose another. Compare with the control.</source>
@@ -6790,6 +6834,10 @@
     <message>
         <source>{part} is no number</source>
         <translation>{part} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{part}, which {label} is compared with, was deleted: undo that, choose another part in its property Part, or none in its panel.</source>
+        <translation>{part}, womit {label} verglichen wird, wurde gelöscht: Machen Sie das rückgängig, wählen Sie ein anderes Teil in der Eigenschaft Part, oder keines im Fenster der Aufgabe.</translation>
     </message>
     <message>
         <source>{past} needs the part's passes: use it with {mill}; a CL file keeps its axes</source>

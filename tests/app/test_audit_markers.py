@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Audit and markers: the numbers and the places are the core's."""
 
+import Mesh
 import numpy as np
 import Part
 import pytest
 from conftest import PLAIN, UNCURED
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import markers, results
+from freecad_fiveaxis.app import changes, markers, results
 from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, MachineError, SettingsError
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
@@ -69,6 +70,74 @@ def test_a_part_to_compare_with_is_looked_at_by_the_whole_tool_unless_it_is_turn
         made = app.audit(doc, program, "trunnion_ac", cutter="ball:2:4", holder="8x20", against=str(part), **given)
         assert any(one.code == "rapid-collision" for one in results.figures_of(made).findings) is seen
     assert app.audit(doc, program, "trunnion_ac", holder="8x20").State == ["Up-to-date"]  # drawn, and nothing to check it with
+
+
+INTO_THE_BALL = "G21 G90 G94\nG0 X0 Y0 Z60 A0 C0\nG1 X0 Y0 Z9 F600\nG1 X5 Y0 Z9\nG1 X5 Y0 Z60\nM2\n"
+"""Cuts 11 mm deep into a half ball of 20 mm, about its centre on the ground."""
+
+
+def test_a_solid_of_the_document_is_compared_with_as_its_stl_is(doc, ball, tmp_path, reopen):
+    program = tmp_path / "p.ngc"
+    program.write_text(INTO_THE_BALL)
+    app.tessellate(ball, tmp_path / "ball.stl")
+    given = {"cutter": "ball:4:30", "holder": "8x20"}
+    by_file = app.audit(doc, program, "trunnion_ac", against=str(tmp_path / "ball.stl"), **given)
+    made = app.audit(doc, program, "trunnion_ac", part=ball, **given)
+    assert made.Findings == by_file.Findings and any("too deep into the part" in text for text in made.Findings)
+    assert results.figures_of(made).inputs["against"] == "Ball.stl" and results.out_of_date(made) == ""
+    without = app.audit(doc, program, "trunnion_ac", **given)
+    assert not any("too deep" in text for text in without.Findings)
+    mesh = doc.addObject("Mesh::Feature", "Facets")
+    mesh.Mesh = Mesh.Mesh(str(tmp_path / "ball.stl"))
+    assert app.audit(doc, program, "trunnion_ac", part=mesh, **given).Findings == by_file.Findings
+    again = reopen(doc).Audit001
+    assert again.Part.Name == "Ball" and results.out_of_date(again) == ""
+    assert results.figures_of(again).audit is not None, "computed anew, and the solid meshed for that"
+
+
+def test_a_part_that_changes_puts_the_audit_out_of_date_and_a_recompute_looks_again(doc, tmp_path):
+    program = tmp_path / "p.ngc"
+    program.write_text(INTO_THE_BALL)
+    ball = doc.addObject("Part::Sphere", "Sphere")
+    ball.Radius, ball.Angle1 = 20, 0
+    doc.recompute()
+    made = app.audit(doc, program, "trunnion_ac", part=ball, cutter="ball:4:30")
+    deep = [text for text in made.Findings if "too deep into the part" in text]
+    before = made.Fingerprint
+    doc.recompute()
+    assert made.Fingerprint == before and deep
+    ball.Radius = 8
+    assert "was changed: recompute the document" in results.out_of_date(made)
+    doc.recompute()
+    assert made.Fingerprint != before and results.out_of_date(made) == ""
+    assert not [text for text in made.Findings if "too deep into the part" in text]
+    ball.Placement.Base.z = 6  # moved, and its shape the same
+    doc.recompute()
+    assert [text for text in made.Findings if "too deep into the part" in text] not in ([], deep)
+    made.WorkZero = (0, 0, 12)
+    doc.recompute()
+    assert not [text for text in made.Findings if "too deep into the part" in text]
+
+
+def test_a_part_that_is_deleted_is_missed_and_the_audit_does_not_pass_without_it(doc, ball, tmp_path):
+    program = tmp_path / "p.ngc"
+    program.write_text(INTO_THE_BALL)
+    made = app.audit(doc, program, "trunnion_ac", part=ball, cutter="ball:4:30")
+    doc.removeObject("Ball")
+    assert "Ball, which Audit is compared with, was deleted" in results.out_of_date(made)
+    doc.recompute()
+    assert "Invalid" in made.State and made.Blocks == 0 and "was deleted" in made.Findings[0]
+    changes.change_audit(made, str(program), {"machine": "trunnion_ac", "part": None})
+    assert made.State == ["Up-to-date"] and made.Blocks > 0 and results.out_of_date(made) == ""
+
+
+def test_what_is_no_part_of_the_document_is_refused_and_nothing_is_left(doc, table2):
+    sketch = doc.addObject("Part::Plane", "Plane")
+    doc.recompute()
+    for part in (sketch, "Plane"):
+        with pytest.raises(FiveAxisError, match="select a"):
+            app.audit(doc, table2, "mikron_ucp710", part=part)
+    assert doc.Objects == [sketch]
 
 
 def test_the_file_that_vanished_or_changed_is_told(doc, table2, reopen):

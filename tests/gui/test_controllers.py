@@ -110,8 +110,8 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
     nc = (tmp_path / "Toolpath.h").read_bytes()
     assert nc == results.nc_of(path) and b"FUNCTION TCPM" in nc
     press("FiveAxis_Audit")
-    until(lambda: field("controller").currentText() == "by the text itself", 20000, "the audit's panel")
-    type_into(field("nc_file"), str(tmp_path / "Toolpath.h"))
+    until(lambda: field("nc_file").text() == str(tmp_path / "Toolpath.h"), 20000, "the audit's panel, and the file proposed")
+    choose(field("controller"), "by the text itself")
     click(field("calculate"))
     until(lambda: "verified at their end points only" in field("summary").text(), 60000, "a summary of the audit")
     pump(300)
@@ -138,6 +138,7 @@ def test_an_audit_is_compared_with_a_cl_path_or_a_part(dome, doc, press, field, 
     press("FiveAxis_Audit")
     type_into(field("nc_file"), files["a.ngc"])
     choose(field("machine"), "trunnion_ac")
+    choose(field("part"), "none, or a file")
     until(lambda: shown_of("axis_tolerance", "cutter_diameter") == set(), 10000, "neither field")
     type_into(field("against"), files["a.apt"])
     until(lambda: shown_of("axis_tolerance", "cutter_diameter") == {"axis_tolerance"}, 10000, "the field of a CL path")

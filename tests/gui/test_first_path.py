@@ -124,6 +124,7 @@ def test_recover_asks_for_its_files_before_it_complains(window, pump, click, unt
     pump(300)
     files = [one for one in panel.options.fields.values() if getattr(one, "missing", "")]
     assert len(files) > 1 and not any(one.error.text() for one in files)
+    assert panel.options.error.text() == "" and panel.options.error.isHidden(), "nobody has done anything wrong yet"
     click(panel.calculate_button)
     until(lambda: panel.cl_file.error.text() == panel.cl_file.missing, 20000, "what is missing")
     panel.reject()

@@ -5,7 +5,7 @@ import pytest
 from conftest import QtWidgets
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.gui.panels import toolpath
+from freecad_fiveaxis.gui.panels import job_setup, toolpath
 
 COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 6.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
 
@@ -32,11 +32,12 @@ def answer(values, button="Ok"):
 def test_the_command_makes_a_setup_in_one_step_and_edits_it(doc, dome, press, modal, until):
     told = modal(answer({"setup_name": "Vice", "machine": "trunnion_bc", "work_zero": (0, 0, 20)}))
     press("FiveAxis_JobSetup", 600)
-    until(lambda: told.said == ["Setup"] and doc.UndoCount == 1, 20000, "a setup made in one step")
+    until(lambda: told.said == ["New setup"] and doc.UndoCount == 1, 20000, "a setup made in one step")
     assert (doc.Setup.Label, doc.Setup.Machine, doc.Setup.WorkZero.z) == ("Vice", "trunnion_bc", 20)
-    modal(answer({"machine": "trunnion_ac"}))
+    told = modal(answer({"machine": "trunnion_ac"}))
     press("FiveAxis_JobSetup", 600)
     until(lambda: doc.Setup.Machine == "trunnion_ac" and doc.UndoCount == 2, 20000, "the setup edited in one step")
+    assert told.said == ["Edit setup Vice"]
     assert doc.Setup.WorkZero.z == 20
     told = modal(answer({"machine": "fork_head_bc", "tool_length": 100}, "Cancel"))
     press("FiveAxis_JobSetup", 600)
@@ -80,3 +81,19 @@ def test_the_values_of_a_path_are_shared(doc, dome, modal, click, pump, until):
     assert panel.calculate() and path.Setup is None and path.Machine == "trunnion_bc"
     panel.reject()
     assert path.Setup is doc.Setup
+
+
+def test_boxes_that_count_for_nothing_are_not_shown(doc, dome, pump, screenshot, until):
+    made = app.create_setup(doc, machine="trunnion_bc", work_zero=(0, 0, 20))
+    dialog = job_setup.SetupDialog(doc, {"setup_name": made.Label} | job_setup.shown(made), made)
+    dialog.show()
+    pump(300)
+    origin = dialog.options.fields["origin"]
+    assert origin.none.isChecked() and not any(part.editor.isVisible() for part in origin.parts), "the machine's file says it"
+    assert all(part.editor.isVisible() for part in dialog.options.fields["work_zero"].parts)
+    screenshot("setup_edit")
+    origin.none.setChecked(False)
+    until(lambda: all(part.editor.isVisible() for part in origin.parts), 20000, "three boxes to type into")
+    assert origin.value() == [0, 0, 0]
+    dialog.close()
+    dialog.deleteLater()

@@ -92,6 +92,42 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     assert path.OriginFromMachine and not [obj for obj in doc.Objects if "SetupMap" in obj.Name]
 
 
+def test_deviations_of_blocks_that_will_be_divided_say_so(dome, doc, path):
+    from freecad_fiveaxis.gui.panels import setup
+
+    def told(made):
+        return [row[0] for row in setup.rows(made)], made.Verdict
+
+    labels, verdict = told(app.setup_map(path, region=(40, 40, 0), grid=(2, 2, 1)))
+    assert "Largest deviation" in labels and "not yet divided" not in verdict
+    path.Linearize = "on"
+    doc.recompute()
+    made = app.setup_map(path, region=(40, 40, 0), grid=(2, 2, 1))
+    labels, verdict = told(made)
+    assert "Largest deviation, blocks not yet divided" in labels and "not yet divided" in verdict
+    assert made.DeviationBefore > path.Tolerance >= path.MaxSurfaceDeviation, "which is why that has to be said"
+    assert setup.applied_words(path).startswith("Applied: the largest deviation of the divided blocks is now 0.00")
+
+
+def test_boxes_of_three_numbers_stand_below_each_other_where_they_have_no_room(window, pump, until):
+    from freecad_fiveaxis.gui.panels.picking import PointField
+    from freecad_fiveaxis.gui.panels.triple import TripleField
+
+    for field in (TripleField("region", "point", width=90), PointField("work_zero")):
+        field.show_value((123.4567, 123.4567, 123.4567))
+        field.editor.show()
+        for width, below in ((200, True), (700, False)):
+            field.editor.resize(width, 200)
+            until(lambda: field.below is below, 20000, "boxes below each other, or beside")  # noqa: B023
+            pump(200)
+            boxes = [part.editor for part in field.parts] + [getattr(field, "button", field.parts[0].editor)]
+            places = list({box: box.geometry() for box in boxes}.values())
+            assert not any(one.intersects(other) for at, one in enumerate(places) for other in places[:at])
+            assert all(part.editor.width() >= field._needs(part) for part in field.parts)
+        field.show_value((0.0, 0.0, 0.0))
+        field.editor.close()
+
+
 def test_cancel_leaves_the_document_as_it_was(
     path, doc, tree_row, press, field, ask_small, click, until, panel_button, panel_closed
 ):

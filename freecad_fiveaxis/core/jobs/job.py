@@ -145,13 +145,14 @@ def post(settings: Settings, machine: Machine, kinematics: Chain, dialect: Diale
     return posted(context, path, drive(context, path), found)
 
 
-def prove(made: Made, progress: Progress = silent) -> Result:
+def prove(made: Made, progress: Progress = silent, part: Mesh | None = None) -> Result:
     """The deviation of every block of a program, its proven bound, and the blocks near the pole. Judged is the deviation of the
-    point that makes the surface: of a ball the centre.
+    point that makes the surface: of a ball the centre. ``part``: what an audit compares with, where it is at hand and
+    ``settings.audit.against`` only its name.
 
     Where the controller guides the tip there is nothing to measure, and nothing is proven but the blocks' ends.
     """
-    against, settings = _compared(made.settings, progress)
+    against, settings = _compared(made.settings, progress) if part is None else (part, made.settings)
     made = made if settings is made.settings else replace(made, settings=settings)
     proof, words = settings.proof, made.program.words
     deviation = measure(made.kinematics, words, proof.method, progress)

@@ -29,7 +29,9 @@ class Audit:
     def Activated(self) -> None:
         """Open the panel, in the active document or a new one."""
         import FreeCAD
+        import FreeCADGui
 
         from freecad_fiveaxis.gui.panels import audit
 
-        audit.create(FreeCAD.ActiveDocument or FreeCAD.newDocument())
+        doc = FreeCAD.ActiveDocument or FreeCAD.newDocument()
+        audit.create(doc, FreeCADGui.Selection.getSelection(doc.Name))

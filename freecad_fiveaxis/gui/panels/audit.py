@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, translate
 
+from .fields import ChoiceField
 from .files import FileField
 from .form import Form, Section, group_sections
 from .path_panel import DRAWN, PathPanel, fit, show
@@ -23,7 +25,8 @@ class AuditPanel(PathPanel):
         title, missing = translate("FiveAxis", "Choose an NC file"), translate("FiveAxis", "Choose the NC file to audit.")
         self.file = FileField("nc_file", title, nc_files(), missing=missing)
         zero = PointField("work_zero", translate("FiveAxis", "Where the program's zero is drawn in the document"))
-        super().__init__(doc, translate("FiveAxis", "Audit"), Form("audit", doc, _sections(), [self.file, zero]), obj)
+        extras = [self.file, PartField(doc), zero]
+        super().__init__(doc, translate("FiveAxis", "Audit"), Form("audit", doc, _sections(), extras), obj)
 
     def compute(self) -> Any:
         """A new Audit, or the one that is there with other settings."""
@@ -45,13 +48,45 @@ class AuditPanel(PathPanel):
         app.annotate(self.obj)
 
 
-def create(doc: Any) -> AuditPanel:
-    """Open the panel for a new audit; its first values are the user's preferences."""
-    from freecad_fiveaxis.app import changes, preferences
+class PartField(ChoiceField):
+    """The solids and meshes of the document, to compare with; without one of them the file below counts, if any is named."""
+
+    def __init__(self, doc: Any) -> None:
+        from freecad_fiveaxis.app import compared
+
+        choices = [(None, translate("FiveAxis", "none, or a file"))]
+        choices += [(one.Name, one.Label) for one in compared.parts_of(doc)]
+        super().__init__("part", choices, translate("App::Property", PART))
+        self.doc = doc
+
+    def value(self) -> Any:
+        """The object, or None."""
+        name = super().value()
+        return self.doc.getObject(name) if name else None
+
+    def words(self) -> str:
+        """Its label."""
+        return self.value().Label if self.value() is not None else ""
+
+    def show_value(self, value: Any) -> None:
+        """An object, which joins the list where it is not there, or None."""
+        if value is not None and self.editor.findData(value.Name) < 0:
+            self.editor.addItem(value.Label, value.Name)
+        super().show_value(value.Name if value is not None else None)
+
+
+PART = "The solid or mesh of the document that the program is compared with"
+"""As the property's help says."""
+
+
+def create(doc: Any, chosen: Collection[Any] = ()) -> AuditPanel:
+    """Open the panel for a new audit; its first values are those of what was posted from the document, of the ``chosen`` objects
+    where they say which, else the user's preferences."""
+    from freecad_fiveaxis.app import changes, preferences, proposing
 
     panel = AuditPanel(doc)
     preferred = {"machine": preferences.machine(), "controller": preferences.controller(), "tolerance": preferences.tolerance()}
-    panel.fill(changes.default_options("audit") | preferred)
+    panel.fill(changes.default_options("audit") | preferred | proposing.proposed(doc, chosen))
     return show(panel)
 
 
@@ -60,13 +95,16 @@ def edit(obj: Any) -> AuditPanel:
     from freecad_fiveaxis.app import changes
 
     panel = AuditPanel(obj.Document, obj)
-    panel.fill(changes.shown_options(obj, "audit") | {"nc_file": obj.NCFile, "work_zero": tuple(obj.WorkZero)})
+    extras = {"nc_file": obj.NCFile, "part": obj.Part, "work_zero": tuple(obj.WorkZero)}
+    panel.fill(changes.shown_options(obj, "audit") | extras)
     return show(panel)
 
 
 MORE = ("origin", "method")
 """Options that few need."""
-TOLD = {"machine": ("machine", "controller"), "tool": ("cutter", "holder"), "safety": ("tolerance",)}
+FIRST = {"comparison": ("part",)}
+"""Fields that are no options, before those of a group."""
+TOLD = {"machine": ("machine", "controller"), "comparison": ("part",), "tool": ("cutter", "holder"), "safety": ("tolerance",)}
 """What stands in the title of a group."""
 OPEN = ("machine", "comparison", "tool", "safety")
 """Groups that are open until the user folds them, besides the file."""
@@ -75,6 +113,7 @@ OPEN = ("machine", "comparison", "tool", "safety")
 def _sections() -> list[Section]:
     """The file, and a section for each group of the task's settings."""
     groups = [
-        Section(name, title, names, TOLD.get(name, ()), name in OPEN) for name, title, names in group_sections("audit", MORE)
+        Section(name, title, [*FIRST.get(name, ()), *names], TOLD.get(name, ()), name in OPEN)
+        for name, title, names in group_sections("audit", MORE)
     ]
     return [Section("file", translate("FiveAxis", "NC file"), ["nc_file"]), *groups]

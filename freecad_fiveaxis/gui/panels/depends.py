@@ -20,6 +20,10 @@ def _is_not(value: str) -> Callable[[Any], bool]:
     return lambda chosen: bool(chosen != value)
 
 
+def _is_there(part: Any) -> bool:
+    return part is not None
+
+
 def _is_path(against: Any) -> bool:
     return bool(against) and not _is_part(against)
 
@@ -40,6 +44,7 @@ DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], 
     ("rtcp", _is_not("off"), (), ("linearize",)),
     ("against", _is_path, ("axis_tolerance",), ()),
     ("against", _is_part, ("cutter", "gouge"), ()),
+    ("part", _is_there, ("cutter", "gouge"), ("against", "axis_tolerance")),
 )
 """A choice and what is asked of it; the options that count only if that holds (of several such lines: any), and those that do
 not count then."""

@@ -236,7 +236,7 @@ class Form(QtCore.QObject):
         good = [self._check_field(name, field, options) for name, field in self.fields.items()]
         self._unfold_errors()
         self.show_error("")
-        if all(good):
+        if all(good) and not self._lacks_file():
             try:
                 self.check_together(options)
             except FiveAxisError as error:
@@ -244,12 +244,18 @@ class Form(QtCore.QObject):
                 return False
         return all(good)
 
+    def _lacks_file(self) -> bool:
+        """Whether an option names a file that is needed and not named yet: nobody has done anything wrong so far."""
+        files = [field for name, field in self.fields.items() if name in self.leaves and getattr(field, "missing", "")]
+        return any(not field.value() and not field.wanted for field in files)
+
     def check_together(self, options: Mapping[str, Any]) -> None:
         """Raises FiveAxisError where values contradict each other."""
         from freecad_fiveaxis.app.auditing import audit_options
         from freecad_fiveaxis.core.jobs.settings import build_settings
 
-        options = audit_options(options) if self.task == "audit" else options
+        part = self.extras["part"].value() if "part" in self.extras else None
+        options = audit_options(options, part) if self.task == "audit" else options
         build_settings(self.task, "part", self.given | dict(options))
 
     def _check_field(self, name: str, field: Field, options: Mapping[str, Any]) -> bool:

@@ -25,15 +25,16 @@ FAR = ("origin", "work_offset", "work_zero")
 class SetupDialog(QtWidgets.QDialog):
     """Edits the values of a Setup; ``said`` are those of the form."""
 
-    def __init__(self, doc: Any, values: dict[str, Any]) -> None:
+    def __init__(self, doc: Any, values: dict[str, Any], obj: Any = None) -> None:
         super().__init__(FreeCADGui.getMainWindow())
         self.setObjectName("FiveAxisSetup")
-        self.setWindowTitle(translate("FiveAxis", "Setup"))
+        title = translate("FiveAxis", "New setup") if obj is None else translate("FiveAxis", "Edit setup {name}")
+        self.setWindowTitle(title.format(name=values["setup_name"]))
         extras = [TextField("setup_name"), TripleField("work_zero", "point", _zero_hint())]
         section = Section("setup", translate("FiveAxis", "Setup"), FIELDS)
         self.options = Form("mill", doc, [section], extras, only=SHARED[:-1])
         buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
-        form = PanelWidget(translate("FiveAxis", "Setup"), (self.options.error,), self.options.widget)
+        form = PanelWidget(self.windowTitle(), (self.options.error,), self.options.widget)
         form.setObjectName("setup_form")
         column = QtWidgets.QVBoxLayout(self)
         column.addWidget(form)
@@ -55,7 +56,8 @@ def ask(doc: Any, obj: Any = None, values: dict[str, Any] | None = None) -> Any:
     from freecad_fiveaxis.app import job_setup
 
     name = obj.Label if obj is not None else translate("FiveAxis", "Setup")
-    dialog = SetupDialog(doc, {"setup_name": name} | (shown(obj) if obj is not None else first_values() | (values or {})))
+    begun = shown(obj) if obj is not None else first_values() | (values or {})
+    dialog = SetupDialog(doc, {"setup_name": name} | begun, obj)
     agreed, said = execute(dialog), dialog.options.said()
     dialog.deleteLater()
     if not agreed:

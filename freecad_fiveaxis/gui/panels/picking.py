@@ -16,7 +16,7 @@ import FreeCADGui
 from freecad_fiveaxis.gui.failures import guards
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, later, translate
 
-from .triple import TripleField
+from .triple import LAST, TripleField
 
 Point = tuple[float, float, float]
 
@@ -94,7 +94,7 @@ class PointField(TripleField):
         self.button.setObjectName(name + "_pick")
         self.button.setCheckable(True)
         self.button.clicked.connect(self._pressed)
-        self.row.addWidget(self.button, 2, 0, 1, 3)
+        self.row.addWidget(self.button, LAST, 0, 1, 3)
         self.pick = Pick(self._found, self._ended)
         if FreeCADGui.activeDocument() is None:
             self.button.setEnabled(False)

@@ -47,12 +47,32 @@ def rows(obj: Any) -> list[tuple[str, str, str]]:
         *((translate("FiveAxis", "Work zero"), *pair) for pair in zip(zeros[:3], zeros[3:], strict=True)),
         (translate("FiveAxis", "Turn about Z"), angle_text(0.0), angle_text(obj.RecommendedTurn.Value)),
         (
-            translate("FiveAxis", "Largest deviation"),
+            deviation_words(obj),
             length_text(obj.DeviationBefore.Value),
             length_text(obj.DeviationAfter.Value),
         ),
         (translate("FiveAxis", "Time"), *times),
     ]
+
+
+def deviation_words(obj: Any) -> str:
+    """What the deviations of a map are called: of a path that divides its blocks they are not those of its program."""
+    from freecad_fiveaxis.app import setups
+
+    if setups.divides_blocks(obj.Path):
+        return translate("FiveAxis", "Largest deviation, blocks not yet divided")
+    return translate("FiveAxis", "Largest deviation")
+
+
+def applied_words(path: Any) -> str:
+    """What a path has come to in its new place: of divided blocks what the verdict goes by, else what the map tells of."""
+    from freecad_fiveaxis.app import results, setups
+
+    if setups.divides_blocks(path):
+        text = translate("FiveAxis", "Applied: the largest deviation of the divided blocks is now {deviation}.")
+        return text.format(deviation=length_text(results.judged_of(path)[0]))
+    text = translate("FiveAxis", "Applied: the largest deviation is now {deviation}.")
+    return text.format(deviation=length_text(path.MaxSegmentDeviation.Value))
 
 
 class SetupPanel(PathPanel):
@@ -134,10 +154,8 @@ class SetupPanel(PathPanel):
             self._undone()
             self._tell(error)
             return False
-        text = translate("FiveAxis", "Applied: the largest deviation is now {deviation}.")
         self.options.show_error("")
-        applied = text.format(deviation=length_text(self.path.MaxSegmentDeviation.Value))
-        self.summary.tell(f"<p><b>{html.escape(applied)}</b></p>{self.summary.text.text()}")
+        self.summary.tell(f"<p><b>{html.escape(applied_words(self.path))}</b></p>{self.summary.text.text()}")
         reveal(self.form)
         return True
 

@@ -8,17 +8,33 @@ from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
 
-from .fields import Field, NumberField, QuantityField
+from .fields import ARROW, Field, NumberField, QuantityField, width_of
 
 WIDE = 1000
 """Pixels of an editor that never stands beside its label."""
+FIRST, LAST = 1, 4
+"""Lines of the grid: of the first box, and of what stands below all of them."""
+
+
+class Wide(QtWidgets.QWidget):
+    """A widget that tells when its width has changed."""
+
+    widened = QtCore.Signal()
+
+    def resizeEvent(self, event: Any) -> None:
+        """Qt calls this whenever the size has changed."""
+        super().resizeEvent(event)
+        self.widened.emit()
 
 
 class TripleField(Field):
-    """Three lengths (mm), three numbers, or three counts. ``none_text``: what a box says that, ticked, gives None."""
+    """Three lengths (mm), three numbers, or three counts, beside each other where they have room, else below each other.
+
+    ``none_text``: what a box says that, ticked, gives None, and hides the three; ``width``: what each needs at least, pixels.
+    """
 
     def __init__(self, name: str, kind: str, hint: str = "", none_text: str = "", width: int = 60) -> None:
-        super().__init__(name, QtWidgets.QWidget(), hint)
+        super().__init__(name, Wide(), hint)
         parts = [f"{name}_{letter}" for letter in "xyz"]
         makers = {"point": lambda part: QuantityField(part, "length"), "counts": lambda part: NumberField(part, whole=True)}
         self.parts = [makers.get(kind, RatioField)(part) for part in parts]
@@ -33,12 +49,28 @@ class TripleField(Field):
     def _lay_out(self) -> None:
         self.row = QtWidgets.QGridLayout(self.editor)
         self.row.setContentsMargins(0, 0, 0, 0)
-        for at, part in enumerate(self.parts):
-            part.editor.setMinimumWidth(self.width)
-            self.row.addWidget(part.editor, 1, at)
+        self.below: bool | None = None
+        self.place()
+        self.editor.widened.connect(self.place)
         if self.none:
             self.row.addWidget(self.none, 0, 0, 1, 3, QtCore.Qt.AlignLeft)
             self.none.toggled.connect(self._toggled)
+
+    def place(self) -> None:
+        """Put the boxes where what they say has room; nothing is done where they stand so already."""
+        needed = sum(self._needs(part) for part in self.parts) + 2 * max(self.row.horizontalSpacing(), 0)
+        below = needed > self.editor.width()
+        if below == self.below:
+            return
+        self.below = below
+        for at, part in enumerate(self.parts):
+            self.row.removeWidget(part.editor)
+            row, column, span = (FIRST + at, 0, 3) if below else (FIRST, at, 1)
+            self.row.addWidget(part.editor, row, column, 1, span)
+
+    def _needs(self, part: Any) -> int:
+        """Pixels of one box."""
+        return max(self.width, width_of(part.editor, str(part.editor.property("text"))) + ARROW)
 
     def focus_widget(self) -> Any:
         """The first box."""
@@ -60,7 +92,7 @@ class TripleField(Field):
 
     def _toggled(self, ticked: bool) -> None:
         for part in self.parts:
-            part.editor.setEnabled(not ticked)
+            part.editor.setVisible(not ticked)
         self._changed()
 
     def value(self) -> list[float] | None:
@@ -73,6 +105,7 @@ class TripleField(Field):
             self.none.setChecked(value is None)
         for part, number in zip(self.parts, value or (0.0, 0.0, 0.0), strict=True):
             part.show_value(number)
+        self.place()
 
 
 class RatioField(NumberField):
