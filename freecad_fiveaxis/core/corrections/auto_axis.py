@@ -194,16 +194,16 @@ def _pulled(
 ) -> tuple[Floats, Bools]:
     """The axes (k, 3) with those that are not ``free`` (k,) pulled to free directions of the nearest nodes, and what is free."""
     node, _ = field.near(contacts.point, contacts.mean)
-    axis, free = axis.copy(), free.copy()
+    found, free, asked = axis.copy(), free.copy(), [axis]
     for near in node.T:
         left = np.flatnonzero(~free)
-        at = field.freedom.of(near[left])
-        tried = axis.copy()
+        at, tried = field.freedom.of(near[left]), axis.copy()
         tried[left], _ = nearest_free(axis[left], field.nodes.normal[near[left]], at)
-        freed = contacts.free(tried, ~free, reacher, tree, progress) & ~free
-        axis[freed] = tried[freed]
-        free |= freed
-    return axis, free
+        left = left[~np.any([(one[left] == tried[left]).all(axis=1) for one in asked], axis=0)]  # nodes side by side: one direction
+        freed = contacts.free(tried, np.isin(np.arange(len(free)), left), reacher, tree, progress)
+        found[freed], free[freed] = tried[freed], True
+        asked.append(tried)
+    return found, free
 
 
 def _leaned(
