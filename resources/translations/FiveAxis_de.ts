@@ -3996,6 +3996,10 @@
         <translation>Das Modell von So et al. findet in {rootless} von {blocks} NC-Sätzen keinen fernsten Punkt und nimmt dort die Mitte; die exakte Abweichung von der Geraden verwenden.</translation>
     </message>
     <message>
+        <source>The part reaches {depth} below the table of {machine}, so its place is not known and no tool axis leans below level. Give {origin} the place of the work zero, or {max_axis_angle} how far axes may lean.</source>
+        <translation>Das Teil reicht {depth} unter den Tisch von {machine}; sein Ort ist also nicht bekannt, und keine Werkzeugachse neigt sich unter die Waagrechte. Mit {origin} den Ort des Nullpunkts angeben, oder mit {max_axis_angle}, wie weit sich Achsen neigen dürfen.</translation>
+    </message>
+    <message>
         <source>The part that {label} was made of was deleted: undo that, or choose another one in its property Base</source>
         <translation>Das Werkstück, aus dem {label} entstand, wurde gelöscht: das rückgängig machen oder in der Eigenschaft Basis ein anderes wählen</translation>
     </message>

@@ -12,7 +12,7 @@ from underside_parts import PARTS
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.options import largest_axis_angle
+from freecad_fiveaxis.core.jobs.over_table import largest_axis_angle, report_part_in_table
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.passes import report_standing, standing_facets
 
@@ -95,3 +95,12 @@ def test_a_block_that_stands_on_the_table_is_cut_from_above():
     codes = [one.code for one in made(block(), origin=(0.0, 0.0, -100.0)).findings]
     assert "retract-below-part" not in codes
     assert (made(block(), origin=(0.0, 0.0, -100.0)).axis[:, 2] > -1e-3).all()
+
+
+def test_a_part_that_reaches_below_the_table_is_told_of_where_that_keeps_axes_level():
+    mesh, low = block(), {"origin": (0.0, 0.0, -150.0)}
+    (one,) = report_part_in_table(settings(**low), TRUNNION, mesh)
+    assert "50 mm below the table of trunnion_ac" in str(one.text) and "--origin" in str(one.text)
+    assert "part-in-table" in [finding.code for finding in made(mesh, **low).findings]
+    for options in ({}, {**low, "max_axis_angle": 90}, {**low, "tool_axis": "facet_mean"}):
+        assert report_part_in_table(settings(**options), TRUNNION, mesh) == ()

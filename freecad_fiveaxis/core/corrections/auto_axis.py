@@ -199,7 +199,9 @@ def _pulled(
         left = np.flatnonzero(~free)
         at, tried = field.freedom.of(near[left]), axis.copy()
         tried[left], _ = nearest_free(axis[left], field.nodes.normal[near[left]], at)
-        left = left[~np.any([(one[left] == tried[left]).all(axis=1) for one in asked], axis=0)]  # nodes side by side: one direction
+        left = left[
+            ~np.any([(one[left] == tried[left]).all(axis=1) for one in asked], axis=0)
+        ]  # nodes side by side: one direction
         freed = contacts.free(tried, np.isin(np.arange(len(free)), left), reacher, tree, progress)
         found[freed], free[freed] = tried[freed], True
         asked.append(tried)

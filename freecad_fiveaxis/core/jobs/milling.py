@@ -60,15 +60,14 @@ from .driving import posted
 from .fewer_axes import keeps_its_axis
 from .made import Milled
 from .options import (
-    AUTO,
     axis_corrections,
     axis_options,
     kept_off,
-    largest_axis_angle,
     pass_options,
     reacher_of,
     travels,
 )
+from .over_table import AUTO, largest_axis_angle, report_part_in_table
 from .settings import Settings
 
 
@@ -78,6 +77,7 @@ def mill_context(
 ) -> tuple[MillContext, tuple[Finding, ...]]:  # fmt: skip
     """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all."""
     most = largest_axis_angle(settings, machine, mesh)
+    in_table = report_part_in_table(settings, machine, mesh)
     settings, asked = replace(settings, passes=replace(settings.passes, max_axis_angle=most)), settings.passes.max_axis_angle
     if settings.tool_axis.tool_axis == AUTO:
         standing = standing_facets(mesh) & (faces is None and asked is None)
@@ -86,7 +86,7 @@ def mill_context(
         reacher = reacher_of(settings, machine, kinematics, mesh)
         field = find_axis_field(mesh, faces, reacher, progress)
         keep, left_out = select_facets(field, mesh, faces, most)
-        left_out = (*report_standing(mesh, standing), *left_out)
+        left_out = (*report_standing(mesh, standing), *in_table, *left_out)
         return MillContext(settings, machine, kinematics, dialect, mesh.box, progress, mesh, keep, field), left_out
     followed = None if keeps_its_axis(settings, machine) else kinematics
     keep, left_out = facets_within_limits(mesh, followed, most, faces)

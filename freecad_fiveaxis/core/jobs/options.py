@@ -7,7 +7,6 @@ driven    the point that the words of the program move: tip or hub.
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -31,14 +30,11 @@ from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of
 
 from .context import MillContext
 from .fewer_axes import refuse_what_needs_more_axes
+from .over_table import largest_axis_angle, table_below
 from .settings import MILL, Settings
 from .settings.groups import AS_MACHINE
 
-AUTO = "auto"
 DEFAULT_CONTROLLER = "linuxcnc"
-IN_TABLE = 0.1
-"""mm by which a part may lie in its table: zeros are touched off no better."""
-
 DEFAULT_SCALLOP = 0.01
 """mm, where neither a scallop nor a stepover is asked for: a usual finishing quality."""
 
@@ -144,22 +140,6 @@ def reacher_of(settings: Settings, machine: Machine, kinematics: Chain, mesh: Me
     table = table_below(settings, machine, mesh)
     within, most = with_room(kinematics), largest_axis_angle(settings, machine, mesh)
     return Reacher(cutter, tool.shank, tool.holder, within, tolerance, table, most)
-
-
-def largest_axis_angle(settings: Settings, machine: Machine, mesh: Mesh) -> float:
-    """How far tool axes may lean from +Z, rad: as asked; else as far as the machine goes where they are chosen freely over a
-    table that is known, else (what is below is not known, or they follow the normals) no farther than level."""
-    asked, free = settings.passes.max_axis_angle, settings.tool_axis.tool_axis == AUTO
-    if asked is not None:
-        return asked
-    return math.pi if free and table_below(settings, machine, mesh) is not None else 0.5 * math.pi
-
-
-def table_below(settings: Settings, machine: Machine, mesh: Mesh) -> float | None:
-    """Give the height of the table's face in the work frame, mm; None where it is not known or the part lies in it."""
-    origin = machine.origin if settings.machine.origin is None else settings.machine.origin
-    table = None if machine.table is None else machine.table - origin[2]
-    return None if table is not None and float(mesh.box[0][2]) < table - IN_TABLE else table
 
 
 def lead_options(context: MillContext) -> LeadOptions:

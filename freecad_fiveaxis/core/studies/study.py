@@ -26,7 +26,8 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis, what_needs_more_axes
 from freecad_fiveaxis.core.jobs.job import chosen_faces, make
 from freecad_fiveaxis.core.jobs.made import Milled, Posted
-from freecad_fiveaxis.core.jobs.options import IN_TABLE, clamped, driven_to_surface, stood, title_of
+from freecad_fiveaxis.core.jobs.options import clamped, driven_to_surface, stood, title_of
+from freecad_fiveaxis.core.jobs.over_table import IN_TABLE
 from freecad_fiveaxis.core.jobs.settings import COMPARE, MILL, POST, REACH, SETUP, Settings, flat_options, is_part
 from freecad_fiveaxis.core.jobs.settings.groups import USUAL_REGION
 from freecad_fiveaxis.core.machine import Vector, load_machine
