@@ -104,3 +104,17 @@ def test_a_part_that_reaches_below_the_table_is_told_of_where_that_keeps_axes_le
     assert "part-in-table" in [finding.code for finding in made(mesh, **low).findings]
     for options in ({}, {**low, "max_axis_angle": 90}, {**low, "tool_axis": "facet_mean"}):
         assert report_part_in_table(settings(**options), TRUNNION, mesh) == ()
+
+
+def test_a_program_made_again_from_what_its_report_says_is_the_same():
+    """What was not given is not given then either: a face on which the part stands stays out."""
+
+    def keep(inputs):
+        return job.make(build_settings("mill", "part", inputs), mesh=block()).keep.tolist()
+
+    given = {**OPTIONS, "passes": "scallop", "tool_axis": "auto", "gouge": "off"}
+    again = job.figures(job.prove(job.make(build_settings("mill", "part", given), mesh=block()))).inputs
+    again = {name: value for name, value in again.items() if name not in ("task", "source")}
+    assert again["max_axis_angle"] is None if "max_axis_angle" in again else True
+    assert keep(again) == keep(given)
+    assert keep({**given, "max_axis_angle": 180}) != keep(given)

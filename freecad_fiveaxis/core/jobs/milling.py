@@ -78,9 +78,8 @@ def mill_context(
     """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all."""
     most = largest_axis_angle(settings, machine, mesh)
     in_table = report_part_in_table(settings, machine, mesh)
-    settings, asked = replace(settings, passes=replace(settings.passes, max_axis_angle=most)), settings.passes.max_axis_angle
     if settings.tool_axis.tool_axis == AUTO:
-        standing = standing_facets(mesh) & (faces is None and asked is None)
+        standing = standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None)
         faces = ~standing if faces is None else faces
         check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
         reacher = reacher_of(settings, machine, kinematics, mesh)
