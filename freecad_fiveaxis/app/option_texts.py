@@ -29,7 +29,9 @@ TEXTS = {
     "stepover": QT_TRANSLATE_NOOP("App::Property", "Constant distance of the passes, instead of a scallop height"),
     "least_interval": QT_TRANSLATE_NOOP("App::Property", "Passes come no closer than this, also on steep walls"),
     "max_axis_angle": QT_TRANSLATE_NOOP(
-        "App::Property", "Surfaces steeper than this are not machined; with auto no tool axis leans more"
+        "App::Property",
+        "Surfaces steeper than this are not machined; with auto no tool axis leans more. 0: 90 deg; with auto all that the "
+        "machine reaches above its table",
     ),
     "cutter": QT_TRANSLATE_NOOP("App::Property", "Shape and sizes of the cutter"),
     "coedge_tolerance": QT_TRANSLATE_NOOP(

@@ -211,7 +211,8 @@ class PathView(DrawnView):
             return False
         mesh = getattr(self.obj, "Mesh", None)
         base = getattr(mesh, "Base", None)
-        return obj in (self.obj, mesh, base[0] if isinstance(base, tuple) else base)
+        part = getattr(self.obj, "Part", None)  # what an audit compares with
+        return obj in (self.obj, mesh, base[0] if isinstance(base, tuple) else base) or (part is not None and obj is part)
 
     def adopt(self) -> None:
         """The path has a new child: the tree is to ask for its children again."""

@@ -924,8 +924,8 @@
         <translation>Zeilensprung</translation>
     </message>
     <message>
-        <source>Surfaces steeper than this are not machined; with auto no tool axis leans more</source>
-        <translation>Steilere Flächen werden nicht bearbeitet; bei auto neigt sich keine Werkzeugachse weiter</translation>
+        <source>Surfaces steeper than this are not machined; with auto no tool axis leans more. 0: 90 deg; with auto all that the machine reaches above its table</source>
+        <translation>Steilere Flächen werden nicht bearbeitet; bei auto neigt sich keine Werkzeugachse weiter. 0: 90 Grad; bei auto alles, was die Maschine über ihrem Tisch erreicht</translation>
     </message>
     <message>
         <source>Table Height</source>
@@ -2693,6 +2693,10 @@
     <message>
         <source>as they stand</source>
         <translation>wie sie dastehen</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
     <message>
         <source>axis</source>

@@ -54,3 +54,18 @@ def test_summary_and_readout(schema):
     inch = SCHEMAS[schema] == "in"
     assert length(FreeCAD.Units.Quantity(0.0123456, FreeCAD.Units.Length)) == ("0.00049 in" if inch else "0.0123 mm")
     assert joint_text(25.4, False) == ("1.00000 in" if inch else "25.4000 mm") and joint_text(25.4, True) == "25.4000°"
+
+
+def test_an_angle_that_is_found_where_none_is_given_says_so():
+    field = QuantityField("max_axis_angle", "angle", optional=True)
+    assert field.editor.text() == "automatic" and field.value() is None
+    for typed, text, value in (
+        ("120", "120°", 120.0),
+        ("automatic", "automatic", None),
+        ("90 °", "90°", 90.0),
+        ("0", "automatic", None),
+    ):
+        field.editor.lineEdit().setText(typed)
+        field.editor.interpretText()
+        assert (field.editor.text(), field.value()) == (text, value)
+    assert QuantityField("tool_length", "length", optional=True).editor.text().startswith("0 ")

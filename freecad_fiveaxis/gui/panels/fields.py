@@ -102,6 +102,10 @@ class Field(QtCore.QObject):
         self.edited.emit()
 
 
+FOUND = ("max_axis_angle",)
+"""Options that are found where they are not given."""
+
+
 class QuantityField(Field):
     """A length (mm) or an angle (degrees) in the user's units. ``optional``: 0 means not given."""
 
@@ -109,6 +113,7 @@ class QuantityField(Field):
         super().__init__(name, MeasureBox(kind), hint)
         self.unit = UNITS[kind]
         self.optional, self._given, self._shown = optional, 0.0, 0.0
+        self.editor.unset = translate("FiveAxis", "automatic") if optional and name in FOUND else ""
         self.show_value(0.0)
         self.editor.valueChanged.connect(self._changed)
 

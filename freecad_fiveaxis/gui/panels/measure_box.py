@@ -28,6 +28,7 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
         self.kind = kind
         inch = kind == "length" and inches()
         self.unit, self.factor, self.places = ("°", 1.0, 4) if kind == "angle" else ("in", INCH, 5) if inch else ("mm", 1.0, 4)
+        self.unset = ""  # what 0 is called where it means that nothing is given
         self.setDecimals(PRECISION)
         self.setRange(-MOST, MOST)
         self.setSingleStep(0.1 if inch else 1.0)
@@ -42,6 +43,8 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
 
     def textFromValue(self, value: float) -> str:
         """Qt asks what it shows."""
+        if self.unset and value == 0.0:
+            return self.unset
         gap = "" if self.unit == "°" else " "
         return f"{field_text(value, self.places)}{gap}{self.unit}".replace(".", str(self.locale().decimalPoint()))
 
@@ -57,6 +60,8 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
 
     def _read(self, text: str) -> float | None:
         """A number of the box's unit, or one with a unit of its own; None for anything else."""
+        if self.unset and text.strip() == self.unset:
+            return 0.0
         given = text.strip().replace(str(self.locale().decimalPoint()), ".")
         try:
             return float(given)
