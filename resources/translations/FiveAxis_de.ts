@@ -1307,6 +1307,10 @@
         <translation>Unter der Fläche</translation>
     </message>
     <message>
+        <source>Below the table</source>
+        <translation>Unter dem Tisch</translation>
+    </message>
+    <message>
         <source>Between two facets the axis turns evenly over the steps on either side (Lin and Ye).</source>
         <translation>Zwischen zwei Facetten dreht die Achse gleichmäßig über die Schritte auf beiden Seiten (Lin und Ye).</translation>
     </message>
@@ -4200,6 +4204,10 @@
         <translation>Die {count} Wörter {letter} werden nicht ausgewertet.</translation>
     </message>
     <message>
+        <source>The {part} goes at least {depth} below the table's face at {at}, deepest of {count} blocks. Clamp the part higher, use a longer tool, or lean it less ({max_axis_angle}).</source>
+        <translation>{part}: mindestens {depth} unter der Tischfläche bei {at}, am tiefsten von {count} Sätzen. Das Teil höher spannen, ein längeres Werkzeug nehmen oder es weniger neigen ({max_axis_angle}).</translation>
+    </message>
+    <message>
         <source>The {part} goes at least {depth} into the part at {at} if the axes of this rapid run independently; it is clear if they are interpolated. Which of the two this controller does is not known.</source>
         <translation>{part}: dringt bei {at} mindestens {depth} ins Werkstück ein, wenn die Achsen in diesem Eilgang unabhängig laufen; werden sie interpoliert, ist der Weg frei. Welches von beidem diese Steuerung tut, ist nicht bekannt.</translation>
     </message>
@@ -5726,6 +5734,10 @@
     <message>
         <source>the tool could not get out along its axis {where}, for the part is over it, as at {place}</source>
         <translation>das Werkzeug {where} entlang seiner Achse nicht herauskäme, denn das Werkstück ist darüber, etwa bei {place}</translation>
+    </message>
+    <message>
+        <source>the tool goes below the table</source>
+        <translation>das Werkzeug gerät unter den Tisch</translation>
     </message>
     <message>
         <source>the tool has the length and the shape given</source>

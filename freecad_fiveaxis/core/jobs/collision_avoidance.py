@@ -34,6 +34,7 @@ from freecad_fiveaxis.core.collision import (
     uncut_finding,
     which_enter,
 )
+from freecad_fiveaxis.core.collision.table_check import check_table
 from freecad_fiveaxis.core.corrections.divide_rapids import RapidClearance, divide_rapids
 from freecad_fiveaxis.core.corrections.lead_in import lead_in
 from freecad_fiveaxis.core.corrections.leave_out import leave_out
@@ -61,6 +62,7 @@ from .options import (
     travels,
     wanted_scallop,
 )
+from .over_table import table_below
 from .settings import Settings
 
 LEFT_SPACING = 0.1
@@ -240,6 +242,20 @@ def entered(context: MillContext, program: Program) -> GougeCheck | None:
     return check_program(
         context.mesh, body, context.kinematics, program, tolerance, driven, context.progress, _remedy(settings), rapids
     )
+
+
+def enters_table(context: MillContext, program: Program) -> tuple[Finding, ...]:
+    """What of the tool goes below the machine's table on its real way, where the settings ask for the check of gouges and it is
+    known where the table is."""
+    settings = context.settings
+    table = table_below(settings, context.machine, context.mesh)
+    if settings.gouge.gouge == "off" or table is None:
+        return ()
+    rapids = rapids_of(settings, context.machine, context.dialect)
+    return check_table(
+        table, tool_body(settings), context.kinematics, program, settings.proof.tolerance, tip_to_driven(settings),
+        context.progress, rapids,
+    )  # fmt: skip
 
 
 def _remedy(settings: Settings) -> str:

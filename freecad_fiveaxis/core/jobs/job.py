@@ -42,6 +42,7 @@ from .collision_avoidance import (
     allowed,
     cutting,
     entered,
+    enters_table,
     find_left,
     rest_material_findings,
     still_true,
@@ -208,9 +209,9 @@ def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, Re
     if not isinstance(made, Milled):
         return None, None, ()
     context, program = made.context(progress), made.program
-    gouge = entered(context, program)
+    gouge, low = entered(context, program), enters_table(context, program)
     left = find_left(context, program) if made.settings.gouge.left == "on" and len(cutting(program.motion)) else None
-    return gouge, left, (gouge.findings if gouge else ()) + rest_material_findings(left, context)
+    return gouge, left, (gouge.findings if gouge else ()) + low + rest_material_findings(left, context)
 
 
 def rest_material_of(made: Milled, progress: Progress = silent) -> RestMaterial:

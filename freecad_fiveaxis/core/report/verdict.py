@@ -119,6 +119,7 @@ ENTERS = {
     "rapid-collision": say("hits the part between passes"),
     "independent-rapid": say("a rapid with independent axes hits the part"),
     "holder-collision": say("shank or holder hits the part"),
+    "table-collision": say("the tool goes below the table"),
     "buried": say("the whole cutter is inside the part"),
     "cut-too-deep": say("cuts too deep"),
 }
