@@ -56,8 +56,8 @@ def _below(entries: Entries | WayEntries, program: Program, tolerance: float) ->
     block, count = int(entries.depth.argmax()), int(np.count_nonzero(entries.depth))
     depth, line, (x, y, z) = float(entries.depth[block]), int(program.line[block + 1]), entries.place[block].tolist()
     text = say(
-        "The {part} goes at least {depth} below the table's face at {at}, deepest of {count} blocks. Clamp the part higher, use a "
-        "longer tool, or lean it less ({max_axis_angle}).",
+        "The {part} goes at least {depth} below the table's face at {at}, deepest of {count} blocks. Clamp the part higher, use "
+        "a longer tool, or lean it less ({max_axis_angle}).",
         part=PARTS[int(entries.part[block])], depth=Length(depth, ".4g"), at=Point((x, y, z)), count=count,
         max_axis_angle=Option("max_axis_angle"),
     )  # fmt: skip
