@@ -461,6 +461,7 @@ def test_inches_show_inches_and_lose_nothing(inches, dome, type_into, pump, scre
     fields = panel.options.fields
     assert fields["tolerance"].editor.property("text") == "0.00039 in" and fields["tolerance"].value() == 0.01
     assert fields["feed"].editor.property("text") == "39.3701 in/min" and fields["feed"].value() == 1000.0
+    assert fields["feed"].words() == "F 39.3701 in/min"
     type_into(fields["cutter"].sizes["diameter"].editor, "0.5")
     until(lambda: fields["cutter"].value() == "ball:12.7:50.0", 20000, "half an inch")
     screenshot("panel_inches")
@@ -545,6 +546,17 @@ def test_a_file_that_is_there_is_replaced_only_when_the_user_says_so(path, tmp_p
     assert str(file) in told.said[0]
     until(lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"), 20000, "the panel open only after Cancel")
     assert (file.read_bytes() == results.nc_of(path)) == (answer == "Replace")
+
+
+def test_of_an_inch_document_it_is_said_that_the_program_is_in_millimetres(path, inches, tmp_path, post_to, screenshot, until):
+    post_to(tmp_path / "part.ngc")
+    until(lambda: "(G21)" in shown("post_units").text() and shown("post_units").isVisible(), 20000, "the program's unit")
+    screenshot("post_inches")
+
+
+def test_of_a_metric_document_the_programs_unit_is_nothing_to_say(path, millimetres, tmp_path, post_to):
+    panel = post_to(tmp_path / "part.ngc")
+    assert panel.form.findChild(QtWidgets.QLabel, "post_units") is None
 
 
 def test_a_folder_that_is_not_there_is_said_under_the_name(post_to, doc, tmp_path, panel_button, until):
