@@ -177,7 +177,9 @@ def test_a_part_above_the_table_stands_on_a_riser_and_does_not_float(name):
     (platter,) = [body for body in bodies if body.name == "platter"]
     ends = corners(riser.shape)
     assert riser.carrier == platter.carrier
-    assert np.allclose((ends[:, 2].min(), ends[:, 2].max()), (low[2] - 40.0, low[2])) and np.isclose(platter.shape.end[2], low[2] - 40.0)
+    assert np.allclose((ends[:, 2].min(), ends[:, 2].max()), (low[2] - 40.0, low[2])) and np.isclose(
+        platter.shape.end[2], low[2] - 40.0
+    )
     assert (ends[:, :2] >= low[:2]).all() and (ends[:, :2] <= high[:2]).all()
 
 

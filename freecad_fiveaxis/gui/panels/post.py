@@ -65,7 +65,8 @@ class PostPanel:
         for kind, box in self.reports.items():
             box.setObjectName("report_" + kind)
         self.preview.setObjectName("preview")
-        for part in (self.error, *self._spindle_row(), *_units_row(self.path), *self.reports.values(), self.preview, self.verdict, self.poor):
+        rows = (self.error, *self._spindle_row(), *_units_row(self.path), *self.reports.values(), self.preview)
+        for part in (*rows, self.verdict, self.poor):
             column.addWidget(part)
         column.addStretch()
         return widget
