@@ -3744,6 +3744,10 @@
         <translation>Mehr oder weniger Platz als {gap}: Werkzeuglänge, Nullpunktverschiebung oder {mark} sind falsch. Nicht weitermachen.</translation>
     </message>
     <message>
+        <source>NC line {line} has F{feed}, and {name} takes F{most} at most under {mode}: it refuses the line. Post the program with longer blocks, or with a lower F.</source>
+        <translation>NC-Zeile {line} hat F{feed}, und {name} nimmt unter {mode} höchstens F{most}: sie wird abgelehnt. Das Programm mit längeren Sätzen oder kleinerem F ausgeben.</translation>
+    </message>
+    <message>
         <source>NC line {line} leaves the commanded segment by {deviation}, {tolerance} allowed: {turns} within a step of {step}.</source>
         <translation>NC-Zeile {line} verlässt die Sollstrecke um {deviation}, erlaubt sind {tolerance}: {turns} innerhalb eines Schritts von {step}.</translation>
     </message>
@@ -6110,6 +6114,10 @@
     <message>
         <source>{count} HAL files cannot be read; {module} takes no value from them. The first: {error}</source>
         <translation>{count} HAL-Dateien lassen sich nicht lesen; {module} nimmt keinen Wert daraus. Die erste: {error}</translation>
+    </message>
+    <message>
+        <source>{count} NC lines have an F above {most}, the largest that {name} takes under {mode}, the largest in line {line}, F{feed}: it refuses them. Post the program with longer blocks, or with a lower F.</source>
+        <translation>{count} NC-Zeilen haben ein F über {most}, dem größten, das {name} unter {mode} nimmt, am größten in Zeile {line}, F{feed}: sie werden abgelehnt. Das Programm mit längeren Sätzen oder kleinerem F ausgeben.</translation>
     </message>
     <message>
         <source>{count} arcs do not pass through the points before and after them (worst line {line}: off by {off}, radius {radius}); the path goes straight there. Has the CAM system left out a move, or are the units mixed?</source>
