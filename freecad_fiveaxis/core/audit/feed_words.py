@@ -51,8 +51,8 @@ def _over(program: Program, dialect: Dialect, mode: str, unit: str, largest: flo
         len(rows),
         "NC line {line} has F{feed}, and {name} takes F{most} at most under {mode}: it refuses the line. Post the program with "
         "longer blocks, or with a lower F.",
-        "{count} NC lines have an F above {most}, the largest that {name} takes under {mode}, the largest in line {line}, F{feed}: "
-        "it refuses them. Post the program with longer blocks, or with a lower F.",
+        "{count} NC lines have an F above {most}, the largest that {name} takes under {mode}, the largest in line {line}, "
+        "F{feed}: it refuses them. Post the program with longer blocks, or with a lower F.",
         line=line, feed=Number(float(feed[worst]), ".10g"), name=dialect.name, most=Number(largest, ".10g"), mode=mode or unit,
     )  # fmt: skip
     return Finding(Severity.WARNING, "feed-word-too-large", text, float(feed[worst]), largest, unit, block, line)
