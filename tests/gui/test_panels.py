@@ -257,10 +257,12 @@ def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made
     until(lambda: not error.isVisible() and panel.options.options()["cutter"] == "flat:6.0:30.0", 20000, "nothing wrong")
 
 
-def test_strategy_and_height_of_a_scallop_are_told_apart_and_no_choice_of_a_setup_is_cut_off(panel, field, pump):
+def test_strategy_and_height_of_a_scallop_are_told_apart_and_no_choice_of_a_setup_is_cut_off(panel, field, pump, screenshot):
     strategies, spacing, setups = (field(name) for name in ("passes", "spacing_kind", "setup"))
     assert {"constant scallop", "level planes"} <= {strategies.itemText(at) for at in range(strategies.count())}
     assert [spacing.itemText(at) for at in range(spacing.count())] == ["Scallop height", "Stepover"]
+    qt_scroll(spacing, pump)
+    screenshot("panel_scallop")
     qt_scroll(setups, pump)
     assert setups.itemText(0) == "own values"
     assert setups.fontMetrics().boundingRect(setups.itemText(0)).width() + 30 <= setups.width()
