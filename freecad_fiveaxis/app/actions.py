@@ -18,7 +18,7 @@ from . import auditing, compared, job_setup, markers, selection, tessellation, t
 from .convert import stl_bytes
 from .long_work import take_back
 from .properties import drawn_tool, property_name
-from .results import result_of
+from .results import result_of, tells_of
 from .tessellation import Tessellation
 
 DEFAULT_MACHINE = "trunnion_ac"
@@ -79,13 +79,15 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
 def annotate(path: Any) -> Any:
     """See :func:`freecad_fiveaxis.app.annotate`."""
     result_of(path)
+    if not tells_of(path):
+        path.touch()  # its numbers stand in the label of the markers
     made = markers.of(path)
     with _all_or_nothing(path.Document) as added:
         if made is None:
             made = markers.make(path)
             added.append(made)
         made.touch()
-        path.Document.recompute([made])
+        path.Document.recompute([path, made])
     return made
 
 

@@ -33,3 +33,9 @@ def suffix_of(controller: str | None, machine: str | None) -> str:
 def suffix_of_path(obj: Any) -> str:
     """How the NC files of a Toolpath end."""
     return suffix_of(None if obj.Controller == MACHINES_OWN else obj.Controller, obj.Machine)
+
+
+def metric_of_path(obj: Any) -> str:
+    """The word of a Toolpath's NC file that says millimetres; the usual one where its controller is not known."""
+    dialect = dialect_of(None if obj.Controller == MACHINES_OWN else obj.Controller, obj.Machine)
+    return dialect.metric if dialect else Dialect.metric

@@ -135,3 +135,31 @@ TEXTS = {
 def text_of(leaf: Any) -> str:
     """What an option (a field of the core's settings) is for."""
     return TEXTS.get(leaf.name) or str(leaf.metadata["text"])
+
+
+EDITOR = {
+    "passes": QT_TRANSLATE_NOOP(
+        "App::Property", "Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop"
+    ),
+    "tool_axis": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "How the tool axis is found at each contact point. facet_mean: surface normal; step_weighted: normal weighted by the "
+        "step; minimax: least deviation; auto: free of the part; fixed: one axis everywhere",
+    ),
+    "order": QT_TRANSLATE_NOOP(
+        "App::Property", "Cut pattern. zigzag: in both directions; one_way: in one direction only"
+    ),
+    "feed_mode": QT_TRANSLATE_NOOP("App::Property", "What F means. g93: inverse time; g94: feed per minute"),
+    "blend": QT_TRANSLATE_NOOP(
+        "App::Property", "Corner rounding: how far the controller may round corners, where it can; 0: exact path"
+    ),
+    "controller": QT_TRANSLATE_NOOP(
+        "App::Property", "Controller that the NC file is written for. machine's own: the one that the machine's file names"
+    ),
+}  # fmt: skip
+"""By the option's name, what the property editor says where it shows names of its own: FreeCAD translates no choices there."""
+
+
+def editor_text(leaf: Any) -> str:
+    """What an option is for, and what its choices mean, as the property editor says it."""
+    return EDITOR.get(leaf.name) or text_of(leaf)

@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.tool import KINDS as CUTTER_KINDS
 from freecad_fiveaxis.core.tool import Cutter, kind_of
 
 from .feed_per_minute import PER_MINUTE
-from .option_texts import text_of
+from .option_texts import editor_text
 
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
 """FreeCAD's attributes of a property. OUTPUT: setting it does not touch the object."""
@@ -161,7 +161,7 @@ def setting_properties(task: str) -> tuple[Property, ...]:
 
 
 def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
-    kind, text = leaf.metadata["kind"], text_of(leaf)
+    kind, text = leaf.metadata["kind"], editor_text(leaf)
     if kind == "cutter":
         values = cutter_values(leaf.default)
         return [dataclasses.replace(one, default=values.get(one.name, _UNUSED.get(one.name))) for one in CUTTER]

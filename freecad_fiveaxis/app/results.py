@@ -180,6 +180,24 @@ def out_of_date(obj: Any) -> str:
     return "" if same else wording.told(text)
 
 
+def tells_of(obj: Any) -> bool:
+    """Whether the object's properties tell of the figures that were computed last, or none are at hand: a file may have been
+    replaced since, and somebody have asked for its figures without a recompute."""
+    return obj.Proxy.last is None or obj.Proxy.last.fingerprint == obj.Fingerprint
+
+
+def touch_other(obj: Any) -> None:
+    """Have the next recompute compute an object of which FreeCAD does not know that it is old: a file of its own was replaced."""
+    if not obj.Fingerprint or {"Touched", "Invalid"} & set(obj.State):
+        return
+    try:
+        same = obj.Proxy.task(obj).fingerprint == obj.Fingerprint
+    except FiveAxisError:  # the object says so itself
+        return
+    if not same:
+        obj.touch()
+
+
 def _base_is_gone(obj: Any) -> bool:
     mesh = getattr(obj, "Mesh", None)
     return mesh is not None and hasattr(mesh, "Base") and _base(obj) is None

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.app.results import judged_of
+from freecad_fiveaxis.app.results import judged_of, tells_of
 
 from .scene import labels, nodes
 from .scene.marks import Marks, largest_colour
@@ -33,7 +33,7 @@ class MarkersPicture:
             places, kinds, largest_colour(deviation, tolerance, good, bad), bad, rgb(view.ColourSingular), view.MarkerSize
         )  # fmt: skip
         texts: list[Any] = []
-        if view.ShowLabel and path is not None:
+        if view.ShowLabel and path is not None and tells_of(path):
             told = labels.Told(deviation, path.WorstLine, tolerance, good, bad)
             values = [depth or area for depth, area in zip_longest(self.obj.Depths, self.obj.Areas, fillvalue=0.0)]
             texts = labels.of_marks(places.tolist(), kinds, values, told)

@@ -11,7 +11,7 @@ from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.report import Drawing, Figures, draw
 
-from . import findings_panel
+from . import findings_panel, redraw
 from .qt import translate
 from .scene import labels, words
 from .scene.on_screen import Label, LegendBox
@@ -50,6 +50,7 @@ class Picture:
         self._find_figures()
         if self.checked is None:
             self.checked = results.out_of_date(self.obj)
+            results.touch_other(self.obj)
         if self.drawing is None:
             self.nodes.clear()
         elif not self.styled:
@@ -65,10 +66,17 @@ class Picture:
             last = self._compute()
         if not self.obj.Fingerprint:
             self.figures = self.drawing = None
-        elif last is not None and last.figures is not self.figures:
+        elif last is not None and last.figures is not self.figures and (self.figures is None or results.tells_of(self.obj)):
             self.figures, self.drawing, self.styled, self.failed = last.figures, draw(last.figures), False, ""
             self.checked = None
             findings_panel.renew(self.obj)
+            self._renew_markers()
+
+    def _renew_markers(self) -> None:
+        """The label of the Markers object is left out where it would tell of other figures than these."""
+        markers = markers_of(self.obj)
+        if markers is not None and not results.tells_of(self.obj):
+            redraw.soon(markers.ViewObject.Proxy)
 
     def _compute(self) -> Any:
         """The result after the document was opened. Where that fails, the view and the object say why."""

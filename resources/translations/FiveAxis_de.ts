@@ -176,6 +176,10 @@
         <translation>Steuerung, für die die NC-Datei geschrieben wird</translation>
     </message>
     <message>
+        <source>Controller that the NC file is written for. machine's own: the one that the machine's file names</source>
+        <translation>Steuerung, für die die NC-Datei geschrieben wird. machine's own: die, die in der Datei der Maschine steht</translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>Kühlmittel</translation>
     </message>
@@ -188,8 +192,16 @@
         <translation>Eckenradius eines Torusfräsers, auch eines konischen; andere Arten haben keinen</translation>
     </message>
     <message>
+        <source>Corner rounding: how far the controller may round corners, where it can; 0: exact path</source>
+        <translation>Eckenverrundung: wie weit die Steuerung Ecken verrunden darf, wo sie es kann; 0: genauer Weg</translation>
+    </message>
+    <message>
         <source>Cut Length</source>
         <translation>Schnittweg</translation>
+    </message>
+    <message>
+        <source>Cut pattern. zigzag: in both directions; one_way: in one direction only</source>
+        <translation>Schnittfolge. zigzag: in beide Richtungen; one_way: nur in eine Richtung</translation>
     </message>
     <message>
         <source>Cutter Corner</source>
@@ -410,6 +422,10 @@
     <message>
         <source>How the tool axis is found at each contact point</source>
         <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird</translation>
+    </message>
+    <message>
+        <source>How the tool axis is found at each contact point. facet_mean: surface normal; step_weighted: normal weighted by the step; minimax: least deviation; auto: free of the part; fixed: one axis everywhere</source>
+        <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird. facet_mean: Flächennormale; step_weighted: nach Schrittlänge gewichtete Normale; minimax: kleinste Abweichung; auto: frei vom Werkstück; fixed: überall eine Achse</translation>
     </message>
     <message>
         <source>How the tool goes from one pass to the next: near the part where it is free, or over it</source>
@@ -678,6 +694,10 @@
     <message>
         <source>Pass Strategy</source>
         <translation>Bahnstrategie</translation>
+    </message>
+    <message>
+        <source>Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop</source>
+        <translation>Bahnstrategie. planes: parallele Ebenen; zlevel: Höhenebenen; scallop: gleiche Kuppenhöhe</translation>
     </message>
     <message>
         <source>Passes</source>
@@ -1122,6 +1142,10 @@
     <message>
         <source>Way of the tip along the part</source>
         <translation>Weg der Werkzeugspitze am Werkstück entlang</translation>
+    </message>
+    <message>
+        <source>What F means. g93: inverse time; g94: feed per minute</source>
+        <translation>Bedeutung von F. g93: zeitreziprok; g94: Vorschub je Minute</translation>
     </message>
     <message>
         <source>What a word without a decimal point counts: X100 is 100 mm, or 0.1 mm</source>
@@ -2131,7 +2155,7 @@
         <translation>Speichern …</translation>
     </message>
     <message>
-        <source>Scallop</source>
+        <source>Scallop height</source>
         <translation>Kuppenhöhe</translation>
     </message>
     <message>
@@ -2353,6 +2377,10 @@
     <message>
         <source>The program gives the positions of all axes; any controller can run it.</source>
         <translation>Das Programm gibt die Stellungen aller Achsen; jede Steuerung kann es fahren.</translation>
+    </message>
+    <message>
+        <source>The program is in millimetres ({word}), whatever this document shows.</source>
+        <translation>Das Programm ist in Millimetern ({word}), was immer dieses Dokument zeigt.</translation>
     </message>
     <message>
         <source>The program that was made of the CL file, without tool centre point control</source>
@@ -2771,6 +2799,10 @@
         <translation>Maschinen vergleichen</translation>
     </message>
     <message>
+        <source>constant scallop</source>
+        <translation>gleiche Kuppenhöhe</translation>
+    </message>
+    <message>
         <source>cut</source>
         <translation>Schnitt</translation>
     </message>
@@ -2963,10 +2995,6 @@
         <translation>keines, oder eine Datei</translation>
     </message>
     <message>
-        <source>none: own values</source>
-        <translation>keine: eigene Werte</translation>
-    </message>
-    <message>
         <source>normal weighted by step</source>
         <translation>Normale, nach Schritt gewichtet</translation>
     </message>
@@ -3017,6 +3045,10 @@
     <message>
         <source>over tolerance</source>
         <translation>über der Toleranz</translation>
+    </message>
+    <message>
+        <source>own values</source>
+        <translation>eigene Werte</translation>
     </message>
     <message>
         <source>parallel planes</source>
@@ -3508,6 +3540,14 @@
         <translation>Angenommen</translation>
     </message>
     <message>
+        <source>At 1 place an inside corner is tighter than the cutter; {much}. Use a smaller cutter there.</source>
+        <translation>An 1 Stelle ist eine Innenecke enger als der Fräser; {much}. Dort einen kleineren Fräser nehmen.</translation>
+    </message>
+    <message>
+        <source>At 1 place the surface curls tighter than the cutter, which cuts into it; how deep is not known here. Have the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.</source>
+        <translation>An 1 Stelle krümmt sich die Fläche enger als der Fräser, und er schneidet hinein; wie tief, ist hier nicht bekannt. Den Weg gegen das Werkstück prüfen ({report}) oder herausheben lassen ({lift}), oder einen kleineren Fräser nehmen.</translation>
+    </message>
+    <message>
         <source>At every stop compare what you see with this sheet, and stop for good if it differs. The tip stays at least {gap} above the level of the mark, even if a rotary axis turns the wrong way or the two are exchanged.</source>
         <translation>An jedem Halt mit diesem Blatt vergleichen, was zu sehen ist, und bei einem Unterschied endgültig anhalten. Die Werkzeugspitze bleibt mindestens {gap} über der Höhe der Marke, auch wenn eine Rundachse falsch herum dreht oder die beiden vertauscht sind.</translation>
     </message>
@@ -3518,6 +3558,14 @@
     <message>
         <source>At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the machine can take up and that keeps the tool out of the part; they are left out. Use a smaller cutter or holder, or a longer tool, or turn the part.</source>
         <translation>An {count} von {all} Berührpunkten ({share} %), der erste bei {place}, wurde keine Werkzeugachse gefunden, die die Maschine einnehmen kann und die das Werkzeug aus dem Teil hält; sie werden ausgelassen. Kleineren Fräser oder Halter oder längeres Werkzeug nehmen oder das Teil drehen.</translation>
+    </message>
+    <message>
+        <source>At {count} places an inside corner is tighter than the cutter; {much}. Use a smaller cutter there.</source>
+        <translation>An {count} Stellen ist eine Innenecke enger als der Fräser; {much}. Dort einen kleineren Fräser nehmen.</translation>
+    </message>
+    <message>
+        <source>At {count} places the surface curls tighter than the cutter, which cuts into it; how deep is not known here. Have the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.</source>
+        <translation>An {count} Stellen krümmt sich die Fläche enger als der Fräser, und er schneidet hinein; wie tief, ist hier nicht bekannt. Den Weg gegen das Werkstück prüfen ({report}) oder herausheben lassen ({lift}), oder einen kleineren Fräser nehmen.</translation>
     </message>
     <message>
         <source>Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.</source>
@@ -3704,6 +3752,10 @@
         <translation>Mehr oder weniger Platz als {gap}: Werkzeuglänge, Nullpunktverschiebung oder {mark} sind falsch. Nicht weitermachen.</translation>
     </message>
     <message>
+        <source>NC line {line} has F{feed}, and {name} takes F{most} at most under {mode}: it refuses the line. Post the program with longer blocks, or with a lower F.</source>
+        <translation>NC-Zeile {line} hat F{feed}, und {name} nimmt unter {mode} höchstens F{most}: sie wird abgelehnt. Das Programm mit längeren Sätzen oder kleinerem F ausgeben.</translation>
+    </message>
+    <message>
         <source>NC line {line} leaves the commanded segment by {deviation}, {tolerance} allowed: {turns} within a step of {step}.</source>
         <translation>NC-Zeile {line} verlässt die Sollstrecke um {deviation}, erlaubt sind {tolerance}: {turns} innerhalb eines Schritts von {step}.</translation>
     </message>
@@ -3778,6 +3830,14 @@
     <message>
         <source>Of {whole} that are machined, {parts}.</source>
         <translation>Von {whole} bearbeiteter Fläche: {parts}.</translation>
+    </message>
+    <message>
+        <source>On steep walls {count} of the passes stand no closer than {least}: material up to {height} high stays between them where scallops of {scallop} are asked. Give a smaller {option}, or turn the passes along the walls.</source>
+        <translation>An steilen Wänden stehen {count} Bahnen nicht enger als {least}: zwischen ihnen bleibt Material bis {height} hoch stehen, wo Kuppen von {scallop} verlangt sind. {option} kleiner angeben oder die Bahnen längs der Wände drehen.</translation>
+    </message>
+    <message>
+        <source>On steep walls {count} of the passes stand no closer than {least}: scallops up to {height} stay where {scallop} are asked. Give a smaller {option}, or turn the passes along the walls.</source>
+        <translation>An steilen Wänden stehen {count} Bahnen nicht enger als {least}: Kuppen bis {height} bleiben stehen, wo {scallop} verlangt sind. {option} kleiner angeben oder die Bahnen längs der Wände drehen.</translation>
     </message>
     <message>
         <source>On {area} of the machined surface more than {above} is left, most at {place}: {height}; {volume} in all. Cut these places with a smaller cutter or another tool axis.</source>
@@ -3900,10 +3960,6 @@
         <translation>Die Steuerung führt die Werkzeugspitze (RTCP). Nachgewiesen ist, dass jeder Satz innerhalb {off} an der Spitze des Werkzeugwegs und innerhalb {lean} an seiner Werkzeugachse endet, so wie die Maschinendatei die Maschine beschreibt; wie Spitze und Achsen von Ende zu Ende gehen, ist Sache der Steuerung und hier nicht nachgewiesen.</translation>
     </message>
     <message>
-        <source>The cutter does not fit into the corners at {number} facet segments; {much}. Use a smaller cutter there.</source>
-        <translation>Der Fräser passt an {number} Facettenstücken nicht in die Ecken; {much}. Dort einen kleineren Fräser nehmen.</translation>
-    </message>
-    <message>
         <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out ({lift}).</source>
         <translation>Der Fräser dringt auf dem Weg zwischen den Zeilen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen ({lift}).</translation>
     </message>
@@ -3930,10 +3986,6 @@
     <message>
         <source>The ends of {count} arcs are as near as the printed digits allow (first line {line}): they may be whole turns or next to nothing; there {taken} is taken, as its direction says.</source>
         <translation>Die Enden von {count} Kreisbögen sind so nahe, wie die gedruckten Stellen es zulassen (zuerst Zeile {line}): Sie können volle Kreise oder fast nichts sein; dort wird {taken} genommen, wie die Richtung sagt.</translation>
-    </message>
-    <message>
-        <source>The facets curl tighter than the cutter at {number} segments, and the cutter cuts into them; how deep is not known here. Have the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.</source>
-        <translation>Die Facetten krümmen sich an {number} Teilstrecken enger als der Fräser, und er schneidet hinein; wie tief, ist hier nicht bekannt. Den Weg gegen das Werkstück prüfen ({report}) oder herausheben lassen ({lift}), oder einen kleineren Fräser nehmen.</translation>
     </message>
     <message>
         <source>The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool, or choose one: {option}.</source>
@@ -3970,14 +4022,6 @@
     <message>
         <source>The joint axes are taken as the way the tool moves relative to the work (ISO 841). Prove the signs before cutting.</source>
         <translation>Die Achsen werden so genommen, wie sich das Werkzeug relativ zum Werkstück bewegt (ISO 841). Vor dem Fräsen die Vorzeichen prüfen.</translation>
-    </message>
-    <message>
-        <source>The least interval of {least} binds {count} times and leaves scallops up to {height} where {scallop} are asked: give a smaller least interval or turn the direction along the steep walls.</source>
-        <translation>Der kleinste Abstand von {least} greift {count}-mal und lässt Kuppen bis {height} stehen, wo {scallop} verlangt sind: einen kleineren Abstand geben oder die Richtung entlang der steilen Wände drehen.</translation>
-    </message>
-    <message>
-        <source>The least interval of {least} binds {count} times: on steep walls the passes leave material between them, up to {height} high, where scallops of {scallop} are asked. Give a smaller least interval or turn the direction along the walls.</source>
-        <translation>Der kleinste Abstand von {least} greift {count}-mal: an steilen Wänden bleibt zwischen den Bahnen Material stehen, bis {height} hoch, wo Kuppen von {scallop} verlangt sind. Einen kleineren kleinsten Abstand angeben oder die Richtung längs der Wände drehen.</translation>
     </message>
     <message>
         <source>The lines after the end of the program in line {last} are not read.</source>
@@ -4408,8 +4452,8 @@
         <translation>eine Variable ohne ganze Zahl</translation>
     </message>
     <message>
-        <source>a whole run of facets stays uncut</source>
-        <translation>eine ganze Reihe von Facetten bleibt ungefräst</translation>
+        <source>a whole stretch of the surface stays uncut</source>
+        <translation>ein ganzes Stück der Fläche bleibt ungefräst</translation>
     </message>
     <message>
         <source>a whole turn</source>
@@ -6092,6 +6136,10 @@
         <translation>{count} HAL-Dateien lassen sich nicht lesen; {module} nimmt keinen Wert daraus. Die erste: {error}</translation>
     </message>
     <message>
+        <source>{count} NC lines have an F above {most}, the largest that {name} takes under {mode}, the largest in line {line}, F{feed}: it refuses them. Post the program with longer blocks, or with a lower F.</source>
+        <translation>{count} NC-Zeilen haben ein F über {most}, dem größten, das {name} unter {mode} nimmt, am größten in Zeile {line}, F{feed}: sie werden abgelehnt. Das Programm mit längeren Sätzen oder kleinerem F ausgeben.</translation>
+    </message>
+    <message>
         <source>{count} arcs do not pass through the points before and after them (worst line {line}: off by {off}, radius {radius}); the path goes straight there. Has the CAM system left out a move, or are the units mixed?</source>
         <translation>{count} Kreisbögen gehen nicht durch die Punkte vor und nach ihnen (am schlimmsten Zeile {line}: {off} daneben, Radius {radius}); der Weg ist dort gerade. Hat das CAM-System eine Bewegung ausgelassen, oder sind die Einheiten gemischt?</translation>
     </message>
@@ -7371,7 +7419,7 @@
         <translation>Über der Toleranz</translation>
     </message>
     <message>
-        <source>Scallop</source>
+        <source>Scallop height</source>
         <translation>Kuppenhöhe</translation>
     </message>
     <message>

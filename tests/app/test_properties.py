@@ -38,8 +38,17 @@ def test_every_option_that_is_no_file_has_a_property_with_its_group_and_help(pat
         for name in names:
             assert path.getGroupOfProperty(name) == properties.group_of(cls, leaf) in GROUPS
             if kind != "cutter":
-                assert path.getDocumentationOfProperty(name) == option_texts.text_of(leaf)
+                assert path.getDocumentationOfProperty(name) == option_texts.editor_text(leaf)
             assert path.getTypeIdOfProperty(name).startswith("App::Property")
+
+
+def test_the_property_editor_says_what_its_choices_mean(path):
+    """It shows the names of the core, which FreeCAD does not translate."""
+    for name in ("ToolAxis", "PassStrategy", "FeedMode", "Order"):
+        text = path.getDocumentationOfProperty(name)
+        assert all(f"{choice}: " in text for choice in path.getEnumerationsOfProperty(name)), name
+    assert "machine's own: " in path.getDocumentationOfProperty("Controller")
+    assert path.getDocumentationOfProperty("Blend").startswith("Corner rounding")
 
 
 def test_the_defaults_are_the_cores_to_the_last_bit(path):

@@ -236,6 +236,7 @@ def test_a_slot_narrower_than_the_cutter_is_bridged(worst):
     assert np.linalg.norm(chord[..., None, :] - edges, axis=-1).min() > 5 - 1e-9
     finding = path.findings[0]
     assert (finding.code, finding.severity) == ("corner-not-reached", Severity.WARNING)
+    assert "an inside corner is tighter than the cutter" in finding.text and "facet" not in finding.text
     assert worst[1].worst == pytest.approx(np.hypot(3, 13) - 5, abs=0.05)
 
 

@@ -167,3 +167,29 @@ def test_the_face_stands_where_the_machine_file_says_but_never_in_the_part(table
     for name in ("trunnion_ac", "head_b_table_c", "fork_head_bc"):
         (body,) = [one for one in sketch(shipped(name), *PART, TOOL, table) if one.name in ("platter", "table")]
         assert corners(body.shape)[:, 2].max() == pytest.approx(face)
+
+
+@pytest.mark.parametrize("name", ["trunnion_ac", "mikron_ucp710"])
+def test_a_part_above_the_table_stands_on_a_riser_and_does_not_float(name):
+    low, high = PART
+    bodies = sketch(shipped(name), low, high, TOOL, float(low[2]) - 40.0)
+    (riser,) = [body for body in bodies if body.name == "riser"]
+    (platter,) = [body for body in bodies if body.name == "platter"]
+    ends = corners(riser.shape)
+    assert riser.carrier == platter.carrier
+    assert np.allclose((ends[:, 2].min(), ends[:, 2].max()), (low[2] - 40.0, low[2])) and np.isclose(
+        platter.shape.end[2], low[2] - 40.0
+    )
+    assert (ends[:, :2] >= low[:2]).all() and (ends[:, :2] <= high[:2]).all()
+
+
+@pytest.mark.parametrize("table", [None, float(PART[0][2]), float(PART[1][2])])
+def test_a_part_on_the_table_needs_no_riser(table):
+    assert "riser" not in {body.name for body in sketch(shipped("trunnion_ac"), *PART, TOOL, table)}
+
+
+def test_a_part_above_a_plain_table_stands_on_a_riser():
+    plain = next(one for one in sorted(KINDS) if one.startswith("head"))
+    bodies = sketch(kinematics_of(plain), *PART, TOOL, float(PART[0][2]) - 10.0)
+    assert [body.carrier for body in bodies if body.name == "riser"] == [body.carrier for body in bodies if body.name == "table"]
+    assert any(body.name == "riser" for body in bodies)

@@ -98,3 +98,22 @@ def test_places_are_projected_as_a_camera_sees_them():
     seen = layout.projected(np.array([[10.0, 5.0, 0.0], [0.0, 0.0, 50.0], [0.0, 0.0, 150.0]]), perspective, VIEW)
     assert seen[0] == pytest.approx([600.0 * (1.0 + focal * 10.0 / eye), 350.0 * (1.0 + focal * 5.0 / eye)])
     assert seen[1] == pytest.approx([600.0, 350.0]) and np.isnan(seen[2]).all()
+
+
+def test_a_label_stands_beside_the_middle_of_its_part_where_there_is_room():
+    anchor = np.array([[600.0, 350.0], [630.0, 330.0]])
+    part = layout.middle_of(np.array([[450.0, 250.0], [750.0, 250.0], [450.0, 450.0], [750.0, 450.0]]))
+    assert (part == [[510.0, 290.0, 690.0, 410.0]]).all()
+    assert layout.overlap(placed(anchor)[0], part).all(), "they would lie over it"
+    sizes, before = np.full((2, 2), (150.0, 23.0)), np.full(2, -1)
+    box, slot = layout.label_places(anchor, sizes, VIEW, layout.NONE, before, part)
+    assert (slot >= 0).all() and not layout.overlap(box, part).any()
+    again, _ = layout.label_places(anchor, sizes, VIEW, layout.NONE, placed(anchor)[1], part)
+    assert not layout.overlap(again, part).any(), "a label that lay over it before goes"
+    whole = np.array([[0.0, 0.0, *map(float, VIEW)]])
+    assert (layout.label_places(anchor, sizes, VIEW, layout.NONE, before, whole)[1] >= 0).all(), "over it rather than nowhere"
+
+
+def test_a_part_behind_the_eye_or_none_has_no_middle():
+    assert len(layout.middle_of(np.zeros((0, 2)))) == 0
+    assert len(layout.middle_of(np.array([[1.0, 2.0], [np.nan, 3.0]]))) == 0

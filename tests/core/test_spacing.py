@@ -269,9 +269,9 @@ def test_what_is_higher_than_the_cutters_radius_is_called_no_scallop():
     mesh = box(draft=0.5)
     _, found = place_planes(mesh, 0.0, 0.4, scallop=SCALLOP, least=0.1, keep=upward(mesh))
     assert found[0].code == "least-interval" and found[0].value > 0.4
-    assert "leave material between them" in found[0].text and "scallops up to" not in found[0].text
+    assert "material up to" in found[0].text and "scallops up to" not in found[0].text
     _, low = place_planes(box(draft=0.5), 0.0, RADIUS, scallop=SCALLOP, least=0.1, keep=upward(mesh))
-    assert low[0].value < RADIUS and "leaves scallops up to" in low[0].text
+    assert low[0].value < RADIUS and "scallops up to" in low[0].text
 
 
 def test_a_smaller_least_interval_keeps_the_scallop_on_the_wall():
@@ -360,3 +360,9 @@ def test_a_scallop_that_needs_too_many_samples_is_refused_at_once(scallop):
     mesh = patch(plane(0.1, 0.0), length=60.0, width=60.0, size=2.0)
     with pytest.raises(SettingsError, match=r"scallop .* needs .*; give a larger scallop or check the units of the part"):
         place_planes(mesh, TURN, RADIUS, scallop=scallop, least=0.05)
+
+
+def test_the_smallest_stepover_is_told_in_a_machinists_words():
+    mesh = box(draft=0.5)
+    _, found = place_planes(mesh, 0.0, 0.4, scallop=SCALLOP, least=0.1, keep=upward(mesh))
+    assert found[0].text.startswith("On steep walls ") and "binds" not in found[0].text and "--least-interval" in found[0].text

@@ -134,7 +134,7 @@ def test_titles_say_what_their_groups_hold(panel, field, choose, type_into, pump
     type_into(field("feed"), "1500")
     header = panel.options.groups["tool"].header
     assert header.toolTip().startswith("Tool — ball")
-    until(lambda: header.toolTip().endswith("6 mm, S 8000, F 1500"), 20000, "spindle and feed in the title")
+    until(lambda: header.toolTip().endswith("6 mm, S 8000, F 1500 mm/min"), 20000, "spindle and feed in the title")
     choose(field("controller"), "Siemens 840D")
     header = panel.options.groups["machine"].header
     until(lambda: header.toolTip() == "Machine — trunnion_ac, Siemens 840D", 20000, "the controller in the title")

@@ -257,6 +257,17 @@ def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made
     until(lambda: not error.isVisible() and panel.options.options()["cutter"] == "flat:6.0:30.0", 20000, "nothing wrong")
 
 
+def test_strategy_and_height_of_a_scallop_are_told_apart_and_no_choice_of_a_setup_is_cut_off(panel, field, pump, screenshot):
+    strategies, spacing, setups = (field(name) for name in ("passes", "spacing_kind", "setup"))
+    assert {"constant scallop", "level planes"} <= {strategies.itemText(at) for at in range(strategies.count())}
+    assert [spacing.itemText(at) for at in range(spacing.count())] == ["Scallop height", "Stepover"]
+    qt_scroll(spacing, pump)
+    screenshot("panel_scallop")
+    qt_scroll(setups, pump)
+    assert setups.itemText(0) == "own values"
+    assert setups.fontMetrics().boundingRect(setups.itemText(0)).width() + 30 <= setups.width()
+
+
 def test_the_tool_axis_follows_cutter_and_passes_until_another_is_chosen(panel, field, choose, until):
     stands = lambda: panel.options.options()["tool_axis"]  # noqa: E731
     assert (panel.options.options()["passes"], stands()) == ("scallop", "auto")
@@ -264,7 +275,7 @@ def test_the_tool_axis_follows_cutter_and_passes_until_another_is_chosen(panel, 
         ("cutter_kind", "bull nose mill", "facet_mean"),
         ("cutter_kind", "ball end mill", "auto"),
         ("passes", "parallel planes", "facet_mean"),
-        ("passes", "Scallop", "auto"),
+        ("passes", "constant scallop", "auto"),
         ("tool_axis", "least deviation (minimax)", "minimax"),
         ("cutter_kind", "flat end mill", "minimax"),
     ):
@@ -461,6 +472,7 @@ def test_inches_show_inches_and_lose_nothing(inches, dome, type_into, pump, scre
     fields = panel.options.fields
     assert fields["tolerance"].editor.property("text") == "0.00039 in" and fields["tolerance"].value() == 0.01
     assert fields["feed"].editor.property("text") == "39.3701 in/min" and fields["feed"].value() == 1000.0
+    assert fields["feed"].words() == "F 39.3701 in/min"
     type_into(fields["cutter"].sizes["diameter"].editor, "0.5")
     until(lambda: fields["cutter"].value() == "ball:12.7:50.0", 20000, "half an inch")
     screenshot("panel_inches")
@@ -545,6 +557,17 @@ def test_a_file_that_is_there_is_replaced_only_when_the_user_says_so(path, tmp_p
     assert str(file) in told.said[0]
     until(lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"), 20000, "the panel open only after Cancel")
     assert (file.read_bytes() == results.nc_of(path)) == (answer == "Replace")
+
+
+def test_of_an_inch_document_it_is_said_that_the_program_is_in_millimetres(path, inches, tmp_path, post_to, screenshot, until):
+    post_to(tmp_path / "part.ngc")
+    until(lambda: "(G21)" in shown("post_units").text() and shown("post_units").isVisible(), 20000, "the program's unit")
+    screenshot("post_inches")
+
+
+def test_of_a_metric_document_the_programs_unit_is_nothing_to_say(path, millimetres, tmp_path, post_to):
+    panel = post_to(tmp_path / "part.ngc")
+    assert panel.form.findChild(QtWidgets.QLabel, "post_units") is None
 
 
 def test_a_folder_that_is_not_there_is_said_under_the_name(post_to, doc, tmp_path, panel_button, until):

@@ -162,18 +162,35 @@ def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright
     shown = opened(path)
     shown.step(lambda: shown.player.go_to_share(0.4))
     screenshot("play_over_the_part")
+    from freecad_fiveaxis.gui.scene import layout
+
     lean = matrix(shown.stage.tool)[:3, 2]
     assert np.allclose(matrix(shown.stage.turn), np.eye(4)) and lean[2] < 0.99
     tick(shown.controls.machine)
     until(lambda: np.allclose(matrix(shown.stage.tool)[:3, 2], (0, 0, 1), atol=1e-6), 20000, "the tool upright")
     view_of(doc).fitAll()
     screenshot("play_on_the_machine")
+    assert "riser" in {body.name for body in shown.stage.machine.bodies}, "the part floats over its table"
+    part = layout.middle_of(part_on_screen(shown, doc))
+    boxes = np.concatenate([labels.boxes for labels in (shown.stage.letters, path.ViewObject.Proxy.picture.nodes.labels)])
+    boxes = boxes[np.isfinite(boxes).all(axis=1)]
+    assert len(boxes) >= 2 and not layout.overlap(boxes, part).any(), "a label lies over the part"
     pose, zero = shown.player.pose, np.array((3.0, 4.0, 5.0))
     assert np.allclose(matrix(shown.stage.tool)[:3, 3], pose.words[:3], atol=1e-3)
     turned = matrix(shown.stage.turn)
     assert np.allclose(turned[:3, :3] @ lean, (0, 0, 1), atol=1e-6)
     assert np.allclose(turned[:3, :3] @ (pose.tip + zero) + turned[:3, 3], pose.words[:3] + zero, atol=1e-3)
     assert doc.Dome.Placement.isIdentity()
+
+
+def part_on_screen(shown, doc):
+    """The pixels of the corners of the path's box, as the table has turned it."""
+    figures, pose = shown.player.figures, shown.player.pose
+    tip = figures.tip[figures.feeds]
+    ends = np.stack([tip.min(axis=0), tip.max(axis=0)])
+    points = np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+    placed = points @ pose.machine_from_work[:3, :3].T + pose.machine_from_work[:3, 3] + shown.stage.zero
+    return np.array([view_of(doc).getPointOnScreen(*map(float, point)) for point in placed], float)
 
 
 def corners_on_screen(shown, doc):

@@ -5,6 +5,7 @@ How long a frame takes is measured by benchmarks/freecad (``make bench-window``)
 """
 
 import importlib.util
+from dataclasses import replace
 from pathlib import Path
 
 import FreeCAD
@@ -92,6 +93,18 @@ def test_the_colours_are_calm_below_the_tolerance_and_loud_above():
     assert light[0] > light[1] + 0.15  # darker is more
     assert light[2] > light[1] + 0.3  # the step at the tolerance is seen without seeing the hue
     assert light[2] > light[3] + 0.1
+
+
+@pytest.mark.parametrize(("schema", "least"), [(0, "≤ "), (3, "<")])
+def test_the_marks_of_the_scale_have_one_comparison_sign_each(dome, schema, least):
+    before = FreeCAD.Units.getSchema()
+    FreeCAD.Units.setSchema(schema)
+    try:
+        small = replace(dome, tolerance=0.0001 if schema else dome.tolerance)
+        marks = [text for _, text in words._scale(small, LOOK)[1]]
+    finally:
+        FreeCAD.Units.setSchema(before)
+    assert marks[0].startswith(least) and not [text for text in marks if sum(text.count(sign) for sign in "≤≥<") > 1]
 
 
 def test_each_half_of_the_map_darkens_evenly():

@@ -385,3 +385,43 @@ def test_a_legend_goes_with_its_object_and_comes_back_with_it(path, second, doc,
     shows(None, "none")
     doc.undo()
     shows(second, "the second one's after undo")
+
+
+def test_a_replaced_file_is_told_the_same_everywhere_and_refresh_computes_it(audit, doc, pump, tmp_path, until):
+    marks = app.annotate(audit)
+    picture = _settled(audit, pump)
+    old = audit.WorstLine
+    labels = until(lambda: marks.ViewObject.Proxy.picture and marks.ViewObject.Proxy.picture.labels, 20000, "the markers")
+    until(lambda: len(labels.places), 20000, "a label")
+    (tmp_path / "t2.ngc").write_text(TABLE_2.replace("G90 G93\n", "G90 G93\n(another)\n(program)\n"))
+    results.figures_of(audit)  # as Play and the list of findings ask for them
+    audit.ViewObject.Proxy.look_again()
+    until(lambda: picture.checked, 20000, "the change of the file noticed")
+    assert picture.figures is not audit.Proxy.last.figures and audit.WorstLine == old and "Touched" in audit.State
+    FreeCADGui.runCommand("Std_Refresh")
+    until(lambda: picture.checked == "" and picture.figures is audit.Proxy.last.figures, 20000, "the new program")
+    assert audit.WorstLine == old + 2 and "Touched" not in audit.State
+    until(lambda: len(labels.places), 20000, "its label")
+
+
+def test_a_file_that_was_replaced_while_the_document_was_closed_has_no_old_label(audit, doc, pump, tmp_path, until):
+    name = app.annotate(audit).Name
+    doc.saveAs(str(tmp_path / "other.FCStd"))
+    FreeCAD.closeDocument(doc.Name)
+    (tmp_path / "t2.ngc").write_text(TABLE_2.replace("G90 G93\n", "G90 G93\n(another)\n(program)\n"))
+    again = FreeCAD.openDocument(str(tmp_path / "other.FCStd"))
+    try:
+        made, marks = again.getObject(audit_name(again)), again.getObject(name)
+        picture = _settled(made, pump)
+        until(lambda: picture.checked and "Touched" in made.State, 20000, "that it is old")
+        labels = until(lambda: marks.ViewObject.Proxy.picture and marks.ViewObject.Proxy.picture.labels, 20000, "the markers")
+        until(lambda: not len(labels.places), 20000, "no label of the old program")
+        FreeCADGui.runCommand("Std_Refresh")
+        until(lambda: picture.checked == "" and len(labels.places), 20000, "the label of the new one")
+        assert made.WorstLine == int(picture.figures.program.line[picture.figures.worst[0]])
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
+def audit_name(doc):
+    return next(one.Name for one in doc.Objects if one.Name.startswith("Audit"))

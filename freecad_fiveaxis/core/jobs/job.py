@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
+from freecad_fiveaxis.core.audit.feed_words import large_feeds
 from freecad_fiveaxis.core.audit.spindle import spindle_findings
 from freecad_fiveaxis.core.audit.units import unit_findings
 from freecad_fiveaxis.core.base.files import read_bytes
@@ -102,7 +103,7 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
     )
     program = read_nc(text, kinematics, dialect, progress, assumed)
     settings, named = _with_named_cutter(settings, text)
-    found += named + spindle_findings(text, program) + unit_findings(text, kinematics, program)
+    found += named + spindle_findings(text, program) + unit_findings(text, kinematics, program) + large_feeds(program, dialect)
     return Made(settings, machine, kinematics, dialect, program, found + program.findings)
 
 

@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Template, say
+from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Option, Template, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .pass_pair import Strip, scallop_between, smallest_interval
@@ -74,12 +74,12 @@ INSIDE = 1e-3
 """Share of the least interval by which a trial plane stays inside the part, where it surely cuts facets."""
 
 BOUND = Template(
-    "The least interval of {least} binds {count} times and leaves scallops up to {height} where {scallop}"
-    " are asked: give a smaller least interval or turn the direction along the steep walls."
+    "On steep walls {count} of the passes stand no closer than {least}: scallops up to {height} stay where {scallop} are "
+    "asked. Give a smaller {option}, or turn the passes along the walls."
 )
 BOUND_APART = Template(
-    "The least interval of {least} binds {count} times: on steep walls the passes leave material between them, up to {height} "
-    "high, where scallops of {scallop} are asked. Give a smaller least interval or turn the direction along the walls."
+    "On steep walls {count} of the passes stand no closer than {least}: material up to {height} high stays between them where "
+    "scallops of {scallop} are asked. Give a smaller {option}, or turn the passes along the walls."
 )
 """Higher than the cutter's radius: no scallop, for between two passes of a ball none is."""
 PERIOD = 0.25
@@ -330,6 +330,7 @@ class _March:
             count=len(self._bound),
             height=Length(worst.height, ".4g"),
             scallop=Length(self._scallop),
+            option=Option("least_interval"),
         )
         value, limit = worst.height, self._scallop
         return (Finding(Severity.WARNING, "least-interval", text, value=value, limit=limit, unit="mm", place=(x, y, z)),)

@@ -6,6 +6,7 @@ moves is exact; how wide and how thick the bodies are is made up, so that the pa
 
 platter   carries the work: a disc about the table axis that is nearest to it, its face under the part; a plain table where no
           rotary axis carries the work.
+riser     stands under a part that is clamped above the table's face, so that it does not float; what clamps it is not known.
 cradle    carries the platter: a U that hangs in the next table axis; a knuckle about its line where that is inclined.
 base      carries the cradle or the platter: two bearings and a floor, below all that swings within the axis's limits.
 spindle   carries the tool. fork: what the spindle swings in; a knuckle where the line is inclined. ram: what carries the fork or
@@ -41,6 +42,12 @@ LEAST_RADIUS = 12.0
 """mm, of a spindle."""
 WIDER = 2.2
 """Radius of a platter, in radii of the spindle, that a small part has, too."""
+SLIM = 0.8
+"""Width of a riser, in widths of its part."""
+LEAST_RISER = 0.1
+"""mm under a part that are drawn."""
+UPRIGHT = 0.999
+"""Cosine from which a platter lies level."""
 ANGLES = 73
 """Positions between a rotary axis's limits at which its swing is looked at."""
 
@@ -151,7 +158,8 @@ def _table(kinematics: Chain, low: Floats, high: Floats, least: float, table: fl
     stand = low if table is None else np.array([low[0], low[1], min(low[2], table)])
     part = corners(Box(0.5 * (stand + high), np.eye(3), 0.5 * (high - stand)))
     if not turning:
-        return [_plain_table(part, order[-1] if order else None, least)]
+        plain = _plain_table(part, order[-1] if order else None, least)
+        return [plain, *_riser(low, high, float(part[:, 2].min()), plain.carrier)]
     first = turning[0]
     up, radius = _upwards(kinematics, first, turning[1:], part), max(_swept_radius(kinematics, first, part), least)
     if len(turning) > 1:
@@ -161,15 +169,29 @@ def _table(kinematics: Chain, low: Floats, high: Floats, least: float, table: fl
     base = _point(kinematics, first)
     face = base + float(((part - base) @ up).min()) * up
     thick = WALL * radius
-    platter = Body("platter", first, Cylinder(face - thick * up, face, radius))
+    platter = [Body("platter", first, Cylinder(face - thick * up, face, radius))]
+    if up[2] > UPRIGHT:
+        platter += _riser(low, high, float(face[2]), first)
     if len(turning) == 1:
         frame = _Frame(face - (1.0 + GAP) * thick * up, _frame(up))
         foot = frame.box((-1.1 * radius, -1.1 * radius, -0.5 * radius), (1.1 * radius, 1.1 * radius, -GAP * radius))
-        return [platter, Body("base", _beyond(order, first), foot)]
+        return [*platter, Body("base", _beyond(order, first), foot)]
     second = turning[1]
     made = _cradle if abs(float(kinematics.direction[second] @ up)) <= ACROSS else _table_knuckle
     ring = _ring(face, up, radius, float(((part - face) @ up).max()))
-    return [platter, *made(kinematics, second, _beyond(order, second), face - thick * up, up, radius, ring)]
+    return [*platter, *made(kinematics, second, _beyond(order, second), face - thick * up, up, radius, ring)]
+
+
+def _riser(low: Floats, high: Floats, face: float, carrier: int | None) -> list[Body]:
+    """A block on a level face at the height ``face`` mm, under the part with the box ``low``, ``high``; none where the part
+    stands on the face."""
+    middle, half = 0.5 * (low + high), 0.5 * SLIM * (high - low)
+    if low[2] - face <= LEAST_RISER:
+        return []
+    shape = _Frame(np.array([middle[0], middle[1], face]), np.eye(3)).box(
+        (-half[0], -half[1], 0.0), (half[0], half[1], low[2] - face)
+    )
+    return [Body("riser", carrier, shape)]
 
 
 def _plain_table(part: Floats, carrier: int | None, least: float) -> Body:

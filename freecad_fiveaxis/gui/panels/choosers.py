@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from freecad_fiveaxis.app import wording
-from freecad_fiveaxis.app.labels import choice_hint, choice_label, controller_label
+from freecad_fiveaxis.app.labels import choice_hint, choice_label, controller_label, option_label
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.wheel import leave_wheel
 
@@ -72,7 +72,7 @@ class SpacingField(Field):
 
     def __init__(self, hints: dict[str, str]) -> None:
         super().__init__("spacing", QtWidgets.QWidget())
-        self.kind = ChoiceField("spacing_kind", [(kind, choice_label(kind)) for kind in self.KINDS])
+        self.kind = ChoiceField("spacing_kind", [(kind, option_label(kind)) for kind in self.KINDS])
         self.lengths = {kind: QuantityField(kind, "length", hints[kind]) for kind in self.KINDS}
         row = QtWidgets.QHBoxLayout(self.editor)
         row.setContentsMargins(0, 0, 0, 0)

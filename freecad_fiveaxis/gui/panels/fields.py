@@ -169,8 +169,8 @@ class FeedField(Field):
         return width_of(self.editor, "00000.00" + self.editor.suffix()) + ARROW
 
     def words(self) -> str:
-        """As in a program: ``F 1000``."""
-        return f"F {self.editor.value():g}"
+        """As in a program, with its unit: ``F 1000 mm/min``."""
+        return f"F {self.editor.value():g}{self.editor.suffix()}"
 
 
 def feed_unit() -> tuple[str, float]:

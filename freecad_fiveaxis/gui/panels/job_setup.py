@@ -101,7 +101,7 @@ class SetupField(ChoiceField):
     def __init__(self, doc: Any) -> None:
         from freecad_fiveaxis.app import job_setup
 
-        own = translate("FiveAxis", "none: own values")
+        own = translate("FiveAxis", "own values")
         choices = [(None, own), *((one.Name, one.Label) for one in job_setup.setups_of(doc))]
         super().__init__("setup", choices, translate("FiveAxis", "Machine, controller and work zero that several paths share"))
         self.doc = doc

@@ -24,6 +24,7 @@ from freecad_fiveaxis.gui.waiting import waiting
 
 from . import written
 from .fields import TextField, error_line
+from .lines import note_line
 from .option_fields import option_field
 from .path_panel import show
 from .told import findings
@@ -64,7 +65,8 @@ class PostPanel:
         for kind, box in self.reports.items():
             box.setObjectName("report_" + kind)
         self.preview.setObjectName("preview")
-        for part in (self.error, *self._spindle_row(), *self.reports.values(), self.preview, self.verdict, self.poor):
+        rows = (self.error, *self._spindle_row(), *_units_row(self.path), *self.reports.values(), self.preview)
+        for part in (*rows, self.verdict, self.poor):
             column.addWidget(part)
         column.addStretch()
         return widget
@@ -220,6 +222,20 @@ class PostPanel:
         """Why nothing was written, in red under the file's name."""
         self.error.setText(text)
         self.error.setVisible(bool(text))
+
+
+def _units_row(path: Any) -> list[Any]:
+    """Where the user works in inches: that the program does not. The core writes millimetres only."""
+    from freecad_fiveaxis.app.controllers import metric_of_path
+    from freecad_fiveaxis.app.units import inches
+
+    if not inches():
+        return []
+    text = translate("FiveAxis", "The program is in millimetres ({word}), whatever this document shows.")
+    note = note_line("post_units")
+    note.setText(text.format(word=metric_of_path(path)))
+    note.setVisible(True)
+    return [note]
 
 
 def _spindle_leaf() -> Any:

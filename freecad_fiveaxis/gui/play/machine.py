@@ -17,6 +17,7 @@ from .tool import DrawnTool, size_of
 LOOKS: dict[str, tuple[nodes.Colour, float]] = {
     "platter": ((0.80, 0.83, 0.86), 0.20),
     "table": ((0.80, 0.83, 0.86), 0.20),
+    "riser": ((0.72, 0.74, 0.78), 0.30),
     "cradle": ((0.66, 0.76, 0.86), 0.50),
     "base": ((0.74, 0.76, 0.80), 0.60),
     "spindle": ((0.84, 0.86, 0.88), 0.30),

@@ -16,6 +16,8 @@ CLEAR, MARK = 3.0, 7.0
 """Pixels: between two labels, and half the side of a marker that no label covers."""
 MOST = 12
 """At most so many labels are shown at a time: more are not read."""
+MIDDLE = 0.6
+"""Of the width and the height of a part: that of its middle, which labels stand beside."""
 _WAYS = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (0, 1), (0, -1), (1, 0), (-1, 0)], float)
 _FAR = np.array([14.0, 32.0, 56.0, 88.0, 128.0, 180.0, 240.0])
 SLOTS = (_FAR[:, None, None] * _WAYS / np.linalg.norm(_WAYS, axis=1)[:, None]).reshape(-1, 2)
@@ -37,13 +39,14 @@ def legend_place(size: tuple[int, int], view: tuple[int, int]) -> tuple[float, f
 
 
 def label_places(
-    anchor: np.ndarray, size: np.ndarray, view: tuple[int, int], taken: np.ndarray, before: np.ndarray
+    anchor: np.ndarray, size: np.ndarray, view: tuple[int, int], taken: np.ndarray, before: np.ndarray, middle: np.ndarray = NONE
 ) -> tuple[np.ndarray, np.ndarray]:
     """Boxes (n, 4) of labels of ``size`` (n, 2) that speak of ``anchor`` (n, 2), the most important first, and their slots (n,);
     -1 and NaN where a label has no room, or its anchor is out of the ``view``.
 
     No box covers another, nor one of those ``taken`` (k, 4), nor another label's marker. ``before`` (n,): the slots of the last
-    picture, which are kept where they still have room, so that labels do not jump while the view is turned.
+    picture, which are kept where they still have room, so that labels do not jump while the view is turned. ``middle`` (m, 4):
+    the middles of parts, over which a label lies only where there is no other room.
     """
     box, slot = np.full((len(anchor), 4), np.nan), np.full(len(anchor), -1)
     inside = ((anchor >= 0.0) & (anchor <= view)).all(axis=1)
@@ -54,16 +57,36 @@ def label_places(
         centre = (anchor[row] + SLOTS + _SIDE * half).round()
         tried = np.concatenate([centre - half, centre + half], axis=1)
         within = ((tried[:, :2] >= 0.0) & (tried[:, 2:] <= view)).all(axis=1)
-        free, last = within & ~overlap(tried, obstacles, CLEAR), before[row]
-        if last >= 0 and within[last] and not overlap(tried[last : last + 1], obstacles)[0]:
-            slot[row] = last
-        elif free.any():
-            slot[row] = free.argmax()
+        free, last = within & ~overlap(tried, obstacles, CLEAR), int(before[row])
+        beside = ~overlap(tried, middle) if len(middle) else np.ones(len(tried), bool)
+        keeps = last >= 0 and within[last] and not overlap(tried[last : last + 1], obstacles)[0]
+        chosen = _slot(free, beside, last if keeps else -1)
+        if chosen >= 0:
+            slot[row] = chosen
         else:
             continue
         box[row] = tried[slot[row]]
         obstacles = np.concatenate([obstacles, box[row : row + 1]])
     return box, slot
+
+
+def _slot(free: np.ndarray, beside: np.ndarray, last: int) -> int:
+    """The slot of a label, of those that are ``free`` one ``beside`` the parts where there is one; the ``last`` (-1: it has no
+    room any more) where that is no worse; -1: none."""
+    some = bool((free & beside).any())
+    if last >= 0 and (beside[last] or not some):
+        return last
+    best = free & beside if some else free
+    return int(best.argmax()) if best.any() else -1
+
+
+def middle_of(pixels: np.ndarray) -> np.ndarray:
+    """The middle (1, 4) of what is drawn between the corners ``pixels`` (n, 2) of a box; none where one is behind the eye."""
+    if not len(pixels) or not np.isfinite(pixels).all():
+        return NONE
+    low, high = pixels.min(axis=0), pixels.max(axis=0)
+    inset = 0.5 * (1.0 - MIDDLE) * (high - low)
+    return np.concatenate([low + inset, high - inset])[None]
 
 
 def leader_ends(anchor: np.ndarray, box: np.ndarray) -> np.ndarray:

@@ -24,6 +24,7 @@ from freecad_fiveaxis.gui import qt
 from . import layout, nodes
 from .overlay import INK, PAPER, Legend, image, label_picture, legend_picture
 
+_CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 MOST_VIEWS = 16
 """So many views are remembered."""
 LEADER = tuple(part / 255.0 for part in PAPER[:3])
@@ -46,6 +47,7 @@ _numbers = itertools.count()
 class _View:
     """The boxes (n, 4) pixels that stand in a view, by who drew them: in this frame, and in the one before. ``legends``: the
     ranks of the legends that are drawn in it, of which the highest leads; ``led``: which one led in the frame before.
+    ``middles``: of the parts, by who knows of them.
     ``ended``: what is drawn over everything else is being drawn, so all have their places."""
 
     def __init__(self) -> None:
@@ -53,6 +55,7 @@ class _View:
         self.before: dict[int, np.ndarray] = {}
         self.legends: dict[int, Rank] = {}
         self.led: int | None = None
+        self.middles: dict[int, np.ndarray] = {}
         self.ended = False
 
     def begin(self) -> None:
@@ -60,6 +63,7 @@ class _View:
         if self.ended:
             self.led = max(self.legends, key=self.legends.__getitem__, default=None)
             self.before, self.boxes, self.legends, self.ended = self.boxes, {}, {}, False
+            self.middles = {item: middle for item, middle in self.middles.items() if item in self.before}
 
     def leads(self, legend: int) -> bool:
         """Whether no other legend of this frame has a higher rank; all have asked when ``ended``."""
@@ -206,7 +210,7 @@ class Labels(_Overlay):
     def __init__(self) -> None:
         super().__init__()
         self.places, self.sizes = np.zeros((0, 3)), np.zeros((0, 2))
-        self.slots, self.boxes = np.zeros(0, int), layout.NONE
+        self.slots, self.boxes, self.part = np.zeros(0, int), layout.NONE, np.zeros((0, 3))
         self.corners: list[Any] = []
         self.switches: list[Any] = []
         self.ends, self.lines = coin.SoVertexProperty(), coin.SoLineSet()
@@ -233,17 +237,25 @@ class Labels(_Overlay):
             self.shown.addChild(switch)
         self.move([label.place for label in labels])
 
+    def stand_beside(self, low: Any, high: Any) -> None:
+        """No label of the view is to lie over the middle of the part between two corners (3,) mm, as long as there is room."""
+        ends = np.stack([np.asarray(low, float), np.asarray(high, float)])
+        self.part = ends[_CORNERS, [0, 1, 2]]
+
     def move(self, places: Any) -> None:
         """Let the labels speak of other places (n, 3) mm."""
         self.places = np.asarray(places, float).reshape(-1, 3)
 
     def arrange(self, action: Any, size: tuple[int, int], view: _View) -> np.ndarray:
         """The boxes of the labels that have room."""
+        clip = clip_from_place(action.getState())
+        view.middles[id(self)] = layout.middle_of(layout.projected(self.part, clip, size))
         if not len(self.places):
             return layout.NONE
-        anchor = layout.projected(self.places, clip_from_place(action.getState()), size)
+        anchor = layout.projected(self.places, clip, size)
         taken = np.concatenate([view.taken(id(self)), view.later(id(self))])
-        self.boxes, self.slots = layout.label_places(anchor, self.sizes, size, taken, self.slots)
+        middle = np.concatenate([layout.NONE, *view.middles.values()])
+        self.boxes, self.slots = layout.label_places(anchor, self.sizes, size, taken, self.slots, middle)
         seen = self.slots >= 0
         for switch, corner, box, on in zip(self.switches, self.corners, self.boxes.tolist(), seen.tolist(), strict=True):
             nodes.turn(switch, on)

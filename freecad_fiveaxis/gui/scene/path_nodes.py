@@ -50,13 +50,14 @@ class PathNodes:
     def __init__(self) -> None:
         self.root, self.origin = coin.SoSeparator(), coin.SoTranslation()
         self.cuts, self.marks, self.labels, self.legend = CutNodes(), Marks(), Labels(), LegendBox()
+        self.ground = Labels()  # without words: what all labels of the view keep beside, whoever draws them
         self.groups = {name: coin.SoSeparator() for name in PARTS}
         self.switches = {name: nodes.switch(group) for name, group in self.groups.items()}
         self.zoom, self.sticks, self.stick = Zoom(self), nodes.switch(coin.SoSeparator()), 0.0
         self.sticks.enableNotify(False)  # it is turned within a frame, and must not ask for the next one
         for name, own in (("cuts", self.cuts), ("marks", self.marks), ("label", self.labels), ("legend", self.legend)):
             self.groups[name].addChild(own.root)
-        for node in (self.origin, nodes.flat(), self.zoom.root, *self.switches.values()):
+        for node in (self.origin, nodes.flat(), self.zoom.root, self.ground.root, *self.switches.values()):
             self.root.addChild(node)
 
     def clear(self) -> None:
@@ -88,6 +89,7 @@ class PathNodes:
         self._fill("links", nodes.unpickable(), nodes.nearer(0.0005), nodes.colour(LINK_COLOUR), nodes.style(1.0), links)
         faint, dashed = nodes.colour(RAPID_COLOUR, FAINT), nodes.style(1.0, pattern=DASHES)
         self._fill("rapids", nodes.unpickable(), faint, dashed, nodes.lines(drawing.rapid))
+        self.ground.stand_beside(drawing.low, drawing.high)
         self.zoom.middle, self.stick = 0.5 * (drawing.low + drawing.high), drawing.axis_length
         self.sticks.removeAllChildren()
         self.sticks.addChild(nodes.separate(_sticks(drawing, look)))

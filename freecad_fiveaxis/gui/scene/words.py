@@ -238,12 +238,13 @@ def _scale(figures: Figures, look: Any) -> tuple[Any, list[tuple[float, str]], t
 
     end, colours = scale_end(figures), ramp(look.good, look.bad)
     marks = [(level, length_text(value)) for level, value in scale_marks(figures.tolerance, end)]
-    marks[0] = (marks[0][0], "≤ " + marks[0][1])
+    least = marks[0][1]
+    marks[0] = (marks[0][0], least if least.startswith("<") else "≤ " + least)  # too small for the unit's digits: said already
     within = translate("FiveAxis", "within tolerance")
     if end <= figures.tolerance:
         return colours[: SHADES // 2], [(2.0 * level, text) for level, text in marks], (within, "")
     if not (figures.judged.segment[figures.feeds] <= end).all():
-        marks[-1] = (marks[-1][0], "≥ " + marks[-1][1])
+        marks[-1] = (marks[-1][0], "≥ " + marks[-1][1].removeprefix("<"))
     return colours, marks, (within, translate("FiveAxis", "over tolerance"))
 
 

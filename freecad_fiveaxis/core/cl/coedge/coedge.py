@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, take_rows
-from freecad_fiveaxis.core.base.sentences import Choice, Length, say
+from freecad_fiveaxis.core.base.sentences import Choice, Length, plural, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes import ContactPath
 
@@ -139,10 +139,12 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
     wanted = np.ones(len(contact.face) // 2, bool) if cut is None else cut
     deep = _over([part.cut_into for part in trimmed], [part.depth for part in trimmed], wanted)
     if deep:
-        text = say(
-            "The facets curl tighter than the cutter at {number} segments, and the cutter cuts into them; how deep is not known"
-            " here. Have the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.",
-            number=deep.number,
+        text = plural(
+            deep.number,
+            "At 1 place the surface curls tighter than the cutter, which cuts into it; how deep is not known here. Have the path "
+            "checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.",
+            "At {count} places the surface curls tighter than the cutter, which cuts into it; how deep is not known here. Have "
+            "the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.",
             report=Choice("gouge", ("report",)),
             lift=Choice("gouge", ("lift",)),
         )
@@ -150,14 +152,15 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
         found.append(Finding(Severity.WARNING, code, text, place=place))
     high = _over([part.missed for part in trimmed], [part.height for part in trimmed], wanted)
     if high:
-        much = say("a whole run of facets stays uncut")
+        much = say("a whole stretch of the surface stays uncut")
         if np.isfinite(high.worst):
             much = say(
                 "how much stays is not known here, the map of what is left ({left}) tells it", left=Choice("left", ("on",))
             )
-        text = say(
-            "The cutter does not fit into the corners at {number} facet segments; {much}. Use a smaller cutter there.",
-            number=high.number,
+        text = plural(
+            high.number,
+            "At 1 place an inside corner is tighter than the cutter; {much}. Use a smaller cutter there.",
+            "At {count} places an inside corner is tighter than the cutter; {much}. Use a smaller cutter there.",
             much=much,
         )
         found.append(Finding(Severity.WARNING, "corner-not-reached", text, place=_place(contact, high.segment)))
