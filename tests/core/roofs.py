@@ -11,7 +11,15 @@ import numpy as np
 from freecad_fiveaxis.core.batch.crews import work_in_crew
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 
-WAY = {"machine": "trunnion_ac", "passes": "planes", "tool_axis": "facet_mean", "stepover": 9, "linearize": "off", "gouge": "off"}
+WAY = {
+    "machine": "trunnion_ac",
+    "passes": "planes",
+    "tool_axis": "facet_mean",
+    "stepover": 9,
+    "linearize": "off",
+    "gouge": "off",
+    "tolerance": 10,
+}
 
 
 def write_roof(path, peak=16.0):

@@ -88,7 +88,11 @@ def closing_nothing():
     yield None
 
 
-@pytest.fixture(params=EXECUTORS)
+ONCE_MORE = ("inline", "foreign pool")
+"""Those that show the same as others."""
+
+
+@pytest.fixture(params=[pytest.param(name, marks=[pytest.mark.thorough] * (name in ONCE_MORE)) for name in EXECUTORS])
 def executor(request):
     with EXECUTORS[request.param]() as made:
         yield made
