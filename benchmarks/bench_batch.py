@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a batch gains by a second process, as a ratio in the same run, and what it costs a job beside doing it here.
+
+Run: ``python benchmarks/bench_batch.py [jobs]``. The target: on two idle processors at least 1.6 times as fast by two as by one.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from timing import print_table
+
+ROOT = Path(__file__).parents[1]
+
+WAY = {"machine": "trunnion_ac", "passes": "planes", "tool_axis": "facet_mean", "stepover": 0.25}
+TARGET = 1.6
+
+
+def main(count: int = 12) -> float:
+    """Print the table; returns how many times as fast two processes are as one."""
+    sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "core")]
+    from roofs import write_roof
+
+    from freecad_fiveaxis.core.batch import plan
+    from freecad_fiveaxis.core.batch.crews import process_crew
+    from freecad_fiveaxis.core.batch.run import run_batch
+
+    def seconds(workers: int) -> float:
+        """Of all jobs, by processes that have begun before."""
+        with tempfile.TemporaryDirectory() as out:
+            jobs = plan.read_jobs(folder, WAY, out)
+            if not workers:
+                start = time.perf_counter()
+                done = list(run_batch(jobs))
+                return told(done, start)
+            with process_crew(workers).open() as pool:
+                list(run_batch(plan.read_jobs(warm, WAY, warm) * workers, pool))
+                start = time.perf_counter()
+                return told(list(run_batch(jobs, pool)), start)
+
+    def told(done: list[object], start: float) -> float:
+        if any(outcome.error for outcome in done):  # type: ignore[attr-defined]
+            sys.exit("a job failed")
+        return time.perf_counter() - start
+
+    with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as warm:
+        write_roof(Path(warm) / "part.stl")
+        for number in range(count):
+            write_roof(Path(folder) / f"part{number}.stl", 16.0 + number / 10)
+        seconds(0)
+        here, one, two = seconds(0), seconds(1), seconds(2)
+    ratio = one / two
+    rows = [(name, f"{took:.2f}", f"{took / count:.3f}") for name, took in (("here", here), ("1", one), ("2", two))]
+    print_table(f"batch of {count} jobs", ("processes", "s", "s a job"), rows)
+    print(
+        f"  a process's job takes {one / here:.2f} times one here, where a second thread helps; two are {ratio:.2f} times as fast as one"
+    )
+    print(f"  way of a job to a process and back: {1e3 * overhead():.2f} ms")
+    enough = (os.cpu_count() or 1) >= 2
+    print(f"  target {TARGET}: {'reached' if ratio >= TARGET else 'MISSED' if enough else 'needs two processors'}")
+    return ratio
+
+
+def overhead(count: int = 500) -> float:
+    """s that a task takes which does nothing."""
+    from freecad_fiveaxis.core.batch.crews import process_crew
+
+    with process_crew(1).open() as pool:
+        pool.submit(os.getpid).result()
+        start = time.perf_counter()
+        for future in [pool.submit(os.getpid) for _ in range(count)]:
+            future.result()
+        return (time.perf_counter() - start) / count
+
+
+if __name__ == "__main__":
+    main(*(int(argument) for argument in sys.argv[1:]))
