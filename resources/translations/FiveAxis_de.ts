@@ -4876,8 +4876,8 @@
         <translation>seine Zustellungen werden kleiner (I)</translation>
     </message>
     <message>
-        <source>its process died, as when memory runs out; give fewer --workers, or a coarser part</source>
-        <translation>sein Prozess ist gestorben, wie bei zu wenig Speicher; weniger --workers angeben oder ein gröberes Teil</translation>
+        <source>its process died, as when memory runs out; give fewer {workers}, or a coarser part</source>
+        <translation>sein Prozess ist gestorben, wie bei zu wenig Speicher; weniger {workers} angeben oder ein gröberes Teil</translation>
     </message>
     <message>
         <source>its radius is that of the tool, which only the control knows; name it above TOOL CALL as ; DM=16</source>
@@ -5880,8 +5880,8 @@
         <translation>dieses Ende hat keinen Anfang seines Namens</translation>
     </message>
     <message>
-        <source>this executor needs a package that is not installed: `pip install {package}`</source>
-        <translation>dieser Executor braucht ein Paket, das nicht installiert ist: `pip install {package}`</translation>
+        <source>this executor needs a package that is not installed: {install}</source>
+        <translation>dieser Executor braucht ein Paket, das nicht installiert ist: {install}</translation>
     </message>
     <message>
         <source>this is no CL file: byte {control} (offset {offset}) stands in no text; give a text file</source>
@@ -6956,8 +6956,8 @@
         <translation>{path} gibt es schon: eine andere Datei nennen oder Ersetzen verlangen</translation>
     </message>
     <message>
-        <source>{path} is there and not of this batch; choose another --out folder, or give --overwrite</source>
-        <translation>{path} ist schon da und nicht von dieser Serie; einen anderen Ordner mit --out wählen oder --overwrite angeben</translation>
+        <source>{path} is there and not of this batch; choose another folder ({out}), or give {overwrite}</source>
+        <translation>{path} ist schon da und nicht von dieser Serie; einen anderen Ordner wählen ({out}) oder {overwrite} angeben</translation>
     </message>
     <message>
         <source>{path} needs "parts", a list of STL files, and may have "options", and nothing else</source>

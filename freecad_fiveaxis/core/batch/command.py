@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 from freecad_fiveaxis.core.base.files import check_readable, written
 from freecad_fiveaxis.core.base.progress import Progress
-from freecad_fiveaxis.core.base.sentences import Option, one_line, say
+from freecad_fiveaxis.core.base.sentences import one_line, say
 
 if TYPE_CHECKING:
     from .crews import Crew
@@ -54,7 +54,7 @@ def _merge(arguments: argparse.Namespace) -> Ended:
     from . import sheet
 
     if arguments.source is not None:
-        raise SettingsError(say("{merge} takes no jobs; leave {source} out", merge=Option("merge"), source=arguments.source), "")
+        raise SettingsError(say("{merge} takes no jobs; leave {source} out", merge="--merge", source=arguments.source), "")
     rows = sheet.merged(arguments.merge, arguments.out)
     files = _report_files(arguments, None)
     sheet.write_report(files, rows)
@@ -98,7 +98,7 @@ def _workers(given: str | None) -> int:
         return os.cpu_count() or 1
     if not (given.isascii() and given.isdigit() and 1 <= int(given) <= 4096):
         raise SettingsError(
-            say("{workers} {given} is no count; give a whole number from 1 on", workers=Option("workers"), given=given), given
+            say("{workers} {given} is no count; give a whole number from 1 on", workers="--workers", given=given), given
         )
     return int(given)
 

@@ -125,7 +125,7 @@ def _package(module: str, pip: str) -> Any:
     try:
         return importlib.import_module(module)
     except ImportError as error:
-        missing = say("this executor needs a package that is not installed: `pip install {package}`", package=pip)
+        missing = say("this executor needs a package that is not installed: {install}", install=f"`pip install {pip}`")
         raise SettingsError(missing, module) from error
 
 

@@ -17,13 +17,13 @@ from pathlib import Path
 from typing import Any, TypeGuard
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.sentences import Option, say
+from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.jobs.job_file import beside_file, read_json
 from freecad_fiveaxis.core.jobs.options import machine_of
+from freecad_fiveaxis.core.jobs.outputs import WRITTEN
 from freecad_fiveaxis.core.jobs.settings import MILL, build_settings, option_fields
 
-from .command import NAMED_HERE
-from .task import BatchJob
+from .task import SHARD, BatchJob
 
 TRIPLES = ("point", "lengths", "vector", "place")
 """Kinds of options whose one value may be a list of numbers."""
@@ -59,7 +59,7 @@ def read_shard(text: str) -> tuple[int, int]:
     found = re.fullmatch(r"(\d{1,9})/(\d{1,9})", text)
     first, step = map(int, found.groups()) if found else (0, 0)
     if not 1 <= first <= step:
-        raise SettingsError(say("{shard} {given} is not as 1/4, the first of four", shard=Option("shard"), given=text), text)
+        raise SettingsError(say("{shard} {given} is not as 1/4, the first of four", shard=SHARD, given=text), text)
     return first, step
 
 
@@ -136,7 +136,7 @@ def _unique_names(names: Iterable[str]) -> list[str]:
 
 def _suffix(part: str, options: Mapping[str, Any]) -> str:
     """How the NC file ends. Raises FiveAxisError where these options are no job."""
-    named = sorted({name.replace("-", "_") for name in options} & set(NAMED_HERE))
+    named = [name for name in options if name.replace("-", "_") in WRITTEN]
     if named:
         raise SettingsError(say("{option} names a file of one job; leave it out: a batch names them", option=named[0]), named[0])
     return machine_of(build_settings(MILL, part, options))[2].suffix

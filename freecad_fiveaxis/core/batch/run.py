@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
 
 from .crews import work_in_crew
-from .task import BatchJob, JobOutcome
+from .task import WORKERS, BatchJob, JobOutcome
 
 TICK = 0.2
 """s between two calls of progress while no job ends."""
@@ -131,4 +131,6 @@ def _fail(jobs: Sequence[BatchJob], done: _Done) -> Iterator[JobOutcome]:
 
     for job in jobs:
         done.ended += 1
-        yield failed(job, say("its process died, as when memory runs out; give fewer --workers, or a coarser part"))
+        yield failed(
+            job, say("its process died, as when memory runs out; give fewer {workers}, or a coarser part", workers=WORKERS)
+        )

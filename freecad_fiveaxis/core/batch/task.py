@@ -10,6 +10,9 @@ from typing import Any
 FAILED = "failed"
 """In the place of a verdict's light: there is no program."""
 
+OUT, OVERWRITE, WORKERS, SHARD = "--out", "--overwrite", "--workers", "--shard"
+"""Of the command line, which alone knows batches: no window has a name for them."""
+
 COLUMNS = (
     "name", "part", "machine", "verdict", "deviation_mm", "bound_mm", "cut_mm", "links_mm", "rapids_mm", "minutes",
     "unfinished_percent", "errors", "says", "error",

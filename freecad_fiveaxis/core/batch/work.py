@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.report import Figures, as_html, as_json, summary
 from freecad_fiveaxis.core.report.verdict import judged_largest, verdict
 from freecad_fiveaxis.core.studies.setup_map.sheet import json_text
 
-from .task import COLUMNS, FAILED, BatchJob, JobOutcome
+from .task import COLUMNS, FAILED, OUT, OVERWRITE, BatchJob, JobOutcome
 
 MARK = "batch"
 """The key of NAME.json under which a batch keeps what it needs to know its own files again."""
@@ -90,7 +90,12 @@ def check_own(job: BatchJob) -> None:
     foreign = [] if job.overwrite else foreign_files(job)
     if foreign:
         raise SettingsError(
-            say("{path} is there and not of this batch; choose another --out folder, or give --overwrite", path=foreign[0]),
+            say(
+                "{path} is there and not of this batch; choose another folder ({out}), or give {overwrite}",
+                path=foreign[0],
+                out=OUT,
+                overwrite=OVERWRITE,
+            ),
             foreign[0],
         )
 
