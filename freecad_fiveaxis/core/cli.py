@@ -171,6 +171,7 @@ def _parser() -> argparse.ArgumentParser:
     again.add_argument("source", metavar="JOB.json")
     again.add_argument("--quiet", action="store_true", help="no progress, no report on the terminal")
     again.set_defaults(act=_run_file)
+    _add_batch(commands)
     _add_import(commands)
     for name, act in (("machines", _machines), ("controllers", _controllers), ("strategies", _strategies)):
         commands.add_parser(name, help=f"list the {name}").set_defaults(act=act)
@@ -188,12 +189,28 @@ def _add_import(commands: Any) -> None:
     parser.set_defaults(act=_import_machine)
 
 
-def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
-    from freecad_fiveaxis.core.jobs.settings import option_fields
+def _add_batch(commands: Any) -> None:
+    from freecad_fiveaxis.core.batch import command
 
+    parser = commands.add_parser("batch", help=command.TEXT, description=command.TEXT)
+    command.add_arguments(parser)
+    _add_options(parser, "mill", without=command.NAMED_HERE)
+    parser.set_defaults(act=_batch, task="mill")
+
+
+def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
     if what:
         parser.add_argument("source", metavar=what)
+    _add_options(parser, task)
+    parser.set_defaults(act=_run_task, task=task)
+
+
+def _add_options(parser: argparse.ArgumentParser, task: str, without: Sequence[str] = ()) -> None:
+    from freecad_fiveaxis.core.jobs.settings import option_fields
+
     for cls, leaf in option_fields(task):
+        if leaf.name in without:
+            continue
         title = cls.__name__ if sys.flags.optimize > 1 else (cls.__doc__ or "").strip().rstrip(".")  # -OO: no docstrings
         if leaf.name in SECOND:
             parser.add_argument(leaf.name, metavar=SECOND[leaf.name])
@@ -204,7 +221,6 @@ def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
         extra = {"action": "append"} if many else {"choices": leaf.metadata["choices"] or None}
         box.add_argument(*flags, dest=leaf.name, metavar=_metavar(leaf.metadata), help=_help(leaf), **extra)
     parser.add_argument("--quiet", action="store_true", help="no progress, no report on the terminal")
-    parser.set_defaults(act=_run_task, task=task)
 
 
 def _metavar(rules: Any) -> str | None:
@@ -243,11 +259,27 @@ def _help(leaf: Any) -> str:
 
 
 def _run_task(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.jobs.settings import build_settings, option_fields
+    from freecad_fiveaxis.core.jobs.settings import build_settings
+
+    settings = build_settings(arguments.task, getattr(arguments, "source", ""), _options_given(arguments))
+    return _run(settings, arguments.quiet)
+
+
+def _options_given(arguments: argparse.Namespace) -> dict[str, Any]:
+    from freecad_fiveaxis.core.jobs.settings import option_fields
 
     names = {leaf.name for _, leaf in option_fields(arguments.task)}
-    options = {name: value for name, value in vars(arguments).items() if name in names and value is not None}
-    return _run(build_settings(arguments.task, getattr(arguments, "source", ""), options), arguments.quiet)
+    return {name.rstrip("_"): value for name, value in vars(arguments).items() if name in names and value is not None}
+
+
+def _batch(arguments: argparse.Namespace) -> int:
+    from freecad_fiveaxis.core.batch import command
+
+    with bars(arguments.quiet) as progress:
+        said, made, rows = command.act(arguments, _options_given(arguments), progress)
+    if not arguments.quiet:
+        _show_report([*map(command.line_of, rows), said, *_wrote(made)], made)
+    return DONE_WITH_ERRORS if any(row["error"] or row["errors"] for row in rows) else DONE
 
 
 def _run_file(arguments: argparse.Namespace) -> int:

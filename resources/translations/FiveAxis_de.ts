@@ -3476,6 +3476,10 @@
         <translation>; was vorher dort stand, ist in {backups}</translation>
     </message>
     <message>
+        <source>; {kept} were finished before</source>
+        <translation>; {kept} waren schon fertig</translation>
+    </message>
+    <message>
         <source>A controller with tool tip control (RTCP) guides the tip along the segment itself.</source>
         <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Werkzeugspitze von sich aus auf der Strecke.</translation>
     </message>
@@ -4932,6 +4936,10 @@
         <translation>seine Zustellungen werden kleiner (I)</translation>
     </message>
     <message>
+        <source>its process died, as when memory runs out; give fewer {workers}, or a coarser part</source>
+        <translation>sein Prozess ist gestorben, wie bei zu wenig Speicher; weniger {workers} angeben oder ein gröberes Teil</translation>
+    </message>
+    <message>
         <source>its radius is that of the tool, which only the control knows; name it above TOOL CALL as ; DM=16</source>
         <translation>sein Radius ist der des Werkzeugs, den nur die Steuerung kennt; über TOOL CALL nennen als ; DM=16</translation>
     </message>
@@ -5176,12 +5184,24 @@
         <translation>keine NC-Datei genannt; eine mit -o OUT.ngc angeben</translation>
     </message>
     <message>
+        <source>no STL file is in the folder {folder}; name another</source>
+        <translation>im Ordner {folder} ist keine STL-Datei; einen anderen nennen</translation>
+    </message>
+    <message>
+        <source>no batch.json of a batch is in {folder}; name a folder that one wrote</source>
+        <translation>in {folder} ist keine batch.json einer Serie; einen Ordner nennen, den eine geschrieben hat</translation>
+    </message>
+    <message>
         <source>no block cuts, so nothing can be said of what is left</source>
         <translation>kein NC-Satz fräst, also lässt sich nichts über Restmaterial sagen</translation>
     </message>
     <message>
         <source>no correction</source>
         <translation>ohne Korrektur</translation>
+    </message>
+    <message>
+        <source>no dask scheduler answers at {address}: {error}; start one, or name another</source>
+        <translation>kein Dask-Scheduler antwortet unter {address}: {error}; einen starten oder einen anderen nennen</translation>
     </message>
     <message>
         <source>no distance up to {raises} keeps a machine with wrong signs clear of the mark</source>
@@ -5214,6 +5234,10 @@
     <message>
         <source>no height up to {raises} keeps a machine with wrong signs clear; give a smaller {angle}</source>
         <translation>keine Höhe bis {raises} hält eine Maschine mit falschen Vorzeichen frei; {angle} verringern</translation>
+    </message>
+    <message>
+        <source>no jobs given; name a folder of STL files or a table (JSON)</source>
+        <translation>keine Aufträge angegeben; einen Ordner mit STL-Dateien oder eine Tabelle (JSON) nennen</translation>
     </message>
     <message>
         <source>no machine file named; give one with -o OUT.fcm</source>
@@ -5508,6 +5532,10 @@
         <translation>Start</translation>
     </message>
     <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
         <source>stopped; nothing was changed</source>
         <translation>angehalten; nichts wurde geändert</translation>
     </message>
@@ -5586,6 +5614,10 @@
     <message>
         <source>the document was closed; nothing was changed</source>
         <translation>das Dokument wurde geschlossen; nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>the executor gave back {given} for the job {job}; choose another one</source>
+        <translation>der Executor gab {given} für den Auftrag {job} zurück; einen anderen wählen</translation>
     </message>
     <message>
         <source>the factor is {factor}; it must be between 1e-6 and 1e6</source>
@@ -5912,6 +5944,10 @@
         <translation>dieses Ende hat keinen Anfang seines Namens</translation>
     </message>
     <message>
+        <source>this executor needs a package that is not installed: {install}</source>
+        <translation>dieser Executor braucht ein Paket, das nicht installiert ist: {install}</translation>
+    </message>
+    <message>
         <source>this is no CL file: byte {control} (offset {offset}) stands in no text; give a text file</source>
         <translation>das ist keine CL-Datei: Byte {control} (Stelle {offset}) kommt in keinem Text vor; eine Textdatei angeben</translation>
     </message>
@@ -5998,6 +6034,10 @@
     <message>
         <source>unknown correction {name}; known: {cures}</source>
         <translation>unbekannte Korrektur {name}; bekannt: {cures}</translation>
+    </message>
+    <message>
+        <source>unknown executor {name}; known: {known}</source>
+        <translation>unbekannter Executor {name}; bekannt: {known}</translation>
     </message>
     <message>
         <source>unknown method {method} of the line deviation; use one of {methods}</source>
@@ -6090,6 +6130,10 @@
     <message>
         <source>write one of {known}</source>
         <translation>eines schreiben von {known}</translation>
+    </message>
+    <message>
+        <source>{all} jobs: {well} without errors, {errors} with errors, {failed} failed</source>
+        <translation>{all} Aufträge: {well} ohne Fehler, {errors} mit Fehlern, {failed} gescheitert</translation>
     </message>
     <message>
         <source>{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.</source>
@@ -6672,6 +6716,10 @@
         <translation>{max_tilt} {tilt} liegt außerhalb; {least} bis {most} angeben oder {facet_mean} wählen</translation>
     </message>
     <message>
+        <source>{merge} takes no jobs; leave {source} out</source>
+        <translation>{merge} nimmt keine Aufträge; {source} weglassen</translation>
+    </message>
+    <message>
         <source>{missing} is missing before {rest}</source>
         <translation>{missing} fehlt vor {rest}</translation>
     </message>
@@ -6698,6 +6746,10 @@
     <message>
         <source>{name} does not take the shorter way to a word of 0 to 360, as the machine file says of {letter} (modulo): the words count their turns on. Set the control accordingly, or wrap_strategy to unwound.</source>
         <translation>{name} nimmt nicht den kürzeren Weg zu einem Wort von 0 bis 360, wie es die Maschinendatei von {letter} sagt (modulo): die Wörter zählen ihre Umdrehungen weiter. Die Steuerung entsprechend einstellen oder wrap_strategy auf unwound setzen.</translation>
+    </message>
+    <message>
+        <source>{name} has an empty list of values; give one, or leave it out</source>
+        <translation>{name} hat eine leere Liste von Werten; einen angeben oder weglassen</translation>
     </message>
     <message>
         <source>{name} has no RTCP by {how}; give {guides}</source>
@@ -6884,6 +6936,10 @@
         <translation>{option} gehört zu einer CL-Datei, {source} ist ein Teil; weglassen</translation>
     </message>
     <message>
+        <source>{option} names a file of one job; leave it out: a batch names them</source>
+        <translation>{option} nennt eine Datei eines einzelnen Auftrags; weglassen: eine Serie benennt sie selbst</translation>
+    </message>
+    <message>
         <source>{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them</source>
         <translation>{option} {source} ist weder border noch X,Y,Z noch eine Datei CURVE.csv; eines davon angeben</translation>
     </message>
@@ -6968,6 +7024,14 @@
         <translation>{path} gibt es schon: eine andere Datei nennen oder Ersetzen verlangen</translation>
     </message>
     <message>
+        <source>{path} is there and not of this batch; choose another folder ({out}), or give {overwrite}</source>
+        <translation>{path} ist schon da und nicht von dieser Serie; einen anderen Ordner wählen ({out}) oder {overwrite} angeben</translation>
+    </message>
+    <message>
+        <source>{path} needs "parts", a list of STL files, and may have "options", and nothing else</source>
+        <translation>{path} braucht "parts", eine Liste von STL-Dateien, und darf "options" haben, sonst nichts</translation>
+    </message>
+    <message>
         <source>{path}: [JOINT_{joint}], {error}</source>
         <translation>{path}: [JOINT_{joint}], {error}</translation>
     </message>
@@ -7026,6 +7090,10 @@
     <message>
         <source>{segments} segments of passes</source>
         <translation>{segments} Teilstrecken von Bahnen</translation>
+    </message>
+    <message>
+        <source>{shard} {given} is not as 1/4, the first of four</source>
+        <translation>{shard} {given} ist nicht wie 1/4, der erste von vier</translation>
     </message>
     <message>
         <source>{share} % of the surface to be milled stays unfinished</source>
@@ -7298,6 +7366,10 @@
     <message>
         <source>{word} stands outside of a subprogram</source>
         <translation>{word} steht außerhalb eines Unterprogramms</translation>
+    </message>
+    <message>
+        <source>{workers} {given} is no count; give a whole number from 1 on</source>
+        <translation>{workers} {given} ist keine Anzahl; eine ganze Zahl ab 1 angeben</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,7 @@ FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySid
 MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
 LAYERS = (  # packages of the core in the order of the process; a lower line may import from any above it, never from below
     "base", "geometry", "tool", "controllers", "machine", "passes", "cl", "motion", "nc", "collision", "corrections", "audit", "report",
-    "jobs", "studies", "calibration", "cli",
+    "jobs", "studies", "calibration", "batch", "cli",
 )  # fmt: skip
 
 

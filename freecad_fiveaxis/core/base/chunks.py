@@ -15,8 +15,9 @@ import math
 import os
 import threading
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from itertools import pairwise
 from typing import Any, TypeVar
 
@@ -76,8 +77,23 @@ def in_threads(work: Callable[[P], R], parts: Sequence[P], progress: Callable[[f
     return [results[place] for place in range(len(parts))]
 
 
+@contextmanager
+def keep_to_one_thread() -> Iterator[None]:
+    """Do all that comes meanwhile on the calling thread alone: where other jobs have the other processors."""
+    outer = getattr(_inside, "work", False), getattr(_inside, "alone", False)
+    _inside.work = _inside.alone = True
+    try:
+        yield
+    finally:
+        _inside.work, _inside.alone = outer
+
+
 def meanwhile(second: Callable[[], Any], work: Callable[[], R]) -> R:
-    """What ``work`` gives, done while the helper does ``second``, under the same rules for floating-point errors."""
+    """What ``work`` gives, done while the helper does ``second``, under the same rules for floating-point errors; one after the
+    other where all is kept to one thread."""
+    if getattr(_inside, "alone", False):
+        second()
+        return work()
     rules = np.geterr()
 
     def helper() -> None:

@@ -7,6 +7,7 @@ import json
 import os
 import reprlib
 from collections import Counter
+from collections.abc import Mapping
 from typing import Any
 
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -21,12 +22,7 @@ def read_job(path: str) -> Settings:
 
     Raises SettingsError where it is no such thing. A report's ``inputs`` are a job file too.
     """
-    try:
-        given = json.loads(read_bytes(path, "job file"), object_pairs_hook=_unique, parse_constant=_no_constant)
-    except SettingsError as error:
-        raise SettingsError(say("job file {path}: {error}", path=path, error=error), error.value) from error
-    except (ValueError, RecursionError) as error:
-        raise SettingsError(say("job file {path} is not JSON: {error}", path=path, error=error), path) from error
+    given = read_json(path)
     if isinstance(given, dict) and given.get("task") in WITHOUT_SOURCE:
         given.setdefault("source", "")
     if not isinstance(given, dict) or given.get("task") not in TASKS or not isinstance(given.get("source"), str):
@@ -37,13 +33,29 @@ def read_job(path: str) -> Settings:
             path,
         )
     options = _unique([(name.replace("-", "_"), value) for name, value in given.items() if name not in ("task", "source")])
+    beside = beside_file(path, options)
+    return build_settings(given["task"], _beside(path, given["source"]) if given["source"] else "", beside)
+
+
+def read_json(path: str) -> Any:
+    """What a job file holds, in which no key stands twice and every number is one. Raises SettingsError, FileError."""
+    try:
+        return json.loads(read_bytes(path, "job file"), object_pairs_hook=_unique, parse_constant=_no_constant)
+    except SettingsError as error:
+        raise SettingsError(say("job file {path}: {error}", path=path, error=error), error.value) from error
+    except (ValueError, RecursionError) as error:
+        raise SettingsError(say("job file {path} is not JSON: {error}", path=path, error=error), path) from error
+
+
+def beside_file(path: str, options: Mapping[str, Any]) -> dict[str, Any]:
+    """Options of a job file, their paths relative to it."""
     settings_paths = {leaf.name for _, leaf in option_fields() if leaf.metadata["kind"] in ("path", "paths")}
     beside = {name: _beside(path, value) if name in settings_paths else value for name, value in options.items()}
     for name in {"machine", "machines"} & set(beside):
         beside[name] = _machines_beside(path, beside[name])
     if str(beside.get("from", "")).lower().endswith(".csv"):
         beside["from"] = _beside(path, beside["from"])
-    return build_settings(given["task"], _beside(path, given["source"]) if given["source"] else "", beside)
+    return beside
 
 
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which jobs a batch is made of: parts times options, each checked and named before any of them begins.
+
+table     a JSON file ``{"parts": ["a.stl"], "options": {"machine": ["trunnion_ac", "head_bc"], "scallop": 0.01}}``: an option
+          with a list of values is tried with each of them; paths are relative to the file.
+name      of a job's files: the part's, and behind it the options that have several values: ``a.machine=trunnion_ac``.
+"""
+
+from __future__ import annotations
+
+import itertools
+import os
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, TypeGuard
+
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.jobs.job_file import beside_file, read_json
+from freecad_fiveaxis.core.jobs.options import machine_of
+from freecad_fiveaxis.core.jobs.outputs import WRITTEN
+from freecad_fiveaxis.core.jobs.settings import MILL, build_settings, option_fields
+
+from .task import SHARD, BatchJob
+
+TRIPLES = ("point", "lengths", "vector", "place")
+"""Kinds of options whose one value may be a list of numbers."""
+LONGEST = 40
+"""Characters of a value in a name."""
+OWN_NAME = re.compile(r"batch(-\d+-of-\d+)?", re.IGNORECASE)
+"""The names of the report over all."""
+
+Ways = Sequence[tuple[Mapping[str, Any], str]]
+"""Options, and what they add to a name."""
+
+
+def read_jobs(source: str, options: Mapping[str, Any], out: str, overwrite: bool = False) -> list[BatchJob]:
+    """All jobs of a folder of STL files or of a table, in a stable order. ``options``: of every job, in place of the table's;
+    ``out``: the folder to write to. Raises FiveAxisError, before any work, for what cannot be used."""
+    parts, ways = (_of_folder(source), [(options, "")]) if os.path.isdir(source) else _of_table(source, options)
+    chosen = [(part, *way) for part in parts for way in ways]
+    names = _unique_names([name + more for name in _part_names(parts) for _, more in ways])
+    return [
+        BatchJob(part, given, os.path.join(out, name), _suffix(part, given), overwrite)
+        for (part, given, _), name in zip(chosen, names, strict=True)
+    ]
+
+
+def of_shard(jobs: Sequence[BatchJob], shard: tuple[int, int]) -> list[BatchJob]:
+    """Every n-th job from the i-th on, of ``shard`` i/n."""
+    first, step = shard
+    return list(jobs[first - 1 :: step])
+
+
+def read_shard(text: str) -> tuple[int, int]:
+    """The numbers of ``i/n``. Raises SettingsError."""
+    found = re.fullmatch(r"(\d{1,9})/(\d{1,9})", text)
+    first, step = map(int, found.groups()) if found else (0, 0)
+    if not 1 <= first <= step:
+        raise SettingsError(say("{shard} {given} is not as 1/4, the first of four", shard=SHARD, given=text), text)
+    return first, step
+
+
+def _of_folder(folder: str) -> list[str]:
+    names = sorted(name for name in os.listdir(folder) if name.lower().endswith(".stl"))
+    if not names:
+        raise SettingsError(say("no STL file is in the folder {folder}; name another", folder=folder), folder)
+    return [os.path.join(folder, name) for name in names]
+
+
+def _of_table(path: str, more: Mapping[str, Any]) -> tuple[list[str], Ways]:
+    given = read_json(path)
+    table = given if isinstance(given, dict) else {}
+    parts, options = table.get("parts"), table.get("options", {})
+    if not _are_texts(parts) or not isinstance(options, dict) or set(table) - {"parts", "options"}:
+        text = say('{path} needs "parts", a list of STL files, and may have "options", and nothing else', path=path)
+        raise SettingsError(text, path)
+    tried = {name.replace("-", "_"): value for name, value in options.items()} | dict(more)
+    beside = [os.path.join(os.path.dirname(path), part) for part in parts]
+    return beside, [(beside_file(path, way) | dict(more), name) for way, name in _product(tried)]
+
+
+def _are_texts(parts: Any) -> TypeGuard[list[str]]:
+    return isinstance(parts, list) and bool(parts) and all(isinstance(part, str) and part for part in parts)
+
+
+def _product(options: Mapping[str, Any]) -> Ways:
+    """Every combination of the options' values."""
+    several = {name: _values(name, value) for name, value in options.items()}
+    asked = [name for name, values in several.items() if len(values) > 1]
+    return [
+        (way, "".join(f".{name.replace('_', '-')}={_readable(way[name])}" for name in asked))
+        for values in itertools.product(*several.values())
+        for way in [dict(zip(several, values, strict=True))]
+    ]
+
+
+def _values(name: str, value: Any) -> list[Any]:
+    """The values of an option to try. Raises SettingsError for an empty list."""
+    if value == []:
+        raise SettingsError(say("{name} has an empty list of values; give one, or leave it out", name=name), name)
+    kinds = {leaf.name.rstrip("_"): leaf.metadata["kind"] for _, leaf in option_fields(MILL)}
+    numbers = isinstance(value, list) and all(isinstance(one, int | float) for one in value)
+    one_value = not isinstance(value, list) or (numbers and kinds.get(name) in TRIPLES)
+    return [value] if one_value else list(value)
+
+
+def _readable(value: Any) -> str:
+    """A value as part of a name for files."""
+    text = f"{value:g}" if isinstance(value, float) else str(value).strip("[]").replace(" ", "")
+    text = Path(text).stem if text.lower().endswith((".fcm", ".csv", ".stl")) else text
+    return re.sub(r"[^\w.+,-]", "-", text)[:LONGEST]
+
+
+def _part_names(parts: Sequence[str]) -> list[str]:
+    """The parts' names; where they are those of others too, with their folder."""
+    stems = [Path(part).stem for part in parts]
+    count = Counter(map(str.casefold, stems))
+    return [
+        stem if count[stem.casefold()] == 1 else f"{Path(part).resolve().parent.name}-{stem}"
+        for part, stem in zip(parts, stems, strict=True)
+    ]
+
+
+def _unique_names(names: Iterable[str]) -> list[str]:
+    """The same names, with a number behind one that another has, in whatever letters, or that the report over all has."""
+    made, taken = list[str](), set[str]()
+    for name in names:
+        tries = itertools.chain([name] * (not OWN_NAME.fullmatch(name)), (f"{name}~{count}" for count in itertools.count(2)))
+        made.append(next(one for one in tries if one.casefold() not in taken))
+        taken.add(made[-1].casefold())
+    return made
+
+
+def _suffix(part: str, options: Mapping[str, Any]) -> str:
+    """How the NC file ends. Raises FiveAxisError where these options are no job."""
+    named = [name for name in options if name.replace("-", "_") in WRITTEN]
+    if named:
+        raise SettingsError(say("{option} names a file of one job; leave it out: a batch names them", option=named[0]), named[0])
+    return machine_of(build_settings(MILL, part, options))[2].suffix

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Small parts for a batch, and executors that do not keep their word."""
+
+import os
+import signal
+from concurrent.futures import Executor, Future
+from dataclasses import replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.batch.crews import work_in_crew
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+
+WAY = {
+    "machine": "trunnion_ac",
+    "passes": "planes",
+    "tool_axis": "facet_mean",
+    "stepover": 9,
+    "linearize": "off",
+    "gouge": "off",
+    "tolerance": 10,
+}
+
+
+def write_roof(path, peak=16.0):
+    """A gable roof on a block, 40 x 30 mm."""
+    low = [(0, 0, 0), (40, 0, 0), (40, 30, 0), (0, 30, 0)]
+    high = [(0, 0, 10), (40, 0, 10), (40, 30, 10), (0, 30, 10), (20, 0, peak), (20, 30, peak)]
+    v = np.array(low + high, float) - (20, 15, 0)
+    faces = [(0, 2, 1), (0, 3, 2), (0, 1, 5), (0, 5, 8), (0, 8, 4), (1, 2, 6), (1, 6, 5), (2, 3, 7), (2, 7, 9), (2, 9, 6),
+             (3, 0, 4), (3, 4, 7), (5, 6, 9), (5, 9, 8), (4, 8, 9), (4, 9, 7)]  # fmt: skip
+    write_stl(from_triangles(v[np.array(faces)]), path)
+
+
+class Inline(Executor):
+    """Does each job as it is given."""
+
+    def submit(self, work, /, *given, **named):
+        future = Future()
+        future.set_result(work(*given, **named))
+        return future
+
+
+class Swapping(Inline):
+    """Gives the second job what came of the first."""
+
+    def __init__(self):
+        self.first = None
+
+    def submit(self, work, /, *given, **named):
+        future = super().submit(work, *given, **named)
+        self.first = self.first or future
+        return self.first
+
+
+class Forgetting(Inline):
+    """Does a job, and gives nothing back."""
+
+    def submit(self, work, /, *given, **named):
+        super().submit(work, *given, **named)
+        future = Future()
+        future.set_result(None)
+        return future
+
+
+class Dropping(Inline):
+    """Gives up every job but the first."""
+
+    def __init__(self):
+        self.count = 0
+
+    def submit(self, work, /, *given, **named):
+        self.count += 1
+        if self.count == 1:
+            return super().submit(work, *given, **named)
+        future = Future()
+        future.cancel()
+        future.set_running_or_notify_cancel()
+        return future
+
+
+def die_once(job, mark):
+    """What a worker does that is killed in its first job named so: it leaves ``mark`` behind."""
+    if os.path.basename(job.stem) == "b" and not os.path.exists(mark):
+        with open(mark, "w", encoding="utf-8"):
+            pass
+        os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
+    return work_in_crew(job)
+
+
+def die_always(job):
+    """A job that no process survives."""
+    if os.path.basename(job.stem) == "b":
+        os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
+    return work_in_crew(job)
+
+
+class Deadly(Executor):
+    """A pool in which a job kills its process."""
+
+    def __init__(self, pool, instead, *more):
+        self.pool, self.instead, self.more = pool, instead, more
+
+    def submit(self, work, /, job):
+        return self.pool.submit(self.instead, job, *self.more)
+
+    def shutdown(self, wait=True, *, cancel_futures=False):
+        self.pool.shutdown(wait, cancel_futures=cancel_futures)
+
+
+def renamed(job, stem):
+    """The same job under another name."""
+    return replace(job, stem=stem)
