@@ -5832,6 +5832,10 @@
         <translation>das Werkzeug ist {length} lang und hat die angegebene Form</translation>
     </message>
     <message>
+        <source>the tool stays above the table's face, at Z {height}</source>
+        <translation>das Werkzeug bleibt über der Tischfläche, bei Z {height}</translation>
+    </message>
+    <message>
         <source>the tool stays out of the part</source>
         <translation>das Werkzeug bleibt aus dem Werkstück</translation>
     </message>

@@ -15,6 +15,8 @@ from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.options import tip_to_driven, tool_body
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.report.figures import summary
+from freecad_fiveaxis.core.report.scope import scope
 
 ON_TABLE = (0.0, 0.0, -100.0)
 """The work zero of trunnion_ac on its table's face."""
@@ -42,6 +44,17 @@ def test_a_level_ball_at_the_foot_of_a_wall_goes_below_the_table_by_its_radius()
     (one,) = below(result)
     assert one.value == pytest.approx(3.0, abs=0.02) and one.line is not None
     assert "below the table" in str(one.text) and one.place[2] == pytest.approx(0.0, abs=3.0)
+
+
+def test_what_is_proven_of_the_table_is_said_and_only_then():
+    def proven(result):
+        figures = job.figures(result)
+        return [str(one) for one in scope(figures, summary(figures)).proven]
+
+    free, low, off = proved(gouge="report"), proved(origin=ON_TABLE, gouge="report"), proved(gouge="off")
+    assert "the tool stays above the table's face, at Z -100 mm" in proven(free)
+    assert any("out of the part" in one for one in proven(low)), "below the table is not in the part"
+    assert not any("table" in one for one in proven(low) + proven(off))
 
 
 def test_the_same_part_as_much_higher_is_free_to_the_tolerance():

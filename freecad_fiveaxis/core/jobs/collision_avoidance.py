@@ -62,7 +62,7 @@ from .options import (
     travels,
     wanted_scallop,
 )
-from .over_table import table_below
+from .over_table import table_looked_at
 from .settings import Settings
 
 LEFT_SPACING = 0.1
@@ -248,8 +248,8 @@ def enters_table(context: MillContext, program: Program) -> tuple[Finding, ...]:
     """What of the tool goes below the machine's table on its real way, where the settings ask for the check of gouges and it is
     known where the table is."""
     settings = context.settings
-    table = table_below(settings, context.machine, context.mesh)
-    if settings.gouge.gouge == "off" or table is None:
+    table = table_looked_at(settings, context.machine, context.mesh)
+    if table is None:
         return ()
     rapids = rapids_of(settings, context.machine, context.dialect)
     return check_table(

@@ -68,6 +68,7 @@ from .options import (
     with_cutter,
     with_head,
 )
+from .over_table import table_looked_at
 from .part_size import unit_suspected
 from .safe_start import started
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
@@ -251,4 +252,5 @@ def figures(result: Result) -> Figures:
         unfinished=unfinished_share(result.findings, made.mesh, made.keep) if isinstance(made, Milled) else 0.0,
         contacts=contacts, stand=_stand(made, contacts) if isinstance(made, Milled) else 0.0,
         rapids=rapids_of(made.settings, made.machine, made.dialect),
+        table=table_looked_at(made.settings, made.machine, made.mesh) if isinstance(made, Milled) else None,
     )  # fmt: skip

@@ -32,6 +32,11 @@ def table_below(settings: Settings, machine: Machine, mesh: Mesh) -> float | Non
     return None if machine.table is None or float(mesh.box[0][2]) < table - IN_TABLE else table
 
 
+def table_looked_at(settings: Settings, machine: Machine, mesh: Mesh) -> float | None:
+    """Give the height of the table's face in the work frame, mm, against which a finished program is checked; None: none."""
+    return None if settings.gouge.gouge == "off" else table_below(settings, machine, mesh)
+
+
 def report_part_in_table(settings: Settings, machine: Machine, mesh: Mesh) -> tuple[Finding, ...]:
     """Say that a part reaches below the table as it is placed, where undersides are not cut for that reason."""
     free = settings.passes.max_axis_angle is None and settings.tool_axis.tool_axis == AUTO

@@ -59,7 +59,8 @@ class Figures:
     ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
     1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how
     far from the part what is drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
-    :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`.
+    :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the tool was checked
+    against, None: it was not.
     """
 
     title: str
@@ -82,6 +83,7 @@ class Figures:
     contacts: Contacts | None = None
     stand: float = 0.0
     rapids: str = ""
+    table: float | None = None
 
     @property
     def judged(self) -> Deviation:

@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, Task, plural, say
 from freecad_fiveaxis.core.collision.rapid_check import UNPROVEN_RAPID
+from freecad_fiveaxis.core.collision.table_check import TABLE_COLLISION
 
 from .figures import Figures
 from .verdict import ENTERS, is_checked
@@ -49,8 +50,10 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
             tolerance=Length(figures.tolerance),
         )
     errors = {one.code for one in figures.findings if one.severity is Severity.ERROR}
-    if is_checked(figures) and not errors & set(ENTERS):
+    if is_checked(figures) and not errors & (set(ENTERS) - {TABLE_COLLISION}):
         yield from _out_of_the_part(figures)
+    if figures.table is not None and TABLE_COLLISION not in errors:
+        yield say("the tool stays above the table's face, at Z {height}", height=Length(figures.table))
 
 
 def _out_of_the_part(figures: Figures) -> Iterator[Sentence]:
