@@ -38,6 +38,15 @@ def worst(monkeypatch):
     return seen
 
 
+def test_a_path_that_goes_on_along_the_co_edge_of_a_groove_is_taken_as_convex():
+    """Where its second offset would be trimmed to, no number says."""
+    contact = prism([(0, 0), (10, 0), (20, 5)])
+    contact.point.flags.writeable = True
+    contact.point[3] = contact.point[2] + (0.0, 10.0, 0.0)
+    found = junction.find_junctions(junction.find_segments(contact), 5.0, 0.01)
+    assert found.kind[0] == junction.CONVEX and found.trim_start[0] == 0.0
+
+
 # ---- convex ----------------------------------------------------------------------------------------------------------
 
 

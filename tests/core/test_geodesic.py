@@ -5,9 +5,13 @@ import math
 
 import numpy as np
 import pytest
+from offset_examples import joined as both_paths
+from offset_examples import prism
 
+from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.passes import facet_curvature, flat_interval
+from freecad_fiveaxis.core.passes import facet_curvature, flat_interval, slice_field
+from freecad_fiveaxis.core.passes.field import PassField, PassOptions, Region
 from freecad_fiveaxis.core.passes.geodesic import (
     as_tensor,
     distance,
@@ -18,7 +22,9 @@ from freecad_fiveaxis.core.passes.geodesic import (
     steepness,
     step_across,
 )
-from freecad_fiveaxis.core.passes.refine import finer_copy, joined, taken
+from freecad_fiveaxis.core.passes.refine import Copy, finer_copy, joined, taken
+from freecad_fiveaxis.core.passes.scallop_passes import ConstantScallop, _gaps, _Surface
+from freecad_fiveaxis.core.passes.sources import find_source, source_values
 
 RADIUS, SCALLOP = 3.0, 0.02
 STEP = flat_interval(RADIUS, SCALLOP)
@@ -124,6 +130,134 @@ def test_facets_without_heat_still_get_a_distance():
     np.testing.assert_allclose(value, mesh.vertex[:, 0] / STEP, atol=1.0)
 
 
+def test_a_source_that_is_known_to_be_farther_has_its_front_later():
+    """Two opposite sides of a flat strip, the one half a width behind the other: the fronts meet three quarters of the way."""
+    mesh = sheet(np.linspace(0, 20, 41), np.linspace(0, 2, 5), lambda x, y: (x, y, 0 * x))
+    x = mesh.vertex[:, 0]
+    source = np.flatnonzero((x == 0.0) | (x == 20.0))
+    value, *_ = measured(mesh, source, known=np.where(x[source] == 0.0, 0.0, 10.0 / STEP))
+    np.testing.assert_allclose(value, np.minimum(x, 30.0 - x) / STEP, atol=0.5)
+
+
+def test_no_distance_is_longer_than_the_way_along_sides():
+    mesh = sheet(np.linspace(0, 8, 9), np.linspace(0, 8, 9), lambda x, y: (x, y, 0 * x))
+    value, *_ = measured(mesh, np.array([0]))
+    x, y, _ = mesh.vertex.T
+    diagonal = np.minimum(x, y) * math.sqrt(2.0) + np.abs(x - y)
+    assert (value <= diagonal / STEP * (1.0 + 1e-12)).all()
+
+
+def test_over_obtuse_facets_the_distance_is_still_nearly_the_straight_one():
+    mesh = sheet(np.linspace(0, 20, 21), np.linspace(0, 10, 21), lambda x, y: (x - 2.5 * y, y, 0 * x))
+    source = np.array([len(mesh.vertex) // 2])
+    value, *_ = measured(mesh, source)
+    straight = np.linalg.norm(mesh.vertex - mesh.vertex[source], axis=1) / STEP
+    assert np.abs(value - straight).max() < 0.1 * straight.max()
+
+
+# ------------------------------------------------------------------------------------------------ sources
+
+
+def flat_copy(side=10.0, count=2, longest=1.5):
+    mesh = sheet(np.linspace(0, side, count), np.linspace(0, side, count), lambda x, y: (x, y, 0 * x))
+    rows = np.arange(len(mesh.face))
+    return mesh, finer_copy(mesh, rows, flat_metric(mesh, rows), longest)
+
+
+def sourced(copy, curve):
+    frame = frames(copy.mesh.vertex, copy.mesh.face)
+    return source_values(copy, frame, scallop_metric(frame, np.zeros((6, len(copy.parent))), RADIUS, STEP), np.array(curve))
+
+
+def test_all_corners_of_facets_under_a_curve_know_their_distance_from_it():
+    _, copy = flat_copy()
+    source, known = sourced(copy, [(-5.0, 3.3, 0.0), (15.0, 3.3, 0.0)])
+    y = copy.mesh.vertex[:, 1]
+    corner = y[copy.mesh.face]
+    under = (corner.min(axis=1) < 3.3) & (corner.max(axis=1) > 3.3)
+    assert under.any() and np.isin(copy.mesh.face[under], source).all()
+    np.testing.assert_allclose(known, np.abs(y[source] - 3.3) / STEP, atol=0.02)
+
+
+def test_the_vertex_nearest_to_a_point_counts_as_the_point():
+    _, copy = flat_copy()
+    source, known = sourced(copy, [(3.3, 3.2, 0.5)])
+    assert source.tolist() == [np.linalg.norm(copy.mesh.vertex - (3.3, 3.2, 0.5), axis=1).argmin()] and known.tolist() == [0.0]
+
+
+def region_of(mesh):
+    return Region(mesh, np.ones(len(mesh.face), bool), RADIUS, STEP)
+
+
+def test_a_source_farther_off_the_surface_than_the_ball_is_thick_is_refused():
+    region = region_of(flat_copy()[0])
+    assert find_source((5.0, 5.0, 1.9 * RADIUS), region) is not None
+    with pytest.raises(SettingsError, match=r"cannot begin at .*5.*: it is 6\.3 mm off"):
+        find_source((5.0, 5.0, 2.1 * RADIUS), region)
+
+
+# ------------------------------------------------------------------------------------------------ the passes
+
+
+def laid(mesh, **options):
+    """The field of a strategy, and its passes on the copy and on the part, on flat ground."""
+    field = ConstantScallop("").field(region_of(mesh), PassOptions(**options))
+    contact = slice_field(field.surface.mesh, field.value, field.levels)
+    return contact, field.surface.on_part(contact, mesh)
+
+
+def test_the_first_pass_stands_half_a_step_from_the_border():
+    contact, _ = laid(flat_copy(6.0)[0], stepover=1.0)
+    first = contact.point[contact.pass_ == contact.pass_.min()]
+    off = np.minimum(first[:, :2], 6.0 - first[:, :2]).min(axis=1)
+    assert np.median(off) == pytest.approx(0.5, abs=0.05)
+
+
+def test_passes_round_a_point_are_round_within_a_part_of_a_step():
+    """On two facets: only their copy can carry circles, and only short segments follow them."""
+    contact, made = laid(flat_copy(12.0)[0], stepover=1.0, source=(6.0, 6.0, 0.0))
+    radius = np.linalg.norm(contact.point - (6.0, 6.0, 0.0), axis=1)
+    assert np.abs(radius - np.floor(radius) - 0.5)[radius < 6.0].max() < 0.3
+    start, step = made.point[::2], made.point[1::2] - made.point[::2]
+    off = contact.point[:, None] - start
+    share = np.clip((off * step).sum(axis=2) / (step * step).sum(axis=1), 0.0, 1.0)
+    assert np.linalg.norm(off - share[:, :, None] * step, axis=2).min(axis=1).max() < 0.03 + 1e-9
+
+
+def test_more_passes_than_any_job_can_want_are_refused_before_they_are_laid():
+    with pytest.raises(SettingsError, match="more than any job can want"):
+        ConstantScallop("").check(region_of(flat_copy(10.0)[0]), PassOptions(stepover=1e-3))
+
+
+def gaps_of(copy, metric, value, levels):
+    """The facets that are left out by the passes at ``levels``."""
+    frame = frames(copy.mesh.vertex, copy.mesh.face)
+    return _gaps(_Surface(copy, frame, metric, 1.0), value, PassField(value, np.array(levels), surface=copy))
+
+
+def unit_metric(copy, scale=1.0):
+    frame = frames(copy.mesh.vertex, copy.mesh.face)
+    return scallop_metric(frame, np.zeros((6, len(copy.parent))), RADIUS, 1.0 / scale)
+
+
+def test_a_pass_does_not_cover_the_other_side_of_a_thin_wall():
+    """Two faces 0.01 mm apart that look away from each other, with passes on the one alone."""
+    one = flat_copy(4.0)[0]
+    back = from_faces(one.vertex - (0, 0, 0.01), one.face[:, ::-1])
+    a, b = (finer_copy(mesh, np.arange(2), flat_metric(mesh, np.arange(2)), 1.0) for mesh in (one, back))
+    copy = joined(a, b)
+    value = copy.mesh.vertex[:, 0] + 100.0 * copy.component
+    left = gaps_of(copy, unit_metric(copy), value, [0.5, 1.5, 2.5, 3.5])
+    np.testing.assert_array_equal(left, copy.mesh.normal[:, 2] < 0.0)
+
+
+def test_where_steps_are_half_as_long_every_second_pass_is_too_few():
+    _, copy = flat_copy(4.0, longest=0.5)
+    value, metric = 2.0 * copy.mesh.vertex[:, 0], unit_metric(copy, 2.0)
+    assert not gaps_of(copy, metric, value, np.arange(0.5, 8.0)).any()
+    assert gaps_of(copy, metric, value, np.arange(0.5, 8.0, 2.0)).any()
+
+
 # ------------------------------------------------------------------------------------------------ the finer copy
 
 
@@ -169,3 +303,35 @@ def test_facets_that_only_touch_in_a_vertex_are_two_pieces():
     again = both.mesh.coedge_vertex[both.mesh.face_coedge]
     ends = np.stack([both.mesh.face, np.roll(both.mesh.face, -1, axis=1)], axis=2)
     np.testing.assert_array_equal(np.sort(again, axis=2), np.sort(ends, axis=2))
+
+
+def test_facets_stay_joined_where_only_one_of_two_finds_their_side_too_long():
+    """In the metric of the second facet, no side is too long, and the side that the first one halves is not its longest."""
+    mesh = from_faces(np.array([[0, 0, 0], [4, 0, 0], [2, 3, 0], [2, -9.0, 0]]), np.array([[0, 1, 2], [0, 3, 1]]))
+    tensor = np.zeros((6, 2))
+    tensor[:3] = 1.0, 0.01
+    copy = finer_copy(mesh, np.arange(2), tensor, 2.0)
+    assert set(copy.coedge[copy.mesh.coedge_face[:, 1] < 0]) == set(np.flatnonzero(mesh.coedge_face[:, 1] < 0))
+
+
+def on_one_facet(*corners, **given):
+    """Polylines (x, z) of a copy whose facets all have one parent, led back to it."""
+    contact = both_paths(*(prism(corner) for corner in corners))
+    mesh = from_faces(np.array([[0, 0, 0], [1, 0, 0], [0, 1.0, 0]]), np.array([[0, 1, 2]]))
+    count = len(contact.point)
+    return Copy(mesh, np.zeros(count, int), np.full(count, -1), np.zeros(3, int), **given).on_part(contact, mesh)
+
+
+def test_on_the_part_a_pass_is_one_segment_only_as_far_as_it_is_straight():
+    assert len(on_one_facet([(0, 0), (5, 0.09), (10, 0)], bend=0.1).point) == 2
+    assert len(on_one_facet([(0, 0), (5, 0.2), (10, 0)], bend=0.1).point) == 4
+
+
+def test_two_polylines_in_line_within_a_facet_stay_two():
+    made = on_one_facet([(0, 0), (5, 0)], [(7, 0), (12, 0)], bend=0.1)
+    assert made.point[:, 0].tolist() == [0.0, 5.0, 7.0, 12.0] and made.polyline.tolist() == [0, 0, 1, 1]
+
+
+def test_what_is_shorter_than_a_pass_may_be_is_left_out():
+    made = on_one_facet([(0, 0), (0.9, 0)], [(7, 0), (8.1, 0)], short=1.0)
+    assert made.point[:, 0].tolist() == [7.0, 8.1] and made.polyline.tolist() == [0, 0]

@@ -56,7 +56,7 @@ def test_beside_a_wall_the_tool_tilts_by_the_least_angle_that_frees_the_holder(a
         rows = rows_on(made, y - 1e-3, y + 1e-3)
         middle = rows[np.abs(made.path.contact[rows, 0]) < 5.0]
         tilt = np.arccos(np.clip(made.path.axis[middle, 2], -1.0, 1.0))
-        least = needed(-y)
+        least = needed(-y - 0.04)  # the holder stays 0.05 mm off, but for the tolerance
         assert np.degrees(tilt.min()) > np.degrees(least) - 0.01 and np.degrees(tilt.max()) < np.degrees(least) + 0.4
         assert (made.path.axis[middle, 1] < 0.0).all()  # away from the wall
         seen += len(middle)

@@ -57,6 +57,7 @@ def test_a_block_on_the_table_is_reached_but_for_its_underside_and_a_strip_as_hi
     sides, top = 2 * 30.0 * 20.0, 40.0 * 30.0
     row = 30.0 * 2 * found.spacing  # the strip's edge may lie within a row of places on either side
     assert found.area.sum() == pytest.approx(sides + 2 * top)
+    assert found.spacing == pytest.approx(math.sqrt(found.area.sum() / 10_000))
     assert found.area_of(Obstacle.NONE) == pytest.approx(top + sides * (20.0 - 3.0) / 20.0, abs=row)
     assert found.area_of(Obstacle.TABLE) == pytest.approx(top + sides * 3.0 / 20.0, abs=row)
     free = reach_map(block(), Reacher(BALL))
@@ -113,6 +114,18 @@ def test_what_the_machine_cannot_turn_to_is_beyond_its_limits(coarse):
     assert np.degrees(np.arccos(found.axis[~under, 2])).max() <= 30.0 + 1e-9
     side = ~under & (found.point[:, 2] < 19.0)
     assert (found.tilt[side] >= math.radians(60.0) - 1e-9).all() and (found.obstacle[side] == Obstacle.NONE).all()
+
+
+def test_what_stopped_the_luckiest_axis_is_named_though_later_ones_are_beyond_the_limits(coarse):
+    """On a slot's floor all axes up to 30 deg meet the holder, all farther ones are none of this machine's."""
+    machine, mesh = load_machine("trunnion_ac"), slot(14.0, 30.0, 160.0)
+    kinematics = chain(machine, Setup(machine.origin))
+    low, high = kinematics.low.copy(), kinematics.high.copy()
+    low[4], high[4] = -math.radians(30.0), math.radians(30.0)  # A
+    short = Reacher(Cutter(6.0, 20.0), holder=HOLDER, kinematics=replace(kinematics, low=low, high=high))
+    found = reach_map(mesh, short, np.isclose(mesh.vertex[mesh.face][:, :, 2], 10.0).all(axis=1))
+    floor = on_floor(found, 160.0)
+    assert (found.obstacle[floor] == Obstacle.HOLDER).all() and floor.any()
 
 
 CUTTERS = [Cutter(6.0, 20.0), Cutter(6.0, 20.0, 0.0), Cutter(8.0, 20.0, 2.0)]
