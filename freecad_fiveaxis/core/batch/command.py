@@ -64,7 +64,7 @@ def _merge(arguments: argparse.Namespace) -> Ended:
 def _batch(arguments: argparse.Namespace, options: Mapping[str, Any], progress: Progress) -> Ended:
     from . import sheet, work
 
-    jobs, shard, crew = _asked(arguments, options)
+    jobs, shard, crew = _plan_batch(arguments, options)
     for job in jobs:
         work.check_own(job)
     files = _report_files(arguments, shard)
@@ -76,7 +76,7 @@ def _batch(arguments: argparse.Namespace, options: Mapping[str, Any], progress: 
     return sheet.counted(rows, kept), list(files), rows
 
 
-def _asked(
+def _plan_batch(
     arguments: argparse.Namespace, options: Mapping[str, Any]
 ) -> tuple[list[BatchJob], tuple[int, int] | None, Crew | None]:
     from . import plan

@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.files import check_writable, read_bytes, write_a
 from freecad_fiveaxis.core.base.sentences import Sentence, say
 from freecad_fiveaxis.core.studies.setup_map.sheet import json_text, page, section
 
-from .task import COLUMNS, FAILED, OUT, OVERWRITE
+from .task import COLUMNS, FAILED, not_of_batch
 
 VERSION = 1
 """Of batch.json."""
@@ -41,15 +41,7 @@ def check_report(files: tuple[str, str, str], overwrite: bool) -> None:
         check_writable(path)
     there = [path for path in files if os.path.lexists(path)]
     if there and not overwrite and _read(files[2]) is None:
-        raise SettingsError(
-            say(
-                "{path} is there and not of this batch; choose another folder ({out}), or give {overwrite}",
-                path=there[0],
-                out=OUT,
-                overwrite=OVERWRITE,
-            ),
-            there[0],
-        )
+        raise not_of_batch(there[0])
 
 
 def write_report(files: tuple[str, str, str], rows: Sequence[Row]) -> None:

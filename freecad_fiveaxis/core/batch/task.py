@@ -7,6 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.sentences import say
+
 FAILED = "failed"
 """In the place of a verdict's light: there is no program."""
 
@@ -67,3 +70,12 @@ class JobOutcome:
     def spoiled(self) -> bool:
         """Whether it failed or has findings of severity error."""
         return bool(self.error or self.row.get("errors"))
+
+
+def not_of_batch(path: str) -> SettingsError:
+    """The error of a file that would be replaced and that no batch wrote."""
+    text = say(
+        "{path} is there and not of this batch; choose another folder ({out}), or give {overwrite}",
+        path=path, out=OUT, overwrite=OVERWRITE,
+    )  # fmt: skip
+    return SettingsError(text, path)

@@ -17,11 +17,11 @@ from typing import Any
 
 from freecad_fiveaxis import __version__
 from freecad_fiveaxis.core.base.chunks import keep_to_one_thread
-from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError, SettingsError
+from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError
 from freecad_fiveaxis.core.base.files import read_bytes, write_all
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.sentences import one_line, say
+from freecad_fiveaxis.core.base.sentences import one_line
 from freecad_fiveaxis.core.jobs import job as pipeline
 from freecad_fiveaxis.core.jobs.made import Posted, Result
 from freecad_fiveaxis.core.jobs.outputs import files_read
@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.report import Figures, as_html, as_json, summary
 from freecad_fiveaxis.core.report.verdict import judged_largest, verdict
 from freecad_fiveaxis.core.studies.setup_map.sheet import json_text
 
-from .task import COLUMNS, FAILED, OUT, OVERWRITE, BatchJob, JobOutcome
+from .task import COLUMNS, FAILED, BatchJob, JobOutcome, not_of_batch
 
 MARK = "batch"
 """The key of NAME.json under which a batch keeps what it needs to know its own files again."""
@@ -89,15 +89,7 @@ def check_own(job: BatchJob) -> None:
     """Refuse a job whose files would replace others. Raises SettingsError that names the first."""
     foreign = [] if job.overwrite else foreign_files(job)
     if foreign:
-        raise SettingsError(
-            say(
-                "{path} is there and not of this batch; choose another folder ({out}), or give {overwrite}",
-                path=foreign[0],
-                out=OUT,
-                overwrite=OVERWRITE,
-            ),
-            foreign[0],
-        )
+        raise not_of_batch(foreign[0])
 
 
 def key_of(job: BatchJob, settings: Settings) -> str:
@@ -120,7 +112,7 @@ def _mill(job: BatchJob, progress: Progress) -> JobOutcome:
     result = pipeline.run(settings, progress)
     figures = pipeline.figures(result)
     row = _named(job) | _numbers(figures)
-    files = _files(job, result, figures, progress) | {}
+    files = _files(job, result, figures, progress)
     mark = {"key": key, "files": {os.path.basename(path): _sha(data) for path, data in files.items()}, "row": row}
     report = json_text(json.loads(as_json(figures)) | {MARK: mark})
     write_all(files | {job.json: report.encode("utf-8", "backslashreplace")})

@@ -77,7 +77,6 @@ def mill_context(
 ) -> tuple[MillContext, tuple[Finding, ...]]:  # fmt: skip
     """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all."""
     most = largest_axis_angle(settings, machine, mesh)
-    in_table = report_part_in_table(settings, machine, mesh)
     if settings.tool_axis.tool_axis == AUTO:
         standing = standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None)
         faces = ~standing if faces is None else faces
@@ -85,7 +84,7 @@ def mill_context(
         reacher = reacher_of(settings, machine, kinematics, mesh)
         field = find_axis_field(mesh, faces, reacher, progress)
         keep, left_out = select_facets(field, mesh, faces, most)
-        left_out = (*report_standing(mesh, standing), *in_table, *left_out)
+        left_out = (*report_standing(mesh, standing), *report_part_in_table(settings, machine, mesh), *left_out)
         return MillContext(settings, machine, kinematics, dialect, mesh.box, progress, mesh, keep, field), left_out
     followed = None if keeps_its_axis(settings, machine) else kinematics
     keep, left_out = facets_within_limits(mesh, followed, most, faces)

@@ -15,11 +15,10 @@ from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
+from .within_limits import LEVEL
+
 FLAT = 0.9999
 """Of -Z in the normal, at least: of a facet on which a part stands."""
-
-LEVEL = 1e-4
-"""Of the part's size: so far above its lowest place such a facet may reach; STL files round their numbers."""
 
 
 def standing_facets(mesh: Mesh) -> Bools:

@@ -100,20 +100,8 @@ def read_nc(
     if planes is not None:
         mode, on = planes.modes(mode, on)
     at = _motion_lines(lines, grammar, axes, mode, on, planes)
-    lost = next((found for found in before if found.code == codes.MACRO[1]), None)
-    if not len(at) and lost is not None:
-        raise ProgramError(
-            say(
-                "all moves stand in variables, expressions or jumps, which are not interpreted; line {line}: {text}",
-                line=lost.line or 0,
-                text=lost.text,
-            ),
-            kinematics.letters,
-        )
     if not len(at):
-        raise ProgramError(
-            say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), kinematics.letters
-        )
+        raise _no_motion(before, kinematics.letters)
     first, second = (axis.wrap for axis in kinematics.axes[3:])
     wrap, meant = (first, second), _meant(lines, axes, at, grammar, kinematics.letters)
     meaning = on[at].astype(np.int64)
@@ -147,6 +135,21 @@ def read_nc(
         )
     findings = fold((*before, *in_file(words, findings + guide_findings(program, told_moves)), *of_codes), cause)
     return replace(program, line=words.in_file(program.line), findings=findings, wrap=wrap)
+
+
+def _no_motion(before: tuple[Finding, ...], letters: str) -> ProgramError:
+    """The error of a text without a motion line: where all stands in what is not interpreted, that is the cause."""
+    lost = next((found for found in before if found.code == codes.MACRO[1]), None)
+    if lost is None:
+        return ProgramError(say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), letters)
+    return ProgramError(
+        say(
+            "all moves stand in variables, expressions or jumps, which are not interpreted; line {line}: {text}",
+            line=lost.line or 0,
+            text=lost.text,
+        ),
+        letters,
+    )
 
 
 def _words_and_lines(
