@@ -131,6 +131,7 @@ def _of_programs() -> dict[str, str]:
         "gouge": translate("FiveAxis", "Gouge protection"),
         "shank": translate("FiveAxis", "Shank, Ø x length"),
         "holder": translate("FiveAxis", "Holder, Ø x length"),
+        "fixture": translate("FiveAxis", "Fixtures"),
         "left": translate("FiveAxis", "Rest material"),
         "linearize": translate("FiveAxis", "Divide blocks"),
         "singularity": translate("FiveAxis", "Near the pole"),

@@ -336,6 +336,10 @@
         <translation>Fingerabdruck</translation>
     </message>
     <message>
+        <source>Fixture</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
         <source>Fold Legend</source>
         <translation>Legende einklappen</translation>
     </message>
@@ -1244,6 +1248,10 @@
         <translation>ein Ordner mit den Programmen, die das Programm aufruft, neben seinem eigenen; darf wiederholt werden</translation>
     </message>
     <message>
+        <source>an STL file of a vise, clamp or other fixture, in the part's own place: the tool is checked against it, and a path is laid around it; may be repeated</source>
+        <translation>eine STL-Datei von Schraubstock, Spanneisen oder anderem Spannmittel, am Ort des Teils: das Werkzeug wird dagegen geprüft, und eine Bahn führt darum herum; mehrfach möglich</translation>
+    </message>
+    <message>
         <source>feed of all its moves, mm/min and deg/min</source>
         <translation>Vorschub aller Bewegungen, mm/min und Grad/min</translation>
     </message>
@@ -1619,6 +1627,10 @@
         <translation>Feste Achse I, J, K</translation>
     </message>
     <message>
+        <source>Fixtures</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
         <source>Fold the legend</source>
         <translation>Legende einklappen</translation>
     </message>
@@ -1705,6 +1717,10 @@
     <message>
         <source>Import a machine</source>
         <translation>Maschine übernehmen</translation>
+    </message>
+    <message>
+        <source>In a fixture</source>
+        <translation>Im Spannmittel</translation>
     </message>
     <message>
         <source>In a rapid the tool goes {depth} into the part if its axes run independently.</source>
@@ -3608,6 +3624,10 @@
         <translation>CUTCOM verlangt {count}-mal Radiuskorrektur (zuerst Zeile {line}); das Programm hat keine: {taken}</translation>
     </message>
     <message>
+        <source>Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces ({faces}).</source>
+        <translation>Spannen Sie das Teil anders, nehmen Sie ein längeres Werkzeug oder einen kleineren Halter, oder bearbeiten Sie weniger Flächen ({faces}).</translation>
+    </message>
+    <message>
         <source>Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the machine file or by {rapids}.</source>
         <translation>Die Achsgruppen nacheinander bewegen oder, wenn die Steuerung Eilgänge interpoliert, dies in der Maschinendatei oder mit {rapids} angeben.</translation>
     </message>
@@ -3696,6 +3716,10 @@
         <translation>In {count} NC-Sätzen führt die Steuerung die Werkzeugspitze (RTCP): Dass sie auf der Strecke bleibt, ist Sache der Steuerung und hier weder gemessen noch nachgewiesen. Grenzen und Geschwindigkeiten sind die der Achsen, die diese Maschinendatei dafür braucht.</translation>
     </message>
     <message>
+        <source>In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and the units of the fixture.</source>
+        <translation>In {count} Sätzen ist der ganze Fräser im Spannmittel {fixture}. Prüfen Sie den Werkstücknullpunkt und die Einheiten des Spannmittels.</translation>
+    </message>
+    <message>
         <source>In {count} blocks the whole cutter is inside the part, the first at {place}. Check the work zero and the units of the part.</source>
         <translation>In {count} NC-Sätzen ist der ganze Fräser im Werkstück, zuerst bei {place}. Werkstücknullpunkt und Einheiten des Werkstücks prüfen.</translation>
     </message>
@@ -3706,6 +3730,10 @@
     <message>
         <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
         <translation>In {count} von {all} Vorschubsätzen dringt die Kugel von {diameter} um mehr als {tolerance} ins Werkstück ein; am tiefsten in NC-Zeile {line}, {depth}; die erste ist NC-Zeile {first}. Sind {cutter}, {origin} und die Maschine die des Programms, steht das STL am Werkstücknullpunkt? Sonst ist das Werkstück verdorben.</translation>
+    </message>
+    <message>
+        <source>In {count} rapids it is not proven that the tool stays out of the fixture {fixture} on every way of independent axes, the first in NC line {line}; it enters by no more than {bound}. Drive one group of axes after the other.</source>
+        <translation>In {count} Eilgängen ist nicht bewiesen, dass das Werkzeug auf jedem Weg unabhängiger Achsen aus dem Spannmittel {fixture} bleibt, zuerst in NC-Zeile {line}; es dringt höchstens {bound} ein. Fahren Sie eine Gruppe von Achsen nach der anderen.</translation>
     </message>
     <message>
         <source>In {count} rapids it is not proven that the tool stays out of the part on every way of independent axes, the first in NC line {line}; it enters by no more than {bound}.</source>
@@ -4256,6 +4284,10 @@
         <translation>{part}: mindestens {depth} unter der Tischfläche bei {at}, am tiefsten von {count} Sätzen. Das Teil höher spannen, ein längeres Werkzeug nehmen oder es weniger neigen ({max_axis_angle}).</translation>
     </message>
     <message>
+        <source>The {part} goes at least {depth} into the fixture {fixture} at {at}, deepest of {count} blocks.</source>
+        <translation>{part}: dringt bei {at} mindestens {depth} in das Spannmittel {fixture} ein, am tiefsten von {count} Sätzen.</translation>
+    </message>
+    <message>
         <source>The {part} goes at least {depth} into the part at {at} if the axes of this rapid run independently; it is clear if they are interpolated. Which of the two this controller does is not known.</source>
         <translation>{part}: dringt bei {at} mindestens {depth} ins Werkstück ein, wenn die Achsen in diesem Eilgang unabhängig laufen; werden sie interpoliert, ist der Weg frei. Welches von beidem diese Steuerung tut, ist nicht bekannt.</translation>
     </message>
@@ -4680,6 +4712,10 @@
         <translation>Fräser, Schaft und Halter bleiben</translation>
     </message>
     <message>
+        <source>cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}</source>
+        <translation>Fräser, Schaft und Halter, soweit angegeben, bleiben aus den Spannmitteln: {names}</translation>
+    </message>
+    <message>
         <source>cycle {number} with {name} above 0</source>
         <translation>Zyklus {number} mit {name} über 0</translation>
     </message>
@@ -4800,8 +4836,8 @@
         <translation>eine kleinere Datei angeben oder Speicher freimachen</translation>
     </message>
     <message>
-        <source>gouge, shank and holder need the part: give its STL with {against}</source>
-        <translation>Eindringen, Schaft und Halter brauchen das Werkstück: dessen STL mit {against} angeben</translation>
+        <source>gouge, shank and holder need the part or a fixture: give its STL with {against} or {fixture}</source>
+        <translation>Prüfung, Schaft und Halter brauchen das Teil oder ein Spannmittel: geben Sie dessen STL mit {against} oder {fixture} an</translation>
     </message>
     <message>
         <source>guide curve {source} needs two points or more, X,Y,Z in mm on a line each, at most {most}</source>
@@ -5348,6 +5384,10 @@
         <translation>die Reihenfolge ist {order}; eine wählen von {orders}</translation>
     </message>
     <message>
+        <source>other fixtures, the machine's own bodies, and stock that is still there</source>
+        <translation>andere Spannmittel, die Körper der Maschine selbst und Rohmaterial, das noch da ist</translation>
+    </message>
+    <message>
         <source>passes along X, in direction {angle}</source>
         <translation>Zeilen entlang X, in Richtung {angle}</translation>
     </message>
@@ -5818,6 +5858,10 @@
     <message>
         <source>the tool has the length and the shape given</source>
         <translation>das Werkzeug hat die angegebene Länge und Form</translation>
+    </message>
+    <message>
+        <source>the tool hits a fixture</source>
+        <translation>das Werkzeug trifft ein Spannmittel</translation>
     </message>
     <message>
         <source>the tool is lifted out of the part by up to {value}, what it leaves stays uncut</source>

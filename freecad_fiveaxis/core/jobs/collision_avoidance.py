@@ -93,7 +93,7 @@ def tilted(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[Offs
     settings = context.settings
     if settings.gouge.gouge != "tilt":
         return offset, axis
-    tree = facet_tree(context.mesh)
+    tree = facet_tree(context.obstacles)
     cutter, most, tolerance = settings.cutter.cutter, settings.tool_axis.max_tilt, settings.proof.tolerance
     body, above = tool_body(settings), tip_to_surface(settings)
     return tilt_free(offset, axis, cutter, body, tree, context.kinematics, most, tolerance, context.progress, above)
@@ -106,7 +106,7 @@ def left_out_rows(context: MillContext, sat: OffsetPath, axis: Floats) -> tuple[
         return sat, axis
     body, cutter, tolerance = tool_body(settings), settings.cutter.cutter, settings.proof.tolerance
     limit = AIM * tolerance if cutter.ring == 0.0 else tolerance  # a ring rocks from facet to facet
-    tree, above = facet_tree(context.mesh), tip_to_surface(settings)
+    tree, above = facet_tree(context.obstacles), tip_to_surface(settings)
     return leave_out(sat, axis, tree, body, limit, cutter.corner, context.progress, above)
 
 
@@ -115,7 +115,7 @@ def lifted(context: MillContext, path: CLPath) -> tuple[CLPath, float]:
     what a cure leaves of entries may still be."""
     settings, tolerance = context.settings, context.settings.proof.tolerance
     if settings.gouge.gouge in ("lift", "tilt"):
-        body, tree = tool_body(settings), facet_tree(context.mesh)
+        body, tree = tool_body(settings), facet_tree(context.obstacles)
         driven, above = tip_to_driven(settings), tip_to_surface(settings)
         lifted = lift_path(path, tree, body, tolerance, driven, context.progress, above)
         return lifted.path, lifted.left
@@ -128,7 +128,7 @@ def near_the_part(context: MillContext, path: CLPath) -> CLPath:
     if settings.gouge.gouge == "off" or settings.links.links == "over":
         return path
     radius, limit = settings.cutter.cutter.radius, AIM * settings.proof.tolerance
-    tree, driven, above = facet_tree(context.mesh), tip_to_driven(settings), tip_to_surface(settings)
+    tree, driven, above = facet_tree(context.obstacles), tip_to_driven(settings), tip_to_surface(settings)
     body, kinematics = tool_body(settings), context.kinematics
     return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics)
 
@@ -138,7 +138,7 @@ def led_in(context: MillContext, path: CLPath) -> CLPath:
     settings = context.settings
     if settings.links.lead_in == 0.0:
         return path
-    return lead_in(path, facet_tree(context.mesh), kept_off(settings), lead_options(context), context.progress)
+    return lead_in(path, facet_tree(context.obstacles), kept_off(settings), lead_options(context), context.progress)
 
 
 def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLPath, JointPath]:
@@ -164,14 +164,14 @@ def keep_rapids_clear(context: MillContext, joints: JointPath) -> JointPath:
     if settings.gouge.gouge == "off" or rapids_of(settings, context.machine, context.dialect) == INTERPOLATED:
         return joints
     body, limit, back = tool_body(settings), settings.proof.tolerance, tip_to_driven(settings)
-    clearance = RapidClearance(body, facet_tree(context.mesh), back, limit, context.progress)
+    clearance = RapidClearance(body, facet_tree(context.obstacles), back, limit, context.progress)
     return divide_rapids(joints, context.kinematics, context.dialect, clearance)
 
 
 def _entering(context: MillContext, path: CLPath, joints: JointPath) -> Ints:
     """The rows (k,) of the path to which the machine leads the cutter through the part, and the path itself does not."""
     settings, progress = context.settings, context.progress
-    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(context.mesh), settings.proof.tolerance
+    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(context.obstacles), settings.proof.tolerance
     real = real_motion(context.kinematics, q_to_words(joints.q), tip_to_driven(settings))
     fed = np.flatnonzero(joints.path.motion[1:] != Motion.RAPID)  # links near the part too
     blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, fed, progress))

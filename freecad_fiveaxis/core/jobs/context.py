@@ -35,8 +35,14 @@ class JobContext:
 @dataclass(frozen=True, eq=False)
 class MillContext(JobContext):
     """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of. ``field``: of the tool
-    axes on them, where the strategy chooses these by what is free."""
+    axes on them, where the strategy chooses these by what is free; ``joined``: part and fixtures, where there are some."""
 
     mesh: Mesh
     keep: Bools
     field: AxisField | None = None
+    joined: Mesh | None = None
+
+    @property
+    def obstacles(self) -> Mesh:
+        """What the tool is kept out of; the part's facets come first in it."""
+        return self.mesh if self.joined is None else self.joined

@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cl.tool_axis import find_strategy
 from freecad_fiveaxis.core.collision import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.collision.faces import facets_on
+from freecad_fiveaxis.core.collision.fixtures import Fixture, box_with, check_fixtures, read_fixtures
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine import Machine, load_machine
@@ -84,6 +85,7 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
     ``faces`` (f,): the facets of it that are to be cut, None: all. Raises FiveAxisError for input that cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     machine, kinematics, dialect = machine_of(settings)
+    fixtures = read_fixtures(settings.gouge.fixture, progress)
     if settings.task in (MILL, POST):
         dialect = _told(settings, machine, dialect)
     if settings.task == MILL:
@@ -91,12 +93,12 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
         find_pass_strategy(settings.passes.passes)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
         faces, said = chosen_faces(settings, mesh, faces, progress)
-        context, left_out = mill_context(settings, mesh, machine, kinematics, dialect, progress, faces)
+        context, left_out = mill_context(settings, mesh, machine, kinematics, dialect, progress, faces, fixtures)
         said += mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
         milled = mill(context)
-        return replace(milled, findings=said + milled.findings)
+        return replace(milled, findings=said + milled.findings, fixtures=fixtures)
     if settings.task == POST:
-        return post(settings, machine, kinematics, dialect, progress)
+        return post(settings, machine, kinematics, dialect, progress, fixtures)
     text = read_bytes(settings.source, "NC file")
     dialect, found = (dialect, ()) if settings.machine.controller else dialect_of_text(text, dialect)
     assumed = Assumed(
@@ -105,7 +107,7 @@ def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = No
     program = read_nc(text, kinematics, dialect, progress, assumed)
     settings, named = _with_named_cutter(settings, text)
     found += named + spindle_findings(text, program) + unit_findings(text, kinematics, program) + large_feeds(program, dialect)
-    return Made(settings, machine, kinematics, dialect, program, found + program.findings)
+    return Made(settings, machine, kinematics, dialect, program, found + program.findings, fixtures=fixtures)
 
 
 def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple[Finding, ...]]:
@@ -135,17 +137,21 @@ def _told(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
     return dialect
 
 
-def post(settings: Settings, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress = silent) -> Posted:
-    """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the feed moves."""
+def post(
+    settings: Settings, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress = silent,
+    fixtures: tuple[Fixture, ...] = (),
+) -> Posted:  # fmt: skip
+    """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the feed moves
+    and the fixtures."""
     file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
     given, path = settings, file.path
     settings = with_head(given, file.head)
     feeding = path.tip[path.motion != Motion.RAPID] if (path.motion != Motion.RAPID).any() else path.tip
-    box = feeding.min(axis=0), feeding.max(axis=0)
+    box = box_with((feeding.min(axis=0), feeding.max(axis=0)), fixtures)
     context = JobContext(settings, machine, kinematics, dialect, box, progress)
     taken = settings.cutter is not given.cutter
     found = path.findings + (cutter_taken(settings.cutter.cutter) if taken else cutter_note(file.head, settings.cutter.cutter))
-    return posted(context, path, drive(context, path), found)
+    return replace(posted(context, path, drive(context, path), found), fixtures=fixtures)
 
 
 def prove(made: Made, progress: Progress = silent, part: Mesh | None = None) -> Result:
@@ -165,7 +171,7 @@ def prove(made: Made, progress: Progress = silent, part: Mesh | None = None) -> 
     surface = surface_deviation(made, driven_to_surface(made.settings), progress)
     judged = judge(made.kinematics, made.program, surface or deviation, singularity, proof.tolerance, surface is not None)
     gouge, left, entries = _against_part(made, progress)
-    found = still_true(made.findings, gouge) + deviation.findings + entries + judged
+    found = still_true(made.findings, gouge) + deviation.findings + entries + _in_fixtures(made, progress) + judged
     if made.settings.task != AUDIT:
         return Result(made, deviation, singularity, found, gouge=gouge, left=left, surface=surface)
     audited = _audited(made, deviation, against, progress)
@@ -216,6 +222,14 @@ def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, Re
     return gouge, left, (gouge.findings if gouge else ()) + low + rest_material_findings(left, context)
 
 
+def _in_fixtures(made: Made, progress: Progress) -> tuple[Finding, ...]:
+    """What of the tool goes into a fixture."""
+    settings, back = made.settings, tip_to_driven(made.settings)
+    rapids, tolerance = rapids_of(settings, made.machine, made.dialect), settings.proof.tolerance
+    body = tool_body(settings)
+    return check_fixtures(made.fixtures, body, made.kinematics, made.program, tolerance, back, progress, rapids)
+
+
 def rest_material_of(made: Milled, progress: Progress = silent) -> RestMaterial:
     """What the cutter leaves on the machined facets on its real way. Raises SettingsError where no block cuts."""
     return find_left(made.context(progress), made.program)
@@ -253,4 +267,5 @@ def figures(result: Result) -> Figures:
         contacts=contacts, stand=_stand(made, contacts) if isinstance(made, Milled) else 0.0,
         rapids=rapids_of(made.settings, made.machine, made.dialect),
         table=table_looked_at(made.settings, made.machine, made.mesh) if isinstance(made, Milled) else None,
+        fixtures=tuple(one.name for one in made.fixtures),
     )  # fmt: skip

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from freecad_fiveaxis.core.audit import Audit
 from freecad_fiveaxis.core.base.findings import Finding
@@ -12,6 +12,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.cl.coedge import OffsetPath
 from freecad_fiveaxis.core.collision import GougeCheck, RestMaterial
+from freecad_fiveaxis.core.collision.fixtures import Fixture, box_with, join_obstacles
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
@@ -28,7 +29,8 @@ from .settings import Settings
 
 @dataclass(frozen=True, eq=False)
 class Made:
-    """A program of rounded words, not yet proven, with the machine that it is for."""
+    """A program of rounded words, not yet proven, with the machine that it is for, and the fixtures that the tool is to keep out
+    of."""
 
     settings: Settings
     machine: Machine
@@ -36,6 +38,7 @@ class Made:
     dialect: Dialect
     program: Program
     findings: tuple[Finding, ...]
+    fixtures: tuple[Fixture, ...] = field(default=(), kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,8 +63,9 @@ class Milled(Posted):
 
     def context(self, progress: Progress) -> MillContext:
         """What the stages took that made it, with another progress to tell."""
+        box, joined = box_with(self.mesh.box, self.fixtures), join_obstacles(self.mesh, self.fixtures)
         return MillContext(
-            self.settings, self.machine, self.kinematics, self.dialect, self.mesh.box, progress, self.mesh, self.keep
+            self.settings, self.machine, self.kinematics, self.dialect, box, progress, self.mesh, self.keep, None, joined
         )
 
 

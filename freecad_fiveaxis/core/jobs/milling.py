@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.cl.cl_path import CLPath, LinkOptions, link_passes
 from freecad_fiveaxis.core.cl.coedge import OffsetPath, break_polylines, close_gaps, lasting_rows, take_path_rows
 from freecad_fiveaxis.core.cl.feasible import feasible_rows
 from freecad_fiveaxis.core.cl.tool_axis import tool_axes
+from freecad_fiveaxis.core.collision.fixtures import Fixture, box_with, join_obstacles
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.corrections.auto_axis import (
     auto_axes,
@@ -73,22 +74,26 @@ from .settings import Settings
 
 def mill_context(
     settings: Settings, mesh: Mesh, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress,
-    faces: Bools | None = None,
+    faces: Bools | None = None, fixtures: tuple[Fixture, ...] = (),
 ) -> tuple[MillContext, tuple[Finding, ...]]:  # fmt: skip
-    """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all."""
+    """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all.
+    ``fixtures``: what is kept clear of as the rest of the part is."""
+    joined, box = join_obstacles(mesh, fixtures), box_with(mesh.box, fixtures)
     most = largest_axis_angle(settings, machine, mesh)
     if settings.tool_axis.tool_axis == AUTO:
         standing = standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None)
         faces = ~standing if faces is None else faces
         check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
         reacher = reacher_of(settings, machine, kinematics, mesh)
-        field = find_axis_field(mesh, faces, reacher, progress)
-        keep, left_out = select_facets(field, mesh, faces, most)
+        to_cut = np.append(faces, np.zeros(len(joined.face) - len(faces), np.bool_))
+        field = find_axis_field(joined, to_cut, reacher, progress)
+        keep, left_out = select_facets(field, joined, to_cut, most)
+        keep = keep[: len(faces)]
         left_out = (*report_standing(mesh, standing), *report_part_in_table(settings, machine, mesh), *left_out)
-        return MillContext(settings, machine, kinematics, dialect, mesh.box, progress, mesh, keep, field), left_out
+        return MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined), left_out
     followed = None if keeps_its_axis(settings, machine) else kinematics
     keep, left_out = facets_within_limits(mesh, followed, most, faces)
-    return MillContext(settings, machine, kinematics, dialect, mesh.box, progress, mesh, keep), left_out
+    return MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined), left_out
 
 
 def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
@@ -158,7 +163,7 @@ def free_rows(
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
     offset, axis = divided(offset, axis, cutter.radius, cutter.ring)
-    stand, mesh, progress = axis_options(settings), context.mesh, context.progress
+    stand, mesh, progress = axis_options(settings), context.obstacles, context.progress
     field = refine_field(field, offset, mesh, reacher, progress)
     axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress)
     offset, axis, free, blocked = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)

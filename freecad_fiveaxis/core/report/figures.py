@@ -60,7 +60,7 @@ class Figures:
     1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how
     far from the part what is drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
     :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the tool was checked
-    against, None: it was not.
+    against, None: it was not; ``fixtures``: names of those that the tool was checked against.
     """
 
     title: str
@@ -84,6 +84,7 @@ class Figures:
     stand: float = 0.0
     rapids: str = ""
     table: float | None = None
+    fixtures: tuple[str, ...] = ()
 
     @property
     def judged(self) -> Deviation:

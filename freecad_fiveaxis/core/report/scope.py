@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, Task, plural, say
+from freecad_fiveaxis.core.collision.fixtures import FIXTURE_COLLISION, FIXTURE_UNPROVEN
 from freecad_fiveaxis.core.collision.rapid_check import UNPROVEN_RAPID
 from freecad_fiveaxis.core.collision.table_check import TABLE_COLLISION
 
@@ -50,10 +51,13 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
             tolerance=Length(figures.tolerance),
         )
     errors = {one.code for one in figures.findings if one.severity is Severity.ERROR}
-    if is_checked(figures) and not errors & (set(ENTERS) - {TABLE_COLLISION}):
+    if is_checked(figures) and not errors & (set(ENTERS) - {TABLE_COLLISION, FIXTURE_COLLISION}):
         yield from _out_of_the_part(figures)
     if figures.table is not None and TABLE_COLLISION not in errors:
         yield say("the tool stays above the table's face, at Z {height}", height=Length(figures.table))
+    if figures.fixtures and not {one.code for one in figures.findings} & {FIXTURE_COLLISION, FIXTURE_UNPROVEN}:
+        names = ", ".join(figures.fixtures)
+        yield say("cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}", names=names)
 
 
 def _out_of_the_part(figures: Figures) -> Iterator[Sentence]:
@@ -103,7 +107,10 @@ def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]
 
 
 def _unknown(figures: Figures) -> Iterator[Sentence]:
-    yield say("fixtures, the machine's own bodies, and stock that is still there")
+    if figures.fixtures:
+        yield say("other fixtures, the machine's own bodies, and stock that is still there")
+    else:
+        yield say("fixtures, the machine's own bodies, and stock that is still there")
     yield say("what the drives make of it: servo lag, look-ahead, rounded corners")
     if not is_checked(figures):
         yield say("the part: whether the tool enters it was not looked at")

@@ -120,6 +120,7 @@ ENTERS = {
     "independent-rapid": say("a rapid with independent axes hits the part"),
     "holder-collision": say("shank or holder hits the part"),
     "table-collision": say("the tool goes below the table"),
+    "fixture-collision": say("the tool hits a fixture"),
     "buried": say("the whole cutter is inside the part"),
     "cut-too-deep": say("cuts too deep"),
 }

@@ -48,6 +48,7 @@ def short_names() -> dict[str, str]:
         "heel-in-hollow": translate("FiveAxis", "Heel of the cutter in the part"),
         "not-freed": translate("FiveAxis", "Shank or holder not freed"),
         "table-collision": translate("FiveAxis", "Below the table"),
+        "fixture-collision": translate("FiveAxis", "In a fixture"),
         "retract-below-part": translate("FiveAxis", "Retract below the part"),
         "start-through-part": translate("FiveAxis", "Start through the part"),
     }

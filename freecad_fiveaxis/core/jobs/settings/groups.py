@@ -243,6 +243,10 @@ class GougeSettings:
     holder: tuple[tuple[float, float], ...] = option(
         (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge", (MILL, AUDIT, REACH)
     )
+    fixture: tuple[str, ...] = option(
+        (), "paths", "an STL file of a vise, clamp or other fixture, in the part's own place: the tool is checked against it, "
+        "and a path is laid around it; may be repeated", ONE_PROGRAM,
+    )  # fmt: skip
     left: Literal["on", "off"] = option(
         "off", "choice", "map of what stays uncut and of what is cut too deep, on the machined facets", (MILL,),
         choices=("on", "off"), bare="on",

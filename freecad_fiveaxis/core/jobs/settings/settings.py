@@ -239,9 +239,10 @@ def _check_together(settings: Settings) -> None:
 
 
 def _check_gouge(settings: Settings) -> None:
-    """An audit changes nothing, and knows no part but the one that it is given."""
+    """An audit changes nothing, and knows no part but the one that it is given. Shank and holder are looked at beside fixtures
+    too."""
     gouge, against = settings.gouge, settings.audit.against
-    if settings.task != AUDIT or (gouge.gouge == "off" and not gouge.shank and not gouge.holder):
+    if settings.task != AUDIT or (gouge.gouge == "off" and (gouge.fixture or (not gouge.shank and not gouge.holder))):
         return
     if gouge.gouge not in ("off", "report"):
         raise SettingsError(
@@ -255,7 +256,12 @@ def _check_gouge(settings: Settings) -> None:
         )
     if against is None or not is_part(against):
         raise SettingsError(
-            say("gouge, shank and holder need the part: give its STL with {against}", against=Option("against")), against
+            say(
+                "gouge, shank and holder need the part or a fixture: give its STL with {against} or {fixture}",
+                against=Option("against"),
+                fixture=Option("fixture"),
+            ),
+            against,
         )
 
 

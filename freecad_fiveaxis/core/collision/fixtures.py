@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool against fixtures (vise, clamps, raw stock), on the way that the machine really goes.
+
+fixture   a mesh in the work frame: it stands still beside the part, whichever of both the machine moves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, Template, joined, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.tool.body import PARTS, Body
+
+from .check import GougeCheck, check_program
+from .rapid_ways import WayEntries
+from .search import Entries
+
+FIXTURE_COLLISION, FIXTURE_UNPROVEN = "fixture-collision", "fixture-unproven"
+"""The codes of the findings."""
+
+ENTERS = Template("The {part} goes at least {depth} into the fixture {fixture} at {at}, deepest of {count} blocks.")
+REMEDY = say(
+    "Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces ({faces}).", faces=Option("faces")
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Fixture:
+    """``mesh``, mm in the work frame, and the ``name`` by which it is told of."""
+
+    name: str
+    mesh: Mesh
+
+
+def read_fixtures(paths: tuple[str, ...], progress: Progress = silent) -> tuple[Fixture, ...]:
+    """Read the STL files of the fixtures. Raises FiveAxisError for what is no mesh, naming the file."""
+    return tuple(Fixture(Path(path).name, read_stl(path, progress)) for path in paths)
+
+
+def join_obstacles(mesh: Mesh, fixtures: Sequence[Fixture]) -> Mesh:
+    """Join part and fixtures into what a tool has to keep out of; the very part where there are none. Nothing is welded: the
+    part's facets come first and keep their numbers."""
+    if not fixtures:
+        return mesh
+    all_ = [mesh, *(one.mesh for one in fixtures)]
+    first = np.cumsum([0, *(len(one.vertex) for one in all_[:-1])])
+    facet = np.cumsum([0, *(len(one.face) for one in all_[:-1])])
+    coedge = np.cumsum([0, *(len(one.coedge_face) for one in all_[:-1])])
+    return Mesh(
+        np.concatenate([one.vertex for one in all_]),
+        np.concatenate([one.face + at for one, at in zip(all_, first, strict=True)]),
+        np.concatenate([one.normal for one in all_]),
+        np.concatenate([one.area for one in all_]),
+        np.concatenate([one.coedge_vertex + at for one, at in zip(all_, first, strict=True)]),
+        np.concatenate([np.where(one.coedge_face < 0, -1, one.coedge_face + at) for one, at in zip(all_, facet, strict=True)]),
+        np.concatenate([one.face_coedge + at for one, at in zip(all_, coedge, strict=True)]),
+    )
+
+
+def box_with(box: tuple[Floats, Floats], fixtures: Sequence[Fixture]) -> tuple[Floats, Floats]:
+    """Find the box, low and high corner (3,) mm, about a box and the fixtures."""
+    low, high = zip(box, *(one.mesh.box for one in fixtures), strict=True)
+    return np.min(low, axis=0), np.max(high, axis=0)
+
+
+def check_fixtures(
+    fixtures: tuple[Fixture, ...], body: Body, kinematics: Chain, program: Program, tolerance: float, back: float = 0.0,
+    progress: Progress = silent, rapids: str = INTERPOLATED,
+) -> tuple[Finding, ...]:  # fmt: skip
+    """Find where the ``body`` goes more than ``tolerance`` mm into a fixture, on any block; see :func:`.check.check_program`.
+    None deeper is missed; told of each fixture is the deepest place."""
+    found: list[Finding] = []
+    for fixture in fixtures:
+        check = check_program(fixture.mesh, body, kinematics, program, tolerance, back, progress, "", rapids)
+        found += _entering(fixture, check, program, tolerance) + _unproven(fixture, check.ways, program, tolerance)
+    return tuple(found)
+
+
+def _entering(fixture: Fixture, check: GougeCheck, program: Program, tolerance: float) -> list[Finding]:
+    """The deepest block and how many there are, or, where only whole cutters are in the fixture, the first such block."""
+    kinds: list[Entries | WayEntries] = [check.cutter, check.above, *([] if check.ways is None else [check.ways])]
+    depth = np.max([one.depth for one in kinds], axis=0, initial=0.0)
+    count = int(np.count_nonzero((depth > 0.0) | check.buried))
+    if not count:
+        return []
+    if not depth.any():
+        return [_buried(fixture, check, program, count)]
+    block = int(depth.argmax())
+    worst = max(kinds, key=lambda one: float(one.depth[block]))
+    at = tuple(worst.place[block].tolist())
+    text = ENTERS.say(
+        part=PARTS[int(worst.part[block])], depth=Length(depth[block], ".4g"), fixture=fixture.name, at=Point(at), count=count
+    )
+    return [_finding(text, float(depth[block]), tolerance, "mm", block, program, at)]
+
+
+def _buried(fixture: Fixture, check: GougeCheck, program: Program, count: int) -> Finding:
+    text = say(
+        "In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and the units of the fixture.",
+        count=count, fixture=fixture.name,
+    )  # fmt: skip
+    return _finding(text, float(count), 0.0, "1", int(check.buried.argmax()), program, None, "")
+
+
+def _finding(
+    text: Sentence, value: float, limit: float, unit: str, block: int, program: Program,
+    place: tuple[float, float, float] | None, remedy: str = REMEDY,
+) -> Finding:  # fmt: skip
+    line = int(program.line[block + 1])
+    return Finding(Severity.ERROR, FIXTURE_COLLISION, joined((text, remedy)), value, limit, unit, block + 1, line, place)
+
+
+def _unproven(fixture: Fixture, ways: WayEntries | None, program: Program, tolerance: float) -> list[Finding]:
+    """What is not proven of rapids whose axes may run independently."""
+    if ways is None:
+        return []
+    rows = np.flatnonzero((ways.depth == 0.0) & (ways.bound > tolerance * (1.0 + 1e-9)))
+    if not len(rows):
+        return []
+    line, bound = int(program.line[rows[0] + 1]), float(ways.bound[rows].max())
+    text = say(
+        "In {count} rapids it is not proven that the tool stays out of the fixture {fixture} on every way of independent axes, "
+        "the first in NC line {line}; it enters by no more than {bound}. Drive one group of axes after the other.",
+        count=len(rows), fixture=fixture.name, line=line, bound=Length(bound, ".3g"),
+    )  # fmt: skip
+    return [Finding(Severity.WARNING, FIXTURE_UNPROVEN, text, bound, tolerance, "mm", int(rows[0]) + 1, line)]

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool against fixtures: by closed forms and dense samples of a clamp beside the top of a plate; the path laid around it; the
+command line."""
+
+import numpy as np
+import pytest
+from mesh_shapes import box
+from plain import build_settings
+
+from freecad_fiveaxis.core.cli import main
+from freecad_fiveaxis.core.collision.fixtures import Fixture, box_with, check_fixtures, join_obstacles
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.options import tip_to_driven, tool_body
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.report.figures import summary
+from freecad_fiveaxis.core.report.scope import scope
+from freecad_fiveaxis.core.report.verdict import verdict
+
+LOW, HIGH = (10.0, -8.0, 0.0), (20.0, -1.0, 25.0)
+"""A clamp 1 mm beside a plate of 30 x 20 x 10 mm, 15 mm higher than its top."""
+OPTIONS = {
+    "machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "stepover": 2.0, "passes": "planes", "max_axis_angle": 30,
+}  # fmt: skip
+
+
+def clamp(low=LOW, high=HIGH):
+    return from_triangles(box(low, high))
+
+
+@pytest.fixture
+def files(tmp_path):
+    write_stl(from_triangles(box((0, 0, 0), (30, 20, 10))), tmp_path / "plate.stl")
+    write_stl(clamp(), tmp_path / "clamp.stl")
+    write_stl(clamp((10, 25, 0), (20, 32, 25)), tmp_path / "far.stl")
+    write_stl(clamp((10, 25, 0), (20, 32, 80)), tmp_path / "tall.stl")
+    return tmp_path
+
+
+def proved(files, *fixtures, **options):
+    given = {**OPTIONS, **options, "fixture": [str(files / name) for name in fixtures]}
+    return job.run(build_settings("mill", str(files / "plate.stl"), given))
+
+
+def hits(result):
+    return [one for one in result.findings if one.code == "fixture-collision"]
+
+
+def sampled_depth(made, low, high, many=200):
+    """By dense samples of the real way, mm: how deep the ball of 6 is in the box, whose faces it meets from outside."""
+    q, u = words_to_q(made.program.words), np.linspace(0.0, 1.0, many)[:, None, None]
+    q = (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5)
+    tip, axis = forward(made.kinematics, q)
+    centre = tip + 3.0 * axis
+    out = np.maximum(np.maximum(low - centre, centre - high), 0.0)
+    return float((3.0 - np.linalg.norm(out, axis=1)).max())
+
+
+def test_a_clamp_in_the_way_is_hit_as_deep_as_dense_samples_say(files):
+    result = proved(files, "clamp.stl", gouge="report")
+    (one,) = hits(result)
+    deepest = sampled_depth(result.made, np.array(LOW), np.array(HIGH))
+    assert deepest == pytest.approx(1.0, abs=1e-6)  # the first pass is 1 mm inside the plate's edge: 3 - 2
+    assert one.value == pytest.approx(deepest, abs=0.02)
+    assert "into the fixture clamp.stl" in str(one.text) and one.line is not None
+    assert LOW[1] <= one.place[1] <= HIGH[1]
+    assert verdict(job.figures(result), summary(job.figures(result))).light.name == "RED"
+
+
+def test_moved_away_by_as_much_it_is_free_and_a_tenth_nearer_it_is_not(files):
+    made = proved(files, gouge="report").made
+    (depth,) = [one.value for one in hits(proved(files, "clamp.stl", gouge="report"))]
+
+    def found(away):
+        fixture = Fixture("clamp", clamp(np.subtract(LOW, (0, away, 0)), np.subtract(HIGH, (0, away, 0))))
+        return check_fixtures(
+            (fixture,), tool_body(made.settings), made.kinematics, made.program, 0.01, tip_to_driven(made.settings)
+        )
+
+    assert not found(depth + 0.01)
+    (one,) = found(depth - 0.1)
+    assert one.value == pytest.approx(0.1, abs=0.02)
+
+
+@pytest.mark.parametrize("axes", [{}, {"passes": "scallop", "stepover": None, "scallop": 0.2, "tool_axis": "auto"}])
+def test_a_path_goes_around_the_fixture_and_still_cuts_what_is_free(files, axes):
+    bare, result = proved(files, **axes), proved(files, "clamp.stl", **axes)
+    assert hits_of(bare, files)
+    assert not hits(result)
+    assert sampled_depth(result.made, np.array(LOW), np.array(HIGH), 50) < 0.011
+    assert summary(job.figures(result))["cut_length"] > 0.7 * summary(job.figures(bare))["cut_length"]
+    tip, _ = forward(result.made.kinematics, words_to_q(result.made.program.words))
+    assert tip[:, 2].max() >= 30.0  # 5 mm above the clamp, where the plate alone asks for 15
+
+
+def hits_of(result, files):
+    made = result.made
+    fixture = Fixture("clamp", clamp())
+    return check_fixtures((fixture,), tool_body(made.settings), made.kinematics, made.program, 0.01, tip_to_driven(made.settings))
+
+
+def test_what_is_proven_of_fixtures_is_said_and_only_then(files):
+    def said(result):
+        sheets = job.figures(result)
+        told = scope(sheets, summary(sheets))
+        return " | ".join(map(str, told.proven)), " | ".join(map(str, told.unknown))
+
+    free, hit, none = proved(files, "far.stl"), proved(files, "clamp.stl", gouge="report"), proved(files)
+    assert "out of the fixtures: far.stl" in said(free)[0] and "other fixtures" in said(free)[1]
+    assert "fixtures" not in said(hit)[0] and "out of the part" in said(hit)[0]
+    assert "fixtures" not in said(none)[0] and "other fixtures" not in said(none)[1]
+
+
+def test_a_holder_that_hits_is_named_where_the_cutter_is_free(files):
+    assert not hits(proved(files, "tall.stl", gouge="report", shank="6x6"))
+    (one,) = hits(proved(files, "tall.stl", gouge="report", shank="6x6", holder="40x30"))
+    assert "holder" in str(one.text)
+
+
+def test_a_cutter_wholly_inside_a_fixture_touches_no_facet_and_is_found(files):
+    made = proved(files, gouge="report").made
+    whole = Fixture("stock", clamp((-500, -500, -500), (500, 500, 500)))
+    (one,) = check_fixtures((whole,), tool_body(made.settings), made.kinematics, made.program, 0.01)
+    assert "whole cutter is inside the fixture stock" in str(one.text)
+    assert one.value == len(made.program.words) - 1
+
+
+def test_part_and_fixtures_are_joined_without_being_welded():
+    part, touching = from_triangles(box((0, 0, 0), (30, 20, 10))), clamp((0, -7, 0), (30, 0, 10))
+    joined = join_obstacles(part, (Fixture("jaw", touching),))
+    assert join_obstacles(part, ()) is part
+    assert len(joined.face) == 24 and (joined.face[:12] == part.face).all() and (joined.coedge_face >= 0).all()
+    np.testing.assert_array_equal(joined.vertex[joined.face[12:]], touching.vertex[touching.face])
+    ends = np.sort(joined.coedge_vertex[joined.face_coedge], axis=2)
+    sides = np.sort(np.stack([joined.face, np.roll(joined.face, -1, axis=1)], axis=2), axis=2)
+    np.testing.assert_array_equal(ends, sides)
+    low, high = box_with(part.box, (Fixture("jaw", touching),))
+    assert low.tolist() == [0, -7, 0] and high.tolist() == [30, 20, 10]
+
+
+def test_audit_and_post_look_at_fixtures_too(files, capsys):
+    nc, cl = files / "plate.ngc", files / "plate.apt"
+    made = ["--machine", "trunnion_ac", "--tool-length", "120", "--cutter", "ball:6"]
+    path = ["--stepover", "2", "--passes", "planes", "--max-axis-angle", "30", "--spindle", "9000"]
+    assert main(["mill", str(files / "plate.stl"), *made, *path, "-o", str(nc), "--cl", str(cl)]) == 0
+    capsys.readouterr()
+    for task, source in (("audit", nc), ("post", cl)):
+        written = ["-o", str(files / "again.ngc")] if task == "post" else []
+        assert main([task, str(source), *made, "--fixture", str(files / "far.stl"), *written]) == 0
+        assert "hits a fixture" not in capsys.readouterr().out
+        assert main([task, str(source), *made, "--fixture", str(files / "clamp.stl"), *written]) == 1
+        assert "the tool hits a fixture at 1 place" in capsys.readouterr().out
+
+
+def test_an_audit_looks_at_the_holder_beside_fixtures_without_a_part(files, capsys):
+    given = ["--machine", "trunnion_ac", "--tool-length", "120", "--cutter", "ball:6"]
+    path = ["--stepover", "2", "--passes", "planes", "--max-axis-angle", "30", "--spindle", "9000", "-o", str(files / "a.ngc")]
+    assert main(["mill", str(files / "plate.stl"), *given, *path]) == 0
+    audit = ["audit", str(files / "a.ngc"), *given, "--fixture", str(files / "tall.stl"), "--shank", "6x6"]
+    assert main(audit) == 0
+    assert main([*audit, "--holder", "40x30"]) == 1
+    assert "The holder goes at least" in capsys.readouterr().out
+    assert main(["audit", str(files / "a.ngc"), *given, "--holder", "40x30"]) == 2
+    assert "--fixture" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name, said", [("none.stl", "none.stl"), ("plate.txt", "plate.txt")])
+def test_a_file_that_is_no_fixture_is_one_line_with_exit_code_2_and_nothing_is_written(files, capsys, name, said):
+    (files / "plate.txt").write_text("a vise\n")
+    out = files / "never.ngc"
+    given = ["mill", str(files / "plate.stl"), "--machine", "trunnion_ac", "--cutter", "ball:6", "--fixture", str(files / name)]
+    assert main([*given, "-o", str(out)]) == 2
+    lines = capsys.readouterr().err.strip().splitlines()
+    assert len(lines) == 1 and said in lines[0] and not out.exists()
