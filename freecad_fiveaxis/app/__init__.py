@@ -48,7 +48,8 @@ def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
     ``machine="trunnion_ac", cutter="bull:10:2", holder="40x25,63x50", gouge="report", scallop=0.01, feed=1000, ...``; also
     ``work_zero=(x, y, z)`` mm, ``faces``, ``linear_deflection`` mm, ``angular_deflection`` deg; ``holder_diameter`` and
     ``holder_length`` mm are a holder of one cylinder. ``setup``: a Setup, whose machine, controller and work zero the path takes;
-    in a document with just one Setup it takes that where it is given nothing of the kind; None: none.
+    in a document with just one Setup it takes that where it is given nothing of the kind; None: none. ``fixtures``: solids and
+    meshes of the document that hold the part; the path goes around them.
     Raises FiveAxisError; then the document is as it was.
     """
     from . import arguments

@@ -49,6 +49,7 @@ def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, 
 def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.create_toolpath`."""
     settings, setup = _with_setup(doc, _with_holder(settings))
+    fixtures = [compared.checked(doc, one) for one in settings.pop("fixtures", None) or ()]
     extra = _extra(settings, _EXTRA)
     options = {name: value for name, value in settings.items() if name not in _OF_MESH and name not in _EXTRA}
     options["machine"] = options.get("machine") or DEFAULT_MACHINE
@@ -71,7 +72,7 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
             )
         path = toolpath.make(doc, mesh, options, extra)
         added.append(path)
-        path.Setup = setup
+        path.Setup, path.Fixtures = setup, fixtures
         _compute(path)
     return path
 

@@ -25,15 +25,17 @@ _OF_MESH = {"linear_deflection": "LinearDeflection", "angular_deflection": "Angu
 def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     """Give a Toolpath all of these settings, as ``create_toolpath`` takes them, and compute it; returns it.
 
-    An option that is not among them goes back to its default; ``work_zero`` and the deflections stay unless they are given.
-    Raises FiveAxisError; the caller's transaction then takes back what was done.
+    An option that is not among them goes back to its default; ``work_zero``, ``fixtures`` and the deflections stay
+    unless they are given. Raises FiveAxisError; the caller's transaction then takes back what was done.
     """
-    options = {name: value for name, value in settings.items() if name not in (*_OF_MESH, "work_zero", "setup")}
+    options = {name: value for name, value in settings.items() if name not in (*_OF_MESH, "work_zero", "setup", "fixtures")}
     options = toolpath.with_strategies(options)
     if obj.Mesh is None:
         raise toolpath.mesh_is_gone(obj)
     _put_mesh(obj.Mesh, settings)
     _put(obj, MILL, options, settings.get("work_zero"))
+    if "fixtures" in settings and list(obj.Fixtures) != list(settings["fixtures"]):
+        obj.Fixtures = list(settings["fixtures"])
     if "setup" in settings and obj.Setup is not settings["setup"]:
         obj.Setup = settings["setup"]
     elif obj.Setup is not None:

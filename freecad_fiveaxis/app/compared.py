@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The part of the document that an audit compares with: a solid, body, compound or mesh, about the work zero.
+"""The part of the document that an audit compares with, or a fixture of a tool path: a solid, body, compound or mesh, about the
+work zero.
 
 digest    tells a changed part from the old one without meshing it, for it is asked for at every look at the audit.
 stl       the part's surface, meshed as that of a tool path; made only where the audit is computed.

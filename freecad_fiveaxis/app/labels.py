@@ -132,6 +132,7 @@ def _of_programs() -> dict[str, str]:
         "shank": translate("FiveAxis", "Shank, Ø x length"),
         "holder": translate("FiveAxis", "Holder, Ø x length"),
         "fixture": translate("FiveAxis", "Fixtures"),
+        "fixtures": translate("FiveAxis", "Fixtures"),
         "left": translate("FiveAxis", "Rest material"),
         "linearize": translate("FiveAxis", "Divide blocks"),
         "singularity": translate("FiveAxis", "Near the pole"),

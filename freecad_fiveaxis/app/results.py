@@ -36,12 +36,13 @@ from .selection import SelectionError
 @dataclass(frozen=True)
 class Task:
     """What an object asks of the core: the ``settings``, and the ``data`` (a mesh's facets, or the NC file) with the chosen
-    facets' ``runs``; ``part``: what an audit compares with, where that is in the document."""
+    facets' ``runs``; ``part``: what an audit compares with, where that is in the document; ``fixtures``: what holds the part."""
 
     settings: Settings
     data: Any
     runs: tuple[int, ...] = ()
     part: Part | None = None
+    fixtures: tuple[Part, ...] = ()
 
     @property
     def fingerprint(self) -> str:
@@ -58,7 +59,7 @@ class Task:
         files = _contents(self.settings, ("against",) if self.part else ())
         said = repr((__version__, settings, _machine(self.settings), self.runs, *files)).encode()
         data = self.data.digest() if isinstance(self.data, Facets) else hashlib.sha256(self.data).digest()
-        data += self.part.digest() if self.part else b""
+        data += b"".join(one.digest() for one in ((self.part,) if self.part else ()) + self.fixtures)
         return hashlib.sha256(data + said).hexdigest()
 
 
@@ -118,6 +119,7 @@ def _last(obj: Any, progress: Progress | None) -> Last:
     if proxy.last is None or proxy.last.fingerprint != fingerprint:
         with listening(progress) as told:
             whole = replace(task, part=task.part.meshed(told)) if task.part else task
+            whole = replace(whole, fixtures=tuple(one.meshed(told) for one in task.fixtures))
             proxy.last = run(lambda told: _computed(proxy, whole, fingerprint, told), doc=obj.Document)
     return proxy.last
 
@@ -166,7 +168,8 @@ def out_of_date(obj: Any) -> str:
                 label=obj.Mesh.Label,
             )
         )
-    before = [one for one in (_base(obj), getattr(obj, "Mesh", None), getattr(obj, "Part", None)) if one is not None]
+    needed = (_base(obj), getattr(obj, "Mesh", None), getattr(obj, "Part", None), *getattr(obj, "Fixtures", ()))
+    before = [one for one in needed if one is not None]
     for one in (*before, obj):
         if "Invalid" in one.State:
             return wording.told(say("{label} could not be computed: {why}", label=one.Label, why=one.getStatusString()))

@@ -10,12 +10,13 @@ import FreeCAD
 
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis
 from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
 from freecad_fiveaxis.core.machine import load_machine
 
-from . import convert, job_setup, results
+from . import compared, convert, job_setup, results
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
 from .schema import Proxy
 from .selection import SelectionError, is_mesh
@@ -24,6 +25,11 @@ MESH = Property(
     "Mesh", "App::PropertyLinkGlobal", "Base", QT_TRANSLATE_NOOP("App::Property", "The tessellation, or any mesh, that is milled")
 )
 
+FIXTURES = Property(
+    "Fixtures", "App::PropertyLinkListGlobal", "Safety",
+    QT_TRANSLATE_NOOP("App::Property", "Solids and meshes of the document that hold the part: the path goes around them"),
+)  # fmt: skip
+
 
 class Toolpath(Proxy):
     """Proxy of a toolpath."""
@@ -31,12 +37,12 @@ class Toolpath(Proxy):
     last: results.Last | None
 
     def _begin(self) -> None:
-        self.last = None
+        self.last, self.seen = None, dict[str, compared.Seen]()
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The mesh, the settings of task ``mill``, the work zero and the results."""
-        return (MESH, job_setup.LINK, *setting_properties(MILL), WORK_ZERO, *RESULTS)
+        """The mesh, the fixtures, the settings of task ``mill``, the work zero and the results."""
+        return (MESH, FIXTURES, job_setup.LINK, *setting_properties(MILL), WORK_ZERO, *RESULTS)
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
@@ -46,14 +52,20 @@ class Toolpath(Proxy):
             raise SelectionError(
                 say("{label} is no mesh: choose a tessellation or a mesh.", label=obj.Mesh.Label), obj.Mesh.Label
             )
-        settings = convert.settings_of(obj, MILL, f"{obj.Mesh.Label}.stl")
-        facets = convert.facets_of(obj.Mesh, obj.WorkZero)
-        return results.Task(settings, facets, tuple(getattr(obj.Mesh, "FacetRuns", ())))
+        fixtures = check_fixtures(obj)
+        named = {"fixture": [f"{one.Label}.stl" for one in fixtures]} if fixtures else {}
+        settings = build_settings(MILL, f"{obj.Mesh.Label}.stl", convert.options_of(obj, MILL) | named)
+        facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
+        solids = tuple(compared.Part(one, zero, self.seen.setdefault(one.Name, compared.Seen())) for one in fixtures)
+        return results.Task(settings, facets, tuple(getattr(obj.Mesh, "FacetRuns", ())), fixtures=solids)
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The program, not yet proven."""
         mesh, faces = convert.mesh_and_mask(task.data, task.runs, progress)
-        return job.make(task.settings, progress, mesh=mesh, faces=faces)
+        names = task.settings.gouge.fixture
+        solids = [convert.mesh_of(one.stl, progress) for one in task.fixtures]
+        fixtures = tuple(Fixture(name.removesuffix(".stl"), one) for name, one in zip(names, solids, strict=True))
+        return job.make(task.settings, progress, mesh=mesh, faces=faces, fixtures=fixtures)
 
     def onDocumentRestored(self, obj: Any) -> None:
         """What its setup says cannot be edited."""
@@ -69,6 +81,17 @@ class Toolpath(Proxy):
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         results.execute(obj)
+
+
+def check_fixtures(obj: Any) -> list[Any]:
+    """Give the fixtures of a Toolpath. Raises SelectionError for what is no solid and no mesh, and for the part itself."""
+    part = getattr(obj.Mesh, "Base", None)
+    for one in obj.Fixtures:
+        compared.checked(obj.Document, one)
+        if one is obj.Mesh or (part and one is part[0]):
+            text = say("{label} is the part that is milled: choose what holds it, or no fixture.", label=one.Label)
+            raise SelectionError(text, one.Label)
+    return list(obj.Fixtures)
 
 
 def mesh_is_gone(obj: Any) -> SelectionError:

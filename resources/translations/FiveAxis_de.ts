@@ -340,6 +340,10 @@
         <translation>Spannmittel</translation>
     </message>
     <message>
+        <source>Fixtures</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
         <source>Fold Legend</source>
         <translation>Legende einklappen</translation>
     </message>
@@ -930,6 +934,10 @@
     <message>
         <source>So much may be left: twice the scallop, and the tolerance</source>
         <translation>So viel darf stehen bleiben: die doppelte Kuppenhöhe und die Toleranz</translation>
+    </message>
+    <message>
+        <source>Solids and meshes of the document that hold the part: the path goes around them</source>
+        <translation>Körper und Netze des Dokuments, die das Teil halten: die Bahn führt darum herum</translation>
     </message>
     <message>
         <source>Spindle</source>
@@ -2481,6 +2489,10 @@
     <message>
         <source>There are several tool paths: select the one to write.</source>
         <translation>Es gibt mehrere Werkzeugwege: den auswählen, der ausgegeben werden soll.</translation>
+    </message>
+    <message>
+        <source>There is no other solid in the document.</source>
+        <translation>Im Dokument ist kein anderer Körper.</translation>
     </message>
     <message>
         <source>These files are there already. Replace them?</source>
@@ -6646,6 +6658,10 @@
     <message>
         <source>{label} is no toolpath and no audit: select one of these.</source>
         <translation>{label} ist weder Werkzeugweg noch Prüfung: eines davon auswählen.</translation>
+    </message>
+    <message>
+        <source>{label} is the part that is milled: choose what holds it, or no fixture.</source>
+        <translation>{label} ist das Teil, das gefräst wird: wählen Sie, was es hält, oder kein Spannmittel.</translation>
     </message>
     <message>
         <source>{label} names no NC file: choose one in its property NCFile</source>

@@ -80,12 +80,16 @@ def run(settings: Settings, progress: Progress = silent) -> Result:
     return prove(make(settings, progress), progress)
 
 
-def make(settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None) -> Made:
+def make(
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
+    fixtures: tuple[Fixture, ...] | None = None,
+) -> Made:  # fmt: skip
     """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name;
-    ``faces`` (f,): the facets of it that are to be cut, None: all. Raises FiveAxisError for input that cannot be used."""
+    ``faces`` (f,): the facets of it that are to be cut, None: all; ``fixtures``: where they are at hand and the settings only
+    name them. Raises FiveAxisError for input that cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     machine, kinematics, dialect = machine_of(settings)
-    fixtures = read_fixtures(settings.gouge.fixture, progress)
+    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
     if settings.task in (MILL, POST):
         dialect = _told(settings, machine, dialect)
     if settings.task == MILL:

@@ -15,6 +15,7 @@ from freecad_fiveaxis.gui.qt import QtCore, translate
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .fields import QuantityField
+from .fixtures import FixturesField
 from .form import SPACING, Form, Section
 from .job_setup import FAR, SHARED, SetupField, ask, shown
 from .panel_widget import PanelWidget
@@ -35,8 +36,8 @@ class ToolpathPanel(PathPanel):
         self.usual: str | None = None
         meshed = _tessellation(obj) is None if obj else is_mesh(base)
         self.setup = SetupField(doc)
-        extras = [self.setup, *self._extras(not meshed)]
         part = base if obj is None else obj.Mesh
+        extras = [self.setup, FixturesField(doc, _milled(part)), *self._extras(not meshed)]
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
         self.scale_offer = ScaleOffer()
         super().__init__(doc, translate("FiveAxis", "Tool path"), form, obj)
@@ -198,12 +199,18 @@ def edit(obj: Any) -> ToolpathPanel:
     from freecad_fiveaxis.app import changes
 
     panel = ToolpathPanel(obj.Document, obj=obj)
-    values = changes.shown_options(obj, "mill") | {"work_zero": tuple(obj.WorkZero), "setup": obj.Setup}
+    values = changes.shown_options(obj, "mill") | {"work_zero": tuple(obj.WorkZero), "setup": obj.Setup, "fixtures": obj.Fixtures}
     mesh = _tessellation(obj)
     if mesh is not None:
         values |= {"linear_deflection": mesh.LinearDeflection.Value, "angular_deflection": mesh.AngularDeflection.Value}
     panel.fill(values)
     return show(panel)
+
+
+def _milled(part: Any) -> Any:
+    """Find the solid that a tessellation is of; of any other object itself."""
+    base = getattr(part, "Base", None) if is_mesh(part) else None
+    return base[0] if base else part
 
 
 def _tessellation(obj: Any) -> Any:
@@ -218,7 +225,7 @@ SECTIONS = {
     "Tool": ("cutter", "tool", "spindle", "feed", "plunge_feed", "shank", "holder"),
     "Passes": ("passes", "from_", SPACING, "direction", "order", "links", "lead_in"),
     "Axis": ("tool_axis", "axis", "lead", "tilt", "max_tilt"),
-    "Safety": ("gouge", "linearize", "singularity", "max_axis_change", "tolerance", "clearance", "left"),
+    "Safety": ("gouge", "fixtures", "linearize", "singularity", "max_axis_change", "tolerance", "clearance", "left"),
     "Output": ("rtcp", "high_speed", "feed_mode", "blend", "work_offset", "coolant"),
 }
 """The fields of each group; what is not here stands under More settings."""
@@ -228,7 +235,7 @@ TOLD = {
     "Tool": ("cutter", "spindle", "feed"),
     "Passes": ("passes", SPACING, "direction"),
     "Axis": ("tool_axis", "lead", "tilt"),
-    "Safety": ("gouge", "linearize", "tolerance"),
+    "Safety": ("gouge", "fixtures", "linearize", "tolerance"),
     "Output": ("rtcp", "feed_mode", "work_offset"),
 }
 """What stands in the title of each group."""

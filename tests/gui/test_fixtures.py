@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The list of fixtures in the panel of a tool path: ticked by mouse, kept by the path, shown when it is edited, taken back by undo."""
+
+import FreeCAD
+import pytest
+from conftest import QtCore
+
+from freecad_fiveaxis.gui.panels import toolpath
+
+COARSE = {"passes": "planes", "cutter": "ball:6", "stepover": 2.0, "max_axis_angle": 30.0, "tool_length": 120.0}
+
+
+@pytest.fixture
+def parts(doc):
+    made = [doc.addObject("Part::Box", name) for name in ("Plate", "Clamp")]
+    for one, size, low in zip(made, ((30, 20, 10), (10, 7, 25)), ((0, 0, 0), (10, -8, 0)), strict=True):
+        one.Length, one.Width, one.Height = size
+        one.Placement.Base = FreeCAD.Vector(*low)
+    doc.recompute()
+    return made
+
+
+def tick(editor, row, click):
+    rect = editor.visualItemRect(editor.item(row))
+    click(editor.viewport(), QtCore.QPoint(rect.left() + 10, rect.center().y()))
+
+
+def labels(editor):
+    return [editor.item(row).text() for row in range(editor.count())]
+
+
+def test_a_clamp_is_ticked_and_the_path_goes_around_it(doc, parts, pump, click, unfold, screenshot):
+    part, clamp = parts
+    panel = toolpath.create(part)
+    panel.options.show_options(COARSE)
+    pump(300)
+    unfold()
+    editor = panel.options.fields["fixtures"].editor
+    assert labels(editor) == ["Clamp"], "the part itself is none"
+    tick(editor, 0, click)
+    assert panel.options.fields["fixtures"].words() == "Clamp"
+    assert panel.calculate()
+    pump(600)
+    screenshot("fixtures_panel")
+    path = panel.obj
+    assert path.Fixtures == [clamp]
+    assert panel.accept()
+    pump(200)
+
+    again = toolpath.edit(path)
+    pump(300)
+    unfold()
+    assert again.options.fields["fixtures"].value() == [clamp]
+    assert labels(again.options.fields["fixtures"].editor) == ["Clamp"]
+    tick(again.options.fields["fixtures"].editor, 0, click)
+    assert again.calculate() and not path.Fixtures
+    assert again.reject()
+    pump(200)
+    assert path.Fixtures == [clamp], "Cancel takes it back"
+
+
+def test_without_another_solid_the_list_says_so(doc, parts, pump, unfold):
+    part, clamp = parts
+    doc.removeObject(clamp.Name)
+    panel = toolpath.create(part)
+    pump(300)
+    unfold()
+    pump(100)
+    field = panel.options.fields["fixtures"]
+    assert field.value() == [] and "no other solid" in field.note.text()
+    panel.reject()
