@@ -39,6 +39,7 @@ def test_a_clamp_is_ticked_and_the_path_goes_around_it(doc, parts, pump, click, 
     assert labels(editor) == ["Clamp"], "the part itself is none"
     tick(editor, 0, click)
     assert panel.options.fields["fixtures"].words() == "Clamp"
+    screenshot("fixtures_ticked")
     assert panel.calculate()
     pump(600)
     screenshot("fixtures_panel")
