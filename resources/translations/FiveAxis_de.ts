@@ -3636,8 +3636,8 @@
         <translation>CUTCOM verlangt {count}-mal Radiuskorrektur (zuerst Zeile {line}); das Programm hat keine: {taken}</translation>
     </message>
     <message>
-        <source>Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces ({faces}).</source>
-        <translation>Spannen Sie das Teil anders, nehmen Sie ein längeres Werkzeug oder einen kleineren Halter, oder bearbeiten Sie weniger Flächen ({faces}).</translation>
+        <source>Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces.</source>
+        <translation>Spannen Sie das Teil anders, nehmen Sie ein längeres Werkzeug oder einen kleineren Halter, oder bearbeiten Sie weniger Flächen.</translation>
     </message>
     <message>
         <source>Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the machine file or by {rapids}.</source>

@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, Template, joined, say
+from freecad_fiveaxis.core.base.sentences import Length, Point, Sentence, Template, joined, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program
@@ -30,9 +30,7 @@ FIXTURE_COLLISION, FIXTURE_UNPROVEN = "fixture-collision", "fixture-unproven"
 """The codes of the findings."""
 
 ENTERS = Template("The {part} goes at least {depth} into the fixture {fixture} at {at}, deepest of {count} blocks.")
-REMEDY = say(
-    "Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces ({faces}).", faces=Option("faces")
-)
+REMEDY = say("Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces.")
 
 
 @dataclass(frozen=True, eq=False)
