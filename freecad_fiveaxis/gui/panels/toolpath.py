@@ -208,8 +208,8 @@ def edit(obj: Any) -> ToolpathPanel:
 
 
 def _milled(part: Any) -> Any:
-    """Find the solid that a tessellation is of; of any other object itself."""
-    base = getattr(part, "Base", None) if is_mesh(part) else None
+    """Find the solid that a tessellation is of; of any other object itself, None where it was deleted."""
+    base = getattr(part, "Base", None) if part is not None and is_mesh(part) else None
     return base[0] if base else part
 
 
