@@ -23,6 +23,7 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import PARTS, Body
 
 from .check import GougeCheck, check_program
+from .rapid_check import unproven_blocks
 from .rapid_ways import WayEntries
 from .search import Entries
 
@@ -123,7 +124,7 @@ def _unproven(fixture: Fixture, ways: WayEntries | None, program: Program, toler
     """What is not proven of rapids whose axes may run independently."""
     if ways is None:
         return []
-    rows = np.flatnonzero((ways.depth == 0.0) & (ways.bound > tolerance * (1.0 + 1e-9)))
+    rows = unproven_blocks(ways, tolerance)
     if not len(rows):
         return []
     line, bound = int(program.line[rows[0] + 1]), float(ways.bound[rows].max())

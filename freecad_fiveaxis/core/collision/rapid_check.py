@@ -76,8 +76,13 @@ def rapid_findings(ways: WayEntries, program: Program, tolerance: float, rapids:
     return (*found, *_unproven(ways, program, tolerance))
 
 
+def unproven_blocks(ways: WayEntries, tolerance: float) -> Ints:
+    """Pick the blocks that are not known to enter, and not proven to stay out by ``tolerance`` mm."""
+    return np.flatnonzero((ways.depth == 0.0) & (ways.bound > tolerance * (1.0 + 1e-9)))
+
+
 def _unproven(ways: WayEntries, program: Program, tolerance: float) -> tuple[Finding, ...]:
-    rows = np.flatnonzero((ways.depth == 0.0) & (ways.bound > tolerance * (1.0 + 1e-9)))
+    rows = unproven_blocks(ways, tolerance)
     if not len(rows):
         return ()
     line, bound = int(program.line[rows[0] + 1]), float(ways.bound[rows].max())
