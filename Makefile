@@ -9,6 +9,9 @@
 PYTHON := .venv/bin/python
 FIVEAXIS := $(PYTHON) -m freecad_fiveaxis
 
+unexport PYTHONDONTWRITEBYTECODE
+# where it is set, each process of each test compiles the whole package again, a tenth of what the core ring takes
+
 TWO := -n 2 --dist worksteal
 # half of the tests each, in their order, so that what the tests of a file share is made once; who is done takes of the other's half
 

@@ -301,3 +301,15 @@ def test_rows_are_put_between_those_of_wide_facets_so_that_the_field_is_followed
     assert again is fine
     sparse = np.linalg.norm(np.diff(path.point, axis=0), axis=1)[np.diff(path.polyline) == 0]
     assert sparse.max() > 10.0
+
+
+@pytest.mark.parametrize("count", [0, 1, module.IN_CACHE, 2 * module.IN_CACHE + 1])
+def test_the_nearest_free_direction_is_the_one_of_the_largest_cosine_however_many_are_asked(count):
+    random = np.random.default_rng(count)
+    direction, axis, normal = (module.unit(random.normal(size=(k, 3))) for k in (7, count, count))
+    free, upright = random.random((count, 7)) < 0.2, random.random(count) < 0.2
+    found, got = module.nearest_free(axis, normal, module.Freedom(direction, free, upright, np.zeros(count, np.int64)))
+    for k in range(count):
+        allowed = [*direction[free[k]], *([normal[k]] if upright[k] else [])]
+        assert got[k] == bool(allowed)
+        assert np.array_equal(found[k], max(allowed, key=lambda one: float(one @ axis[k]), default=axis[k]))

@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import facet_curvature, flat_interval, slice_field
 from freecad_fiveaxis.core.passes.field import PassField, PassOptions, Region
 from freecad_fiveaxis.core.passes.geodesic import (
+    _stiffness,
     as_tensor,
     distance,
     frames,
@@ -137,6 +138,19 @@ def test_a_source_that_is_known_to_be_farther_has_its_front_later():
     source = np.flatnonzero((x == 0.0) | (x == 20.0))
     value, *_ = measured(mesh, source, known=np.where(x[source] == 0.0, 0.0, 10.0 / STEP))
     np.testing.assert_allclose(value, np.minimum(x, 30.0 - x) / STEP, atol=0.5)
+
+
+def test_no_heat_flows_uphill_over_obtuse_corners():
+    """Off the diagonal nothing is positive (a Stieltjes matrix has no negative inverse); of the Poisson equation some is."""
+    mesh = sheet(np.linspace(0, 9, 10), np.linspace(0, 1, 4), lambda x, y: (x + 4.0 * y, y, 0 * x))
+    frame = frames(mesh.vertex, mesh.face)
+    metric = scallop_metric(frame, facet_curvature(mesh), RADIUS, STEP)
+    beside = {}
+    for clipped in (False, True):
+        matrix = _stiffness(mesh.face, frame, metric, len(mesh.vertex), clipped).toarray()
+        np.testing.assert_allclose(matrix.sum(axis=1), 0.0, atol=1e-9)
+        beside[clipped] = (matrix - np.diag(np.diag(matrix))).max()
+    assert beside[False] > 0.1 and beside[True] <= 0.0
 
 
 def test_no_distance_is_longer_than_the_way_along_sides():

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tool tilted free: by the angle that the wall demands, smoothly, within its limits; and every cure where none can help."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from gouge_examples import bowl, dense_points, sampled_depth, step
@@ -12,8 +14,11 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.cl.cl_offset import scallop_of
 from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
 from freecad_fiveaxis.core.collision import check_motion, straight_motion
+from freecad_fiveaxis.core.corrections.tilt import _Runs
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
 from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.passes import axes_within_limits
 from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.tool.body import HOLDER
@@ -114,6 +119,35 @@ def test_tilted_axes_stay_within_the_rotary_limits_and_the_largest_tilt(along):
     made = along[1]
     assert axes_within_limits(made.kinematics, made.path.axis).all()
     assert np.degrees(np.arccos(made.path.axis[:, 2].min())) < 30.0 + 1e-6
+
+
+def test_no_step_of_the_search_leads_beyond_the_largest_tilt():
+    """Two of 0.15 rad the same way, where the largest is 0.2 and a larger one would cost less."""
+    most, rows = 0.2, 4
+    axis, across = np.tile([0.0, 0.0, 1.0], (rows, 1)), np.tile([1.0, 0.0, 0.0], (rows, 1))
+    runs = SimpleNamespace(
+        task=SimpleNamespace(max_tilt=most), axis=axis, frame=np.stack([across, np.cross(axis, across)]), weight=np.ones(rows),
+        first=np.array([0]), size=np.array([rows]), allowed=lambda axes: np.ones(axes.shape[:2], bool), standing=lambda axes: axes,
+        share=lambda block: 0.0 * axis[:, 0], penalty=lambda tips, axes: 1e3 * axes[:, :, 2],
+        change=lambda offset, tips, axes: np.zeros((len(axes), len(axes), rows - 1)),
+    )  # fmt: skip
+    found = _Runs.chosen(runs, 0.15 * across, np.array([[0.0, 0.15, -0.15], [0.0, 0.0, 0.0]]))
+    np.testing.assert_allclose(found, most * across, atol=1e-12)
+
+
+def test_a_tapered_flank_never_leans_into_the_facet():
+    """A taper of 20 deg: the axis may stand 70 deg from the normal, no more; the first state, which is the given one, always."""
+    lean = np.radians([0.0, 69.9, 70.1, 85.0])
+    axes = np.stack([np.zeros(4), np.sin(lean), np.cos(lean)], axis=1)
+    upright = np.tile([0.0, 0.0, 1.0], (2, 1))
+    for taper, known in ((20.0, [True, True, False, False]), (0.0, [True, True, True, True])):
+        task = SimpleNamespace(
+            kinematics=chain(load_machine("trunnion_ac"), Setup()), cutter=SimpleNamespace(taper=np.radians(taper))
+        )
+        runs = SimpleNamespace(window=np.array([0]), task=task, path=SimpleNamespace(normal=upright))
+        found = _Runs.allowed(runs, np.repeat(axes[:, None], 2, axis=1))
+        assert found[:, 0].tolist() == known and (found[:, 0] == found[:, 1]).all()
+        assert _Runs.allowed(runs, np.repeat(axes[::-1, None], 2, axis=1))[0].all()
 
 
 @pytest.mark.parametrize("cutter", ["bull:6:1:24", pytest.param("flat:6:24", marks=pytest.mark.slow)])

@@ -48,7 +48,7 @@ SOME = 8000
 
 
 @dataclass(frozen=True, eq=False)
-class _Contacts:
+class Contacts:
     """Of k contact points: ``first`` (k,) row, ``facet`` (k,) and mean normal ``mean`` (k, 3); of n rows: the ``contact`` (n,) of
     each, ``stand`` (n, 3) mm where its tool stands, ``normal`` (n, 3), ``fits`` (n,) whether the ball does."""
 
@@ -86,15 +86,15 @@ class Free(IntEnum):
 
 def auto_axes(
     path: OffsetPath, given: Floats, field: AxisField, mesh: Mesh, reacher: Reacher, options: AxisOptions,
-    progress: Progress = silent,
+    progress: Progress = silent, contacts: Contacts | None = None,
 ) -> tuple[Floats, Ints, tuple[Finding, ...]]:  # fmt: skip
     """Find the unit axis (n, 3) of every row of ``path``, what is free with it (n,) of :class:`Free`, and say where nothing is.
 
     ``given`` (n, 3): what stays where no axis is free; ``field`` of the facets of ``mesh`` that are cut; ``reacher``: tool,
-    machine and table.
+    machine and table; ``contacts``: those of ``path``, None: found here.
     """
     tree = facet_tree(mesh)
-    contacts, long = _contacts(path, reacher, tree), with_way_out(reacher, tree)
+    contacts, long = contacts or find_contacts(path, mesh, reacher), with_way_out(reacher, tree)
     free = np.zeros(len(contacts.first), np.int64)
     if not len(given) or not field.freedom.some.any():
         return given, free[contacts.contact], _findings(free, contacts)
@@ -117,13 +117,17 @@ def auto_axes(
     return np.where(row_free[:, None] > 0, axis[contacts.contact], given), row_free, _findings(free, contacts)
 
 
-def refine_field(field: AxisField, path: OffsetPath, mesh: Mesh, reacher: Reacher, progress: Progress = silent) -> AxisField:
+def refine_field(
+    field: AxisField, path: OffsetPath, mesh: Mesh, reacher: Reacher, progress: Progress = silent,
+    contacts: Contacts | None = None,
+) -> AxisField:  # fmt: skip
     """Find the field once more with up to MORE contacts of ``path`` among its nodes, of those at which the ball fits and the tool
-    with its way out is not free with the axis of the ``field`` given; that very field where there are none."""
+    with its way out is not free with the axis of the ``field`` given; that very field where there are none. ``contacts``: those
+    of ``path``, None: found here."""
     tree, wide = facet_tree(mesh), with_margin(reacher)
     if not len(path.point) or not field.freedom.some.any():
         return field
-    contacts, long = _contacts(path, reacher, tree), with_way_out(reacher, tree)
+    contacts, long = contacts or find_contacts(path, mesh, reacher), with_way_out(reacher, tree)
     each = np.arange(len(contacts.first))
     asked = contacts.all_fit & (each % max(1, len(each) // SOME) == 0)
     axis = field.at(contacts.point, contacts.mean)
@@ -162,7 +166,9 @@ def divided(path: OffsetPath, axis: Floats, step: float, ring: float) -> tuple[O
     return rows_between(path, axis, pieces, ring)[:2] if (pieces > 1).any() else (path, axis)
 
 
-def _contacts(path: OffsetPath, reacher: Reacher, tree: FacetTree) -> _Contacts:
+def find_contacts(path: OffsetPath, mesh: Mesh, reacher: Reacher) -> Contacts:
+    """Find the contacts of ``path`` and where the tool stands there: dear, so :func:`refine_field` and :func:`auto_axes` take
+    them from whoever asks both."""
     begins = np.ones(len(path.point), np.bool_)
     begins[1:] = np.diff(path.polyline) != 0
     for column, limit in ((path.point, SHORT), (path.before, 0.0), (path.after, 0.0)):
@@ -170,9 +176,9 @@ def _contacts(path: OffsetPath, reacher: Reacher, tree: FacetTree) -> _Contacts:
     contact, first = np.cumsum(begins) - 1, np.flatnonzero(begins)
     contact, first = _joined_at_seams(path, contact, first)
     point = path.centre - reacher.cutter.corner * path.normal
-    stand, fits = raised(reacher, tree, point, path.normal)
+    stand, fits = raised(reacher, facet_tree(mesh), point, path.normal)
     mean = facet_mean(path, AxisOptions())[first]
-    return _Contacts(path.point[first], path.face[first], first, mean, contact, stand, path.normal, fits)
+    return Contacts(path.point[first], path.face[first], first, mean, contact, stand, path.normal, fits)
 
 
 def _joined_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints, Ints]:
@@ -190,7 +196,7 @@ def _joined_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints
 
 
 def _pulled(
-    field: AxisField, contacts: _Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree, progress: Progress
+    field: AxisField, contacts: Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree, progress: Progress
 ) -> tuple[Floats, Bools]:
     """The axes (k, 3) with those that are not ``free`` (k,) pulled to free directions of the nearest nodes, and what is free."""
     node, _ = field.near(contacts.point, contacts.mean)
@@ -209,7 +215,7 @@ def _pulled(
 
 
 def _leaned(
-    path: OffsetPath, contacts: _Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree, options: AxisOptions,
+    path: OffsetPath, contacts: Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree, options: AxisOptions,
     progress: Progress,
 ) -> Floats:  # fmt: skip
     """The axes (k, 3) leaned by lead and tilt where that leaves them ``free`` (k,)."""
@@ -219,7 +225,7 @@ def _leaned(
     return np.where((good & free)[:, None], tried, axis)
 
 
-def _findings(free: Ints, contacts: _Contacts) -> tuple[Finding, ...]:
+def _findings(free: Ints, contacts: Contacts) -> tuple[Finding, ...]:
     """At how many contacts at which the ball fits no axis that was tried keeps the tool out of the part."""
     held = contacts.all_fit & (free == Free.NONE)
     count = int(np.count_nonzero(held))

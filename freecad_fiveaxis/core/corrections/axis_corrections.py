@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.passes import with_room
 
-from .auto_axis import auto_axes, divided, refine_field
+from .auto_axis import auto_axes, divided, find_contacts, refine_field
 from .deform import deform_axes, trade_findings
 from .facets_with_axis import find_axis_field
 from .minimax import minimax_axes
@@ -99,8 +99,9 @@ def _to_free_axes(
         return axis, ()
     mesh, reacher = options.part.mesh, replace(options.part.reacher, kinematics=with_room(kinematics))
     field = find_axis_field(mesh, options.part.facets, reacher, progress)
-    field = refine_field(field, offset, mesh, reacher, progress)
-    axis, _, found = auto_axes(offset, axis, field, mesh, reacher, options.lean, progress)
+    contacts = find_contacts(offset, mesh, reacher)
+    field = refine_field(field, offset, mesh, reacher, progress, contacts)
+    axis, _, found = auto_axes(offset, axis, field, mesh, reacher, options.lean, progress, contacts)
     return axis, found
 
 

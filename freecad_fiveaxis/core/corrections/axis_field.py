@@ -84,6 +84,9 @@ CELL = 1.25
 BATCH = 16384
 """Trials at a time: a stop is heard soon."""
 
+IN_CACHE = 256
+"""Places at a time whose cosines to all directions are compared."""
+
 
 @dataclass(frozen=True, eq=False)
 class Nodes:
@@ -292,6 +295,16 @@ def _set_cover(normal: Floats, freedom: Freedom) -> Ints:
 
 def nearest_free(axis: Floats, normal: Floats, freedom: Freedom) -> tuple[Floats, Bools]:
     """Find the free direction (n, 3) nearest to unit ``axis`` (n, 3), and where there is one (n,); elsewhere the axis stays."""
+    found, got = np.array(axis, float), np.zeros(len(axis), np.bool_)
+    for first in range(0, len(axis), IN_CACHE):
+        rows = slice(first, first + IN_CACHE)
+        some = Freedom(freedom.direction, freedom.free[rows], freedom.upright[rows], freedom.met[rows])
+        found[rows], got[rows] = _nearest_of_few(axis[rows], normal[rows], some)
+    return found, got
+
+
+def _nearest_of_few(axis: Floats, normal: Floats, freedom: Freedom) -> tuple[Floats, Bools]:
+    """:func:`nearest_free` for so many that their table (n, d) of cosines stays in the processor's cache."""
     along = np.where(freedom.free, axis @ freedom.direction.T, -2.0)
     along = np.concatenate([along, np.where(freedom.upright, (axis * normal).sum(axis=1), -2.0)[:, None]], axis=1)
     best = along.argmax(axis=1)

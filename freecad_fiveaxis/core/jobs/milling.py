@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.corrections.auto_axis import (
     auto_axes,
     divided,
+    find_contacts,
     refine_field,
     report_no_way_out,
     select_rows_with_way_out,
@@ -164,8 +165,9 @@ def free_rows(
     reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
     offset, axis = divided(offset, axis, cutter.radius, cutter.ring)
     stand, mesh, progress = axis_options(settings), context.obstacles, context.progress
-    field = refine_field(field, offset, mesh, reacher, progress)
-    axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress)
+    contacts = find_contacts(offset, mesh, reacher)
+    field = refine_field(field, offset, mesh, reacher, progress, contacts)
+    axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress, contacts)
     offset, axis, free, blocked = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)
     offset = break_polylines(offset, blocked[1:])
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
