@@ -95,6 +95,9 @@ def _of_programs() -> dict[str, str]:
         "passes": translate("FiveAxis", "Pass strategy"),
         "plane_normal": translate("FiveAxis", "Normal of the planes I, J, K"),
         "from_": translate("FiveAxis", "Passes begin at"),
+        "to": translate("FiveAxis", "Passes end at"),
+        "pass_centre": translate("FiveAxis", "Centre of passes"),
+        "pass_axis": translate("FiveAxis", "Axis of passes I, J, K"),
         "direction": translate("FiveAxis", "Direction of passes"),
         "scallop": translate("FiveAxis", "Scallop height"),
         "stepover": translate("FiveAxis", "Stepover"),
@@ -188,6 +191,8 @@ def _of_machines_and_places() -> dict[str, str]:
 def _choices() -> dict[str, str]:
     return {
         "planes": translate("FiveAxis", "parallel planes"),
+        "morph": translate("FiveAxis", "morph between two curves"),
+        "radial": translate("FiveAxis", "radial about an axis"),
         "zlevel": translate("FiveAxis", "level planes"),
         "facet_mean": translate("FiveAxis", "surface normal"),
         "step_weighted": translate("FiveAxis", "normal weighted by step"),

@@ -22,8 +22,17 @@ TEXTS = {
     ),
     "from_": QT_TRANSLATE_NOOP(
         "App::Property",
-        "Where constant-scallop passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve",
+        "Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the "
+        "points of a curve",
     ),
+    "to": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Where morph passes end: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve",
+    ),
+    "pass_centre": QT_TRANSLATE_NOOP(
+        "App::Property", "Point of the axis that radial passes radiate from: middle (of what is cut), or X,Y,Z"
+    ),
+    "pass_axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K of the axis that radial passes radiate from"),
     "direction": QT_TRANSLATE_NOOP("App::Property", "Angle of the passes to the X axis, counter-clockwise seen from above"),
     "scallop": QT_TRANSLATE_NOOP("App::Property", "Largest height of the ridges that stay between two passes"),
     "stepover": QT_TRANSLATE_NOOP("App::Property", "Constant distance of the passes, instead of a scallop height"),

@@ -135,7 +135,7 @@ _PER_MINUTE = {
 """What the editor says of a feed in mm/min."""
 
 
-_NAMED = {"passes": "PassStrategy", "from_": "PassesFrom"}
+_NAMED = {"passes": "PassStrategy", "from_": "PassesFrom", "to": "PassesTo"}
 """Options whose own name is that of a result, or Python's."""
 
 

@@ -219,11 +219,12 @@ def _add_options(parser: argparse.ArgumentParser, task: str, without: Sequence[s
         flags = SHORT.get(leaf.name, (flag_of(leaf.name),))
         many = leaf.metadata["kind"] in ("paths", "names")
         extra = {"action": "append"} if many else {"choices": leaf.metadata["choices"] or None}
-        box.add_argument(*flags, dest=leaf.name, metavar=_metavar(leaf.metadata), help=_help(leaf), **extra)
+        box.add_argument(*flags, dest=leaf.name, metavar=_metavar(leaf), help=_help(leaf), **extra)
     parser.add_argument("--quiet", action="store_true", help="no progress, no report on the terminal")
 
 
-def _metavar(rules: Any) -> str | None:
+def _metavar(leaf: Any) -> str | None:
+    rules = leaf.metadata
     if rules["choices"]:
         return None
     marks = {
@@ -235,7 +236,7 @@ def _metavar(rules: Any) -> str | None:
         "lengths": "X,Y,Z",
         "vector": "I,J,K",
         "counts": "NX,NY,NZ",
-        "place": "border|X,Y,Z|CURVE.csv",
+        "place": f"{leaf.default}|X,Y,Z" + ("|CURVE.csv" if leaf.default == "border" else ""),
         "stack": "DxL,...",
     }
     return marks.get(rules["kind"], str(rules["kind"]).upper())

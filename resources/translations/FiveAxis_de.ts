@@ -268,6 +268,10 @@
         <translation>Richtung I, J, K quer zu den Ebenen der Bahnen; 0, 0, 0: senkrechte Ebenen längs der Richtung</translation>
     </message>
     <message>
+        <source>Direction I, J, K of the axis that radial passes radiate from</source>
+        <translation>Richtung I, J, K der Achse, von der strahlenförmige Bahnen ausgehen</translation>
+    </message>
+    <message>
         <source>Direction I, J, K of the fixed tool axis, from the tip to the holder</source>
         <translation>Richtung I, J, K der festen Werkzeugachse, von der Spitze zum Halter</translation>
     </message>
@@ -700,6 +704,14 @@
         <translation>Name des Teils</translation>
     </message>
     <message>
+        <source>Pass Axis</source>
+        <translation>Bahnachse</translation>
+    </message>
+    <message>
+        <source>Pass Centre</source>
+        <translation>Bahnmitte</translation>
+    </message>
+    <message>
         <source>Pass Strategy</source>
         <translation>Bahnstrategie</translation>
     </message>
@@ -714,6 +726,10 @@
     <message>
         <source>Passes From</source>
         <translation>Bahnen ab</translation>
+    </message>
+    <message>
+        <source>Passes To</source>
+        <translation>Bahnen bis</translation>
     </message>
     <message>
         <source>Passes come no closer than this, also on steep walls</source>
@@ -742,6 +758,10 @@
     <message>
         <source>Plunge Feed Per Minute</source>
         <translation>Eintauchvorschub pro Minute</translation>
+    </message>
+    <message>
+        <source>Point of the axis that radial passes radiate from: middle (of what is cut), or X,Y,Z</source>
+        <translation>Punkt der Achse, von der strahlenförmige Bahnen ausgehen: middle (Mitte des Bearbeiteten) oder X,Y,Z</translation>
     </message>
     <message>
         <source>Point of the tool that the program moves: the tip, or the centre of the corner radius</source>
@@ -1196,8 +1216,12 @@
         <translation>Was geschieht, wo Fräser, Schaft oder Halter in das Werkstück eindringen würde</translation>
     </message>
     <message>
-        <source>Where constant-scallop passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve</source>
-        <translation>Wo Bahnen gleicher Rauhöhe beginnen: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve</translation>
+        <source>Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve</source>
+        <translation>Wo Bahnen gleicher Kuppenhöhe und Übergangsbahnen beginnen: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve</translation>
+    </message>
+    <message>
+        <source>Where morph passes end: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve</source>
+        <translation>Wo Übergangsbahnen enden: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve</translation>
     </message>
     <message>
         <source>Where the markers stand in the document</source>
@@ -1331,6 +1355,10 @@
         <translation>Prüfung</translation>
     </message>
     <message>
+        <source>Axis of passes I, J, K</source>
+        <translation>Achse der Bahnen I, J, K</translation>
+    </message>
+    <message>
         <source>Axis tolerance</source>
         <translation>Achstoleranz</translation>
     </message>
@@ -1389,6 +1417,10 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Centre of passes</source>
+        <translation>Mitte der Bahnen</translation>
     </message>
     <message>
         <source>Centre off its segment</source>
@@ -2037,6 +2069,10 @@
     <message>
         <source>Passes begin at</source>
         <translation>Bahnen beginnen bei</translation>
+    </message>
+    <message>
+        <source>Passes end at</source>
+        <translation>Bahnen enden bei</translation>
     </message>
     <message>
         <source>Peak of 1st rotary</source>
@@ -2999,6 +3035,10 @@
         <translation>Modell von So u. a. 2008 wie gedruckt</translation>
     </message>
     <message>
+        <source>morph between two curves</source>
+        <translation>Übergang zwischen zwei Kurven</translation>
+    </message>
+    <message>
         <source>near the part where it is free</source>
         <translation>nahe am Werkstück</translation>
     </message>
@@ -3097,6 +3137,10 @@
     <message>
         <source>proving the deviation</source>
         <translation>Abweichung nachweisen</translation>
+    </message>
+    <message>
+        <source>radial about an axis</source>
+        <translation>strahlenförmig um eine Achse</translation>
     </message>
     <message>
         <source>rapid</source>
@@ -5304,6 +5348,10 @@
         <translation>keine Maschinen gegeben; mit {machines} nennen ({list} zeigt sie)</translation>
     </message>
     <message>
+        <source>no piece of the surface that is to be cut has both guides on it; give {from_} and {to} on one piece</source>
+        <translation>Kein Stück der zu bearbeitenden Fläche trägt beide Leitlinien; {from_} und {to} auf einem Stück angeben</translation>
+    </message>
+    <message>
         <source>no program given; name the NC file that was posted from the CL path</source>
         <translation>kein Programm gegeben; die NC-Datei nennen, die aus dem CL-Weg ausgegeben wurde</translation>
     </message>
@@ -5834,6 +5882,10 @@
     <message>
         <source>the spindle's speed is not told before it</source>
         <translation>die Spindeldrehzahl steht nicht davor</translation>
+    </message>
+    <message>
+        <source>the surface that is to be cut has no border to lead passes from or to; give two guides by {from_} and {to}, a point X,Y,Z or a file CURVE.csv each</source>
+        <translation>Die zu bearbeitende Fläche hat keinen Rand, von dem oder zu dem Bahnen führen könnten; zwei Leitlinien mit {from_} und {to} angeben, je einen Punkt X,Y,Z oder eine Datei CURVE.csv</translation>
     </message>
     <message>
         <source>the text cannot be shown: {strerror}</source>
@@ -7002,6 +7054,14 @@
     <message>
         <source>{option} names a file of one job; leave it out: a batch names them</source>
         <translation>{option} nennt eine Datei eines einzelnen Auftrags; weglassen: eine Serie benennt sie selbst</translation>
+    </message>
+    <message>
+        <source>{option} {given} has no direction; give I,J,K along the axis, as 0,0,1</source>
+        <translation>{option} {given} hat keine Richtung; I,J,K entlang der Achse angeben, etwa 0,0,1</translation>
+    </message>
+    <message>
+        <source>{option} {given} is neither {middle} nor X,Y,Z; give one of them</source>
+        <translation>{option} {given} ist weder {middle} noch X,Y,Z; eines davon angeben</translation>
     </message>
     <message>
         <source>{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them</source>

@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.passes.geodesic import (
     step_across,
 )
 from freecad_fiveaxis.core.passes.refine import Copy, finer_copy, joined, taken
-from freecad_fiveaxis.core.passes.scallop_passes import ConstantScallop, _gaps, _Surface
+from freecad_fiveaxis.core.passes.scallop_passes import ConstantScallop, Surface, _gaps
 from freecad_fiveaxis.core.passes.sources import find_source, source_values
 
 RADIUS, SCALLOP = 3.0, 0.02
@@ -238,7 +238,7 @@ def test_more_passes_than_any_job_can_want_are_refused_before_they_are_laid():
 def gaps_of(copy, metric, value, levels):
     """The facets that are left out by the passes at ``levels``."""
     frame = frames(copy.mesh.vertex, copy.mesh.face)
-    return _gaps(_Surface(copy, frame, metric, 1.0), value, PassField(value, np.array(levels), surface=copy))
+    return _gaps(Surface(copy, frame, metric, 1.0), value, PassField(value, np.array(levels), surface=copy))
 
 
 def unit_metric(copy, scale=1.0):

@@ -104,7 +104,15 @@ def pass_options(settings: Settings) -> PassOptions:
     """Options of the strategies for the passes."""
     passes = settings.passes
     return PassOptions(
-        passes.direction, passes.stepover, wanted_scallop(settings), passes.least_interval, passes.plane_normal, passes.from_
+        passes.direction,
+        passes.stepover,
+        wanted_scallop(settings),
+        passes.least_interval,
+        passes.plane_normal,
+        passes.from_,
+        passes.to,
+        passes.pass_centre,
+        passes.pass_axis,
     )
 
 

@@ -29,7 +29,9 @@ ALL_ROUND = (0.0, 0.25 * math.pi, 0.5 * math.pi, 0.75 * math.pi)
 @dataclass(frozen=True)
 class PassOptions:
     """``direction`` rad of the travel of upright planes; ``stepover`` or ``scallop``, and ``least`` interval, mm; ``normal`` of
-    planes, any length, None: upright; ``source`` where passes begin: the word ``border``, a point, or the path of a curve."""
+    planes, any length, None: upright; ``source`` where passes begin and ``target`` where they end: the word ``border``, a
+    point, or the path of a curve; ``centre``, the word ``middle`` or a point, and ``axis``, any length, of passes that
+    radiate."""
 
     direction: float = 0.0
     stepover: float | None = None
@@ -37,6 +39,9 @@ class PassOptions:
     least: float = 0.05
     normal: Vector | None = None
     source: str | Vector = "border"
+    target: str | Vector = "border"
+    centre: str | Vector = "middle"
+    axis: Vector = (0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +90,10 @@ class PassStrategy(Protocol):
     @property
     def text(self) -> str:
         """In one line what its passes are."""
+
+    @property
+    def over_surface(self) -> bool:
+        """Whether its passes lie as close on walls and undersides as on level faces, so that free tool axes are worth finding."""
 
     def travels(self, options: PassOptions) -> tuple[float, ...]:
         """rad: the directions of travel, seen from above, that stand for all of its passes."""

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix
-from scipy.sparse.csgraph import dijkstra
+from scipy.sparse.csgraph import connected_components, dijkstra
 from scipy.sparse.linalg import splu
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
@@ -151,6 +151,22 @@ def distance(vertex: Floats, face: Ints, frame: Frames, metric: Floats, source: 
         value[inner] = poisson.solve(_outflow(face, frame, metric, weight, way, count) - stiff @ fixed)
         way = gradient(frame, face, value)
     return np.clip(value, 0.0, bound)
+
+
+def spread_between(face: Ints, frame: Frames, metric: Floats, low: Ints, high: Ints) -> Floats:
+    """Solve the Laplace equation of the metric: a field (v,) that is 0 at the vertices ``low`` (m,) and 1 at ``high`` (k,),
+    between them without summit or basin, and level across every other border. 0 where a component has vertices of one of them
+    only."""
+    count = int(face.max(initial=-1)) + 1
+    stiff, value, free = _stiffness(face, frame, metric, count, clipped=True), np.zeros(count), np.ones(count, np.bool_)
+    value[high], free[low], free[high] = 1.0, False, False
+    component = connected_components(stiff, directed=False)[1]
+    free &= np.isin(component, np.intersect1d(component[low], component[high]))
+    value[~np.isin(component, component[low])] = 0.0
+    inner = np.flatnonzero(free)
+    if len(inner):
+        value[inner] = np.clip(_Factored(stiff, inner).solve(-(stiff @ value)), 0.0, 1.0)
+    return value
 
 
 def _along_sides(face: Ints, length: Floats, source: Ints, known: Floats, count: int) -> Floats:

@@ -38,6 +38,7 @@ class Planes:
 
     text: str
     own: Vector | None = None
+    over_surface: bool = False
 
     def travels(self, options: PassOptions) -> tuple[float, ...]:
         """Along the planes' horizontal lines; level planes have those all round."""

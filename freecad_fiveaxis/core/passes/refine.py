@@ -22,6 +22,9 @@ from .passes import ContactPath
 ROUNDS = 40
 """Times that sides are halved: from a kilometre to less than any rounding."""
 
+ON = 1e-9
+"""mm: vertices so near to where facets are divided lie on it."""
+
 INNER = -1
 """Label of a side that lies inside its parent."""
 
@@ -109,6 +112,20 @@ def taken(copy: Copy, part: Mesh, rows: Ints) -> Copy:
     return replace(made, bend=copy.bend, short=copy.short)
 
 
+def divided_by(copy: Copy, part: Mesh, height: Floats) -> Copy:
+    """Divide the facets of a copy where ``height`` (v,), linear over each, is 0, so that no facet has both signs."""
+    mesh, height = copy.mesh, np.where(np.abs(height) < ON, 0.0, height)
+    label, side = copy.coedge[mesh.face_coedge], _sides(mesh.face)
+    ends = np.empty((int(side.max(initial=-1)) + 1, 2), np.int64)
+    ends[side] = np.stack([mesh.face, np.roll(mesh.face, -1, axis=1)], axis=2)
+    one, two = height[ends].T
+    marked = one * two < 0.0
+    share = one[marked] / (one[marked] - two[marked])
+    top = marked[side].argmax(axis=1)
+    vertex, face, label, owner = _split(np.asarray(mesh.vertex), mesh.face, label, side, marked, top, share)
+    return replace(_assembled(part, vertex, face, label, copy.parent[owner]), bend=copy.bend, short=copy.short)
+
+
 def joined(one: Copy, two: Copy) -> Copy:
     """Both copies beside each other: one mesh in which nothing of the one hangs together with the other."""
     a, b = one.mesh, two.mesh
@@ -179,17 +196,20 @@ def _border_sides(face: Ints, label: Ints) -> tuple[Ints, Bools]:
     return side, (count != 2) | (low != high)
 
 
-def _split(vertex: Floats, face: Ints, label: Ints, side: Ints, marked: Bools, top: Ints) -> tuple[Floats, Ints, Ints, Ints]:
-    """Vertices, facets, labels and owners after the ``marked`` (s,) sides are halved; ``top`` (f,): of a facet with such sides
-    one of them."""
+def _split(
+    vertex: Floats, face: Ints, label: Ints, side: Ints, marked: Bools, top: Ints, share: Floats | None = None
+) -> tuple[Floats, Ints, Ints, Ints]:
+    """Vertices, facets, labels and owners after the ``marked`` (s,) sides are halved, or divided at a ``share`` (m,) of each
+    from the first vertex of the last facet that has it; ``top`` (f,): of a facet with such sides one of them."""
     count, turn = int(marked.sum()), (top[:, None] + np.arange(3)) % 3
+    ends = np.empty((len(marked), 2), np.int64)
+    ends[side] = np.stack([face, np.roll(face, -1, axis=1)], axis=2)
     face, label, side = (np.take_along_axis(table, turn, axis=1) for table in (face, label, side))
     middle = np.full(len(marked), -1)
     middle[marked] = len(vertex) + np.arange(count)
-    ends = np.empty((len(marked), 2), np.int64)
-    ends[side] = np.stack([face, np.roll(face, -1, axis=1)], axis=2)
-    vertex = np.concatenate([vertex, vertex[ends[marked]].mean(axis=1)])
-    return vertex, *_divided(face, label, middle[side])
+    start, end = vertex[ends[marked]].transpose(1, 0, 2)
+    new = 0.5 * (start + end) if share is None else start + share[:, None] * (end - start)
+    return np.concatenate([vertex, new]), *_divided(face, label, middle[side])
 
 
 def _divided(face: Ints, label: Ints, middle: Ints) -> tuple[Ints, Ints, Ints]:

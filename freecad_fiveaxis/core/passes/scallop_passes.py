@@ -80,6 +80,7 @@ class ConstantScallop:
     """Level sets of the distance from a source, in steps that leave the scallop."""
 
     text: str
+    over_surface: bool = True
 
     def travels(self, options: PassOptions) -> tuple[float, ...]:
         """Every direction."""
@@ -87,36 +88,41 @@ class ConstantScallop:
 
     def check(self, region: Region, options: PassOptions) -> None:
         """Raise SettingsError for a source or a scallop that cannot be used and for more passes than any job can want."""
-        _survey(region, options)
+        survey_region(region, options)
 
     def field(self, region: Region, options: PassOptions) -> PassField:
         """Steps from the source, the pieces of the region one after the other."""
         region.progress("placing passes", 0.0)
-        ground = _survey(region, options)
-        surface = _surface(region, ground)
+        ground = survey_region(region, options)
+        surface = make_surface(region, ground)
         source, known = source_values(surface.copy, surface.frame, surface.metric, ground.curve)
         region.progress("placing passes", 0.3)
         steps = distance(surface.copy.mesh.vertex, surface.copy.mesh.face, surface.frame, surface.metric, source, known)
         region.progress("placing passes", 0.7)
-        main = _laid(surface.copy, steps, FIRST, 0.0)
-        region.progress("placing passes", 0.8)
-        gaps = _gaps(surface, steps, main)
-        if not gaps.any():
-            return main
-        between = taken(surface.copy, region.mesh, np.flatnonzero(gaps))
-        more = _laid(between, _carried(surface.copy, steps, gaps, between), BETWEEN, float(np.ceil(main.value.max())) + 1.0)
-        both = joined(surface.copy, between)
-        region.progress("placing passes", 1.0)
-        return PassField(
-            np.concatenate([main.value, more.value]), np.concatenate([main.levels, more.levels]), (), None, both
-        )  # fmt: skip
+        return lay_passes(region, surface, steps)
 
     def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
         """What no pass touches."""
         return field.findings + area_left(region, touched)
 
 
-class _Ground(NamedTuple):
+def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:
+    """Lay passes one unit of ``steps`` (v,) apart, a field at the vertices of the surface's copy, the pieces one after the
+    other; and half-way between them where a place is left out."""
+    main = _laid(surface.copy, steps, FIRST, 0.0)
+    region.progress("placing passes", 0.8)
+    gaps = _gaps(surface, steps, main)
+    if not gaps.any():
+        return main
+    between = taken(surface.copy, region.mesh, np.flatnonzero(gaps))
+    more = _laid(between, _carried(surface.copy, steps, gaps, between), BETWEEN, float(np.ceil(main.value.max())) + 1.0)
+    both = joined(surface.copy, between)
+    region.progress("placing passes", 1.0)
+    value, levels = np.concatenate([main.value, more.value]), np.concatenate([main.levels, more.levels])
+    return PassField(value, levels, surface=both)
+
+
+class Ground(NamedTuple):
     """The region as it is: where passes begin (``curve``), its ``rows`` of the mesh, their curvature ``tensor`` (6, n), frames,
     metric and the ``least`` of that; the step on a ``flat``, mm, and how many ``squares`` of a step it has."""
 
@@ -130,7 +136,7 @@ class _Ground(NamedTuple):
     squares: float
 
 
-class _Surface(NamedTuple):
+class Surface(NamedTuple):
     """The finer copy of the region, its frames and its metric, and the step on a flat, mm."""
 
     copy: Copy
@@ -139,7 +145,7 @@ class _Surface(NamedTuple):
     flat: float
 
 
-def _survey(region: Region, options: PassOptions) -> _Ground:
+def survey_region(region: Region, options: PassOptions) -> Ground:
     """Measure the region as it is, a moment's work against what is then laid on it. Raises SettingsError, FileError."""
     flat, curve = _flat_step(region, options), find_source(options.source, region)
     mesh, rows = region.mesh, np.flatnonzero(region.keep)
@@ -157,11 +163,11 @@ def _survey(region: Region, options: PassOptions) -> _Ground:
             length=Length(squares * flat, ".3g"),
         )
         raise SettingsError(text, squares * flat)
-    return _Ground(curve, rows, tensor, frame, metric, least, flat, squares)
+    return Ground(curve, rows, tensor, frame, metric, least, flat, squares)
 
 
-def _surface(region: Region, ground: _Ground) -> _Surface:
-    """The region, its facets small against the steps."""
+def make_surface(region: Region, ground: Ground) -> Surface:
+    """Copy the region, its facets small against the steps."""
     mesh, rows, flat = region.mesh, ground.rows, ground.flat
     longest = max(LONGEST, math.sqrt(ground.squares / (EVEN * MOST_FACETS)))
     copy = finer_copy(mesh, rows, as_tensor(ground.frame, ground.metric), longest)
@@ -169,7 +175,7 @@ def _surface(region: Region, ground: _Ground) -> _Surface:
     frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(mesh.face), -1)
     place[rows] = np.arange(len(rows))
     tensor = ground.tensor[:, place[copy.parent]]
-    return _Surface(copy, frame, scallop_metric(frame, tensor, region.radius, flat, ground.least), flat)
+    return Surface(copy, frame, scallop_metric(frame, tensor, region.radius, flat, ground.least), flat)
 
 
 def _flat_step(region: Region, options: PassOptions) -> float:
@@ -205,7 +211,7 @@ def _laid(copy: Copy, steps: Floats, first: float, begin: float) -> PassField:
     return PassField(start[copy.component] + steps, np.sort(np.concatenate([levels[cuts], middle])), surface=copy)
 
 
-def _gaps(surface: _Surface, steps: Floats, main: PassField) -> Bools:
+def _gaps(surface: Surface, steps: Floats, main: PassField) -> Bools:
     """Facets (f,) of the copy that hold a place left out, and those that have a vertex in common with one."""
     mesh = surface.copy.mesh
     contact = slice_field(mesh, main.value, main.levels)

@@ -21,6 +21,8 @@ from .refine import Copy
 
 BORDER = "border"
 
+FROM = Option("from_")
+
 NEAR = 1.6
 """Sides of the facets: the vertices so near to a curve get their distance from it straight."""
 
@@ -28,16 +30,16 @@ MOST_POINTS = 100_000
 """Points of a curve; a file of more is no guide curve."""
 
 
-def find_source(source: str | Vector, region: Region) -> Floats | None:
-    """Read the source, as :func:`read_curve` does. Raises SettingsError, FileError, also where a place of it is farther from the
-    region than the ball is thick."""
-    curve = read_curve(source)
+def find_source(source: str | Vector, region: Region, option: Option = FROM) -> Floats | None:
+    """Read the source that an ``option`` names, as :func:`read_curve` does. Raises SettingsError, FileError, also where a place
+    of it is farther from the region than the ball is thick."""
+    curve = read_curve(source, option)
     if curve is not None:
-        _refuse_off_surface(region, _along(curve, 0.25 * region.radius))
+        _refuse_off_surface(region, sample_curve(curve, 0.25 * region.radius))
     return curve
 
 
-def read_curve(source: str | Vector) -> Floats | None:
+def read_curve(source: str | Vector, option: Option = FROM) -> Floats | None:
     """The points (n, 3) mm of the source, one for a point; None for the border. Raises SettingsError, FileError."""
     if not isinstance(source, str):
         return np.array([source], dtype=np.float64)
@@ -45,7 +47,7 @@ def read_curve(source: str | Vector) -> Floats | None:
         return None
     if not source.lower().endswith(".csv"):
         raise SettingsError(
-            say("{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them", option=Option("from_"),
+            say("{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them", option=option,
                 source=repr(source)), source,
         )  # fmt: skip
     text = read_bytes(source, "guide curve").decode("utf-8-sig", "replace")
@@ -85,7 +87,7 @@ def source_values(copy: Copy, frame: Frames, metric: Floats, curve: Floats | Non
     reach, scale = np.zeros(len(copy.mesh.vertex)), np.zeros(len(copy.mesh.vertex))
     np.maximum.at(reach, at, size.reshape(-1))
     np.maximum.at(scale, at, (length / size).reshape(-1))
-    samples = _along(curve, 0.25 * float(np.median(size)))
+    samples = sample_curve(curve, 0.25 * float(np.median(size)))
     off = cKDTree(samples).query(copy.mesh.vertex)[0]
     chosen = off <= (NEAR * reach if len(curve) > 1 else 0.0)
     lonely = np.setdiff1d(copy.component, copy.component[chosen])
@@ -108,8 +110,9 @@ def _at_border(copy: Copy) -> tuple[Ints, Floats]:
     return source, np.zeros(len(source))
 
 
-def _along(curve: Floats, step: float) -> Floats:
-    """Points of a polyline at most ``step`` mm apart, itself where it is one point; at most about MOST_POINTS of them."""
+def sample_curve(curve: Floats, step: float) -> Floats:
+    """Give points (m, 3) of a polyline (n, 3) at most ``step`` mm apart, itself where it is one point; at most about
+    MOST_POINTS of them."""
     if len(curve) == 1:
         return curve
     way = np.diff(curve, axis=0)

@@ -7,11 +7,17 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import say
 
 from .field import PassStrategy
+from .morph_passes import Morph
 from .planes import Planes
+from .radial_passes import Radial
 from .scallop_passes import ConstantScallop
 
 PASS_STRATEGIES: dict[str, PassStrategy] = {
+    "morph": Morph(
+        "from one guide curve, or side of the border, to another, changing from the form of the one to that of the other"
+    ),
     "planes": Planes("parallel planes: upright along the direction, or of the plane normal"),
+    "radial": Radial("half planes about an axis, which the passes radiate from, or run along on a part that is round about it"),
     "scallop": ConstantScallop("constant scallop: each pass one admissible step from the one before it, over the surface"),
     "zlevel": Planes("level planes, one below the other", (0.0, 0.0, 1.0)),
 }

@@ -37,6 +37,8 @@ def _is_part(against: Any) -> bool:
 DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], ...] = (
     ("passes", _is("planes"), ("direction", "plane_normal"), ()),
     ("passes", _is("scallop"), ("from_",), ()),
+    ("passes", _is("morph"), ("from_", "to", "direction"), ()),
+    ("passes", _is("radial"), ("pass_centre", "pass_axis"), ()),
     ("tool_axis", _is("fixed"), ("axis",), ()),
     ("tool_axis", _is("minimax"), ("max_tilt",), ("lead", "tilt")),
     ("gouge", _is("tilt"), ("max_tilt",), ()),

@@ -49,10 +49,23 @@ class PassSettings:
         None, "vector", "I,J,K across the planes [upright, along the direction]", least=-LONGEST, most=LONGEST
     )
     from_: str | Vector = option(
-        "border", "place", "where scallop passes begin: at the region's border, at a point X,Y,Z or along a curve, X,Y,Z a line",
+        "border", "place", "where scallop and morph passes begin: at the region's border, at a point X,Y,Z or along a curve, a "
+        "file of X,Y,Z on each line",
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
-    direction: float = option(0.0, "angle", "travel direction of the planes, counter-clockwise from X")
+    to: str | Vector = option(
+        "border", "place", "where morph passes end: the same. From border to border they run along the direction, on a ring "
+        "from rim to rim",
+        least=-LONGEST, most=LONGEST,
+    )  # fmt: skip
+    pass_centre: str | Vector = option(
+        "middle", "place", "point of the axis that radial passes radiate from: X,Y,Z or the middle of what is cut",
+        least=-LONGEST, most=LONGEST,
+    )  # fmt: skip
+    pass_axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of that axis", least=-LONGEST, most=LONGEST)
+    direction: float = option(
+        0.0, "angle", "travel direction of planes (and of morph passes from border to border), counter-clockwise from X"
+    )
     scallop: float | None = option(
         None, "length", "largest scallop left between passes [0.01 where no stepover is given]", least=SMALLEST, most=LONGEST
     )

@@ -47,6 +47,8 @@ SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""
 OF_PLANES = ("direction", "plane_normal")
 """Options that mean nothing to any other passes."""
+OVER_SURFACE = ("morph", "radial", "scallop")
+"""Pass strategies whose passes lie over walls as over floors; their own attribute says so too, but to ask it loads numpy."""
 
 
 def flat_name(name: str) -> str:
@@ -137,7 +139,7 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """
     if "passes" not in given and any(name in given for name in OF_PLANES):
         settings = replace(settings, passes=replace(settings.passes, passes="planes"))
-    if "tool_axis" not in given and (settings.passes.passes != "scallop" or settings.cutter.cutter.ring > 0.0):
+    if "tool_axis" not in given and (settings.passes.passes not in OVER_SURFACE or settings.cutter.cutter.ring > 0.0):
         settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis="facet_mean"))
     return settings
 
