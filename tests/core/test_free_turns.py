@@ -12,7 +12,8 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.corrections import axis_field, free_turns
-from freecad_fiveaxis.core.corrections.free_turns import find_blocked_turns
+from freecad_fiveaxis.core.corrections.auto_axis import Free
+from freecad_fiveaxis.core.corrections.free_turns import find_blocked_turns, lead_out
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
@@ -58,6 +59,22 @@ def test_small_turns_and_ends_of_polylines_are_not_asked():
     mesh = from_triangles(box((-20, -20, -5), (20, 20, 0)))
     path = made_on(mesh, 0.0, **PLAIN, gouge="off").offset
     assert not find_blocked_turns(path, np.tile([0.0, 0.0, 1.0], (len(path.point), 1)), mesh, Reacher(Cutter(4.0))).any()
+
+
+def test_only_moves_at_pieces_with_a_way_out_are_asked():
+    none, here, out = (int(one) for one in Free)
+    free = np.array([none, none, here, out, here, none, none, here, here, none, out, none, here, here, out])
+    polyline = np.array([0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2])
+    asked = lead_out(polyline, free)
+    assert np.flatnonzero(asked).tolist() == [2, 3, 4, 5, 10, 11, 13, 14]
+    for row in range(1, len(free)):  # walked one by one
+        piece = [row - 1, row] if polyline[row] == polyline[row - 1] else [row]
+        while piece[0] and free[piece[0]] and free[piece[0] - 1] and polyline[piece[0] - 1] == polyline[row]:
+            piece.insert(0, piece[0] - 1)
+        while piece[-1] + 1 < len(free) and free[piece[-1]] and free[piece[-1] + 1] and polyline[piece[-1] + 1] == polyline[row]:
+            piece.append(piece[-1] + 1)
+        assert asked[row] == (free[piece] == out).any(), row
+    assert not lead_out(polyline[:0], free[:0]).any()
 
 
 @some_in_core("nodes", [FEW, axis_field.NODES])

@@ -10,7 +10,7 @@ from offset_examples import prism
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.passes import facet_curvature, flat_interval, slice_field
+from freecad_fiveaxis.core.passes import facet_curvature, flat_interval, scallop_passes, slice_field
 from freecad_fiveaxis.core.passes.field import PassField, PassOptions, Region
 from freecad_fiveaxis.core.passes.geodesic import (
     _stiffness,
@@ -262,6 +262,18 @@ def test_where_steps_are_half_as_long_every_second_pass_is_too_few():
     value, metric = 2.0 * copy.mesh.vertex[:, 0], unit_metric(copy, 2.0)
     assert not gaps_of(copy, metric, value, np.arange(0.5, 8.0)).any()
     assert gaps_of(copy, metric, value, [0.5, 2.5, 4.5, 6.5, 7.5]).any()
+
+
+@pytest.mark.parametrize("half", [0.2, 0.5, 3.0])
+def test_passes_are_looked_for_no_farther_than_it_matters(half, monkeypatch):
+    """The same facets are left out as where the nearest pass is found however far it is."""
+    _, copy = flat_copy(8.0, longest=half)
+    metric = unit_metric(copy) * np.linspace(0.5, 4.0, len(copy.mesh.face))  # steps that differ
+    found = [gaps_of(copy, metric, copy.mesh.vertex[:, 0], [0.5, 1.5, 5.5])]
+    monkeypatch.setattr(scallop_passes, "AMPLE", np.inf)
+    found.append(gaps_of(copy, metric, copy.mesh.vertex[:, 0], [0.5, 1.5, 5.5]))
+    np.testing.assert_array_equal(*found)
+    assert found[0].any() and (half > 1.0 or not found[0].all())
 
 
 # ------------------------------------------------------------------------------------------------ the finer copy

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
-from .auto_axis import auto_axes
+from .auto_axis import Free, auto_axes
 from .axis_field import are_free, raised
 from .facets_with_axis import AxisField
 
@@ -58,6 +58,16 @@ def find_blocked_turns(
     return blocked
 
 
+def lead_out(polyline: Ints, free: Ints) -> Bools:
+    """Find the rows (n,) to which moves lead that begin or end in a piece with a way out: rows on end of a ``polyline`` (n,) at
+    which the tool is ``free`` (n,), and can be drawn out at one. What else there is, :func:`.select_rows_with_way_out` drops."""
+    breaks = np.diff(polyline) != 0
+    piece = np.cumsum(np.append(False, breaks | (np.diff(free > Free.NONE))))
+    out: Bools = np.isin(piece, piece[free == Free.WAY_OUT])
+    out[1:] |= out[:-1] & ~breaks
+    return out
+
+
 def divide_blocked_turns(
     path: OffsetPath, axis: Floats, free: Ints, field: AxisField, mesh: Mesh, reacher: Reacher, options: AxisOptions,
     progress: Progress = silent,
@@ -67,7 +77,7 @@ def divide_blocked_turns(
     ``axis`` (n, 3), ``free`` (n,): as of :func:`.auto_axes`. Returns path, axes and what is free, of all rows, and whether the
     move to each row is blocked still.
     """
-    blocked = find_blocked_turns(path, axis, mesh, reacher, progress)
+    blocked = find_blocked_turns(path, axis, mesh, reacher, progress, lead_out(path.polyline, free))
     for _ in range(ROUNDS):
         if not blocked.any():
             break
@@ -78,5 +88,5 @@ def divide_blocked_turns(
         axis = np.array(axis)
         axis[new], free[new], _ = auto_axes(more, given, field, mesh, reacher, options, progress)
         beside = added | np.append(False, added[:-1])  # the other moves are as they were, and not blocked
-        blocked = find_blocked_turns(path, axis, mesh, reacher, progress, beside)
+        blocked = find_blocked_turns(path, axis, mesh, reacher, progress, beside & lead_out(path.polyline, free))
     return path, axis, free, blocked

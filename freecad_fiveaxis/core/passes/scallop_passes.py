@@ -54,6 +54,9 @@ GAP = 1.45
 """Half steps from the nearest pass from which a place counts as left out: twice the scallop stays there. Less would lay a short
 pass, with a retract of its own, into every corner of every pass."""
 
+AMPLE = 1.001
+"""Times the distance from which any place counts as left out: passes beyond it are not looked for."""
+
 DENSE = 0.2
 """Steps between the samples of a pass from which the gaps are measured."""
 
@@ -224,8 +227,9 @@ def _gaps(surface: Surface, steps: Floats, main: PassField) -> Bools:
     if len(near):
         tree = cKDTree(np.concatenate([near, facing * normal], axis=1))
         looking = np.repeat(facing * mesh.normal, len(PLACES), axis=0)
-        far = tree.query(np.concatenate([where, looking], axis=1))[0]
-        out = far > GAP * 0.5 * np.repeat(across, len(PLACES))
+        enough = GAP * 0.5 * np.repeat(across, len(PLACES))
+        far = tree.query(np.concatenate([where, looking], axis=1), distance_upper_bound=AMPLE * float(enough.max()))[0]
+        out = far > enough
     left_out: Bools = np.any(out.reshape(len(mesh.face), -1), axis=1)
     return _touching(mesh.face, left_out)
 
