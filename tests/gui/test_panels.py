@@ -18,6 +18,7 @@ from freecad_fiveaxis.gui import qt, waiting
 from freecad_fiveaxis.gui.panels import audit, post, summary, toolpath
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
+pytestmark = pytest.mark.usefixtures("kept")
 OPTIONS = {"cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
 """A coarse path: what the tests are about does not hang on its length."""
 
@@ -74,7 +75,7 @@ def names(doc):
 
 
 def test_calculate_shows_the_summary_and_ok_makes_one_step_of_undo(
-    panel, doc, click, pump, panel_button, screenshot, until, panel_closed
+    panel, doc, click, pump, panel_button, screenshot, until, panel_closed, anew
 ):
     click_calculate(panel, click, pump)
     until(lambda: "<b>" in shown("summary").text(), 60000, "a summary")
@@ -145,7 +146,7 @@ def test_what_the_core_refuses_later_is_said_under_the_form(panel, doc, pump, un
     assert names(doc) == ["Dome"] and not doc.HasPendingTransaction
 
 
-def test_stopping_the_calculation_leaves_the_document_as_it_was(panel, doc, monkeypatch):
+def test_stopping_the_calculation_leaves_the_document_as_it_was(panel, doc, monkeypatch, anew):
     begin = waiting.Waiting.__call__
 
     def stopped(self, stage, fraction):
@@ -664,7 +665,7 @@ def test_a_document_that_is_closed_under_the_panel_does_no_harm(panel, doc, pump
     panel_closed()
 
 
-def test_every_stage_of_the_work_has_its_words(panel, monkeypatch):
+def test_every_stage_of_the_work_has_its_words(panel, monkeypatch, anew):
     stages = set()
     say = waiting.Waiting.__call__
     monkeypatch.setattr(waiting.Waiting, "__call__", lambda self, stage, done: (stages.add(stage), say(self, stage, done)))
