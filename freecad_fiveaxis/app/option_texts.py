@@ -148,7 +148,8 @@ def text_of(leaf: Any) -> str:
 
 EDITOR = {
     "passes": QT_TRANSLATE_NOOP(
-        "App::Property", "Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop"
+        "App::Property", "Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: from "
+        "one guide curve to another; radial: about an axis"
     ),
     "tool_axis": QT_TRANSLATE_NOOP(
         "App::Property",

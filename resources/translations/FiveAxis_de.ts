@@ -716,8 +716,8 @@
         <translation>Bahnstrategie</translation>
     </message>
     <message>
-        <source>Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop</source>
-        <translation>Bahnstrategie. planes: parallele Ebenen; zlevel: Höhenebenen; scallop: gleiche Kuppenhöhe</translation>
+        <source>Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: from one guide curve to another; radial: about an axis</source>
+        <translation>Bahnstrategie. planes: parallele Ebenen; zlevel: Höhenebenen; scallop: gleiche Kuppenhöhe; morph: von einer Leitlinie zur anderen; radial: um eine Achse</translation>
     </message>
     <message>
         <source>Passes</source>

@@ -98,6 +98,21 @@ def test_passes_from_side_to_side_run_along_the_direction():
         assert contact.pass_.max() + 1 == math.ceil(side / FLAT_STEP)
 
 
+@pytest.mark.parametrize("travel", [0.0, 0.5 * math.pi])
+def test_a_wall_is_cut_along_the_direction_or_upwards_where_that_leads_through_it(travel):
+    mesh = plate()
+    wall = from_faces(np.asarray(mesh.vertex)[:, [0, 2, 1]] * (1.0, -1.0, 1.0), mesh.face)
+    contact = passes(MORPH, wall, options=options(direction=travel))
+    way = contact.point[1::2] - contact.point[::2]
+    assert np.abs(way[:, 2 if travel else 0]).sum() > 0.99 * length(contact)
+
+
+def test_the_cap_of_a_ball_is_cut_from_side_to_side():
+    mesh = ball(12.0, 40, 60)
+    keep = mesh.normal[:, 2] > math.cos(math.radians(50.0))
+    assert highest(MORPH, mesh, keep, share=0.95) <= 1.2 * SCALLOP
+
+
 def test_a_ring_is_cut_from_rim_to_rim_in_circles():
     contact = passes(MORPH, welded_ring())
     radius = np.linalg.norm(contact.point[:, :2], axis=1)

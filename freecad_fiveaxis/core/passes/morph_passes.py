@@ -32,8 +32,7 @@ from .scallop_passes import Surface, lay_passes, make_surface, survey_region
 from .sources import BORDER, find_source, sample_curve
 
 SIDE = math.cos(0.25 * math.pi)
-"""Cosine between what leads out of the border and the way across the passes: within 45 deg it is a side that the passes
-follow."""
+"""Cosine between a side of the border and the travel: within 45 deg it is one that the passes follow."""
 
 
 @dataclass(frozen=True)
@@ -141,7 +140,7 @@ def _sides_of_border(surface: Surface, travel: float) -> tuple[Ints, Ints]:
     owner[number] = component[ends[:, 0]]
     rank = _ranks(owner, length)
     alone = np.bincount(owner, minlength=int(component.max(initial=0)) + 1)[owner] == 1
-    right, left = _right_and_left(way, mesh.normal[mesh.coedge_face[edge, 0]], travel)
+    right, left = _right_and_left(way, travel)
     low, high = (np.where(alone[number], side, rank[number] == place) for side, place in ((right, 0), (left, 1)))
     one, other = np.unique(ends[low]), np.unique(ends[high])
     return np.setdiff1d(one, other), np.setdiff1d(other, one)
@@ -156,11 +155,14 @@ def _ranks(owner: Ints, length: Floats) -> Ints:
     return rank
 
 
-def _right_and_left(way: Floats, normal: Floats, travel: float) -> tuple[Bools, Bools]:
-    """Which of the border's sides (e,), ``way`` (e, 3) mm counter-clockwise about ``normal`` (e, 3), face to the right of the
-    travel, and which to the left."""
+def _right_and_left(way: Floats, travel: float) -> tuple[Bools, Bools]:
+    """Which of the border's sides (e,), ``way`` (e, 3) mm with the surface to its left, run along the travel and so lie to the
+    right of it, and which run against it. Where the surface stands across the travel, its sides along Z are taken."""
     cosine, sine = direction(travel)
-    out = np.cross(way, normal)
-    aside = out @ np.array([-sine, cosine, 0.0])
-    least = SIDE * np.linalg.norm(out, axis=1)
-    return aside < -least, aside > least
+    for along in np.array([[cosine, sine, 0.0], [0.0, 0.0, 1.0]]):
+        share = way @ along
+        least = SIDE * np.linalg.norm(way, axis=1)
+        right, left = share > least, share < -least
+        if right.any() and left.any():
+            break
+    return np.asarray(right), np.asarray(left)

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Passes from guide to guide and about an axis, chosen in the panel: each choice asks for what it needs, and is computed."""
+
+import pytest
+
+from freecad_fiveaxis.gui.panels import toolpath
+
+COARSE = {"cutter": "ball:6", "scallop": 0.1, "max_axis_angle": 50.0, "tool_axis": "facet_mean"}
+ASKED = {
+    "scallop": {"from_"}, "morph": {"from_", "to", "direction"}, "radial": {"pass_centre", "pass_axis"}, "planes": {"direction"},
+}  # fmt: skip
+
+
+@pytest.fixture
+def ball(doc):
+    made = doc.addObject("Part::Sphere", "Knob")
+    made.Radius = 12
+    doc.recompute()
+    return made
+
+
+def test_each_choice_of_passes_asks_for_what_it_needs(ball, pump, unfold):
+    panel = toolpath.create(ball)
+    pump(200)
+    unfold()
+    for passes, wanted in ASKED.items():
+        panel.options.show_options({"passes": passes})
+        pump(100)
+        shown = {name for name in set().union(*ASKED.values()) if panel.options.fields[name].editor.isVisible()}
+        assert shown == wanted, passes
+    panel.reject()
+
+
+@pytest.mark.parametrize("passes", ["morph", "radial"])
+def test_passes_that_are_led_are_computed_and_edited_again(ball, pump, unfold, screenshot, passes):
+    panel = toolpath.create(ball)
+    panel.options.show_options({**COARSE, "passes": passes})
+    pump(200)
+    unfold()
+    assert panel.calculate()
+    pump(600)
+    screenshot(f"passes_{passes}")
+    path = panel.obj
+    assert path.PassStrategy == passes and path.Passes > 10
+    assert panel.accept()
+    pump(200)
+    again = toolpath.edit(path)
+    pump(200)
+    unfold()
+    assert again.options.fields["passes"].value() == passes
+    if passes == "radial":
+        again.options.show_options({"pass_centre": "4,0,0"})
+        assert again.calculate() and path.PassCentre == "4,0,0"
+    else:
+        again.options.show_options({"to": "nowhere"})
+        assert not again.calculate() and path.Passes > 10, "what cannot be used is said, and nothing is lost"
+    screenshot(f"passes_{passes}_edited")
+    assert again.reject()
