@@ -17,9 +17,9 @@ from freecad_fiveaxis.core.report.figures import summary
 
 PARTS = {
     "step": lambda: step(6.0),
-    "bowl": lambda: bowl_block(11.0, cells=24),
-    "knob": lambda: knob_in_corner(cells=24),
-    "blade": lambda: blade_beside_hub(cells=24),
+    "bowl": lambda: bowl_block(11.0, cells=16),
+    "knob": lambda: knob_in_corner(cells=16),
+    "blade": lambda: blade_beside_hub(cells=16),
 }
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:8:40", "stepover": 2.0, "max_axis_angle": 60}
 
