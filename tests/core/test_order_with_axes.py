@@ -87,7 +87,7 @@ def test_a_row_that_is_come_to_backwards_has_its_sides_and_its_fill_turned_round
     assert set(ROW_COLUMNS) >= {"fill", "before", "after", "step_before", "step_after"}
 
 
-@pytest.mark.parametrize("part", [lambda: knob_in_corner(cells=16), lambda: bowl_block(11.0, cells=16)], ids=["knob", "bowl"])
+@pytest.mark.parametrize("part", [lambda: knob_in_corner(cells=12), lambda: bowl_block(11.0, cells=12)], ids=["knob", "bowl"])
 def test_the_same_is_cut_with_less_between(part, monkeypatch):
     keep_fields(monkeypatch)
 
