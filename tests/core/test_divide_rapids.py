@@ -29,7 +29,7 @@ from freecad_fiveaxis.core.report.markers import markers
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of
 
-PARTS = {"step": lambda: step(6.0), "knob": lambda: knob_in_corner(cells=16)}
+PARTS = {"step": lambda: step(6.0), "knob": lambda: knob_in_corner(cells=12)}
 OPTIONS = {
     "cutter": "ball:8:40",
     "stepover": 4.0,
