@@ -9,6 +9,7 @@ import pytest
 from gouge_examples import bowl_block, knob_in_corner
 from one_field import keep_fields
 from plain import build_settings
+from test_axis_field import NODES, take_nodes
 
 from freecad_fiveaxis.core.cl.coedge import ROW_COLUMNS, OffsetPath
 from freecad_fiveaxis.core.corrections.order_with_axes import LEVER, order_with_axes
@@ -89,6 +90,7 @@ def test_a_row_that_is_come_to_backwards_has_its_sides_and_its_fill_turned_round
 
 @pytest.mark.parametrize("part", [lambda: knob_in_corner(cells=12), lambda: bowl_block(11.0, cells=12)], ids=["knob", "bowl"])
 def test_the_same_is_cut_with_less_between(part, monkeypatch):
+    take_nodes(monkeypatch, NODES)
     keep_fields(monkeypatch)
 
     def milled():
@@ -113,6 +115,7 @@ def test_one_way_and_axes_that_lean_with_the_feed_keep_their_way_round(monkeypat
     def milled(**option):
         job.make(build_settings("mill", "part", {**OPTIONS, **option, "gouge": "off"}), mesh=bowl_block(11.0, cells=12))
 
+    take_nodes(monkeypatch, NODES)
     keep_fields(monkeypatch)
     milled(order="one_way")
     milled(lead=5)
