@@ -44,7 +44,11 @@ def depth(cutter, tip, axis, points, most=150):
     outside it is negative, and only right near the skin. The flank goes on upwards for ever."""
     some = np.unique(np.linspace(0, len(tip) - 1, most).astype(int))
     tip, axis = tip[some], axis[some]
-    tree, reach, found = cKDTree(points), cutter.radius + 1.0, np.full(len(tip), -np.inf)
+    tree, reach, found = (
+        cKDTree(points, balanced_tree=False, compact_nodes=False),
+        cutter.radius + 1.0,
+        np.full(len(tip), -np.inf),
+    )
     hub = tip + cutter.corner * axis
     for row, near in enumerate(tree.query_ball_point(hub, reach)):
         if near:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from dome_passes import kinematics_of
 from gouge_examples import prism
+from one_field import keep_fields
 
 from freecad_fiveaxis.core.corrections import auto_axis
 from freecad_fiveaxis.core.corrections.at_pole import CONE, WIDE, find_near_rows, take_pole
@@ -62,6 +63,7 @@ ROOF = [(0, 0), (24, 0), (24, 4), (21, 8), (16, 10), (8, 10), (3, 8), (0, 4)]
 def test_on_a_flat_top_the_first_axis_turns_less_far(monkeypatch):
     """And without taking the pole it turns as far as it did: the comparison can fail."""
     settings = build_settings("mill", "part", {"machine": "trunnion_ac", "cutter": "ball:8", "scallop": 0.4, "gouge": "off"})
+    keep_fields(monkeypatch)
     turned, made = [], []
     for take in (take_pole, lambda axis, *_: axis):
         monkeypatch.setattr(auto_axis, "take_pole", take)

@@ -8,7 +8,19 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from roofs import WAY, Deadly, Dropping, Forgetting, Inline, Swapping, die_always, die_once, write_roof
+from roofs import (
+    WAY,
+    Dropping,
+    Forgetting,
+    Inline,
+    Instead,
+    Swapping,
+    die_always,
+    die_once,
+    leave_pages_blank,
+    work_with_blank_pages,
+    write_roof,
+)
 
 from freecad_fiveaxis.core.base.chunks import in_threads
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
@@ -53,6 +65,20 @@ def expected(parts, tmp_path_factory):
         outcomes["a"].row["deviation_mm"] > 0 and outcomes["c"].row["verdict"] == FAILED and "c.stl" in outcomes["c"].row["part"]
     )
     return {name: outcome.row for name, outcome in outcomes.items()}, contents(out)
+
+
+@pytest.fixture(scope="module")
+def expected_blank(parts, tmp_path_factory):
+    """The same with blank pages."""
+    out = tmp_path_factory.mktemp("blank")
+    with pytest.MonkeyPatch.context() as patch:
+        leave_pages_blank(patch.setattr)
+        return {outcome.row["name"]: outcome.row for outcome in run_batch(jobs_of(parts, out))}, contents(out)
+
+
+@pytest.fixture
+def blank_pages(monkeypatch):
+    leave_pages_blank(monkeypatch.setattr)
 
 
 @contextmanager
@@ -106,44 +132,44 @@ def test_every_executor_makes_the_same_bytes(executor, parts, expected, tmp_path
 
 
 @pytest.mark.parametrize("wrong", [Swapping, Forgetting])
-def test_an_executor_that_gives_back_something_else_is_noticed(wrong, parts, tmp_path):
+def test_an_executor_that_gives_back_something_else_is_noticed(wrong, parts, tmp_path, blank_pages):
     with pytest.raises(SettingsError, match="gave back"):
         list(run_batch(jobs_of(parts, tmp_path / "out"), wrong()))
 
 
-def test_what_an_executor_gives_up_is_done_by_a_new_one_or_told(parts, expected, tmp_path):
+def test_what_an_executor_gives_up_is_done_by_a_new_one_or_told(parts, expected_blank, tmp_path, blank_pages):
     told = {outcome.row["name"]: outcome.error for outcome in run_batch(jobs_of(parts, tmp_path / "one"), Dropping())}
     assert list(told) == ["a", "b", "c"] and not told["a"] and "process died" in told["b"] and "process died" in told["c"]
     rows = {
         one.row["name"]: one.row
         for one in run_batch(jobs_of(parts, tmp_path / "two"), Dropping(), again=lambda workers: Inline())
     }
-    assert (rows, contents(tmp_path / "two")) == expected
+    assert (rows, contents(tmp_path / "two")) == expected_blank
 
 
-def test_the_jobs_of_a_process_that_dies_run_again_and_none_twice(parts, expected, tmp_path):
+def test_the_jobs_of_a_process_that_dies_run_again_and_none_twice(parts, expected_blank, tmp_path):
     crew, made = crews.process_crew(1), []
 
     def again(workers=None):
         made.append(workers)
-        return crew.open(workers)
+        return Instead(crew.open(workers), work_with_blank_pages)
 
-    with Deadly(crew.open(), die_once, str(tmp_path / "died")) as pool:
+    with Instead(crew.open(), die_once, str(tmp_path / "died")) as pool:
         ended = list(run_batch(jobs_of(parts, tmp_path / "out"), pool, again=again))
     assert (tmp_path / "died").exists() and made == [None] and len(ended) == 3
-    assert ({one.row["name"]: one.row for one in ended}, contents(tmp_path / "out")) == expected
+    assert ({one.row["name"]: one.row for one in ended}, contents(tmp_path / "out")) == expected_blank
 
 
-def test_only_the_job_that_kills_its_process_fails(parts, expected, tmp_path):
+def test_only_the_job_that_kills_its_process_fails(parts, expected_blank, tmp_path):
     crew = crews.process_crew(1)
 
     def again(workers=None):
-        return Deadly(crew.open(workers), die_always)
+        return Instead(crew.open(workers), die_always)
 
     with again() as pool:
         ended = {one.row["name"]: one for one in run_batch(jobs_of(parts, tmp_path / "out"), pool, again=again)}
     assert sorted(ended) == ["a", "b", "c"] and "process died" in ended["b"].error
-    assert ended["a"].row == expected[0]["a"] and ended["c"].row == expected[0]["c"]
+    assert ended["a"].row == expected_blank[0]["a"] and ended["c"].row == expected_blank[0]["c"]
     assert sorted(contents(tmp_path / "out")) == ["a.html", "a.json", "a.ngc"]
 
 
@@ -203,7 +229,7 @@ def test_a_job_in_a_worker_keeps_to_its_thread(monkeypatch, parts, tmp_path):
     assert set(seen) == {threading.get_ident()} and len(seen) == 52
 
 
-def test_a_finished_job_is_known_until_anything_of_it_changes(parts, expected, tmp_path):
+def test_a_finished_job_is_known_until_anything_of_it_changes(parts, tmp_path, blank_pages):
     part, out = tmp_path / "a.stl", tmp_path / "out"
     part.write_bytes((parts / "a.stl").read_bytes())
     (job,) = jobs_of(tmp_path, out)
@@ -221,7 +247,7 @@ def test_a_finished_job_is_known_until_anything_of_it_changes(parts, expected, t
     assert job.nc in work.run_one(job).error and Path(job.nc).read_text() == "M2\n"
 
 
-def test_a_result_is_not_computed_twice(monkeypatch, parts, tmp_path):
+def test_a_result_is_not_computed_twice(monkeypatch, parts, tmp_path, blank_pages):
     job = jobs_of(parts, tmp_path / "out")[0]
     done = work.run_one(job)
     monkeypatch.setattr(work.pipeline, "run", None)

@@ -2,6 +2,7 @@
 """Where a ball that leans touches the part: what the picture shows."""
 
 import numpy as np
+from test_axis_field import NODES, take_nodes
 from thorough import some_in_core
 from underside_parts import PARTS
 
@@ -49,7 +50,8 @@ def off_the_part(point, mesh):
 
 
 @some_in_core("control_point", ["tip", "centre"], kept=(0,))
-def test_strokes_of_a_free_axis_lie_on_the_part_where_tips_do_not(control_point):
+def test_strokes_of_a_free_axis_lie_on_the_part_where_tips_do_not(control_point, monkeypatch):
+    take_nodes(monkeypatch, NODES)
     options = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "stepover": 3, "control_point": control_point}
     mesh = PARTS["tee"]()
     figures = job.figures(job.prove(job.make(build_settings("mill", "tee", options), mesh=mesh)))

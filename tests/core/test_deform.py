@@ -294,7 +294,7 @@ def test_the_programs_c_is_ten_times_slower_and_its_contacts_stay_where_they_are
 
 
 def test_report_is_the_default_and_changes_no_byte(milled):
-    wide = ("stepover", 2.0)
+    wide = ("stepover", 4.0)
     assert milled(wide, ("singularity", "report")).nc == milled(wide).nc != milled(wide, ("singularity", "deform")).nc
     assert milled(wide, ("singularity", "report"), ("max_axis_change", 5)).nc == milled(wide).nc
 

@@ -2,6 +2,7 @@
 """Rapids of our own programs are clear whichever way the controller drives the axes: divided, on the commanded way, nowhere else."""
 
 import dataclasses
+from functools import cache
 
 import numpy as np
 import pytest
@@ -28,7 +29,7 @@ from freecad_fiveaxis.core.report.markers import markers
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of
 
-PARTS = {"step": lambda: step(6.0), "knob": lambda: knob_in_corner(cells=16)}
+PARTS = {"step": lambda: step(6.0), "knob": lambda: knob_in_corner(cells=12)}
 OPTIONS = {
     "cutter": "ball:8:40",
     "stepover": 4.0,
@@ -50,20 +51,20 @@ BLOCK = from_triangles(box((-20.0, -20.0, 0.0), (20.0, 20.0, 20.0)))
 LIMIT = 0.01
 
 
-def milled(machine, part, **options):
+def milled_anew(machine, part, **options):
     return job.make(build_settings("mill", "part", {"machine": machine, **OPTIONS, **options}), mesh=PARTS[part]())
 
 
-@pytest.fixture
-def undivided(monkeypatch):
+milled = cache(milled_anew)
+"""The program, made once for all tests that ask for the same."""
+
+
+@cache
+def undivided(machine, part, **options):
     """The same program without the stage."""
-
-    def make(*args, **options):
-        with monkeypatch.context() as patch:
-            patch.setattr(milling, "keep_rapids_clear", lambda context, joints: joints)
-            return milled(*args, **options)
-
-    return make
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(milling, "keep_rapids_clear", lambda context, joints: joints)
+        return milled_anew(machine, part, **options)
 
 
 def codes(made):
@@ -71,7 +72,7 @@ def codes(made):
 
 
 @pytest.mark.parametrize(("machine", "part", "options"), CASES)
-def test_no_rapid_of_our_own_is_clear_only_if_interpolated(undivided, machine, part, options):
+def test_no_rapid_of_our_own_is_clear_only_if_interpolated(machine, part, options):
     assert "independent-rapid" in codes(undivided(machine, part, **options)), "the stage has something to do"
     made = milled(machine, part, **options)
     assert not {"independent-rapid", "rapid-unproven", "rapid-collision"} & codes(made)
@@ -93,7 +94,7 @@ def added(made, plain):
 
 
 @pytest.mark.parametrize(("machine", "part", "options"), CASES[:4])
-def test_rows_that_are_put_in_are_rapids_on_the_commanded_way(undivided, machine, part, options):
+def test_rows_that_are_put_in_are_rapids_on_the_commanded_way(machine, part, options):
     made, plain = milled(machine, part, **options), undivided(machine, part, **options)
     rows, before = added(made, plain)
     told = next(one for one in made.findings if one.code == "rapids-divided")
@@ -113,7 +114,7 @@ def test_rows_that_are_put_in_are_rapids_on_the_commanded_way(undivided, machine
 
 
 @pytest.mark.parametrize(("machine", "part", "options"), CASES[:1])
-def test_dense_simulation_over_random_rates_finds_no_entry(undivided, machine, part, options):
+def test_dense_simulation_over_random_rates_finds_no_entry(machine, part, options):
     made, plain = milled(machine, part, **options), undivided(machine, part, **options)
     rows, before = added(made, plain)
     space, points = JointSpace.of(made.kinematics), points_of(made.mesh)
@@ -123,11 +124,11 @@ def test_dense_simulation_over_random_rates_finds_no_entry(undivided, machine, p
 
 
 @pytest.mark.parametrize("options", [{"controller": "linuxcnc"}, {"controller": "haas", "rapids": "interpolated"}])
-def test_programs_for_controls_that_interpolate_rapids_stay_as_they_are(undivided, options):
+def test_programs_for_controls_that_interpolate_rapids_stay_as_they_are(options):
     assert milled("fork_head_bc", "step", **options).nc == undivided("fork_head_bc", "step", **options).nc
 
 
-def test_rapids_stay_where_nothing_is_looked_at(undivided):
+def test_rapids_stay_where_nothing_is_looked_at():
     options = {"controller": "haas", "gouge": "off"}
     assert milled("fork_head_bc", "step", **options).nc == undivided("fork_head_bc", "step", **options).nc
 
@@ -168,9 +169,9 @@ def test_a_rapid_that_enters_on_its_commanded_way_is_left_as_it_is():
     assert find_cuts(ways(through, OVER), clearance()).rapid.tolist() == find_cuts(ways(OVER), clearance()).rapid.size * [1]
 
 
-def test_pieces_that_stay_blocked_after_the_last_halving_are_left_to_the_check(undivided, monkeypatch):
+def test_pieces_that_stay_blocked_after_the_last_halving_are_left_to_the_check(monkeypatch):
     monkeypatch.setattr(stage, "HALVINGS", 0)
-    assert "independent-rapid" in codes(milled("fork_head_bc", "step", controller="haas"))
+    assert "independent-rapid" in codes(milled_anew("fork_head_bc", "step", controller="haas"))
 
 
 def joints(kinematics_, words, findings=()):
@@ -204,8 +205,9 @@ def test_findings_stay_with_their_rows():
     assert made.path.tip[at] == pytest.approx(given.path.tip)
 
 
-def test_a_rapid_that_is_clear_only_if_interpolated_has_a_marker_in_each_run(undivided):
-    result = job.prove(undivided("trunnion_ac", "knob", controller="fanuc"))
+def test_a_rapid_that_is_clear_only_if_interpolated_has_a_marker_in_each_run():
+    machine, part, options = CASES[2]
+    result = job.prove(undivided(machine, part, **options))
     marked = [one for one in markers(job.figures(result)) if one.kind == "independent-rapid"]
     depth = result.gouge.ways.depth
     assert marked and marked[0].block == depth.argmax() + 1 and marked[0].finding is not None
@@ -214,7 +216,7 @@ def test_a_rapid_that_is_clear_only_if_interpolated_has_a_marker_in_each_run(und
 
 
 @pytest.mark.parametrize(("machine", "part", "options"), [CASES[0], CASES[3]])
-def test_an_audit_of_our_own_file_finds_none_either(tmp_path, undivided, machine, part, options):
+def test_an_audit_of_our_own_file_finds_none_either(tmp_path, machine, part, options):
     asked = {
         "machine": machine,
         "tool_length": 120,

@@ -133,6 +133,7 @@ def test_contacts_without_a_free_axis_are_left_out_and_the_pass_goes_on_behind_t
     assert "overcut" not in {one.code for one in job.prove(made).findings}
 
 
+@pytest.mark.usefixtures("some_nodes")
 def test_where_no_axis_is_free_at_all_an_error_says_so():
     mesh = slot(5.0, 40.0, 60.0)
     inside = (np.abs(mesh.vertex[mesh.face].mean(axis=1)[:, 0]) < 2.6) & (mesh.vertex[mesh.face].mean(axis=1)[:, 2] > 5.0)

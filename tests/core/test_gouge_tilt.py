@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tool tilted free: by the angle that the wall demands, smoothly, within its limits; and every cure where none can help."""
 
+from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
@@ -164,15 +165,19 @@ def test_a_cutter_with_a_ring_sits_anew_under_the_tilted_axis(cutter):
     assert lean.max() > 0.02 and hub[:, 2] - ring * np.sin(lean) - corner == pytest.approx(0.0, abs=2e-4)
 
 
+@cache
+def convex(path, gouge):
+    """The program for a convex part, made once for all cures that are compared with it."""
+    options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 15, "holder": "30x30", "links": "over"}
+    return job.make(build_settings("mill", path, {**options, "gouge": gouge}))
+
+
 @pytest.mark.parametrize("gouge", CURES[1:])
 @some_in_core("part", ["dome", "blade", "half_cylinder"])
 def test_on_convex_parts_no_cure_changes_a_bit(parts, part, gouge):
-    options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 15, "holder": "30x30", "links": "over"}
-
-    def made(gouge):
-        return job.make(build_settings("mill", str(parts / f"{part}.stl"), {**options, "gouge": gouge}))
-
-    one, two = made("report"), made(gouge)  # with "off" rapids would keep the cutter alone off the part
+    one, two = (
+        convex(str(parts / f"{part}.stl"), cure) for cure in ("report", gouge)
+    )  # with "off" rapids would keep the cutter alone off the part
     assert one.nc == two.nc
     assert all(
         (getattr(one.path, name) == getattr(two.path, name)).all() for name in ("tip", "axis", "motion", "contact", "normal")

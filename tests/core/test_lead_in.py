@@ -112,7 +112,7 @@ def test_none_is_the_default_and_changes_no_byte():
 
 # ------------------------------------------------------------------------------------------------ beside walls
 
-WALLED = {"knob": lambda: knob_in_corner(cells=24), "blade": lambda: blade_beside_hub(cells=24), "step": lambda: step(6.0)}
+WALLED = {"knob": lambda: knob_in_corner(cells=16), "blade": lambda: blade_beside_hub(cells=16), "step": lambda: step(6.0)}
 
 
 def deepest(made):
@@ -131,7 +131,7 @@ def test_the_judge_finds_nothing_beside_walls(part, links):
 
 def test_the_judge_would_see_an_arc_that_is_not_free(monkeypatch):
     monkeypatch.setattr(module, "_free", lambda path, ends, *rest: np.ones(len(ends.row), bool))
-    assert deepest(milled(knob_in_corner(cells=24), lead_in=R, stepover=2.0, linearize="off")) > 0.1
+    assert deepest(milled(knob_in_corner(cells=16), lead_in=R, stepover=2.0, linearize="off")) > 0.1
 
 
 # ------------------------------------------------------------------------------------------------ by hand: counts, table, near links

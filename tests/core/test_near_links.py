@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Links that stay near the part: they spare air, and by another library's distances none of them leads the tool into it."""
 
+from functools import cache
+
 import gouge_judge
 import numpy as np
 import pytest
@@ -15,19 +17,23 @@ from freecad_fiveaxis.core.report.figures import summary
 
 PARTS = {
     "step": lambda: step(6.0),
-    "bowl": lambda: bowl_block(11.0, cells=24),
-    "knob": lambda: knob_in_corner(cells=24),
-    "blade": lambda: blade_beside_hub(cells=24),
+    "bowl": lambda: bowl_block(11.0, cells=16),
+    "knob": lambda: knob_in_corner(cells=16),
+    "blade": lambda: blade_beside_hub(cells=16),
 }
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:8:40", "stepover": 2.0, "max_axis_angle": 60}
 
 
-def milled(part, **options):
+def milled_anew(part, **options):
     return job.make(build_settings("mill", "part", {**OPTIONS, **options}), mesh=PARTS[part]())
 
 
-def lengths(made):
-    numbers = summary(job.figures(job.prove(made)))
+milled = cache(milled_anew)
+"""The program, made once for all tests that ask for the same."""
+
+
+def lengths(result):
+    numbers = summary(job.figures(result))
     return {name: numbers[f"{name}_length"] for name in ("cut", "link", "rapid")}
 
 
@@ -44,10 +50,12 @@ def deepest(made):
 @some_in_core("part", list(PARTS), kept=(0, 3))
 def test_the_same_is_cut_with_less_air_and_the_judge_finds_nothing(part):
     near, over = milled(part), milled(part, links="over")
-    assert lengths(near)["cut"] == pytest.approx(lengths(over)["cut"], rel=1e-3)
-    assert lengths(near)["rapid"] + lengths(near)["link"] < 0.7 * (lengths(over)["rapid"] + lengths(over)["link"])
+    result = job.prove(near)
+    here, there = lengths(result), lengths(job.prove(over))
+    assert here["cut"] == pytest.approx(there["cut"], rel=1e-3)
+    assert here["rapid"] + here["link"] < 0.7 * (there["rapid"] + there["link"])
     assert deepest(near) <= near.settings.proof.tolerance
-    codes = {finding.code for finding in job.prove(near).findings}
+    codes = {finding.code for finding in result.findings}
     assert not codes & {"overcut", "rapid-collision", "holder-collision"}
 
 
@@ -56,7 +64,7 @@ def test_the_judge_would_see_a_near_link_that_is_not_free(monkeypatch):
     monkeypatch.setattr(near_links, "HEIGHTS", (0.0,))
     monkeypatch.setattr(near_links, "_worthwhile", lambda path, gaps, lift, radius: np.ones(len(gaps.last), bool))
     monkeypatch.setattr(near_links, "_free", lambda path, last, *rest: np.ones(len(last), bool))
-    assert deepest(milled("knob", linearize="off")) > 0.1
+    assert deepest(milled_anew("knob", linearize="off")) > 0.1
 
 
 def test_nothing_goes_near_a_part_that_is_not_looked_at_or_where_the_user_wants_it_over():

@@ -80,7 +80,7 @@ def on_floor(found, length):
 
 @pytest.fixture
 def coarse(monkeypatch):
-    monkeypatch.setattr(module, "PLACES", 700)
+    monkeypatch.setattr(module, "PLACES", 500)
 
 
 def test_a_holder_wider_than_a_deep_slot_is_in_the_way_of_its_floor(coarse):
@@ -132,7 +132,7 @@ CUTTERS = [Cutter(6.0, 20.0), Cutter(6.0, 20.0, 0.0), Cutter(8.0, 20.0, 2.0)]
 
 
 @some_in_core("cutter", CUTTERS, ids=["ball", "flat", "bull"])
-def test_at_every_place_called_reachable_the_tool_is_free_by_dense_samples(cutter):
+def test_at_every_place_called_reachable_the_tool_is_free_by_dense_samples(cutter, coarse):
     mesh, reacher = slot(14.0, 12.0), Reacher(cutter, holder=HOLDER, limit=0.01)
     found = reach_map(mesh, reacher)
     free = np.flatnonzero(found.obstacle == Obstacle.NONE)

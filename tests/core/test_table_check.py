@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from mesh_shapes import box
 from plain import build_settings
+from test_axis_field import NODES, take_nodes
 
 from freecad_fiveaxis.core.base.rapids import INDEPENDENT, INTERPOLATED
 from freecad_fiveaxis.core.cl.cl_path import Motion
@@ -65,7 +66,8 @@ def test_the_same_part_as_much_higher_is_free_to_the_tolerance():
     assert not below(proved(gouge="report"))  # 100 mm above it
 
 
-def test_axes_that_are_found_freely_keep_off_the_table():
+def test_axes_that_are_found_freely_keep_off_the_table(monkeypatch):
+    take_nodes(monkeypatch, NODES)
     assert not below(proved(origin=ON_TABLE, tool_axis="auto", passes="scallop", stepover=None, scallop=0.3))
 
 

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs that differ only in what comes after the field of tool axes find it once: it is most of what such a run takes."""
+
+import pickle
+
+from freecad_fiveaxis.core.jobs import milling
+
+
+def keep_fields(monkeypatch, kept=None):
+    """Let `mill` take the field found before for the same part, facets and tool. ``kept``: where fields of other tests are too."""
+    found, kept = milling.find_axis_field, {} if kept is None else kept
+
+    def find(mesh, facets, reacher, *more):
+        asked = pickle.dumps((mesh.vertex, mesh.face, facets, reacher))
+        if asked not in kept:
+            kept[asked] = found(mesh, facets, reacher, *more)
+        return kept[asked]
+
+    monkeypatch.setattr(milling, "find_axis_field", find)
