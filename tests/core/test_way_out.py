@@ -13,7 +13,8 @@ from test_reach_map import profile
 from freecad_fiveaxis.core.collision.obstacles import Reacher, within_limits
 from freecad_fiveaxis.core.collision.search import which_enter
 from freecad_fiveaxis.core.collision.swept_motion import ways_up
-from freecad_fiveaxis.core.corrections.auto_axis import Free, select_rows_with_way_out
+from freecad_fiveaxis.core.corrections import auto_axis
+from freecad_fiveaxis.core.corrections.auto_axis import Contacts, Free, select_rows_with_way_out
 from freecad_fiveaxis.core.corrections.overhang import is_under
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.passes import axes_within_limits, turns_within_limits, with_room
@@ -95,6 +96,27 @@ def test_only_what_lies_between_ways_out_is_kept():
     assert select_rows_with_way_out(free, polyline).tolist() == [1, 2, 3, 7, 8]
     assert not len(select_rows_with_way_out(free[:0], polyline[:0]))
     assert not len(select_rows_with_way_out(np.full(3, standing), np.zeros(3, np.int64))) and none == 0
+
+
+def test_a_contact_is_free_where_all_its_rows_are_and_none_is_asked_in_vain(monkeypatch):
+    random, asked_rows = np.random.default_rng(3), []
+    contact = np.append(np.repeat(np.arange(200), random.integers(1, 5, 200)), 0)  # the end of a closed pass is its start
+    n, first = len(contact), np.unique(contact, return_index=True)[1]
+    stand, normal, fits = random.normal(size=(n, 3)), np.tile(UP, (n, 1)), random.random(n) < 0.95
+    normal[random.random(n) < 0.1] = -UP
+    known = Contacts(stand[first], first, first, normal[first], contact, stand, normal, fits)
+
+    def answered(_reacher, _tree, stand, *_):
+        asked_rows.append(len(stand))
+        return stand[:, 0] > -0.5
+
+    monkeypatch.setattr(auto_axis, "are_free", answered)
+    asked = random.random(200) < 0.8
+    free = known.free(np.tile(UP, (200, 1)), asked, None, None, None)
+    row_free = (stand[:, 0] > -0.5) & fits & (normal[:, 2] > 0)
+    assert free.tolist() == [bool(asked[k] and row_free[contact == k].all()) for k in range(200)]
+    maybe = [k for k in range(200) if asked[k] and (fits & (normal[:, 2] > 0))[contact == k].all()]
+    assert asked_rows == [len(maybe), sum((contact == k).sum() - 1 for k in maybe if row_free[first[k]])]
 
 
 def test_axes_keep_room_to_the_limits_and_their_turns_are_asked_too():

@@ -50,18 +50,18 @@ def toward_box(piece: Piece, tip: Floats, axis: Floats, box: Boxes) -> tuple[Flo
     """Find the direction (3, n) from the piece at tips (3, n) mm, with unit axes (3, n), to the nearest place of boxes, and where
     these begin along it (n,) mm from the tip."""
     arm = box.middle - tip
-    height = (arm * axis).sum(axis=0)
+    height = _inner(arm, axis)
     core = np.minimum(np.maximum(height, piece.low), piece.high) * axis - arm  # its place on the axis, from the box's middle
     off = np.minimum(np.maximum(along(box.ways, core), -box.half), box.half)
     g = _away(piece, axis, arm + np.einsum("kn,kin->in", off, box.ways))
-    return g, (g * arm).sum(axis=0) - (np.abs(along(box.ways, g)) * box.half).sum(axis=0)
+    return g, _inner(g, arm) - (np.abs(along(box.ways, g)) * box.half).sum(axis=0)
 
 
 def plate_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
     """The smaller one of the bounds (n,) mm along the nodes' normals, both ways."""
     plate = tree.plates(node)
-    place, go = (plate.normal * sweep.tip).sum(axis=0), (plate.normal * sweep.travel).sum(axis=0)
-    lean, turn = (plate.normal * sweep.unit).sum(axis=0), _dot(plate.normal, sweep.turn)
+    place, go = _inner(plate.normal, sweep.tip), _inner(plate.normal, sweep.travel)
+    lean, turn = _inner(plate.normal, sweep.unit), _dot(plate.normal, sweep.turn)
     up = _swept(piece, sweep, go, lean, turn) + place - plate.bottom
     down = _swept(piece, sweep, -go, -lean, None if turn is None else -turn) - place + plate.top
     return np.asarray(np.minimum(up, down))
@@ -95,9 +95,9 @@ def toward_triangle(piece: Piece, axis: Floats, arm: Floats) -> tuple[Floats, Fl
 def least_depth(piece: Piece, sweep: StraightSweep, point: Floats) -> Floats:
     """(n,) mm: these points (3, n) of the part are that deep at a pose of the way, or negative."""
     arm = point - sweep.tip
-    height = (arm * sweep.unit).sum(axis=0)
+    height = _inner(arm, sweep.unit)
     out = arm - height * sweep.unit
-    off = distance_off(piece, np.sqrt((out * out).sum(axis=0)), height)
+    off = distance_off(piece, np.sqrt(_inner(out, out)), height)
     short = 0.0 if sweep.cosine is None else np.abs(1.0 - sweep.cosine)
     return np.asarray(-off - sweep.bend_tip - (piece.reach + piece.round) * (sweep.bend_axis + short))
 
@@ -109,13 +109,13 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
     """
     if piece.low_radius != piece.high_radius:
         return toward(piece, axis, place)[1]
-    height = (place * axis).sum(axis=0)
+    height = _inner(place, axis)
     g = place - height * axis
     if piece.low_radius > 0.0:
-        radius = np.sqrt((g * g).sum(axis=0))
+        radius = np.sqrt(_inner(g, g))
         g *= np.maximum(radius - piece.low_radius, 0.0) / np.maximum(radius, NEAR)
     g += (height - np.minimum(np.maximum(height, piece.low), piece.high)) * axis
-    distance = np.sqrt((g * g).sum(axis=0))
+    distance = np.sqrt(_inner(g, g))
     g /= np.maximum(distance, NEAR)
     if piece.low_radius > 0.0 and piece.high > piece.low:
         within = np.flatnonzero(distance <= NEAR)
@@ -125,7 +125,7 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
 
 def _reached(piece: Piece, sweep: StraightSweep, g: Floats) -> Floats:
     """The support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's middle tip."""
-    go, lean = (g * sweep.travel).sum(axis=0), (g * sweep.unit).sum(axis=0)
+    go, lean = _inner(g, sweep.travel), _inner(g, sweep.unit)
     return _swept(piece, sweep, go, lean, _dot(g, sweep.turn))
 
 
@@ -139,4 +139,9 @@ def _swept(piece: Piece, sweep: StraightSweep, go: Floats, lean: Floats, turn: F
 
 
 def _dot(one: Floats, two: Floats | None) -> Floats | None:
-    return None if two is None else np.asarray((one * two).sum(axis=0))
+    return None if two is None else _inner(one, two)
+
+
+def _inner(one: Floats, two: Floats) -> Floats:
+    """Inner products (n,) of columns (3, n)."""
+    return np.asarray(np.einsum("in,in->n", one, two))

@@ -180,9 +180,9 @@ class StraightSweep(NamedTuple):
 
 
 class Clusters(NamedTuple):
-    """Stretches and their clusters in one table, the largest first: ``sweep`` (n, 11 or 15), one in a row, columns as in
-    :class:`Way`; ``size`` (n,) mm, half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the row of the
-    first stretch, ``top`` how many clusters stand at the head."""
+    """Stretches and their clusters in one table, the largest first: ``sweep`` (11 or 15, n), rows as in :class:`StraightSweep`;
+    ``size`` (n,) mm, half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the column of the first
+    stretch, ``top`` how many clusters stand at the head."""
 
     sweep: Floats
     size: Floats
@@ -193,7 +193,7 @@ class Clusters(NamedTuple):
 
     def ways(self, rows: Ints) -> StraightSweep:
         """Those of these clusters (k,)."""
-        return StraightSweep.of(np.ascontiguousarray(self.sweep.take(rows, axis=0).T))
+        return StraightSweep.of(self.sweep.take(rows, axis=1))
 
 
 def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels: int = 3) -> Clusters:
@@ -218,7 +218,7 @@ def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels:
     if turned.any():
         sweep += [turn, cosine[None]]
     size = _length(travel) + bend_tip + reach * (turned + bend_axis)
-    table, (child, arity) = np.ascontiguousarray(np.concatenate(sweep).T), _family(counts)
+    table, (child, arity) = np.concatenate(sweep), _family(counts)
     return Clusters(table, size, child, arity, sum(counts[:-1]), counts[0])
 
 

@@ -64,11 +64,22 @@ class Contacts:
     def free(self, axis: Floats, asked: Bools, reacher: Reacher, tree: FacetTree, progress: Progress) -> Bools:
         """Whether the contacts ``asked`` (k,) are free with ``axis`` (k, 3), at each of their rows; the others are not."""
         rows = np.flatnonzero((asked & self.all_fit)[self.contact])
-        rows = rows[(axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) >= 0.0]  # none leans into the surface
-        turned = axis[self.contact[rows]]
-        free = np.zeros(len(self.contact), np.bool_)
-        free[rows] = are_free(reacher, tree, self.stand[rows], self.normal[rows], turned, progress)
-        return np.asarray(np.bincount(self.contact[~free], minlength=len(self.first)) == 0)
+        into = rows[(axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) < 0.0]  # leans into the surface
+        good = asked & self.all_fit
+        good[self.contact[into]] = False
+        for part in (self.leads, ~self.leads):  # where the first row is not free the others need not be asked
+            rows = np.flatnonzero(part & good[self.contact])
+            turned = axis[self.contact[rows]]
+            free = are_free(reacher, tree, self.stand[rows], self.normal[rows], turned, progress)
+            good[self.contact[rows[~free]]] = False
+        return good
+
+    @cached_property
+    def leads(self) -> Bools:
+        """Which rows (n,) are the first of their contacts."""
+        leads = np.zeros(len(self.contact), np.bool_)
+        leads[self.first] = True
+        return leads
 
     @cached_property
     def all_fit(self) -> Bools:

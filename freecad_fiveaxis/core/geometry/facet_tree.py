@@ -50,11 +50,11 @@ class Boxes(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class FacetTree:
-    """``facet`` (k,) row of the mesh of each leaf, ``corner`` (k, 9) its corners a, b, c, mm; ``facet_first`` (k,) False for
+    """``facet`` (k,) row of the mesh of each leaf, ``corner`` (9, k) its corners a, b, c, mm; ``facet_first`` (k,) False for
     copies. Of all nodes: ``middle``, ``half`` (3, n) mm their extent along x, y, z, and ``size`` (n,) mm half its diagonal;
-    ``child`` (n,) the first child and ``arity`` (n,) how many, 0 at a leaf; ``leaf`` the first node that is a facet. In one row
-    each, because they are looked up in any order: ``plate`` (n, 5) and ``box`` (n, 15), columns as in :class:`Plates` and
-    :class:`Boxes`, and ``point`` (n, 3) mm one of the part's points."""
+    ``child`` (n,) the first child and ``arity`` (n,) how many, 0 at a leaf; ``leaf`` the first node that is a facet.
+    ``plate`` (5, n) and ``box`` (15, n), rows as in :class:`Plates` and :class:`Boxes`, and ``point`` (3, n) mm one of the part's
+    points."""
 
     facet: Ints
     corner: Floats
@@ -89,7 +89,7 @@ class FacetTree:
 
 
 def _columns(table: Floats, rows: Ints) -> Floats:
-    return np.ascontiguousarray(table.take(rows, axis=0).T)
+    return table.take(rows, axis=1)
 
 
 _TREES: WeakKeyDictionary[Mesh, FacetTree] = WeakKeyDictionary()
@@ -119,7 +119,7 @@ def planted(mesh: Mesh) -> FacetTree:
         child.append(start + np.arange(count) * (more // count))
         arity.append(np.full(count, more // count))
     middle, half, size, *tables = (np.concatenate(part, axis=-1) for part in zip(*levels, strict=True))
-    plate, box, point, corner = (np.ascontiguousarray(table.T) for table in (*tables, corner))
+    plate, box, point = tables
     once = np.zeros(len(order), np.bool_)
     once[np.unique(order, return_index=True)[1]] = True
     children, arities, leaf = np.concatenate(child), np.concatenate(arity), start - counts[-1]
