@@ -19,8 +19,8 @@ from freecad_fiveaxis.gui.panels import audit, post, summary, toolpath
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
 pytestmark = pytest.mark.usefixtures("kept")
-OPTIONS = {"cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
-"""A coarse path: what the tests are about does not hang on its length."""
+OPTIONS = {"cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0, "tool_axis": "facet_mean"}  # fmt: skip
+"""A coarse path with the axis of the facets: what the tests are about hangs neither on its length nor on its axes."""
 
 
 @pytest.fixture
@@ -269,7 +269,9 @@ def test_strategy_and_height_of_a_scallop_are_told_apart_and_no_choice_of_a_setu
     assert setups.fontMetrics().boundingRect(setups.itemText(0)).width() + 30 <= setups.width()
 
 
-def test_the_tool_axis_follows_cutter_and_passes_until_another_is_chosen(panel, field, choose, until):
+def test_the_tool_axis_follows_cutter_and_passes_until_another_is_chosen(dome, field, choose, until, pump):
+    panel = toolpath.create(dome)
+    pump(300)
     stands = lambda: panel.options.options()["tool_axis"]  # noqa: E731
     assert (panel.options.options()["passes"], stands()) == ("scallop", "auto")
     for name, choice, usual in (
@@ -666,6 +668,7 @@ def test_a_document_that_is_closed_under_the_panel_does_no_harm(panel, doc, pump
 
 
 def test_every_stage_of_the_work_has_its_words(panel, monkeypatch, anew):
+    panel.options.show_options({"tool_axis": "auto"})  # which has the most of them
     stages = set()
     say = waiting.Waiting.__call__
     monkeypatch.setattr(waiting.Waiting, "__call__", lambda self, stage, done: (stages.add(stage), say(self, stage, done)))
