@@ -294,6 +294,7 @@ def test_inches_in_the_panel_and_in_the_summary(dome, doc, tree_row, press, fiel
     try:
         tree_row("Dome")
         press("FiveAxis_Toolpath")
+        choose(field("passes"), "parallel planes")
         choose(field("spacing_kind"), "Stepover")
         type_into(field("stepover"), "0.125")
         click(field("calculate"))

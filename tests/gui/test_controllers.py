@@ -90,6 +90,7 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
     press("FiveAxis_Toolpath")
     choose(field("controller"), "Heidenhain TNC (TCPM)")
     choose(field("rtcp"), "by rotary axes")
+    choose(field("passes"), "parallel planes")
     click(field("calculate"))
     until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
     text = field("summary").text()

@@ -30,6 +30,7 @@ def planned(select, press, field, choose, type_into, click, until, panel_button,
     def plan(base, button):
         select(base)
         press("FiveAxis_Toolpath")
+        choose(field("passes"), "parallel planes")
         choose(field("spacing_kind"), "Stepover")
         type_into(field("stepover"), "5 mm")
         click(field("calculate"))
