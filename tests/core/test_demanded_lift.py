@@ -4,8 +4,9 @@
 import numpy as np
 import pytest
 
+from freecad_fiveaxis.core.collision import search
 from freecad_fiveaxis.core.collision.search import find_demanded_lift
-from freecad_fiveaxis.core.collision.swept_motion import still_positions
+from freecad_fiveaxis.core.collision.swept_motion import still_positions, ways_up
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.tool import Cutter
@@ -69,3 +70,25 @@ def test_random_facets_demand_what_dense_samples_of_them_demand(kind):
     assert (sampled > 0.0).sum() > 20 and ((found > 0.0) == (sampled > 0.0)).all()
     assert (found <= sampled + 0.25).all(), "a point of a facet demands so much, but for the samples' spacing"
     assert (found >= (1.0 if kind == "flat" else 0.6) * sampled - 1e-6).all()
+
+
+@pytest.mark.parametrize("kind", CUTTERS)
+def test_the_highest_asked_first_demand_what_all_asked_at_once_demand(kind, monkeypatch):
+    rng, cutter = np.random.default_rng(8), CUTTERS[kind]
+    facets = rng.uniform(-12.0, 12.0, (400, 1, 3)) + rng.normal(scale=2.0, size=(400, 3, 3))
+    tree, axis = facet_tree(from_triangles(facets)), rng.normal(size=(30, 3))
+    axis /= np.linalg.norm(axis, axis=1)[:, None]
+    up = ways_up(rng.uniform(-12.0, 12.0, (30, 3)), axis, np.full(30, 40.0))
+    lifts, asked, whole = [], [], search.raise_to_demand
+
+    def counted(lift, block, *rest):
+        asked[-1] += len(block)
+        whole(lift, block, *rest)
+
+    monkeypatch.setattr(search, "raise_to_demand", counted)
+    for at_once in (10**9, 16):
+        monkeypatch.setattr(search, "FEW_AT_ONCE", at_once)
+        asked.append(0)
+        lifts.append(find_demanded_lift(body_of(cutter), tree, up, LIMIT))
+    np.testing.assert_array_equal(*lifts)
+    assert (lifts[0] > 0.0).all() and asked[1] < 0.9 * asked[0], asked

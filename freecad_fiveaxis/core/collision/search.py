@@ -42,6 +42,9 @@ MOST_PAIRS = 2_000_000
 AT_ONCE = 32768
 """Stretches with facets that are divided together."""
 
+FEW_AT_ONCE = 4096
+"""Pairs whose demands are asked together."""
+
 RELATIVE = 0.01
 """A depth is known to this share of itself, or to the accuracy asked for where that is more."""
 
@@ -238,12 +241,17 @@ class _Search:
             self._raise(block)
 
     def _demand(self, piece: Piece, body: Body, left: _Left, lift: Floats) -> None:
-        """Raise ``lift`` (m,) to what the pairs demand."""
-        for first in range(0, len(left.block), AT_ONCE):
-            some = left.picked(np.arange(first, min(first + AT_ONCE, len(left.block))))
-            start, end = self.swept.pose(some.block, some.start), self.swept.pose(some.block, some.end)
-            way = ((end.tip - start.tip) * start.axis).sum(axis=0)
-            raise_to_demand(lift, some.block, piece, body, start, way, some.corner, self.limit)
+        """Raise ``lift`` (m,) to what the pairs demand, those that may demand most first: many others then cannot demand more."""
+        start, low = self.swept.pose(left.block, left.start), min(one.low - one.round for one in body.pieces)
+        most = ((left.corner - start.tip) * start.axis).sum(axis=1).max(axis=0) - low
+        order = np.argsort(-most, kind="stable")
+        for first in range(0, len(order), FEW_AT_ONCE):
+            rows = order[first : first + FEW_AT_ONCE]
+            rows = rows[most[rows] > lift.take(left.block[rows])]
+            if len(rows):
+                some, pose = left.picked(rows), Poses(start.tip[:, rows], start.axis[:, rows])
+                way = ((self.swept.pose(some.block, some.end).tip - pose.tip) * pose.axis).sum(axis=0)
+                raise_to_demand(lift, some.block, piece, body, pose, way, some.corner, self.limit)
 
     def _refine(self, piece: Piece, left: _Left, tick: Callable[[], None]) -> None:
         """The depth of the pairs, some of each block at a time: what they tell makes many of the others superfluous."""
