@@ -1631,6 +1631,10 @@
         <translation>Fehler</translation>
     </message>
     <message>
+        <source>Faces to avoid</source>
+        <translation>Auszulassende Flächen</translation>
+    </message>
+    <message>
         <source>Feed</source>
         <translation>Vorschub</translation>
     </message>
@@ -4572,6 +4576,10 @@
         <translation>alle Bewegungen stehen in Variablen, Ausdrücken oder Sprüngen, die nicht ausgewertet werden; Zeile {line}: {text}</translation>
     </message>
     <message>
+        <source>all that is to be machined lies on {name}; leave out {option}</source>
+        <translation>alles zu Bearbeitende liegt auf {name}; {option} weglassen</translation>
+    </message>
+    <message>
         <source>and {count} more</source>
         <translation>und {count} weitere</translation>
     </message>
@@ -6394,6 +6402,10 @@
     <message>
         <source>{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not; {gouge} keeps the tool out of all of them.</source>
         <translation>{count} Facetten mit {area} ({share} % des Werkstücks) liegen auf {name} und werden bearbeitet. Die anderen nicht; {gouge} hält das Werkzeug aus allen heraus.</translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) lie on {name} and are not machined; {gouge} keeps the tool out of them.</source>
+        <translation>{count} Facetten von {area} ({share} % des Teils) liegen auf {name} und werden nicht bearbeitet; {gouge} hält das Werkzeug aus ihnen heraus.</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take another machine to cut them.</source>

@@ -95,6 +95,21 @@ def test_only_the_faces_are_machined_and_the_wall_beside_them_is_still_kept_clea
     assert made.path.tip[made.path.motion == 0][:, 1].max() < -4.0 + 0.1  # the wall stands at y = 0, the ball has radius 4
 
 
+def test_faces_to_be_avoided_are_not_machined_and_the_others_are(files):
+    options = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 4, "passes": "planes", "max_axis_angle": 30}
+    part = str(files / "part.stl")
+    whole, some = (
+        job.make(build_settings("mill", part, {**options, **more})) for more in ({}, {"avoid": str(files / "floor.stl")})
+    )
+    lost = np.setdiff1d(np.flatnonzero(whole.keep), np.flatnonzero(some.keep))
+    assert len(lost) == 2 and (some.mesh.vertex[some.mesh.face[lost]][..., 2] == 0.0).all() and some.keep.any()
+    told = next(one for one in some.findings if one.code == "faces-avoided")
+    assert told.value == pytest.approx(some.mesh.area[lost].sum()) and "are not machined" in told.text
+    with pytest.raises(SettingsError, match=r"all that is to be machined lies on floor\.stl; leave out --avoid"):
+        both = {"faces": str(files / "floor.stl"), "avoid": str(files / "floor.stl")}
+        job.make(build_settings("mill", part, {**options, **both}))
+
+
 def test_on_the_command_line_and_in_job_files(files, capsys):
     common = ["--machine", "trunnion_ac", "--cutter", "ball:8", "--stepover", "6", "--passes", "planes"]
     out = str(files / "a.ngc")

@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
-from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, Sentence, say
+from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, Sentence, Template, say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool.body import Body, round_piece
@@ -34,11 +34,20 @@ ALIKE = math.cos(math.radians(45.0))
 MISSED = 0.02
 """A share of the faces' area that may be missing before it is told: at borders other facets cover other ground."""
 
+MACHINED = Template(
+    "{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not;"
+    " {gouge} keeps the tool out of all of them."
+)
+AVOIDED = Template(
+    "{count} facets of {area} ({share} % of the part) lie on {name} and are not machined; {gouge} keeps the tool out of them."
+)
+
 
 def facets_on(
-    mesh: Mesh, faces: Mesh, tolerance: float, name: str = "the faces", progress: Progress = silent
+    mesh: Mesh, faces: Mesh, tolerance: float, name: str = "the faces", progress: Progress = silent, machined: bool = True
 ) -> tuple[Bools, tuple[Finding, ...]]:
-    """The facets (f,) of the mesh that lie on ``faces``, and how much area that is; ``tolerance`` mm, above 0.
+    """Find the facets (f,) of the mesh that lie on ``faces``, and how much area that is; ``tolerance`` mm, above 0.
+    ``machined``: whether these are what is machined, or what is not.
 
     Raises SettingsError where none does.
     """
@@ -58,7 +67,7 @@ def facets_on(
     chosen[near[there & (alike > ALIKE)]] = True
     if not chosen.any():
         raise SettingsError(_none(name, tolerance, bool((there & (alike < -ALIKE)).any())), name)
-    return chosen, _told(mesh, faces, chosen, name)
+    return chosen, _told(mesh, faces, chosen, name, machined)
 
 
 def _standing(point: Floats, faces: Mesh, reach: float, tolerance: float, progress: Progress) -> Entries:
@@ -93,19 +102,18 @@ def _none(name: str, tolerance: float, opposite: bool) -> Sentence:
     )
 
 
-def _told(mesh: Mesh, faces: Mesh, chosen: Bools, name: str) -> tuple[Finding, ...]:
+def _told(mesh: Mesh, faces: Mesh, chosen: Bools, name: str, machined: bool) -> tuple[Finding, ...]:
     areas = mesh.area
     area, whole, asked = float(areas[chosen].sum()), float(areas.sum()), float(faces.area.sum())
-    text = say(
-        "{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not;"
-        " {gouge} keeps the tool out of all of them.",
+    words = MACHINED if machined else AVOIDED
+    text = words.say(
         count=int(chosen.sum()),
         area=Area(area, ".6g"),
         share=Number(100.0 * area / whole, ".3g"),
         name=name,
         gouge=Option("gouge"),
     )
-    said = [Finding(Severity.NOTE, "faces-chosen", text, area, unit="mm2")]
+    said = [Finding(Severity.NOTE, "faces-chosen" if machined else "faces-avoided", text, area, unit="mm2")]
     if area < (1.0 - MISSED) * asked:
         text = say(
             "{name} has {asked}, but only {area} of the part lie on it. Export the faces from the same solid, "

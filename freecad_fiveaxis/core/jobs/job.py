@@ -16,10 +16,12 @@ from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
 from freecad_fiveaxis.core.audit.feed_words import large_feeds
 from freecad_fiveaxis.core.audit.spindle import spindle_findings
 from freecad_fiveaxis.core.audit.units import unit_findings
+from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools
+from freecad_fiveaxis.core.base.sentences import Option, say
 from freecad_fiveaxis.core.cl.apt import cutter_note, cutter_taken, of_cl_file, read_cl_file
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cl.tool_axis import find_strategy
@@ -124,11 +126,29 @@ def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple
 def chosen_faces(
     settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress
 ) -> tuple[Bools | None, tuple[Finding, ...]]:
-    """The facets to cut: those chosen already, else those on the faces that the settings name. Raises FiveAxisError."""
-    name = settings.faces.faces
-    if faces is not None or name is None:
-        return faces, ()
-    return facets_on(mesh, read_stl(name, progress), settings.proof.tolerance, Path(name).name, progress)
+    """Find the facets to cut: those chosen already, else those on the faces that the settings name; without those on faces to be
+    avoided. Raises FiveAxisError."""
+    chosen = settings.faces
+    said: tuple[Finding, ...] = ()
+    if faces is None and chosen.faces is not None:
+        faces, said = _facets_in(settings, mesh, chosen.faces, progress)
+    if chosen.avoid is None:
+        return faces, said
+    avoided, also = _facets_in(settings, mesh, chosen.avoid, progress, machined=False)
+    left = ~avoided if faces is None else faces & ~avoided
+    if not left.any():
+        text = say(
+            "all that is to be machined lies on {name}; leave out {option}", name=Path(chosen.avoid).name, option=Option("avoid")
+        )
+        raise SettingsError(text, chosen.avoid)
+    return left, (*said, *also)
+
+
+def _facets_in(
+    settings: Settings, mesh: Mesh, name: str, progress: Progress, machined: bool = True
+) -> tuple[Bools, tuple[Finding, ...]]:
+    """The facets on the faces of a file, and how many those are."""
+    return facets_on(mesh, read_stl(name, progress), settings.proof.tolerance, Path(name).name, progress, machined)
 
 
 def _told(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:

@@ -84,12 +84,18 @@ class PassSettings:
 
 @dataclass(frozen=True)
 class FacesSettings:
-    """Which faces are machined. The workbench selects them instead."""
+    """Which faces are machined, and which are not. The workbench selects them instead."""
 
     faces: str | None = option(
         None,
         "path",
         "an STL file of faces: only the facets of the part that lie on them are machined [all]",
+        (*FROM_SOLID, REACH),
+    )
+    avoid: str | None = option(
+        None,
+        "path",
+        "an STL file of faces: the facets of the part that lie on them are not machined [none]",
         (*FROM_SOLID, REACH),
     )
 

@@ -213,10 +213,9 @@ def _check_together(settings: Settings) -> None:
             "rtcp",
         )
     _check_gouge(settings)
-    if settings.faces.faces and settings.task != MILL and not is_part(settings.source):
-        raise SettingsError(
-            say("faces need the part (.stl), {source} is none; leave faces out", source=settings.source), settings.faces.faces
-        )
+    if (faces := settings.faces.faces or settings.faces.avoid) and settings.task != MILL and not is_part(settings.source):
+        text = say("faces need the part (.stl), {source} is none; leave faces out", source=settings.source)
+        raise SettingsError(text, faces)
     if settings.task in (SETUP, COMPARE) and is_part(settings.source):
         _refuse_of_cl_file(settings)
     tool = settings.tool_axis
