@@ -20,7 +20,9 @@ def parts(doc):
     return made
 
 
-def tick(editor, row, click):
+def tick(editor, row, click, pump):
+    editor.scrollToItem(editor.item(row))
+    pump(100)  # the groups that were unfolded have moved it
     rect = editor.visualItemRect(editor.item(row))
     click(editor.viewport(), QtCore.QPoint(rect.left() + 10, rect.center().y()))
 
@@ -37,7 +39,7 @@ def test_a_clamp_is_ticked_and_the_path_goes_around_it(doc, parts, pump, click, 
     unfold()
     editor = panel.options.fields["fixtures"].editor
     assert labels(editor) == ["Clamp"], "the part itself is none"
-    tick(editor, 0, click)
+    tick(editor, 0, click, pump)
     assert panel.options.fields["fixtures"].words() == "Clamp"
     screenshot("fixtures_ticked")
     assert panel.calculate()
@@ -53,7 +55,7 @@ def test_a_clamp_is_ticked_and_the_path_goes_around_it(doc, parts, pump, click, 
     unfold()
     assert again.options.fields["fixtures"].value() == [clamp]
     assert labels(again.options.fields["fixtures"].editor) == ["Clamp"]
-    tick(again.options.fields["fixtures"].editor, 0, click)
+    tick(again.options.fields["fixtures"].editor, 0, click, pump)
     assert again.calculate() and not path.Fixtures
     assert again.reject()
     pump(200)

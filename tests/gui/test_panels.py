@@ -64,10 +64,10 @@ def panel(dome, pump):
 
 
 def shown(name):
-    """The widget of that name in the open panel."""
-    found = FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, name)
-    assert found is not None, name
-    return found
+    """The widget of that name in the open panel: the last one, for the form of an earlier panel may not be gone yet."""
+    found = FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget, name)
+    assert found, name
+    return found[-1]
 
 
 def names(doc):
