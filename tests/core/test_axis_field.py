@@ -15,7 +15,8 @@ from thorough import some_in_core
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.cl.coedge import close_gaps
 from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, facet_mean
-from freecad_fiveaxis.core.collision.obstacles import Reacher, tip_at
+from freecad_fiveaxis.core.collision import obstacles as obstacles_module
+from freecad_fiveaxis.core.collision.obstacles import Reacher, obstacles, part_heights, tip_at
 from freecad_fiveaxis.core.corrections import auto_axis, facets_with_axis
 from freecad_fiveaxis.core.corrections import axis_field as module
 from freecad_fiveaxis.core.corrections.auto_axis import Free, auto_axes, divided, refine_field
@@ -321,3 +322,31 @@ def test_the_nearest_free_direction_is_the_one_of_the_largest_cosine_however_man
         allowed = [*direction[free[k]], *([normal[k]] if upright[k] else [])]
         assert got[k] == bool(allowed)
         assert np.array_equal(found[k], max(allowed, key=lambda one: float(one @ axis[k]), default=axis[k]))
+
+
+@pytest.mark.parametrize("shape", [block, stemmed, hollows, corner, plate])
+def test_what_stands_above_the_whole_part_is_found_by_its_support_and_the_answers_are_the_same(shape, monkeypatch):
+    mesh, random = shape(), np.random.default_rng(8)
+    tree, reacher = facet_tree(mesh), Reacher(SHORT, holder=HOLDER, table=float(mesh.vertex[:, 2].min()) - 1.0)
+    facet = random.choice(len(mesh.face), 4000, p=mesh.area / mesh.area.sum())
+    point, normal = mesh.vertex[mesh.face[facet]].mean(axis=1), mesh.normal[facet]
+    axis = module.unit(normal + module.unit(random.normal(size=(4000, 3))))
+    asked, enters = [0], obstacles_module.enters
+
+    def counted(body, tree, tip, *more):
+        asked[0] += len(tip)
+        return enters(body, tree, tip, *more)
+
+    monkeypatch.setattr(obstacles_module, "enters", counted)
+    plain = obstacles(reacher, tree, point, normal, axis)
+    most, asked[0] = asked[0], 0
+    np.testing.assert_array_equal(obstacles(reacher, tree, point, normal, axis, part_heights(tree, normal)), plain)
+    assert asked[0] <= most and (shape is not block or asked[0] < 0.5 * most)
+    low = part_heights(tree, normal) - 5.0  # with too low a support some would be taken for free
+    assert shape is not hollows or (obstacles(reacher, tree, point, normal, axis, low) != plain).any()
+
+
+def test_the_part_reaches_as_far_as_its_farthest_corner():
+    mesh, normal = stemmed(), module.unit(np.random.default_rng(3).normal(size=(200, 3)))
+    np.testing.assert_allclose(part_heights(facet_tree(mesh), normal), (normal @ mesh.vertex.T).max(axis=1), atol=1e-9)
+    assert np.isinf(part_heights(facet_tree(plate()), normal)).all() and not len(part_heights(facet_tree(mesh), normal[:0]))

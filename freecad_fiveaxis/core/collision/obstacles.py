@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 
 import numpy as np
+from scipy.spatial import ConvexHull, QhullError
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import dot
@@ -20,6 +21,12 @@ from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, SHANK, Body, body_of
 
 from .search import which_enter
 from .swept_motion import still_positions
+
+ROUNDING = 0.1
+"""Of what may enter the part: a body that touches a plane from above is above it, though rounding says a little less."""
+
+ROWS = 64
+"""Normals at a time along which all corners of a hull are measured."""
 
 
 class Obstacle(IntEnum):
@@ -55,22 +62,54 @@ class Reacher:
         return extend_way_out(body, self.far) if self.far else body
 
 
-def obstacles(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats, axis: Floats) -> Ints:
+def obstacles(
+    reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats, axis: Floats, height: Floats | None = None
+) -> Ints:
     """What is in the way (n,) of :class:`Obstacle` of the tool that touches ``point`` (n, 3) mm, where the surface has the unit
-    ``normal`` (n, 3), with the unit ``axis`` (n, 3)."""
+    ``normal`` (n, 3), with the unit ``axis`` (n, 3). ``height`` (n,) mm as of :func:`part_heights`, where it is known: of a tool
+    that stands above all of the part nothing more is asked."""
     met, body = np.full(len(point), int(Obstacle.NONE)), reacher.body
     tip = tip_at(reacher.cutter, point, normal, axis)
+    above = np.zeros(len(point), np.bool_) if height is None else is_above(body, tip, axis, normal, height, reacher.limit)
+
+    def enters_with(part: int) -> Callable[[Ints], Bools]:
+        def hit(rows: Ints) -> Bools:
+            hits, asked = np.zeros(len(rows), np.bool_), ~above[rows]
+            hits[asked] = enters(body.only(part), tree, tip[rows[asked]], axis[rows[asked]], reacher.limit)
+            return hits
+
+        return hit
+
     asked: tuple[tuple[Obstacle, Callable[[Ints], Bools]], ...] = (
         (Obstacle.LIMITS, lambda rows: ~within_limits(reacher, axis[rows])),
         (Obstacle.TABLE, lambda rows: is_below(body, tip[rows], axis[rows], reacher.table, reacher.limit)),
-        (Obstacle.CUTTER, lambda rows: enters(body.only(CUTTER), tree, tip[rows], axis[rows], reacher.limit)),
-        (Obstacle.SHANK, lambda rows: enters(body.only(SHANK), tree, tip[rows], axis[rows], reacher.limit)),
-        (Obstacle.HOLDER, lambda rows: enters(body.only(HOLDER), tree, tip[rows], axis[rows], reacher.limit)),
+        (Obstacle.CUTTER, enters_with(CUTTER)),
+        (Obstacle.SHANK, enters_with(SHANK)),
+        (Obstacle.HOLDER, enters_with(HOLDER)),
     )
     for obstacle, hit in asked:
         rows = np.flatnonzero(met == Obstacle.NONE)
         met[rows[hit(rows)]] = obstacle
     return met
+
+
+def part_heights(tree: FacetTree, normal: Floats) -> Floats:
+    """Measure how far (n,) mm the part reaches along each unit ``normal`` (n, 3): its support, by the corners of its hull;
+    infinite of a part that is flat, which has none."""
+    corner = np.unique(tree.corner.reshape(3, 3, -1).transpose(0, 2, 1).reshape(-1, 3), axis=0)
+    try:
+        corner = corner[ConvexHull(corner).vertices]
+    except QhullError:
+        return np.full(len(normal), np.inf)
+    parts = [normal[first : first + ROWS] @ corner.T for first in range(0, len(normal), ROWS)]
+    return np.concatenate([part.max(axis=1) for part in parts]) if parts else np.empty(0)
+
+
+def is_above(body: Body, tip: Floats, axis: Floats, normal: Floats, height: Floats, limit: float) -> Bools:
+    """Find which bodies (n,) with tips and unit axes (n, 3) there lie above the plane at ``height`` (n,) mm across ``normal``
+    (n, 3), but for much less than ``limit`` mm."""
+    lowest = dot(tip.T, normal.T) - body_support(body, -dot(axis.T, normal.T))
+    return np.asarray(lowest > height - ROUNDING * limit)
 
 
 def tip_at(cutter: Cutter, point: Floats, normal: Floats, axis: Floats) -> Floats:

@@ -24,7 +24,7 @@ from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, obstacles, within_limits
+from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, obstacles, part_heights, within_limits
 from freecad_fiveaxis.core.collision.rest_material import surface_samples
 from freecad_fiveaxis.core.collision.search import find_entries
 from freecad_fiveaxis.core.collision.swept_motion import still_positions
@@ -215,13 +215,17 @@ def are_free(
     return np.asarray(_met(reacher, tree, stand, normal, axis, progress) == Obstacle.NONE)
 
 
-def _met(reacher: Reacher, tree: FacetTree, stand: Floats, normal: Floats, axis: Floats, progress: Progress = silent) -> Ints:
+def _met(
+    reacher: Reacher, tree: FacetTree, stand: Floats, normal: Floats, axis: Floats, progress: Progress = silent,
+    height: Floats | None = None,
+) -> Ints:  # fmt: skip
     """What is in the way (n,) of :class:`Obstacle` there."""
     met = np.empty(len(stand), np.int64)
     for first in range(0, len(stand), BATCH):
         progress("axis field", first / len(stand))
         rows = slice(first, first + BATCH)
-        met[rows] = obstacles(reacher, tree, stand[rows], normal[rows], axis[rows])
+        known = None if height is None else height[rows]
+        met[rows] = obstacles(reacher, tree, stand[rows], normal[rows], axis[rows], known)
     return met
 
 
@@ -249,11 +253,11 @@ def _tried(nodes: Nodes, rows: Ints, reacher: Reacher, tree: FacetTree, directio
     tried = (normal @ direction.T > math.cos(WIDEST)) & fits[:, None]
     node, way = np.nonzero(tried)
     free, farthest = np.zeros(tried.shape, np.bool_), np.where(fits, int(Obstacle.LIMITS), int(Obstacle.CUTTER))
-    within = replace(reacher, kinematics=None, most=math.pi)
-    met = _met(within, tree, stand[node], normal[node], direction[way], progress)
+    within, height = replace(reacher, kinematics=None, most=math.pi), part_heights(tree, normal)
+    met = _met(within, tree, stand[node], normal[node], direction[way], progress, height[node])
     free[node, way] = met == Obstacle.NONE
     np.maximum.at(farthest, node, met)
-    own = np.where(fits, _met(reacher, tree, stand, normal, normal), int(Obstacle.CUTTER))
+    own = np.where(fits, _met(reacher, tree, stand, normal, normal, height=height), int(Obstacle.CUTTER))
     return Freedom(direction, free, own == Obstacle.NONE, np.maximum(farthest, own))
 
 
