@@ -86,11 +86,11 @@ def _tasks() -> dict[str, str]:
 
 
 def _options() -> dict[str, str]:
-    return _of_programs() | _of_machines_and_places()
+    return _of_passes() | _of_programs() | _of_machines_and_places()
 
 
-def _of_programs() -> dict[str, str]:
-    """Options of making and proving a program."""
+def _of_passes() -> dict[str, str]:
+    """Options of where passes lie."""
     return {
         "passes": translate("FiveAxis", "Pass strategy"),
         "plane_normal": translate("FiveAxis", "Normal of the planes I, J, K"),
@@ -103,6 +103,12 @@ def _of_programs() -> dict[str, str]:
         "stepover": translate("FiveAxis", "Stepover"),
         "least_interval": translate("FiveAxis", "Smallest stepover"),
         "max_axis_angle": translate("FiveAxis", "Steepest surface"),
+    }
+
+
+def _of_programs() -> dict[str, str]:
+    """Options of making and proving a program."""
+    return {
         "cutter": translate("FiveAxis", "Cutter"),
         "coedge_tolerance": translate("FiveAxis", "Edge tolerance"),
         "tool_axis": translate("FiveAxis", "Tool axis"),

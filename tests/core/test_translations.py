@@ -130,7 +130,7 @@ def test_all_that_a_sentence_names_has_a_name_in_the_window():
 
 
 LABELS = ROOT / "freecad_fiveaxis" / "app" / "labels.py"
-OF_OPTIONS = ("_of_programs", "_of_machines_and_places")
+OF_OPTIONS = ("_of_passes", "_of_programs", "_of_machines_and_places")
 NAMING = {"Option": OF_OPTIONS, "Choice": OF_OPTIONS, "Task": ("_tasks",), "choice": ("_choices",)}
 """The functions of app/labels.py whose tables name options, choices and tasks."""
 

@@ -67,7 +67,7 @@ def facets_on(
     chosen[near[there & (alike > ALIKE)]] = True
     if not chosen.any():
         raise SettingsError(_none(name, tolerance, bool((there & (alike < -ALIKE)).any())), name)
-    return chosen, _told(mesh, faces, chosen, name, machined)
+    return chosen, _report_area(mesh, faces, chosen, name, machined)
 
 
 def _standing(point: Floats, faces: Mesh, reach: float, tolerance: float, progress: Progress) -> Entries:
@@ -102,7 +102,7 @@ def _none(name: str, tolerance: float, opposite: bool) -> Sentence:
     )
 
 
-def _told(mesh: Mesh, faces: Mesh, chosen: Bools, name: str, machined: bool) -> tuple[Finding, ...]:
+def _report_area(mesh: Mesh, faces: Mesh, chosen: Bools, name: str, machined: bool) -> tuple[Finding, ...]:
     areas = mesh.area
     area, whole, asked = float(areas[chosen].sum()), float(areas.sum()), float(faces.area.sum())
     words = MACHINED if machined else AVOIDED

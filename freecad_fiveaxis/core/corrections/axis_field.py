@@ -234,10 +234,10 @@ def find_freedom(nodes: Nodes, reacher: Reacher, tree: FacetTree, direction: Flo
 
     Only where no axis lets the tool be drawn out along it, it is enough that the tool is free as it stands."""
     direction = direction[within_limits(reacher, direction)]
-    rows = np.arange(len(nodes.point))
-    found = _tried(nodes, rows, with_way_out(reacher, tree), tree, direction, progress)
+    rows, height = np.arange(len(nodes.point)), part_heights(tree, nodes.normal)
+    found = _tried(nodes, rows, with_way_out(reacher, tree), tree, direction, height, progress)
     if len(held := rows[nodes.fits & ~found.some]):
-        here = _tried(nodes, held, reacher, tree, direction, progress)
+        here = _tried(nodes, held, reacher, tree, direction, height[held], progress)
         found.free[held], found.upright[held], found.met[held] = here.free, here.upright, here.met
     return found
 
@@ -247,13 +247,15 @@ def with_way_out(reacher: Reacher, tree: FacetTree) -> Reacher:
     return replace(reacher, far=2.0 * float(np.linalg.norm(tree.half[:, 0])))
 
 
-def _tried(nodes: Nodes, rows: Ints, reacher: Reacher, tree: FacetTree, direction: Floats, progress: Progress) -> Freedom:
-    """What is free at the nodes ``rows`` (k,) of directions (d, 3) within the limits."""
+def _tried(
+    nodes: Nodes, rows: Ints, reacher: Reacher, tree: FacetTree, direction: Floats, height: Floats, progress: Progress
+) -> Freedom:
+    """What is free at the nodes ``rows`` (k,) of directions (d, 3) within the limits; ``height`` (k,) mm of the part there."""
     stand, normal, fits = nodes.stand[rows], nodes.normal[rows], nodes.fits[rows]
     tried = (normal @ direction.T > math.cos(WIDEST)) & fits[:, None]
     node, way = np.nonzero(tried)
     free, farthest = np.zeros(tried.shape, np.bool_), np.where(fits, int(Obstacle.LIMITS), int(Obstacle.CUTTER))
-    within, height = replace(reacher, kinematics=None, most=math.pi), part_heights(tree, normal)
+    within = replace(reacher, kinematics=None, most=math.pi)
     met = _met(within, tree, stand[node], normal[node], direction[way], progress, height[node])
     free[node, way] = met == Obstacle.NONE
     np.maximum.at(farthest, node, met)

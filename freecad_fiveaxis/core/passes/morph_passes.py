@@ -10,7 +10,6 @@ harmonic  field: 0 on the one guide, 1 on the other, and between them as heat wo
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -18,33 +17,23 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .even_steps import count_in_steps
-from .field import ALL_ROUND, PassField, PassOptions, Region
+from .field import PassField, PassOptions, Region
 from .geodesic import spread_between
 from .passes import direction
-from .planes import area_left
-from .scallop_passes import Surface, lay_passes, make_surface, survey_region
+from .scallop_passes import OverSurface, Surface, lay_passes, make_surface, survey_region
 from .sources import BORDER, find_source, sample_curve
 
 SIDE = math.cos(0.25 * math.pi)
 """Cosine between a side of the border and the travel: within 45 deg it is one that the passes follow."""
 
 
-@dataclass(frozen=True)
-class Morph:
+class Morph(OverSurface):
     """Level sets of the harmonic field between two guides, as close as the widest place between two of them asks for."""
-
-    text: str
-    over_surface: bool = True
-
-    def travels(self, options: PassOptions) -> tuple[float, ...]:
-        """Every direction."""
-        return ALL_ROUND
 
     def check(self, region: Region, options: PassOptions) -> None:
         """Raise SettingsError for guides and a scallop that cannot be used and for more passes than any job can want."""
@@ -61,14 +50,9 @@ class Morph:
         low, high = _find_guides(surface, ground.curve, target, options.direction)
         _refuse_one_guide(surface, low, high)
         region.progress("placing passes", 0.3)
-        copy = surface.copy
-        share = spread_between(copy.mesh.face, surface.frame, surface.metric, low, high)
+        share = spread_between(surface.copy.mesh.face, surface.frame, surface.metric, low, high)
         region.progress("placing passes", 0.7)
         return lay_passes(region, surface, count_in_steps(surface, share))
-
-    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
-        """What no pass touches."""
-        return field.findings + area_left(region, touched)
 
 
 def _refuse_without_border(region: Region, options: PassOptions) -> None:
@@ -133,12 +117,9 @@ def _sides_of_border(surface: Surface, travel: float) -> tuple[Ints, Ints]:
     loop = connected_components(graph, directed=False)[1][ends[:, 0]]
     way = mesh.vertex[ends[:, 1]] - mesh.vertex[ends[:, 0]]
     number = np.unique(loop, return_inverse=True)[1]
-    owner, length = (
-        np.zeros(int(number.max(initial=-1)) + 1, np.int64),
-        np.bincount(number, np.linalg.norm(way, axis=1)).astype(np.float64),
-    )
+    owner = np.zeros(int(number.max(initial=-1)) + 1, np.int64)
     owner[number] = component[ends[:, 0]]
-    rank = _ranks(owner, length)
+    rank = _ranks(owner, np.bincount(number, np.linalg.norm(way, axis=1)).astype(np.float64))
     alone = np.bincount(owner, minlength=int(component.max(initial=0)) + 1)[owner] == 1
     right, left = _right_and_left(way, travel)
     low, high = (np.where(alone[number], side, rank[number] == place) for side, place in ((right, 0), (left, 1)))

@@ -9,22 +9,20 @@ seam   a plane through the axis, along which the surface is divided: on either s
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Option, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .even_steps import count_in_steps
-from .field import ALL_ROUND, PassField, PassOptions, Region, Vector
-from .geodesic import frames, scallop_metric
+from .field import PassField, PassOptions, Region, Vector
 from .passes import direction
-from .planes import area_left
-from .refine import divided_by, joined, taken
-from .scallop_passes import Ground, Surface, lay_passes, make_surface, survey_region
+from .refine import Copy, divided_by, joined, taken
+from .scallop_passes import OverSurface, copy_region, lay_passes, measure_copy, survey_region
 from .sources import BORDER
 
 MIDDLE = "middle"
@@ -36,16 +34,8 @@ STEEP = 0.9
 """Cosine between the axis and the travel from which the seam lies along Z instead."""
 
 
-@dataclass(frozen=True)
-class Radial:
+class Radial(OverSurface):
     """Level sets of the angle about an axis, as close as the place farthest from it asks for."""
-
-    text: str
-    over_surface: bool = True
-
-    def travels(self, options: PassOptions) -> tuple[float, ...]:
-        """Every direction."""
-        return ALL_ROUND
 
     def check(self, region: Region, options: PassOptions) -> None:
         """Raise SettingsError for an axis and a scallop that cannot be used and for more passes than any job can want."""
@@ -59,17 +49,13 @@ class Radial:
         along, centre = _axis(options.axis), _centre(region, options.centre)
         ground = survey_region(region, replace(options, source=BORDER))
         across = _across(along, options.direction)
-        surface = _divided(region, make_surface(region, ground), ground, centre, across)
+        copy, side = _divided(copy_region(region, ground), region.mesh, centre, across)
+        surface = measure_copy(region, ground, copy)
         region.progress("placing passes", 0.5)
-        offset = surface.copy.mesh.vertex - centre
-        side = _sides(surface, offset @ across)
+        offset = copy.mesh.vertex - centre
         turned = np.arctan2(np.maximum(side * (offset @ across), 0.0), side * (offset @ np.cross(across, along)))
         region.progress("placing passes", 0.7)
         return lay_passes(region, surface, count_in_steps(surface, turned))
-
-    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
-        """What no pass touches."""
-        return field.findings + area_left(region, touched)
 
 
 def _axis(given: Vector) -> Floats:
@@ -106,21 +92,10 @@ def _across(along: Floats, travel: float) -> Floats:
     return np.asarray(across / np.linalg.norm(across))
 
 
-def _divided(region: Region, surface: Surface, ground: Ground, centre: Floats, across: Floats) -> Surface:
-    """The surface whose facets on either side of the plane hang together with none of the other."""
-    copy = divided_by(surface.copy, region.mesh, (surface.copy.mesh.vertex - centre) @ across)
-    middle = (copy.mesh.vertex[copy.mesh.face].mean(axis=1) - centre) @ across
-    both = joined(*(taken(copy, region.mesh, np.flatnonzero(half)) for half in (middle >= 0.0, middle < 0.0)))
-    frame, place = frames(both.mesh.vertex, both.mesh.face), np.full(len(region.mesh.face), -1)
-    place[ground.rows] = np.arange(len(ground.rows))
-    tensor = ground.tensor[:, place[both.parent]]
-    return Surface(both, frame, scallop_metric(frame, tensor, region.radius, ground.flat, ground.least), ground.flat)
-
-
-def _sides(surface: Surface, height: Floats) -> Floats:
-    """1 or -1 (v,): on which side of the plane the component of each vertex lies; ``height`` (v,) mm over it."""
-    component = surface.copy.component
-    high, low = np.full(int(component.max(initial=-1)) + 1, -np.inf), np.full(int(component.max(initial=-1)) + 1, np.inf)
-    np.maximum.at(high, component, height)
-    np.minimum.at(low, component, height)
-    return np.where(high > -low, 1.0, -1.0)[component]
+def _divided(copy: Copy, part: Mesh, centre: Floats, across: Floats) -> tuple[Copy, Floats]:
+    """The copy whose facets on either side of the plane hang together with none of the other, and on which side each of its
+    vertices (v,) is: 1 or -1."""
+    copy = divided_by(copy, part, (copy.mesh.vertex - centre) @ across)
+    over = (copy.mesh.vertex[copy.mesh.face].mean(axis=1) - centre) @ across >= 0.0
+    one, other = (taken(copy, part, np.flatnonzero(half)) for half in (over, ~over))
+    return joined(one, other), np.repeat([1.0, -1.0], [len(one.mesh.vertex), len(other.mesh.vertex)])

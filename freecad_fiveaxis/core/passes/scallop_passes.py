@@ -10,7 +10,7 @@ gap       what lies farther from every pass than half a step: where two fronts m
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -79,8 +79,8 @@ PLACES = np.array(
 
 
 @dataclass(frozen=True)
-class ConstantScallop:
-    """Level sets of the distance from a source, in steps that leave the scallop."""
+class OverSurface:
+    """What strategies have in common whose passes lie over walls as over floors: they run in every direction."""
 
     text: str
     over_surface: bool = True
@@ -88,6 +88,14 @@ class ConstantScallop:
     def travels(self, options: PassOptions) -> tuple[float, ...]:
         """Every direction."""
         return ALL_ROUND
+
+    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
+        """What no pass touches."""
+        return field.findings + area_left(region, touched)
+
+
+class ConstantScallop(OverSurface):
+    """Level sets of the distance from a source, in steps that leave the scallop."""
 
     def check(self, region: Region, options: PassOptions) -> None:
         """Raise SettingsError for a source or a scallop that cannot be used and for more passes than any job can want."""
@@ -103,10 +111,6 @@ class ConstantScallop:
         steps = distance(surface.copy.mesh.vertex, surface.copy.mesh.face, surface.frame, surface.metric, source, known)
         region.progress("placing passes", 0.7)
         return lay_passes(region, surface, steps)
-
-    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
-        """What no pass touches."""
-        return field.findings + area_left(region, touched)
 
 
 def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:
@@ -170,15 +174,23 @@ def survey_region(region: Region, options: PassOptions) -> Ground:
 
 
 def make_surface(region: Region, ground: Ground) -> Surface:
+    """Copy the region, its facets small against the steps, and measure the copy."""
+    return measure_copy(region, ground, copy_region(region, ground))
+
+
+def copy_region(region: Region, ground: Ground) -> Copy:
     """Copy the region, its facets small against the steps."""
-    mesh, rows, flat = region.mesh, ground.rows, ground.flat
     longest = max(LONGEST, math.sqrt(ground.squares / (EVEN * MOST_FACETS)))
-    copy = finer_copy(mesh, rows, as_tensor(ground.frame, ground.metric), longest)
-    copy = Copy(copy.mesh, copy.parent, copy.coedge, copy.component, BEND * flat, SHORT * flat)
-    frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(mesh.face), -1)
-    place[rows] = np.arange(len(rows))
+    copy = finer_copy(region.mesh, ground.rows, as_tensor(ground.frame, ground.metric), longest)
+    return replace(copy, bend=BEND * ground.flat, short=SHORT * ground.flat)
+
+
+def measure_copy(region: Region, ground: Ground, copy: Copy) -> Surface:
+    """Measure a copy of the region: its frames, and the metric of the facets in which its own lie."""
+    frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(region.mesh.face), -1)
+    place[ground.rows] = np.arange(len(ground.rows))
     tensor = ground.tensor[:, place[copy.parent]]
-    return Surface(copy, frame, scallop_metric(frame, tensor, region.radius, flat, ground.least), flat)
+    return Surface(copy, frame, scallop_metric(frame, tensor, region.radius, ground.flat, ground.least), ground.flat)
 
 
 def _flat_step(region: Region, options: PassOptions) -> float:

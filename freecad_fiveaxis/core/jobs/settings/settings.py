@@ -218,7 +218,10 @@ def _check_together(settings: Settings) -> None:
         raise SettingsError(text, faces)
     if settings.task in (SETUP, COMPARE) and is_part(settings.source):
         _refuse_of_cl_file(settings)
-    tool = settings.tool_axis
+    _check_tool_axis(settings.tool_axis)
+
+
+def _check_tool_axis(tool: ToolAxisSettings) -> None:
     if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
         given = ",".join(f"{number:g}" for number in tool.axis)
         raise SettingsError(
