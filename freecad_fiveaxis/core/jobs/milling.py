@@ -125,7 +125,7 @@ def laid(context: MillContext) -> tuple[ContactPath, tuple[Finding, ...]]:
     strategy, options = find_pass_strategy(context.settings.passes.passes), pass_options(context.settings)
     region = find_region(context.settings, context.mesh, context.keep, context.progress)
     field = strategy.field(region, options)
-    contact = cut(region, field, context.settings.links.order)
+    contact = cut(region, field, context.settings.links.order, context.settings.links.spiral == "on")
     return contact, strategy.untouched(region, options, field, contact.face)
 
 
