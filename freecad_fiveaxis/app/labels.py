@@ -117,6 +117,7 @@ def _of_programs() -> dict[str, str]:
         "tilt": translate("FiveAxis", "Tilt"),
         "max_tilt": translate("FiveAxis", "Largest axis angle"),
         "order": translate("FiveAxis", "Cut pattern"),
+        "spiral": translate("FiveAxis", "Spiral passes"),
         "links": translate("FiveAxis", "Links"),
         "clearance": translate("FiveAxis", "Clearance"),
         "lead_in": translate("FiveAxis", "Lead-in radius"),

@@ -112,6 +112,10 @@
         <translation>Sicherheitsabstand</translation>
     </message>
     <message>
+        <source>Closed passes round one another become one long pass, without links between them</source>
+        <translation>Geschlossene Bahnen umeinander werden zu einer langen Bahn, ohne Verbindungen dazwischen</translation>
+    </message>
+    <message>
         <source>Coedge Tolerance</source>
         <translation>Kantentoleranz</translation>
     </message>
@@ -966,6 +970,10 @@
     <message>
         <source>Spindle speed, 1/min; not given (0): the program does not start the spindle</source>
         <translation>Spindeldrehzahl, 1/min; ohne Angabe (0): das Programm schaltet die Spindel nicht ein</translation>
+    </message>
+    <message>
+        <source>Spiral</source>
+        <translation>Spirale</translation>
     </message>
     <message>
         <source>Start and stop of the facets on the chosen faces</source>
@@ -2293,6 +2301,10 @@
     <message>
         <source>Spindle speed not given: the program will not start the spindle.</source>
         <translation>Drehzahl fehlt: das Programm schaltet die Spindel nicht ein.</translation>
+    </message>
+    <message>
+        <source>Spiral passes</source>
+        <translation>Spiralbahnen</translation>
     </message>
     <message>
         <source>Start through the part</source>
