@@ -195,6 +195,19 @@ def test_a_region_with_two_peaks_is_three_spirals():
     assert sum(height > saddle for height in top) == 2
 
 
+def test_level_planes_through_an_upright_ring_make_four_spirals():
+    """Below the hole, on either side of it, and above it."""
+    turn, tube = np.meshgrid(2 * math.pi * np.arange(60) / 60, 2 * math.pi * np.arange(30) / 30, indexing="ij")
+    radius = 12.0 + 5.0 * np.cos(tube)
+    row = np.stack([5.0 * np.sin(tube), radius * np.cos(turn), radius * np.sin(turn)], axis=-1)
+    a, b, c, d = row, np.roll(row, -1, 0), np.roll(row, (-1, -1), (0, 1)), np.roll(row, -1, 1)
+    corner = np.concatenate([np.stack([a, b, c], axis=2), np.stack([a, c, d], axis=2)]).reshape(-1, 3, 3)
+    loops, spiral = laid(from_triangles(corner), "zlevel")
+    assert len(lines(loops)) > 40 and all(map(is_closed, lines(loops)))
+    assert len(lines(spiral)) == 4
+    assert sum(line[:, 2].max() < -6.0 for line in lines(spiral)) == sum(line[:, 2].min() > 6.0 for line in lines(spiral)) == 1
+
+
 def uneven():
     """Loops of a tube, the upper ones twice as far apart as the lower ones: heights, and the spirals."""
     heights = np.array([1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0])
