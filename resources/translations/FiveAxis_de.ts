@@ -6380,8 +6380,8 @@
         <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
     </message>
     <message>
-        <source>{count} corners (,R ,C, RND=, CHR=, CHF=) are left sharp, first NC line {line}: they stand between other moves than lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and lines.</source>
-        <translation>{count} Ecken (,R ,C, RND=, CHR=, CHF=) bleiben scharf, erste NC-Zeile {line}: sie stehen zwischen anderen Bewegungen als Geraden (bei Rundungen auch Bögen) in der Arbeitsebene, oder diese sind zu kurz. Ihre Bögen und Geraden ausgeben.</translation>
+        <source>{count} corners (,R ,C, RND=, RNDM=, CHR=, CHF=) are left sharp, first NC line {line}: they stand between other moves than lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and lines.</source>
+        <translation>{count} Ecken (,R ,C, RND=, RNDM=, CHR=, CHF=) bleiben scharf, erste NC-Zeile {line}: sie stehen zwischen anderen Bewegungen als Geraden (bei Rundungen auch Bögen) in der Arbeitsebene, oder diese sind zu kurz. Ihre Bögen und Geraden ausgeben.</translation>
     </message>
     <message>
         <source>{count} corners lie on a side of another facet, the first at {at}; that facet was divided there.</source>
