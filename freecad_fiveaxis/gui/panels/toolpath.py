@@ -142,6 +142,10 @@ class ToolpathPanel(PathPanel):
             QuantityField("angular_deflection", "angle", translate("FiveAxis", "How far two neighbouring facets may lean apart")),
         ]
 
+    def is_current(self) -> bool:
+        """Not where the mesh could not be made anew: the result is that of another part."""
+        return super().is_current() and self.obj.Mesh is not None and "Invalid" not in self.obj.Mesh.State
+
     def compute(self) -> Any:
         """A new Toolpath, or the one that is there with other settings."""
         from freecad_fiveaxis import app
