@@ -103,7 +103,7 @@ def test_what_is_selected_wrongly_is_told_and_the_list_stays(doc, step, panel, f
 
 
 def test_rows_are_removed_cancel_and_undo_take_back(
-    doc, step, field, click, pump, unfold, panel_button, panel_closed, press, until
+    doc, step, field, click, pump, unfold, panel_button, panel_closed, press, until, screenshot
 ):
     low, high = face_at(step, z=5, x=15), face_at(step, z=10)
     path = app.create_toolpath(doc, step, avoid=[high, low], **{**COARSE, "max_axis_angle": 91})
@@ -114,6 +114,10 @@ def test_rows_are_removed_cancel_and_undo_take_back(
     avoid = panel.options.fields["avoid"]
     assert avoid.value() == (high, low) and not panel.stale
     pick(avoid, 0, click, pump)
+    pump(300)
+    screenshot("avoid_lit_up")
+    (lit,) = FreeCADGui.Selection.getSelectionEx()
+    assert lit.Object is step and lit.SubElementNames == (high,), "the view shows which face the row is"
     click(field("avoid_remove"))
     assert avoid.value() == (low,) and panel.stale
     assert panel.calculate() and tessellation.avoided(path.Mesh) == (low,)
@@ -152,6 +156,21 @@ def test_all_faces_and_a_face_that_is_gone_are_told_in_the_panel(doc, step, pane
     again.options.show_options({"avoid": ()})
     assert again.calculate() and not again.options.error.text() and again.accept()
     pump(200)
+
+
+def test_a_row_that_is_clicked_while_a_point_is_picked_is_no_point(step, panel, field, click, pump):
+    avoid = panel.options.fields["avoid"]
+    avoid.show_value(["Face1", "Face2"])
+    before = panel.options.fields["work_zero"].value()
+    click(field("work_zero_pick"))
+    pick(avoid, 1, click, pump)
+    pump(300)
+    assert field("work_zero_pick").isChecked() and panel.options.fields["work_zero"].value() == before
+    assert not FreeCADGui.Selection.getSelectionEx()
+    click(field("work_zero_pick"))
+    pick(avoid, 1, click, pump)
+    assert FreeCADGui.Selection.getSelectionEx()[0].SubElementNames == ("Face2",), "as it is without"
+    panel.reject()
 
 
 def test_over_a_mesh_the_field_says_what_does_it(doc, step, pump, unfold):

@@ -11,6 +11,7 @@ import FreeCADGui
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 from .fields import Field
+from .picking import is_picking
 from .triple import WIDE
 
 ROWS = 4
@@ -32,6 +33,7 @@ class AvoidField(Field):
         self.add.clicked.connect(lambda *_: self._add())
         self.remove.clicked.connect(lambda *_: self._remove())
         self.list.itemSelectionChanged.connect(self._fit)
+        self.list.itemClicked.connect(lambda *_: self._light_up())
         self._say_what_lacks()
         self._fit()
 
@@ -41,12 +43,11 @@ class AvoidField(Field):
         self.list.setAccessibleName(self.label)
         self.list.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
         self.add.setToolTip(translate("FiveAxis", "Click faces of the part in the 3D view first, several with Ctrl"))
-        column, row = QtWidgets.QVBoxLayout(self.editor), QtWidgets.QHBoxLayout()
+        column = QtWidgets.QVBoxLayout(self.editor)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.list)
-        column.addLayout(row)
-        row.addWidget(self.add, 1)
-        row.addWidget(self.remove)
+        column.setSpacing(2)
+        for widget in (self.list, self.add, self.remove):
+            column.addWidget(widget)
 
     def _say_what_lacks(self) -> None:
         from freecad_fiveaxis.app.selection import is_mesh
@@ -68,7 +69,7 @@ class AvoidField(Field):
         return self.list
 
     def room(self) -> int:
-        """Two buttons need the whole width."""
+        """The buttons need the whole width."""
         return WIDE
 
     def _add(self) -> None:
@@ -87,6 +88,17 @@ class AvoidField(Field):
     def _remove(self) -> None:
         gone = {item.text() for item in self.list.selectedItems()}
         self._take([name for name in self.value() if name not in gone])
+
+    def _light_up(self) -> None:
+        """Select the faces of the chosen rows in the 3D view: it shows which these are."""
+        if is_picking():
+            return
+        FreeCADGui.Selection.clearSelection()
+        try:
+            for item in self.list.selectedItems():
+                FreeCADGui.Selection.addSelection(self.base.Document.Name, self.base.Name, item.text())
+        except (ReferenceError, RuntimeError, ValueError):  # the part is gone, or that face of it: Calculate says so
+            return
 
     def _take(self, names: Sequence[str]) -> None:
         self.show_value(names)
