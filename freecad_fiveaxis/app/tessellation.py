@@ -191,7 +191,7 @@ def _milled(label: str, rows: Sequence[int], chosen: int, avoid: Sequence[str], 
     return sorted(left) if rows else []
 
 
-def _copied(base: Any, faces: Sequence[str], avoid: Sequence[str]) -> Any:
+def _copied(base: Any, faces: Sequence[str], avoid: Sequence[str] = ()) -> Any:
     if avoid:
         raise no_names(base)
     if faces:

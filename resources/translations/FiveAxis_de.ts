@@ -2423,8 +2423,8 @@
         <translation>Der Fräser geht {depth} zu tief ins Werkstück.</translation>
     </message>
     <message>
-        <source>The faces of a mesh have no names: choose a solid, or use --avoid on the command line.</source>
-        <translation>Die Flächen eines Netzes haben keine Namen: einen Volumenkörper wählen, oder --avoid auf der Kommandozeile verwenden.</translation>
+        <source>The faces of a mesh have no names: choose a solid, or {option} on the command line.</source>
+        <translation>Die Flächen eines Netzes haben keine Namen: einen Volumenkörper wählen, oder {option} auf der Kommandozeile.</translation>
     </message>
     <message>
         <source>The head of a machine that is ticked turns: give the tool length.</source>

@@ -38,9 +38,9 @@ def step(doc):
 
 
 def contacts(path):
-    """Where the ball of the finished program touches, sampled along every cut two hundred times a block: mm, document."""
+    """Where the ball's lowest point goes, sampled along every feed block, cuts and links, two hundred times: mm, document."""
     made = results.result_of(path).made.path
-    begin = np.flatnonzero((made.motion[1:] == Motion.CUT) & (made.motion[:-1] == Motion.CUT))
+    begin = np.flatnonzero(made.motion[1:] != Motion.RAPID)
     end = begin + 1
     share = np.linspace(0.0, 1.0, 201)[:, None, None]
     tip = (made.tip[begin] * (1 - share) + made.tip[end] * share).reshape(-1, 3)

@@ -55,8 +55,10 @@ class AvoidField(Field):
         if self.base is None:
             self.show_note(_gone())
         elif is_mesh(self.base):
-            text = translate("FiveAxis", "The faces of a mesh have no names: choose a solid, or use --avoid on the command line.")
-            self.show_note(text)
+            text = translate(
+                "FiveAxis", "The faces of a mesh have no names: choose a solid, or {option} on the command line."
+            )
+            self.show_note(text.format(option="--avoid"))
 
     def _fit(self) -> None:
         """The list is as high as its rows; there is something to remove where a row is chosen."""
