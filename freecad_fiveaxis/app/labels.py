@@ -141,7 +141,7 @@ def _of_programs() -> dict[str, str]:
         "gouge": translate("FiveAxis", "Gouge protection"),
         "shank": translate("FiveAxis", "Shank, Ø x length"),
         "holder": translate("FiveAxis", "Holder, Ø x length"),
-        "avoid": translate("FiveAxis", "Faces to avoid"),
+        "avoid": translate("FiveAxis", "Faces to leave alone"),
         "fixture": translate("FiveAxis", "Fixtures"),
         "fixtures": translate("FiveAxis", "Fixtures"),
         "left": translate("FiveAxis", "Rest material"),

@@ -38,6 +38,7 @@ from freecad_fiveaxis.core.collision.table_check import check_table
 from freecad_fiveaxis.core.corrections.divide_rapids import RapidClearance, divide_rapids
 from freecad_fiveaxis.core.corrections.lead_in import lead_in
 from freecad_fiveaxis.core.corrections.leave_out import leave_out
+from freecad_fiveaxis.core.corrections.left_alone import lead_over_others
 from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
 from freecad_fiveaxis.core.corrections.near_links import stay_near
 from freecad_fiveaxis.core.corrections.tilt import tilt_free
@@ -130,7 +131,9 @@ def near_the_part(context: MillContext, path: CLPath) -> CLPath:
     radius, limit = settings.cutter.cutter.radius, AIM * settings.proof.tolerance
     tree, driven, above = facet_tree(context.obstacles), tip_to_driven(settings), tip_to_surface(settings)
     body, kinematics = tool_body(settings), context.kinematics
-    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics)
+    chosen = context.chosen
+    spared = None if chosen is None else lambda begin, end: lead_over_others(begin, end, context.mesh, chosen)
+    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared)
 
 
 def led_in(context: MillContext, path: CLPath) -> CLPath:

@@ -35,12 +35,14 @@ class JobContext:
 @dataclass(frozen=True, eq=False)
 class MillContext(JobContext):
     """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of. ``field``: of the tool
-    axes on them, where the strategy chooses these by what is free; ``joined``: part and fixtures, where there are some."""
+    axes on them, where the strategy chooses these by what is free; ``joined``: part and fixtures, where there are some;
+    ``chosen`` (f,): the facets that may be machined at all, where not all may."""
 
     mesh: Mesh
     keep: Bools
     field: AxisField | None = None
     joined: Mesh | None = None
+    chosen: Bools | None = None
 
     @property
     def obstacles(self) -> Mesh:

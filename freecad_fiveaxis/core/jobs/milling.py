@@ -80,7 +80,7 @@ def mill_context(
     """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all.
     ``fixtures``: what is kept clear of as the rest of the part is."""
     joined, box = join_obstacles(mesh, fixtures), box_with(mesh.box, fixtures)
-    most = largest_axis_angle(settings, machine, mesh)
+    most, chosen = largest_axis_angle(settings, machine, mesh), faces
     if settings.tool_axis.tool_axis == AUTO:
         standing = standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None)
         faces = ~standing if faces is None else faces
@@ -91,10 +91,10 @@ def mill_context(
         keep, left_out = select_facets(field, joined, to_cut, most)
         keep = keep[: len(faces)]
         left_out = (*report_standing(mesh, standing), *report_part_in_table(settings, machine, mesh), *left_out)
-        return MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined), left_out
+        return MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen), left_out
     followed = None if keeps_its_axis(settings, machine) else kinematics
     keep, left_out = facets_within_limits(mesh, followed, most, faces)
-    return MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined), left_out
+    return MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen), left_out
 
 
 def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
