@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.jobs import job
 def two_threads(monkeypatch):
     """Also where the tests have one processor; and nothing may live longer than the call."""
     monkeypatch.setattr(chunks_module, "ALONE", False)
+    monkeypatch.setattr(chunks_module, "PROCESSORS", 2)
     before = threading.active_count()
     yield
     assert threading.active_count() == before

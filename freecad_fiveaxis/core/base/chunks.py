@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work on long columns by two threads: the one place of the core that knows threads.
+"""Work on long columns by several threads: the one place of the core that knows threads.
 
 portion   some rows of long columns, worked on by themselves: nothing that is done to them depends on other portions, so the
-          result is the same to the last bit with one thread or two, whoever does which.
-helper    the second thread. It lives as long as the call, and never longer.
+          result is the same to the last bit with one thread or many, whoever does which.
+helper    a thread beside the calling one, as many as there are processors. It lives as long as the call, and never longer.
 
-numpy lets Python go on in another thread during each of its calls, but not between them. So two threads are faster only where
-calls are long, with tens of thousands of rows; with short ones each only waits for the other.
+numpy lets Python go on in another thread during each of its calls, but not between them. So threads are faster only where
+calls are long, with tens of thousands of rows; with short ones each only waits for the others.
 """
 
 from __future__ import annotations
@@ -29,7 +29,10 @@ R = TypeVar("R")
 PORTION = 98304
 """Rows of a portion: long enough for two threads to work side by side, short enough for its columns to stay in the cache."""
 
-ALONE = (os.cpu_count() or 1) < 2
+PROCESSORS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+"""That this process may use."""
+
+ALONE = PROCESSORS < 2
 """True where a second thread has no processor to run on."""
 
 _inside = threading.local()
@@ -37,7 +40,7 @@ _inside = threading.local()
 
 def chunks(count: int, most: int | None = None) -> list[slice]:
     """Slices of nearly the same length, at most ``most`` rows (None: PORTION), that make up ``count`` rows: one for up to PORTION
-    rows, else an even number, so that both threads have as much to do."""
+    rows, else an even number, so that two threads have as much to do. It does not depend on the processors that there are."""
     if not count:
         return []
     number = 2 * math.ceil(count / (2 * (most or PORTION))) if count > PORTION else 1
@@ -46,10 +49,10 @@ def chunks(count: int, most: int | None = None) -> list[slice]:
 
 
 def in_threads(work: Callable[[P], R], parts: Sequence[P], progress: Callable[[float], None] | None = None) -> list[R]:
-    """What ``work`` gives for each of ``parts``, in their order; two of them at a time where there are several.
+    """What ``work`` gives for each of ``parts``, in their order; as many of them at a time as there are processors.
 
     ``progress`` gets the share that is done, always on the calling thread. An exception in ``work`` or from ``progress``
-    (:class:`~freecad_fiveaxis.core.base.errors.Cancelled` too) passes through once both threads have ended the part they are at.
+    (:class:`~freecad_fiveaxis.core.base.errors.Cancelled` too) passes through once all threads have ended the part they are at.
     Within ``work`` another on_all keeps to its thread.
     """
     results: dict[int, R] = {}
@@ -61,7 +64,7 @@ def in_threads(work: Callable[[P], R], parts: Sequence[P], progress: Callable[[f
             while todo:
                 try:
                     place, part = todo.popleft()
-                except IndexError:  # the other one was faster
+                except IndexError:  # another one was faster
                     break
                 results[place] = work(part)
                 if tell is not None:
@@ -73,7 +76,8 @@ def in_threads(work: Callable[[P], R], parts: Sequence[P], progress: Callable[[f
     if ALONE or len(parts) < 2 or getattr(_inside, "work", False):
         take_share(progress)
     else:
-        meanwhile(lambda: take_share(None), lambda: take_share(progress))
+        helpers = max(min(PROCESSORS, len(parts)) - 1, 1)
+        _beside([lambda: take_share(None)] * helpers, lambda: take_share(progress))
     return [results[place] for place in range(len(parts))]
 
 
@@ -94,14 +98,20 @@ def meanwhile(second: Callable[[], Any], work: Callable[[], R]) -> R:
     if getattr(_inside, "alone", False):
         second()
         return work()
+    return _beside([second], work)
+
+
+def _beside(others: Sequence[Callable[[], Any]], work: Callable[[], R]) -> R:
+    """What ``work`` gives, done while a helper does each of the others, under the same rules for floating-point errors."""
     rules = np.geterr()
 
-    def helper() -> None:
+    def help_with(other: Callable[[], Any]) -> None:
         with np.errstate(**rules):
-            second()
+            other()
 
-    with ThreadPoolExecutor(1) as threads:
-        helping = threads.submit(helper)
+    with ThreadPoolExecutor(len(others)) as threads:
+        helping = [threads.submit(help_with, other) for other in others]
         done = work()
-        helping.result()
+        for one in helping:
+            one.result()
     return done

@@ -20,6 +20,7 @@ from itertools import pairwise
 import numpy as np
 from scipy.spatial import cKDTree
 
+from freecad_fiveaxis.core.base.chunks import in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -107,10 +108,12 @@ def find_rest_material(
     progress("what is left", 0.0)
     way, near = _sampled_enough(body, swept, blocks, point)
     height, nearest = np.empty(len(point)), np.empty(len(point), np.int64)
-    for first in range(0, len(point), CHUNK // near):
-        progress("what is left", first / len(point))
+
+    def work(first: int) -> None:
         rows = slice(first, first + CHUNK // near)
         height[rows], nearest[rows] = _screened(body, way, point[rows], near, enough)
+
+    in_threads(work, range(0, len(point), CHUNK // near), lambda share: progress("what is left", share))
     progress("what is left", 1.0)
     return RestMaterial(point, facet, area, height, nearest, spacing)
 

@@ -10,15 +10,18 @@ divided in time or across the facet until bound and depth are as near as asked f
 
 from __future__ import annotations
 
+import threading
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.chunks import in_threads
+from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import Body, Piece
 
@@ -27,11 +30,14 @@ from .deepest import deepest, end_and_side, least_mixed, support_at
 from .demanded_lift import raise_to_demand
 from .swept_motion import Clusters, MotionSegments, Poses, StraightSweep, SweptMotion, clusters_of, segments_of
 
-BATCH = 16384
-"""Blocks at a time: their table stays in the processor's cache."""
+BATCH = 8192
+"""Blocks at a time: enough of them, and no more than a thread is done with in a second or two."""
 
-SLICE = 12288
-"""Pairs at a time."""
+FEW = 2048
+"""Blocks that are not worth a second thread."""
+
+SLICE = 49152
+"""Pairs at a time: fewer stay in the cache of one thread, but two threads wait for each other between short calls."""
 
 ROUNDS = 40
 """Divisions of a pair; after that the bound is what it is."""
@@ -88,9 +94,7 @@ def find_entries(
     wanted = np.arange(m) if blocks is None else blocks
     floors = np.full(m + 1, limit)
     search = _Search(tree, swept, limit, 0.1 * limit if accuracy is None else accuracy, body.reach, found, np.zeros(m), floors)
-    for first in range(0, len(wanted), BATCH):
-        progress("gouge", first / len(wanted))
-        search.batch(body, wanted[first : first + BATCH], _now_and_then(progress, first / len(wanted)))
+    search.batches(body, wanted, progress)
     progress("gouge", 1.0)
     found.bound[wanted] = np.maximum(found.bound[wanted], floors[wanted])
     return found
@@ -109,24 +113,34 @@ def find_demanded_lift(body: Body, tree: FacetTree, up: SweptMotion, limit: floa
     m, lift = len(up), np.zeros(len(up))
     found = Entries(np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64))
     search = _Search(tree, up, limit, np.inf, body.reach, found, np.zeros(m), np.full(m + 1, limit), learns=False)
-    for first in range(0, m, BATCH):
-        progress("gouge", first / m)
-        blocks = np.arange(first, min(first + BATCH, m))
-        search.batch(body, blocks, _now_and_then(progress, first / m), lift)
+    search.batches(body, np.arange(m), progress, lift)
     return lift
 
 
-def _now_and_then(progress: Progress, fraction: float) -> Callable[[], None]:
-    """What says how far the work is, at most a few times a second."""
-    last = time.monotonic()
+class _Ticks:
+    """Says how far the work is, a few times a second at most and on the thread that it was made on; where that is refused
+    (:class:`~freecad_fiveaxis.core.base.errors.Cancelled`), other threads end at their next tick."""
 
-    def tick() -> None:
-        nonlocal last
-        if time.monotonic() - last > PAUSE:
-            last = time.monotonic()
-            progress("gouge", fraction)
+    def __init__(self, progress: Progress) -> None:
+        self.progress, self.caller, self.last = progress, threading.get_ident(), time.monotonic()
+        self.share, self.refused = 0.0, False
 
-    return tick
+    def __call__(self) -> None:
+        if threading.get_ident() != self.caller:
+            if self.refused:
+                raise Cancelled(say("stopped"))
+        elif time.monotonic() - self.last > PAUSE:
+            self.last = time.monotonic()
+            self.tell(self.share)
+
+    def tell(self, share: float) -> None:
+        """Say that this share of the work, 0 to 1, is done."""
+        self.share = share
+        try:
+            self.progress("gouge", share)
+        except BaseException:
+            self.refused = True
+            raise
 
 
 class _Left(NamedTuple):
@@ -163,22 +177,29 @@ class _Search:
     floors: Floats
     learns: bool = True
 
-    def batch(self, body: Body, blocks: Ints, tick: Callable[[], None], lift: Floats | None = None) -> None:
-        """Fill in the entries of these blocks, or only the ``lift`` (m,) mm they demand; ``tick`` is called again and again."""
+    def batches(self, body: Body, blocks: Ints, progress: Progress, lift: Floats | None = None) -> None:
+        """:meth:`batch` for any number of blocks, on all threads: what is found of one depends on none of another batch."""
+        ticks = _Ticks(progress)
+        count = 2 * -(-len(blocks) // (2 * BATCH)) if len(blocks) > FEW else min(len(blocks), 1)
+        parts = np.array_split(blocks, count) if count else []
+        in_threads(lambda some: self.batch(body, some, ticks, lift), parts, ticks.tell)
+
+    def batch(self, body: Body, blocks: Ints, ticks: _Ticks, lift: Floats | None = None) -> None:
+        """Fill in the entries of these blocks, or only the ``lift`` (m,) mm they demand; ``ticks`` are called again and again."""
         parts = segments_of(self.swept, blocks, self.reach, BENT * self.limit)
         clusters = clusters_of(self.swept, parts, self.reach)
         try:
             for piece in sorted(body.pieces, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
                 if piece.most > self.limit:
-                    left = self._traverse(piece, clusters, parts, tick)
+                    left = self._traverse(piece, clusters, parts, ticks)
                     if lift is None:
-                        self._refine(piece, left, tick)
+                        self._refine(piece, left, ticks)
                     else:
                         self._demand(piece, body, left, lift)
         except _TooMany:
             half = len(blocks) // 2
             for some in (blocks[:half], blocks[half:]):
-                self.batch(body, some, tick, lift)
+                self.batch(body, some, ticks, lift)
 
     def _raise(self, block: Ints) -> None:
         """Work out the floors of these blocks anew."""
@@ -190,12 +211,12 @@ class _Search:
             floor = np.where(placed > 0.0, np.maximum(floor, placed + np.maximum(self.accuracy, RELATIVE * placed)), floor)
         self.floors[block] = floor
 
-    def _traverse(self, piece: Piece, clusters: Clusters, parts: MotionSegments, tick: Callable[[], None]) -> _Left:
+    def _traverse(self, piece: Piece, clusters: Clusters, parts: MotionSegments, ticks: _Ticks) -> _Left:
         sweep, node = np.arange(clusters.top), np.zeros(clusters.top, np.int64)
         owner = np.concatenate([np.full(clusters.first, len(self.known)), parts.block])
         done: list[tuple[Ints, Ints]] = []
         while len(sweep):
-            tick()
+            ticks()
             sweep, node, enters = self._pruned(piece, clusters, owner, sweep, node)
             whole = (clusters.arity.take(sweep) == 0) & (node >= self.tree.leaf)
             done.append((sweep[whole] - clusters.first, node[whole]))
@@ -253,17 +274,17 @@ class _Search:
                 way = ((self.swept.pose(some.block, some.end).tip - pose.tip) * pose.axis).sum(axis=0)
                 raise_to_demand(lift, some.block, piece, body, pose, way, some.corner, self.limit)
 
-    def _refine(self, piece: Piece, left: _Left, tick: Callable[[], None]) -> None:
+    def _refine(self, piece: Piece, left: _Left, ticks: _Ticks) -> None:
         """The depth of the pairs, some of each block at a time: what they tell makes many of the others superfluous."""
         parts = -(-len(left.block) // AT_ONCE)
         for k in range(parts):
             rows = np.arange(k, len(left.block), parts)
             rows = rows[piece.most > self.floors.take(left.block.take(rows))]
-            self._refine_some(piece, left.picked(rows), tick)
+            self._refine_some(piece, left.picked(rows), ticks)
 
-    def _refine_some(self, piece: Piece, left: _Left, tick: Callable[[], None]) -> None:
+    def _refine_some(self, piece: Piece, left: _Left, ticks: _Ticks) -> None:
         for _ in range(ROUNDS):
-            tick()
+            ticks()
             if not len(left.block):
                 return
             middle = 0.5 * (left.start + left.end)
