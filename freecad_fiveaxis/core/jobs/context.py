@@ -12,6 +12,7 @@ from freecad_fiveaxis.core.corrections.facets_with_axis import AxisField
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.passes.boundary import Boundary
 
 from .settings import Settings
 
@@ -35,12 +36,14 @@ class JobContext:
 @dataclass(frozen=True, eq=False)
 class MillContext(JobContext):
     """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of. ``field``: of the tool
-    axes on them, where the strategy chooses these by what is free; ``joined``: part and fixtures, where there are some."""
+    axes on them, where the strategy chooses these by what is free; ``joined``: part and fixtures, where there are some;
+    ``boundary``: within which the passes are kept."""
 
     mesh: Mesh
     keep: Bools
     field: AxisField | None = None
     joined: Mesh | None = None
+    boundary: Boundary | None = None
 
     @property
     def obstacles(self) -> Mesh:
