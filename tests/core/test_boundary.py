@@ -342,6 +342,20 @@ def test_an_axis_other_than_z_and_faces_beside_it(tmp_path):
     assert length(offset) == pytest.approx(10 * 40)
 
 
+@pytest.mark.parametrize("by", ["contact", "centre"])
+def test_what_is_left_is_looked_for_within_the_boundary_alone(tmp_path, by):
+    """The plate's two facets lie outside for the larger part; beside passes that end at the boundary no more stays than between."""
+    found = job.run(replace_left(made(tmp_path, (RECTANGLE, ISLAND), boundary_by=by).settings))
+    assert found.left.area.sum() == pytest.approx(30 * 20 - 10 * 10, rel=0.03) and found.left.height.max() < 0.1
+    assert not [one for one in found.findings if one.code == "uncut"]
+    whole = job.run(replace_left(replace(found.made.settings, boundary=type(found.made.settings.boundary)())))
+    assert whole.left.area.sum() == pytest.approx(40 * 30)
+
+
+def replace_left(settings):
+    return replace(settings, gouge=replace(settings.gouge, left="on"))
+
+
 # ------------------------------------------------------------------------------------------------ what is refused
 
 

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import one_line
 from freecad_fiveaxis.core.cl.coedge import OffsetPath
 from freecad_fiveaxis.core.cl.cut_at_boundary import cut_at_boundary
@@ -60,6 +61,17 @@ def bounded_by_hub(context: MillContext, offset: OffsetPath, axis: Floats) -> tu
         return offset, axis
     cut, along = cut_at_boundary(offset, context.boundary, True, axis)
     return cut, axis if along is None else along
+
+
+def counted_places(context: MillContext) -> Callable[[Floats, Ints], Bools] | None:
+    """What tells of places (k, 3) mm on facets (k,) of the part whether they lie within the boundary, so that something is to be
+    cut there; where the centre counts, the place of a ball's over them. None where there is no boundary."""
+    boundary = context.boundary
+    if boundary is None:
+        return None
+    stand = context.settings.cutter.cutter.corner if context.settings.boundary.boundary_by == CENTRE else 0.0
+    normal, curves, seen = context.mesh.normal, boundary.curves, boundary.seen
+    return lambda point, facet: curves.inside(seen(point + stand * normal[facet]))
 
 
 def _by_hub(context: MillContext) -> bool:

@@ -48,6 +48,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 
+from .bounded import counted_places
 from .context import MillContext
 from .driving import drive
 from .options import (
@@ -205,7 +206,8 @@ def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
     cutter = settings.cutter.cutter
     swept = _commanded(settings, path)
     spacing, above, blocks = LEFT_SPACING * cutter.diameter, allowed(settings, mesh, keep), cutting(path.motion)
-    left = find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, above)
+    within = counted_places(context)
+    left = find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, above, within)
     return uncut_finding(left, above)
 
 
@@ -291,7 +293,8 @@ def find_left(context: MillContext, program: Program) -> RestMaterial:
     cutter, swept = settings.cutter.cutter, program_motion(context.kinematics, program, tip_to_driven(settings))
     even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
     spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
-    return find_rest_material(mesh, body_of(cutter), swept, cutting(program.motion), spacing, keep, context.progress)
+    blocks, within = cutting(program.motion), counted_places(context)
+    return find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, counts=within)
 
 
 def rest_material_findings(left: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:

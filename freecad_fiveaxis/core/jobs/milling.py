@@ -121,7 +121,10 @@ def mill(context: MillContext) -> Milled:
     joints = keep_rapids_clear(context, joints)
     found = untouched + contact.findings + turned.findings + held + said + path.findings + uncut_by_cure(context, path)
     program = posted(context, path, joints, found)
-    return Milled(**vars(program), mesh=context.mesh, contact=contact, offset=offset, axis=axis, keep=context.keep)
+    return Milled(
+        **vars(program), mesh=context.mesh, contact=contact, offset=offset, axis=axis, keep=context.keep,
+        boundary=context.boundary,
+    )  # fmt: skip
 
 
 def laid(context: MillContext) -> tuple[ContactPath, tuple[Finding, ...]]:

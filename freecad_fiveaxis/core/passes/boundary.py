@@ -58,6 +58,7 @@ def read_boundary(path: str, name: str, axis: Vector) -> Boundary:
     columns first. ``axis``: I,J,K, any length above 0. Raises SettingsError, FileError for what is no boundary."""
     curves = [_closed(curve, name, number) for number, curve in enumerate(_read_curves(path, name), 1)]
     basis = _across(axis)
+    basis = basis[np.argsort([-_to_and_fro(curves, one) for one in basis])]
     seen = [curve @ basis.T for curve in curves]
     for number, curve in enumerate(seen, 1):
         if _width(curve) <= FLATTEST * float(np.ptp(curves[number - 1], axis=0).max()):
@@ -147,6 +148,13 @@ def _closed(curve: Floats, name: str, number: int) -> Floats:
         )  # fmt: skip
         raise SettingsError(text, corners)
     return np.concatenate([curve[:-1], curve[:1]])
+
+
+def _to_and_fro(curves: list[Floats], along: Floats) -> float:
+    """How many times the curves go over their whole extent along a direction: few slabs are worth it across that."""
+    place = [curve @ along for curve in curves]
+    way = sum(float(np.abs(np.diff(one)).sum()) for one in place)
+    return way / max(float(np.ptp(np.concatenate(place))), 1e-300)
 
 
 def _width(curve: Floats) -> float:
