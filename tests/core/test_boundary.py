@@ -173,6 +173,12 @@ def test_passes_that_run_along_the_boundary_stay_and_so_does_a_path_that_lies_in
     assert whole.nc == free.nc and not [one for one in whole.findings if "boundary" in one.code]
 
 
+def test_a_pass_that_only_touches_an_island_goes_on(tmp_path):
+    offset = made(tmp_path, (RECTANGLE, ((20, 7.5), (22, 9), (20, 9), (18, 9)))).offset
+    assert set(np.bincount(offset.polyline[np.isclose(offset.point[:, 1], 7.5)])) <= {0, 3}  # two ends and a co-edge
+    assert offset.polyline[-1] + 1 == 20 + 1  # the island divides the pass at 8.5 alone
+
+
 def test_facets_outside_are_left_out_and_their_area_is_told(tmp_path):
     triangles = field(20, lambda x, y: 0 * x, 2.0)
     found = made(tmp_path, [((0, 0), (20, 0), (20, 12), (0, 12))], triangles)
@@ -182,7 +188,7 @@ def test_facets_outside_are_left_out_and_their_area_is_told(tmp_path):
     mesh = found.mesh
     boundary = read_boundary(written(tmp_path / "c.csv", star(30, 9.0, middle=(20, 20))), "c", (0.0, 0.0, 1.0))
     kept, _ = facets_within(boundary, mesh, None)
-    share = np.stack(np.meshgrid(*[np.linspace(0.005, 0.98, 40)] * 2), axis=-1).reshape(-1, 2)
+    share = np.stack(np.meshgrid(*[np.linspace(0.01, 0.97, 16)] * 2), axis=-1).reshape(-1, 2)
     share = share[share.sum(axis=1) < 0.995]
     a, b, c = mesh.vertex[mesh.face].transpose(1, 0, 2)[:, :, :2]
     place = a[:, None] + share[:, :1] * (b - a)[:, None] + share[:, 1:] * (c - a)[:, None]
@@ -233,9 +239,28 @@ def test_ends_of_a_cut_stand_as_the_ball_does_on_their_facet(tmp_path):
     np.testing.assert_allclose(cut.centre[on], cut.point[on] + 1.5 * mesh.normal[cut.face[on]], atol=1e-9)
     corner = mesh.vertex[mesh.face[cut.face[on]]]
     assert np.abs(((cut.point[on] - corner[:, 0]) * mesh.normal[cut.face[on]]).sum(axis=1)).max() < 1e-9
-    turn = np.linalg.norm(cut.before[1:] + cut.after[1:] - cut.before[:-1] - cut.after[:-1], axis=1)[lasting(cut) - 1]
-    whole = np.linalg.norm(uncut.before[1:] + uncut.after[1:] - uncut.before[:-1] - uncut.after[:-1], axis=1)[lasting(uncut) - 1]
-    assert turn.max() <= whole.max() * (1 + 1e-9)  # no axis turns more at once than on the whole passes
+    solid = np.flatnonzero(~uncut.fill & (np.diff(uncut.polyline, prepend=-1) == 0))
+    end = solid[np.searchsorted(uncut.segment[solid], cut.segment[on])]
+    assert (uncut.segment[end] == cut.segment[on]).all() and (cut.before[on] == cut.after[on]).all()
+    mean = uncut.before + uncut.after
+    mean /= np.linalg.norm(mean, axis=1)[:, None]
+    share = (np.linalg.norm(cut.point[on] - uncut.point[end - 1], axis=1)
+             / np.linalg.norm(uncut.point[end] - uncut.point[end - 1], axis=1))[:, None]  # fmt: skip
+    even = (1 - share) * mean[end - 1] + share * mean[end]  # so that no axis turns at once
+    np.testing.assert_allclose(cut.before[on], even / np.linalg.norm(even, axis=1)[:, None], atol=2e-4)
+
+
+def test_rows_beside_a_wall_are_still_known_where_others_are_gone(tmp_path):
+    mesh = from_triangles(np.asarray(step().vertex)[np.asarray(step().face)])
+    floor = (np.abs(mesh.vertex[mesh.face][..., 2]).max(axis=1) == 0.0) & (mesh.normal[:, 2] > 0.9)
+    uncut = close_gaps(slice_mesh(mesh, np.arange(-15, 15.5, 1.0), np.pi / 2, plain=~floor), mesh, 4.0, 0.01, floor)
+    assert len(uncut.beside) > 20
+    curve = ((-10.5, -25), (12.5, -25), (12.5, 5), (-10.5, 5))
+    cut, _ = cut_at_boundary(uncut, boundary_of(tmp_path, [curve]))
+    kept = wound([curve], uncut.point[uncut.beside, :2])
+    assert 0 < kept.sum() < len(kept)
+    np.testing.assert_array_equal(cut.point[cut.beside], uncut.point[uncut.beside[kept]])
+    np.testing.assert_array_equal(cut.wall, uncut.wall[kept])
 
 
 def rotation():
@@ -300,6 +325,8 @@ def test_closed_passes_stay_closed_or_become_one_piece_over_the_seam(tmp_path):
         assert half.offset.polyline[-1] + 1 == rings and not closed(half.offset).any()
         assert length(half.offset) == pytest.approx(0.5 * length(free.offset), rel=1e-3)
         assert (sign * half.offset.point[:, 0]).min() > -1e-9
+        cut, _ = cut_at_boundary(free.offset, read_boundary(side, "half.csv", (0.0, 0.0, 1.0)))  # no facet left out before
+        assert cut.polyline[-1] + 1 == rings and length(cut) == pytest.approx(length(half.offset), rel=1e-12)
 
 
 # ------------------------------------------------------------------------------------------------ in the job
